@@ -1,0 +1,60 @@
+/// Corrected: the procedures of the lecture with the errors of the printed text put right. The default set.
+///
+/// A procedure set is a struct of static functions. A set of one's own derives from this one and hides what it does
+/// otherwise: a whole procedure, or one of the rules below, in which editions of the text differ. trace/FORMAT.md and
+/// `vidno methods` name the editions; printed.h lists the defects (X-...).
+#pragma once
+
+#include "warnock/depth.h"
+#include "warnock/fill_polygon.h"
+#include "warnock/initialize_polygon.h"
+#include "warnock/point_color.h"
+#include "warnock/polygon_clip.h"
+#include "warnock/process_window.h"
+#include "warnock/surround_test.h"
+#include "warnock/warnock.h"
+#include "z_buffer/show_line.h"
+#include "z_buffer/z_buffer.h"
+
+namespace vidno {
+
+struct Corrected : Warnock,
+                   ProcessWindow,
+                   PointColor,
+                   Depth,
+                   SurroundTest,
+                   PolygonClip,
+                   InitializePolygon,
+                   FillPolygon,
+                   ZBuffer,
+                   ShowLine {
+    static constexpr std::string_view name = "corrected";
+
+    /// W2: which polygons join the first list. Edge-on was decided exactly when the scene was read.
+    static bool takes_part(const auto&, const auto& polygon) { return !polygon.edge_on; }
+
+    /// W3: the first window. A power-of-two square splits into whole pixels; parts off the area are skipped.
+    static Window root_window(const Area& area) { return covering_square(area); }
+
+    /// W13: the list of a part of a window: its own copy.
+    template <class List>
+    static std::shared_ptr<List> list_for_part(const std::shared_ptr<List>& list) {
+        return std::make_shared<List>(*list);
+    }
+
+    /// PW1: what the corner depths start at.
+    static auto first_corner_depth(const auto& kernel) { return kernel.farthest(); }
+
+    /// PW3: does a polygon leave the list.
+    static bool discards(bool surrounding, bool outside) { return !surrounding && outside; }
+
+    /// PW7: is a polygon that is nearest at k corners a reason to doubt the surrounding one before it.
+    static bool uncovers(int k) { return k > 0; }
+
+    /// PL5: do two cross products have strictly opposite signs.
+    static bool opposite(const auto& kernel, const auto& p, const auto& q) {
+        return kernel.sign(p) != Sign::zero && kernel.sign(p) == -kernel.sign(q);
+    }
+};
+
+}  // namespace vidno

@@ -1,0 +1,133 @@
+/// NumberKernel: a kernel that computes each formula of the text as it stands, in the numbers it is given.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "../kernel.h"
+
+namespace vidno {
+
+template <class T>
+struct NumberKernel {
+    using Number = T;
+
+    static constexpr bool has_infinity = std::numeric_limits<T>::has_infinity;
+
+    /// Where the numbers have no infinity, "no polygon yet" is the empty depth: it compares below every other.
+    using Depth = std::conditional_t<has_infinity, T, std::optional<T>>;
+
+    Vertex<T> vertex(const glm::dvec3& v) const { return {T(v.x), T(v.y), T(v.z)}; }
+    Point<T> point(double x, double y) const { return {T(x), T(y)}; }
+    T centre(int pixel) const { return T(pixel + 0.5); }
+
+    Sign sign(const T& value) const { return Sign{int(value > 0) - int(value < 0)}; }
+
+    T cross(const auto& pivot, const auto& a, const auto& b) const {
+        return (a.x - pivot.x) * (b.y - pivot.y) - (a.y - pivot.y) * (b.x - pivot.x);
+    }
+
+    Vertex<T> meet(const Vertex<T>& p, const Vertex<T>& q, const T& cp, const T& cq) const {
+        const T t = cp / (cp - cq);
+        return {p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t, p.z + (q.z - p.z) * t};
+    }
+
+    Depth depth(const Plane<T>& plane, const auto& point) const {
+        return Depth(T(-(plane.a * point.x + plane.b * point.y + plane.d) / plane.c));
+    }
+
+    Depth farthest() const {
+        if constexpr (has_infinity) {
+            return -std::numeric_limits<T>::infinity();
+        } else {
+            return std::nullopt;
+        }
+    }
+
+    /// The number that the depth of a plane is.
+    T finite(const Depth& z) const {
+        if constexpr (has_infinity) {
+            return z;
+        } else {
+            return z.value();
+        }
+    }
+
+    bool nearer(const Depth& z, const Depth& than) const { return z > than; }
+
+    bool outside(const Box<T>& box, const Window& window) const {
+        return box.xmax < T(window.x) || box.ymax < T(window.y) || box.xmin > T(window.right()) ||
+               box.ymin > T(window.bottom());
+    }
+
+    bool inside(const Box<T>& box, const Window& window) const {
+        return box.xmin > T(window.x) && box.ymin > T(window.y) && box.xmax < T(window.right()) &&
+               box.ymax < T(window.bottom());
+    }
+
+    int first_centre(const T& value, int low, int end) const {
+        if (!(value > centre(low))) return low;
+        if (value > centre(end - 1)) return end;
+        int pixel = nearby_pixel(value, low, end);
+        while (centre(pixel) < value) ++pixel;
+        while (centre(pixel - 1) >= value) --pixel;
+        return pixel;
+    }
+
+    int last_centre(const T& value, int low, int end) const {
+        if (!(value >= centre(low))) return low - 1;
+        if (value >= centre(end - 1)) return end - 1;
+        int pixel = nearby_pixel(value, low, end);
+        while (centre(pixel) > value) --pixel;
+        while (centre(pixel + 1) <= value) ++pixel;
+        return pixel;
+    }
+
+    Crossings<T> crossings(const std::vector<Vertex<T>>& vertices, const T& y) const {
+        Crossings<T> found{T(1), T(0)};
+        bool any = false;
+        const auto include = [&](const T& x) {
+            if (!any || x < found.left) found.left = x;
+            if (!any || x > found.right) found.right = x;
+            any = true;
+        };
+        const auto* from = &vertices.back();
+        for (const auto& to : vertices) {
+            const auto& upper = from->y < to.y ? *from : to;
+            const auto& lower = from->y < to.y ? to : *from;
+            if (y == upper.y) include(upper.x);
+            if (y == lower.y) include(lower.x);
+            if (upper.y < y && y < lower.y) {
+                include(upper.x + (y - upper.y) * (lower.x - upper.x) / (lower.y - upper.y));
+            }
+            from = &to;
+        }
+        return found;
+    }
+
+    T divide(const T& a, const T& b) const {
+        if constexpr (!has_infinity) {
+            if (b == 0) throw DivisionByZero{};
+        }
+        return a / b;
+    }
+
+private:
+    /// The pixel low <= i < end that holds the value, which lies in that range.
+    static int nearby_pixel(const T& value, int low, int end) {
+        if constexpr (has_infinity) {
+            return int(std::floor(value));
+        } else {
+            while (end - low > 1) {
+                const int middle = low + (end - low) / 2;
+                (T(middle) <= value ? low : end) = middle;
+            }
+            return low;
+        }
+    }
+};
+
+}  // namespace vidno

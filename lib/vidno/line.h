@@ -1,0 +1,64 @@
+/// Line: the labels of the listings' lines. Every event bears the one that caused it.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace vidno {
+
+// clang-format off
+enum class Line : unsigned char {
+    W1, W2, W3, W4, W5, W6, W7, W8, W9, W10, W11, W12, W13,   // Warnock
+    PW1, PW2, PW3, PW4, PW5, PW6, PW7, PW8, PW9, PW10,        // ProcessWindow
+    PC1, PC2, PC3, PC4, PC5,                                  // PointColor
+    D1,                                                       // Depth
+    S1, S2, S3, S4,                                           // SurroundTest
+    PL1, PL2, PL3, PL4, PL5, PL6, PL7, PL8,                   // PolygonClip
+    I1,                                                       // InitializePolygon
+    F1, F2, F3,                                               // FillPolygon
+    Z1, Z2, Z3, Z4, Z5, Z6, Z7, Z8, Z9, Z10, Z11, Z12, Z13, Z14, Z15, Z16, Z17,  // ZBuffer
+    L1, L2, L3, L4, L5, L6, L7,                               // ShowLine
+};
+
+inline constexpr auto line_names = std::to_array<std::string_view>({
+    "W1", "W2", "W3", "W4", "W5", "W6", "W7", "W8", "W9", "W10", "W11", "W12", "W13",
+    "PW1", "PW2", "PW3", "PW4", "PW5", "PW6", "PW7", "PW8", "PW9", "PW10",
+    "PC1", "PC2", "PC3", "PC4", "PC5",
+    "D1",
+    "S1", "S2", "S3", "S4",
+    "PL1", "PL2", "PL3", "PL4", "PL5", "PL6", "PL7", "PL8",
+    "I1",
+    "F1", "F2", "F3",
+    "Z1", "Z2", "Z3", "Z4", "Z5", "Z6", "Z7", "Z8", "Z9", "Z10", "Z11", "Z12", "Z13", "Z14", "Z15", "Z16", "Z17",
+    "L1", "L2", "L3", "L4", "L5", "L6", "L7",
+});
+// clang-format on
+
+static_assert(line_names.size() == std::size_t(Line::L7) + 1);
+
+/// The procedures that open a frame of the call stack, by the names of the listings.
+enum class Procedure : unsigned char {
+    warnock,
+    process_window,
+    point_color,
+    surround_test,
+    polygon_clip,
+    fill_polygon,
+    z_buffer,
+    show_line,
+};
+
+inline constexpr auto procedure_names = std::to_array<std::string_view>({
+    "Warnock",
+    "ProcessWindow",
+    "PointColor",
+    "SurroundTest",
+    "PolygonClip",
+    "FillPolygon",
+    "ZBuffer",
+    "ShowLine",
+});
+
+static_assert(procedure_names.size() == std::size_t(Procedure::show_line) + 1);
+
+}  // namespace vidno

@@ -1,0 +1,75 @@
+/// Picture: the colours of an area's pixels, and the two ways in which the procedures paint.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "scene.h"
+#include "window.h"
+
+namespace vidno {
+
+/// Whole pixels inside the area; may be empty.
+struct PixelRectangle {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const PixelRectangle&) const = default;
+};
+
+/// The pixels first <= x < end of a row.
+struct PixelRun {
+    int row = 0, first = 0, end = 0;
+    bool operator==(const PixelRun&) const = default;
+};
+
+class Picture {
+public:
+    Picture(const Area& area, Color background)
+        : area_(area), pixels_(std::size_t(area.width) * std::size_t(area.height), background) {}
+
+    const Area& area() const { return area_; }
+    const std::vector<Color>& pixels() const { return pixels_; }  // row by row from the top
+
+    Color at(int x, int y) const { return pixels_[index(x, y)]; }
+
+    void paint(int x, int y, Color color) { pixels_[index(x, y)] = color; }
+
+    void paint(const PixelRun& run, Color color) {
+        if (run.first >= run.end) return;
+        const auto from = pixels_.begin() + std::ptrdiff_t(index(run.first, run.row));
+        std::fill_n(from, run.end - run.first, color);
+    }
+
+    void paint(const PixelRectangle& pixels, Color color) {
+        for (int row = pixels.y; row < pixels.y + pixels.height; ++row) {
+            paint(PixelRun{row, pixels.x, pixels.x + pixels.width}, color);
+        }
+    }
+
+    /// The pixels of the area whose centres lie in the half-open window.
+    PixelRectangle pixels_of(const Window& window) const {
+        const auto centre_at_or_after = [](double v, int low, int end) {
+            return int(std::clamp(std::ceil(v - 0.5), double(low), double(end)));
+        };
+        const int left = centre_at_or_after(window.x, area_.x, area_.right());
+        const int right = centre_at_or_after(window.right(), area_.x, area_.right());
+        const int top = centre_at_or_after(window.y, area_.y, area_.bottom());
+        const int bottom = centre_at_or_after(window.bottom(), area_.y, area_.bottom());
+        return {left, top, right - left, bottom - top};
+    }
+
+    bool operator==(const Picture&) const = default;
+
+private:
+    std::size_t index(int x, int y) const {
+        assert(area_.contains(x, y));
+        return std::size_t(y - area_.y) * std::size_t(area_.width) + std::size_t(x - area_.x);
+    }
+
+    Area area_;
+    std::vector<Color> pixels_;
+};
+
+}  // namespace vidno

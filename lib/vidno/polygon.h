@@ -1,0 +1,41 @@
+/// Polygon: a polygon of the scene in the numbers of a kernel, as the procedures see it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "kernel.h"
+
+namespace vidno {
+
+template <Kernel K>
+struct Polygon {
+    using Number = typename K::Number;
+
+    int index = 0;  // its place in the scene
+    Color color;
+    bool edge_on = false;
+    std::vector<Vertex<Number>> vertices;
+    Box<Number> box;
+    Plane<Number> plane;
+};
+
+/// The least box around at least one vertex.
+template <class Number>
+Box<Number> box_around(const std::vector<Vertex<Number>>& vertices) {
+    const auto less_x = [](const auto& v, const auto& w) { return v.x < w.x; };
+    const auto less_y = [](const auto& v, const auto& w) { return v.y < w.y; };
+    const auto [left, right] = std::minmax_element(vertices.begin(), vertices.end(), less_x);
+    const auto [top, bottom] = std::minmax_element(vertices.begin(), vertices.end(), less_y);
+    return {left->x, top->y, right->x, bottom->y};
+}
+
+/// The window's corners in the order of Corner.
+template <Kernel K>
+std::array<Point<typename K::Number>, 4> corners_of(const K& kernel, const Window& window) {
+    return {kernel.point(window.x, window.y), kernel.point(window.x, window.bottom()),
+            kernel.point(window.right(), window.y), kernel.point(window.right(), window.bottom())};
+}
+
+}  // namespace vidno

@@ -1,0 +1,162 @@
+/// Run: one execution of a method: its procedure set, kernel and visitor, the polygons, and the picture so far.
+///
+/// A procedure calls another through the run, naming its own line: the set decides which text is executed, and
+/// the call tells the trace the result. So a set of one's own is traced as well as ours.
+#pragma once
+
+#include <cassert>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "picture.h"
+#include "polygon.h"
+#include "trace.h"
+
+namespace vidno {
+
+template <Kernel K>
+struct ActivePolygon {
+    const Polygon<K>* polygon;
+    bool surrounding;
+};
+
+/// APL: the polygons that may show in a window, in the order of the scene.
+template <Kernel K>
+using ActivePolygonList = std::vector<ActivePolygon<K>>;
+
+/// An entry of the stack AW. In the printed text windows may share one list.
+template <Kernel K>
+struct ActiveWindow {
+    Window window;
+    std::shared_ptr<ActivePolygonList<K>> polygons;
+};
+
+/// What ProcessWindow finds out.
+struct WindowSummary {
+    int polygon_count = 0;
+    bool has_surround = false;
+    Color color;  // of the surrounding polygon, if there is one
+    bool insider = false;
+};
+
+/// Z: the depth of what each pixel shows.
+template <Kernel K>
+class DepthBuffer {
+public:
+    void clear(const Area& area, const typename K::Depth& depth) {
+        area_ = area;
+        depths_.assign(std::size_t(area.width) * std::size_t(area.height), depth);
+    }
+
+    typename K::Depth& at(int x, int y) {
+        assert(area_.contains(x, y));
+        return depths_[std::size_t(y - area_.y) * std::size_t(area_.width) + std::size_t(x - area_.x)];
+    }
+
+    const std::vector<typename K::Depth>& depths() const { return depths_; }
+
+private:
+    Area area_;
+    std::vector<typename K::Depth> depths_;
+};
+
+/// One end of a span on a scanline.
+template <class Number>
+struct SpanEnd {
+    Number x, z;
+};
+
+template <class ProcedureSet, Kernel K, class Trace>
+struct Run {
+    using Set = ProcedureSet;
+    using Arithmetic = K;
+    using Number = typename K::Number;
+    using Depth = typename K::Depth;
+    using Vertices = std::vector<Vertex<Number>>;
+
+    K kernel;
+    Trace trace;
+    Area area;
+    Color background;
+    Picture& picture;
+    std::vector<Polygon<K>> polygons;
+    DepthBuffer<K> depth_buffer;
+
+    Run(const Scene& scene, K arithmetic, Trace visitor, Picture& canvas)
+        : kernel(std::move(arithmetic)),
+          trace(std::move(visitor)),
+          area(scene.area),
+          background(scene.background),
+          picture(canvas) {
+        polygons.reserve(scene.polygons.size());
+        for (const auto& source : scene.polygons) polygons.push_back(initialize_polygon(source));
+    }
+
+    Polygon<K> initialize_polygon(const ScenePolygon& source) {
+        Polygon<K> polygon;
+        polygon.index = int(polygons.size());
+        polygon.color = source.color;
+        polygon.edge_on = source.edge_on;
+        for (const auto& vertex : source.vertices) polygon.vertices.push_back(kernel.vertex(vertex));
+        polygon.box = box_around(polygon.vertices);
+        polygon.plane = Set::initialize_polygon(*this, polygon.vertices);
+        trace.plane(Line::I1, polygon, polygon.plane);
+        return polygon;
+    }
+
+    WindowSummary process_window(Line at, const Window& window, ActivePolygonList<K>& active_polygons) {
+        trace.call(at, Procedure::process_window);
+        const WindowSummary summary = Set::process_window(*this, window, active_polygons);
+        trace.summary(at, summary);
+        return summary;
+    }
+
+    Color point_color(Line at, const Point<Number>& point, const ActivePolygonList<K>& active_polygons) {
+        trace.call(at, Procedure::point_color);
+        const Color color = Set::point_color(*this, point, active_polygons);
+        trace.color(at, point, color);
+        return color;
+    }
+
+    Depth depth(Line at, const Polygon<K>& polygon, const auto& point) {
+        const Depth z = Set::depth(*this, polygon, point);
+        trace.depth(at, polygon, point, z);
+        return z;
+    }
+
+    bool surround_test(Line at, const Point<Number>& point, const Polygon<K>& polygon) {
+        trace.call(at, Procedure::surround_test);
+        const bool inside = Set::surround_test(*this, point, polygon);
+        trace.surround(at, polygon, point, inside);
+        return inside;
+    }
+
+    Vertices polygon_clip(Line at, const Polygon<K>& polygon, const Window& window) {
+        trace.call(at, Procedure::polygon_clip);
+        const Vertices vertices = Set::polygon_clip(*this, polygon, window);
+        trace.clip_result(at, polygon, vertices);
+        return vertices;
+    }
+
+    void fill_polygon(Line at, const Vertices& vertices, const Polygon<K>& polygon) {
+        trace.call(at, Procedure::fill_polygon);
+        const std::vector<PixelRun> runs = Set::fill_polygon(*this, vertices);
+        for (const auto& run : runs) picture.paint(run, polygon.color);
+        trace.draw(at, polygon, runs);
+    }
+
+    void show_line(Line at, int row, const SpanEnd<Number>& from, const SpanEnd<Number>& to, const Polygon<K>& polygon) {
+        trace.call(at, Procedure::show_line);
+        Set::show_line(*this, row, from, to, polygon);
+        trace.span(at, row);
+    }
+
+    void fill(Line at, const Window& window, Color color) {
+        const PixelRectangle pixels = picture.pixels_of(window);
+        picture.paint(pixels, color);
+        trace.fill(at, pixels, color);
+    }
+};
+
+}  // namespace vidno

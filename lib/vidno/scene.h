@@ -1,0 +1,53 @@
+/// Scene: convex planar polygons in screen space, and the area of pixels that shows them.
+///
+/// x grows to the right, y downward, z towards the viewer: the greater z is the nearer. Pixel (i, j) is the
+/// square from (i, j) to (i + 1, j + 1); its centre decides its colour.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace vidno {
+
+struct Color {
+    std::uint8_t red = 0, green = 0, blue = 0;
+    bool operator==(const Color&) const = default;
+};
+
+/// The drawing area in whole pixels: columns x <= i < x + width, rows y <= j < y + height.
+struct Area {
+    int x = 0, y = 0, width = 0, height = 0;
+
+    int right() const { return x + width; }
+    int bottom() const { return y + height; }
+    bool contains(int column, int row) const {
+        return x <= column && column < right() && y <= row && row < bottom();
+    }
+    bool operator==(const Area&) const = default;
+};
+
+/// What every scene keeps to; `admit` (admission.h) checks the polygons.
+inline constexpr int largest_side = 16384;
+inline constexpr int farthest_offset = 1 << 30;
+inline constexpr std::size_t most_polygons = std::size_t{1} << 20;
+
+struct ScenePolygon {
+    std::string id;
+    Color color;
+    std::vector<glm::dvec3> vertices;  // at least 3, in order; the last joins the first
+    bool edge_on = false;              // seen from the viewer it has no inside; decided exactly
+    bool operator==(const ScenePolygon&) const = default;
+};
+
+struct Scene {
+    std::string name;
+    Area area;
+    Color background{255, 255, 255};
+    std::vector<ScenePolygon> polygons;  // among equal depths the first wins
+    bool operator==(const Scene&) const = default;
+};
+
+}  // namespace vidno

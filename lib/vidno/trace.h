@@ -1,0 +1,98 @@
+/// Trace: the visitor that a run tells what it does, one event a call, in the procedures' own words.
+///
+/// Every event takes the label of the listing line that caused it and values that the run already has; turning them
+/// into text is the visitor's affair (trace/recorder.h). trace/FORMAT.md says what each event means. A visitor is
+/// passed by value and may hold a pointer; a visitor of one's own hides the events that it wants to hear:
+///
+///     struct CountSplits : NoTrace {
+///         int* splits;
+///         void decide(Line, Case which) { *splits += which == Case::split; }
+///     };
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "line.h"
+
+namespace vidno {
+
+/// What Warnock's algorithm does with a window.
+enum class Case : unsigned char { empty, surrounded, pixel, single, split };
+inline constexpr std::array<std::string_view, 5> case_names{"empty", "surrounded", "pixel", "single", "split"};
+
+/// Hears nothing and costs nothing. Whoever derives from it hears the run.
+struct NoTrace {
+    // Both methods
+    void plane(Line, const auto& /*polygon*/, const auto& /*plane*/) {}
+    void call(Line, Procedure) {}
+    void depth(Line, const auto& /*polygon*/, const auto& /*point*/, const auto& /*z*/) {}
+    void fault(Line, std::string_view /*reason*/) {}
+    void fault(Line, std::string_view /*reason*/, int /*x*/, int /*y*/) {}
+
+    // Warnock; corners go in the order of Corner
+    void push_root(Line, const auto& /*active_windows*/) {}
+    void push_part(Line, const auto& /*active_windows*/, bool /*shares_list*/) {}
+    void skip(Line, const auto& /*window*/) {}
+    void pop(Line, const auto& /*active_window*/) {}
+    void decide(Line, Case) {}
+    void fill(Line, const auto& /*pixel_rectangle*/, const auto& /*color*/) {}
+
+    // ProcessWindow
+    void corners(Line, const auto& /*depth*/) {}
+    void box(Line, const auto& /*polygon*/, bool /*outside*/) {}
+    void discard(Line, const auto& /*polygon*/) {}
+    void count(Line, const auto& /*polygon*/, int /*polygon_count*/) {}
+    void compare_corner(Line, const auto& /*polygon*/, int /*corner*/, const auto& /*z*/, const auto& /*against*/, bool /*nearer*/) {}
+    void nearer(Line, const auto& /*polygon*/, const std::array<bool, 4>& /*at_corner*/, int /*k*/) {}
+    void uncover(Line, const auto& /*polygon*/) {}
+    void mark(Line, const auto& /*polygon*/) {}
+    void cover(Line, const auto& /*polygon*/) {}
+    void insider(Line, const auto& /*polygon*/, bool /*inside*/) {}
+    void summary(Line, const auto& /*summary*/) {}
+
+    // PointColor
+    void compare(Line, const auto& /*polygon*/, const auto& /*z*/, const auto& /*against*/, bool /*nearer*/) {}
+    void nearest(Line, const auto& /*polygon*/, const auto& /*z*/) {}
+    void color(Line, const auto& /*point*/, const auto& /*color*/) {}
+
+    // SurroundTest
+    void orient(Line, const auto& /*polygon*/, int /*edge*/, const auto& /*point*/, const auto& /*value*/, auto /*sign*/) {}
+    void surround(Line, const auto& /*polygon*/, const auto& /*point*/, bool /*inside*/) {}
+
+    // PolygonClip
+    void clip_begin(Line, const auto& /*polygon*/, const auto& /*window*/) {}
+    void clip_side(Line, int /*side*/, const auto& /*from*/, const auto& /*to*/) {}
+    void clip_sign(Line, const auto& /*vertex*/, const auto& /*value*/, auto /*sign*/) {}
+    void clip_cross(Line, const auto& /*vertex*/) {}
+    void clip_keep(Line, const auto& /*vertex*/) {}
+    void clip_drop(Line, const auto& /*vertex*/) {}
+    void clip_list(Line, const auto& /*vertices*/) {}
+    void clip_result(Line, const auto& /*polygon*/, const auto& /*vertices*/) {}
+
+    // FillPolygon
+    void row(Line, int /*row*/, const auto& /*left*/, const auto& /*right*/, int /*first*/, int /*end*/) {}
+    void draw(Line, const auto& /*polygon*/, const auto& /*runs*/) {}
+
+    // ZBuffer
+    void clear(Line, const auto& /*color*/, const auto& /*z*/) {}
+    void polygon(Line, const auto& /*polygon*/) {}
+    void edge(Line, const auto& /*edge*/) {}
+    void extent(Line, const auto& /*ymin*/, const auto& /*ymax*/) {}
+    void scanline(Line, const auto& /*y*/, int /*row*/) {}
+    void ael_add(Line, const auto& /*active_edge*/) {}
+    void horizontal(Line, const auto& /*edge*/) {}
+    void leave(Line, const auto& /*edges*/, const auto& /*next*/) {}
+    void ael_sort(Line, const auto& /*active_edge_list*/, const auto& /*next*/) {}
+    void ael_drop(Line, const auto& /*active_edges*/, const auto& /*next*/) {}
+    void ael_step(Line, const auto& /*active_edge*/) {}
+
+    // ShowLine
+    void line(Line, int /*row*/, const auto& /*from*/, const auto& /*to*/) {}
+    void miss(Line) {}
+    void columns(Line, int /*first*/, int /*end*/, const auto& /*z*/, const auto& /*dz*/) {}
+    void pixel(Line, int /*x*/, int /*y*/, const auto& /*z*/, const auto& /*stored*/, bool /*shown*/) {}
+    void span(Line, int /*row*/) {}
+};
+
+}  // namespace vidno

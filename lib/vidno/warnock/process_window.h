@@ -1,0 +1,76 @@
+/// ProcessWindow: which polygons show in a window, and does one of them hide all others?
+///
+/// Takes   a window and its list of active polygons.
+/// Gives   the number of polygons left in the list; whether one that surrounds the window is nearest at all four
+///         corners, and its colour; whether a single one lies inside. Polygons outside leave the list, surrounding
+///         ones are marked in it. That the test at the corners suffices: both planes are linear over the window.
+#pragma once
+
+#include "../run.h"
+
+namespace vidno {
+
+struct ProcessWindow {
+    template <class Run>
+    static WindowSummary process_window(Run& run, const Window& window,
+                                        ActivePolygonList<typename Run::Arithmetic>& active_polygons) {
+        using enum Line;
+        using Set = typename Run::Set;
+        auto& trace = run.trace;
+
+        const auto corners = corners_of(run.kernel, window);
+        std::array<typename Run::Depth, 4> nearest;
+        nearest.fill(Set::first_corner_depth(run.kernel));
+        trace.corners(PW1, nearest[0]);
+        WindowSummary found;
+
+        auto kept = active_polygons.begin();
+        for (auto [entry, surrounding] : active_polygons) {
+            const auto& polygon = *entry;
+            const bool outside = run.kernel.outside(polygon.box, window);
+            trace.box(PW3, polygon, outside);
+            if (Set::discards(surrounding, outside)) {
+                trace.discard(PW3, polygon);
+                continue;
+            }
+            ++found.polygon_count;
+            trace.count(PW4, polygon, found.polygon_count);
+
+            std::array<typename Run::Depth, 4> z;
+            for (int i = 0; i < 4; ++i) z[i] = run.depth(PW5, polygon, corners[i]);
+            int k = 0;
+            std::array<bool, 4> nearer;
+            for (int i = 0; i < 4; ++i) {
+                nearer[i] = run.kernel.nearer(z[i], nearest[i]);
+                trace.compare_corner(PW6, polygon, i, z[i], nearest[i], nearer[i]);
+                if (!nearer[i]) continue;
+                nearest[i] = z[i];
+                ++k;
+            }
+            trace.nearer(PW6, polygon, nearer, k);
+            if (Set::uncovers(k)) {
+                found.has_surround = false;
+                trace.uncover(PW7, polygon);
+            }
+
+            const auto holds = [&](const auto& corner) { return run.surround_test(PW8, corner, polygon); };
+            if (!surrounding && std::all_of(corners.begin(), corners.end(), holds)) {
+                surrounding = true;
+                trace.mark(PW8, polygon);
+            }
+            if (surrounding && k == 4) {
+                found.has_surround = true;
+                found.color = polygon.color;
+                trace.cover(PW9, polygon);
+            } else if (found.polygon_count == 1) {
+                found.insider = run.kernel.inside(polygon.box, window);
+                trace.insider(PW10, polygon, found.insider);
+            }
+            *kept++ = {entry, surrounding};
+        }
+        active_polygons.erase(kept, active_polygons.end());
+        return found;
+    }
+};
+
+}  // namespace vidno

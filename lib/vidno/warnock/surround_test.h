@@ -1,0 +1,36 @@
+/// SurroundTest: does a convex polygon hold a point?
+///
+/// Takes   a point, and a polygon that goes round either way.
+/// Gives   true if all edges that have the point on a side have it on the same one. A point of the outline counts as
+///         inside; with no such edge (a polygon without area) the answer is false.
+/// Time    one cross product an edge, up to the first that differs.
+#pragma once
+
+#include "../run.h"
+
+namespace vidno {
+
+struct SurroundTest {
+    template <class Run>
+    static bool surround_test(Run& run, const Point<typename Run::Number>& point,
+                              const Polygon<typename Run::Arithmetic>& polygon) {
+        using enum Line;
+        auto& trace = run.trace;
+        const auto& vertices = polygon.vertices;
+        const int count = int(vertices.size());
+
+        Sign first_sign = Sign::zero;
+        int from = count - 1;
+        for (int to = 0; to < count; from = to++) {
+            const auto value = run.kernel.cross(vertices[from], vertices[to], point);
+            const Sign sign = run.kernel.sign(value);
+            trace.orient(first_sign == Sign::zero ? S2 : S3, polygon, from, point, value, sign);
+            if (sign == Sign::zero) continue;
+            if (first_sign == Sign::zero) first_sign = sign;
+            if (sign != first_sign) return false;
+        }
+        return first_sign != Sign::zero;
+    }
+};
+
+}  // namespace vidno

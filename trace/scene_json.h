@@ -1,0 +1,23 @@
+/// Scene files, `vidno-scene/1`: reading with every rule checked, and the one form in which scenes are written.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vidno/scene.h"
+
+namespace vidno {
+
+struct SceneWithWarnings {
+    Scene scene;                        // admitted: convex, planar, edge-on decided; a camera is applied already
+    std::vector<std::string> warnings;  // what was dropped or cut, a line each, file first
+};
+
+/// `text` is the JSON, `file` its name in messages. Throws Refused.
+SceneWithWarnings read_scene(std::string_view text, const std::string& file);
+
+/// The scene as JSON on one line, the same bytes each time; read_scene gives the same scene again.
+std::string scene_json(const Scene& scene);
+
+}  // namespace vidno
