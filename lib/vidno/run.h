@@ -146,10 +146,12 @@ struct Run {
         trace.draw(at, polygon, runs);
     }
 
-    void show_line(Line at, int row, const SpanEnd<Number>& from, const SpanEnd<Number>& to, const Polygon<K>& polygon) {
+    /// `row` is a row, or in the printed text a y.
+    void show_line(Line at, const auto& row, const SpanEnd<Number>& from, const SpanEnd<Number>& to,
+                   const Polygon<K>& polygon) {
         trace.call(at, Procedure::show_line);
         Set::show_line(*this, row, from, to, polygon);
-        trace.span(at, row);
+        trace.span(at);
     }
 
     void fill(Line at, const Window& window, Color color) {

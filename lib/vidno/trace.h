@@ -92,7 +92,7 @@ struct NoTrace {
     void miss(Line) {}
     void columns(Line, int /*first*/, int /*end*/, const auto& /*z*/, const auto& /*dz*/) {}
     void pixel(Line, int /*x*/, int /*y*/, const auto& /*z*/, const auto& /*stored*/, bool /*shown*/) {}
-    void span(Line, int /*row*/) {}
+    void span(Line) {}
 };
 
 }  // namespace vidno

@@ -115,6 +115,21 @@ struct NumberKernel {
         return a / b;
     }
 
+    // What only the printed text asks for: equality of rounded values, floor(v + 1/2), and the pixel that holds one.
+
+    Depth depth_of(const T& z) const { return Depth(z); }
+
+    bool same_rounded(const T& v, const T& w) const { return std::floor(v + T(0.5)) == std::floor(w + T(0.5)); }
+
+    /// Clamped to the pixels that scenes may have, and one more on either side.
+    int pixel_of(const T& value) const {
+        constexpr int least = -farthest_offset - 1;
+        constexpr int most = farthest_offset + largest_side + 1;
+        if (!(value > T(least))) return least;
+        if (value >= T(most)) return most;
+        return nearby_pixel(value, least, most);
+    }
+
 private:
     /// The pixel low <= i < end that holds the value, which lies in that range.
     static int nearby_pixel(const T& value, int low, int end) {

@@ -1,0 +1,616 @@
+/// Event: one line of a trace, as values. FORMAT.md says what each means.
+///
+/// Every event is a struct with its name, the level from which it appears, and its fields in their order. This is the one
+/// table of them: the writer, the reader, and the recorder's filter follow from it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "value.h"
+#include "vidno/kernel.h"
+#include "vidno/picture.h"
+#include "vidno/trace.h"
+
+namespace vidno {
+
+enum class Detail : unsigned char { windows, polygons, signs };
+inline constexpr std::array<std::string_view, 3> detail_names{"windows", "polygons", "signs"};
+
+/// A polygon by its place in the scene; in the file stands its id.
+struct PolygonPlace {
+    int index = 0;
+    bool operator==(const PolygonPlace&) const = default;
+};
+
+using AplEntry = std::pair<PolygonPlace, bool>;
+
+struct ColumnRun {
+    int first = 0, end = 0;
+    bool operator==(const ColumnRun&) const = default;
+};
+
+namespace event {
+
+struct Kind {
+    std::string_view name;
+    Detail from;
+};
+
+struct Plane {
+    static constexpr Kind kind{"plane", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    std::array<Value, 4> plane;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("plane", e.plane);
+    }
+};
+
+/// Of SurroundTest at level `signs` only: below it nothing happens inside.
+struct Call {
+    static constexpr Kind kind{"call", Detail::polygons};
+    Line at{};
+    Procedure of{};
+    static void fields(auto& e, auto&& field) { field("of", e.of); }
+};
+
+struct Depth {
+    static constexpr Kind kind{"depth", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    ValuePoint point;
+    Value z;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("point", e.point);
+        field("z", e.z);
+    }
+};
+
+struct Fault {
+    static constexpr Kind kind{"fault", Detail::windows};
+    Line at{};
+    std::string reason;
+    std::optional<int> x, y;
+    static void fields(auto& e, auto&& field) {
+        field("reason", e.reason);
+        field("x", e.x);
+        field("y", e.y);
+    }
+};
+
+// Warnock
+
+struct Push {
+    static constexpr Kind kind{"push", Detail::windows};
+    Line at{};
+    Window window;
+    std::optional<std::vector<AplEntry>> apl;
+    std::optional<bool> shared;
+    static void fields(auto& e, auto&& field) {
+        field("window", e.window);
+        field("apl", e.apl);
+        field("shared", e.shared);
+    }
+};
+
+struct Skip {
+    static constexpr Kind kind{"skip", Detail::windows};
+    Line at{};
+    Window window;
+    static void fields(auto& e, auto&& field) { field("window", e.window); }
+};
+
+struct Pop {
+    static constexpr Kind kind{"pop", Detail::windows};
+    Line at{};
+    Window window;
+    static void fields(auto& e, auto&& field) { field("window", e.window); }
+};
+
+struct Decide {
+    static constexpr Kind kind{"decide", Detail::windows};
+    Line at{};
+    Case which{};
+    static void fields(auto& e, auto&& field) { field("case", e.which); }
+};
+
+struct Fill {
+    static constexpr Kind kind{"fill", Detail::windows};
+    Line at{};
+    PixelRectangle rect;
+    Color color;
+    static void fields(auto& e, auto&& field) {
+        field("rect", e.rect);
+        field("color", e.color);
+    }
+};
+
+// ProcessWindow
+
+struct Corners {
+    static constexpr Kind kind{"corners", Detail::polygons};
+    Line at{};
+    Value z;
+    static void fields(auto& e, auto&& field) { field("z", e.z); }
+};
+
+struct Box {
+    static constexpr Kind kind{"box", Detail::signs};
+    Line at{};
+    PolygonPlace polygon;
+    std::array<Value, 4> box;
+    bool outside = false;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("box", e.box);
+        field("outside", e.outside);
+    }
+};
+
+struct Discard {
+    static constexpr Kind kind{"discard", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
+};
+
+struct Count {
+    static constexpr Kind kind{"count", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    int count = 0;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("count", e.count);
+    }
+};
+
+struct Compare {
+    static constexpr Kind kind{"compare", Detail::signs};
+    Line at{};
+    PolygonPlace polygon;
+    std::optional<Corner> corner;
+    Value z, against;
+    bool nearer = false;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("corner", e.corner);
+        field("z", e.z);
+        field("against", e.against);
+        field("nearer", e.nearer);
+    }
+};
+
+struct Nearer {
+    static constexpr Kind kind{"nearer", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    std::vector<Corner> corners;
+    int k = 0;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("corners", e.corners);
+        field("k", e.k);
+    }
+};
+
+struct Uncover {
+    static constexpr Kind kind{"uncover", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
+};
+
+struct Mark {
+    static constexpr Kind kind{"mark", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
+};
+
+struct Cover {
+    static constexpr Kind kind{"cover", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    Color color;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("color", e.color);
+    }
+};
+
+struct Insider {
+    static constexpr Kind kind{"insider", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    bool inside = false;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("inside", e.inside);
+    }
+};
+
+struct Summary {
+    static constexpr Kind kind{"summary", Detail::polygons};
+    Line at{};
+    int count = 0;
+    bool has_surround = false;
+    Color color;
+    bool insider = false;
+    static void fields(auto& e, auto&& field) {
+        field("count", e.count);
+        field("hasSurround", e.has_surround);
+        field("color", e.color);
+        field("insider", e.insider);
+    }
+};
+
+// PointColor, SurroundTest
+
+struct Nearest {
+    static constexpr Kind kind{"nearest", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    Value z;
+    Color color;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("z", e.z);
+        field("color", e.color);
+    }
+};
+
+struct PointColor {
+    static constexpr Kind kind{"color", Detail::polygons};
+    Line at{};
+    ValuePoint point;
+    Color color;
+    static void fields(auto& e, auto&& field) {
+        field("point", e.point);
+        field("color", e.color);
+    }
+};
+
+struct Surround {
+    static constexpr Kind kind{"surround", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    ValuePoint point;
+    bool inside = false;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("point", e.point);
+        field("inside", e.inside);
+    }
+};
+
+struct Orient {
+    static constexpr Kind kind{"orient", Detail::signs};
+    Line at{};
+    PolygonPlace polygon;
+    int edge = 0;
+    ValuePoint point;
+    Value value;
+    Sign sign{};
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("edge", e.edge);
+        field("point", e.point);
+        field("value", e.value);
+        field("sign", e.sign);
+    }
+};
+
+// PolygonClip, FillPolygon
+
+struct ClipBegin {
+    static constexpr Kind kind{"clip_begin", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    Window window;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("window", e.window);
+    }
+};
+
+struct ClipSide {
+    static constexpr Kind kind{"clip_side", Detail::polygons};
+    Line at{};
+    int side = 0;
+    ValuePoint from, to;
+    static void fields(auto& e, auto&& field) {
+        field("side", e.side);
+        field("from", e.from);
+        field("to", e.to);
+    }
+};
+
+struct ClipSign {
+    static constexpr Kind kind{"clip_sign", Detail::signs};
+    Line at{};
+    ValueVertex vertex;
+    Value value;
+    Sign sign{};
+    static void fields(auto& e, auto&& field) {
+        field("vertex", e.vertex);
+        field("value", e.value);
+        field("sign", e.sign);
+    }
+};
+
+struct ClipCross {
+    static constexpr Kind kind{"clip_cross", Detail::polygons};
+    Line at{};
+    ValueVertex vertex;
+    static void fields(auto& e, auto&& field) { field("vertex", e.vertex); }
+};
+
+struct ClipKeep {
+    static constexpr Kind kind{"clip_keep", Detail::polygons};
+    Line at{};
+    ValueVertex vertex;
+    static void fields(auto& e, auto&& field) { field("vertex", e.vertex); }
+};
+
+struct ClipDrop {
+    static constexpr Kind kind{"clip_drop", Detail::polygons};
+    Line at{};
+    ValueVertex vertex;
+    static void fields(auto& e, auto&& field) { field("vertex", e.vertex); }
+};
+
+struct ClipList {
+    static constexpr Kind kind{"clip_list", Detail::polygons};
+    Line at{};
+    int count = 0;
+    static void fields(auto& e, auto&& field) { field("count", e.count); }
+};
+
+struct ClipResult {
+    static constexpr Kind kind{"clip_result", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    std::vector<ValueVertex> vertices;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("vertices", e.vertices);
+    }
+};
+
+struct Row {
+    static constexpr Kind kind{"row", Detail::signs};
+    Line at{};
+    int row = 0;
+    Value left, right;
+    int first = 0, end = 0;
+    static void fields(auto& e, auto&& field) {
+        field("row", e.row);
+        field("left", e.left);
+        field("right", e.right);
+        field("first", e.first);
+        field("end", e.end);
+    }
+};
+
+struct Draw {
+    static constexpr Kind kind{"draw", Detail::windows};
+    Line at{};
+    PolygonPlace polygon;
+    Color color;
+    std::vector<PixelRun> runs;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("color", e.color);
+        field("runs", e.runs);
+    }
+};
+
+// ZBuffer, ShowLine
+
+struct Clear {
+    static constexpr Kind kind{"clear", Detail::windows};
+    Line at{};
+    Color color;
+    Value z;
+    static void fields(auto& e, auto&& field) {
+        field("color", e.color);
+        field("z", e.z);
+    }
+};
+
+struct Polygon {
+    static constexpr Kind kind{"polygon", Detail::windows};
+    Line at{};
+    PolygonPlace polygon;
+    Color color;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("color", e.color);
+    }
+};
+
+struct Edge {
+    static constexpr Kind kind{"edge", Detail::polygons};
+    Line at{};
+    int edge = 0;
+    ValueVertex from, to;
+    std::optional<std::pair<int, int>> rows;
+    static void fields(auto& e, auto&& field) {
+        field("edge", e.edge);
+        field("from", e.from);
+        field("to", e.to);
+        field("rows", e.rows);
+    }
+};
+
+struct Extent {
+    static constexpr Kind kind{"extent", Detail::polygons};
+    Line at{};
+    Value ymin, ymax;
+    static void fields(auto& e, auto&& field) {
+        field("ymin", e.ymin);
+        field("ymax", e.ymax);
+    }
+};
+
+struct Scanline {
+    static constexpr Kind kind{"scanline", Detail::windows};
+    Line at{};
+    Value y;
+    int row = 0;
+    static void fields(auto& e, auto&& field) {
+        field("y", e.y);
+        field("row", e.row);
+    }
+};
+
+struct AelAdd {
+    static constexpr Kind kind{"ael_add", Detail::polygons};
+    Line at{};
+    int edge = 0;
+    Value x, z, until, dx, dz;
+    static void fields(auto& e, auto&& field) {
+        field("edge", e.edge);
+        field("x", e.x);
+        field("z", e.z);
+        field("until", e.until);
+        field("dx", e.dx);
+        field("dz", e.dz);
+    }
+};
+
+struct Horizontal {
+    static constexpr Kind kind{"horizontal", Detail::polygons};
+    Line at{};
+    int edge = 0;
+    static void fields(auto& e, auto&& field) { field("edge", e.edge); }
+};
+
+struct Leave {
+    static constexpr Kind kind{"leave", Detail::polygons};
+    Line at{};
+    std::vector<int> edges;
+    Value next;
+    static void fields(auto& e, auto&& field) {
+        field("edges", e.edges);
+        field("next", e.next);
+    }
+};
+
+struct AelSort {
+    static constexpr Kind kind{"ael_sort", Detail::polygons};
+    Line at{};
+    std::vector<int> edges;
+    Value next;
+    static void fields(auto& e, auto&& field) {
+        field("edges", e.edges);
+        field("next", e.next);
+    }
+};
+
+struct AelDrop {
+    static constexpr Kind kind{"ael_drop", Detail::polygons};
+    Line at{};
+    std::vector<int> edges;
+    Value next;
+    static void fields(auto& e, auto&& field) {
+        field("edges", e.edges);
+        field("next", e.next);
+    }
+};
+
+struct AelStep {
+    static constexpr Kind kind{"ael_step", Detail::polygons};
+    Line at{};
+    int edge = 0;
+    Value x, z;
+    static void fields(auto& e, auto&& field) {
+        field("edge", e.edge);
+        field("x", e.x);
+        field("z", e.z);
+    }
+};
+
+struct ShownLine {
+    static constexpr Kind kind{"line", Detail::polygons};
+    Line at{};
+    int row = 0;
+    ValuePoint from, to;  // x and z
+    static void fields(auto& e, auto&& field) {
+        field("row", e.row);
+        field("from", e.from);
+        field("to", e.to);
+    }
+};
+
+struct Miss {
+    static constexpr Kind kind{"miss", Detail::polygons};
+    Line at{};
+    static void fields(auto&, auto&&) {}
+};
+
+struct Columns {
+    static constexpr Kind kind{"columns", Detail::signs};
+    Line at{};
+    int first = 0, end = 0;
+    Value z, dz;
+    static void fields(auto& e, auto&& field) {
+        field("first", e.first);
+        field("end", e.end);
+        field("z", e.z);
+        field("dz", e.dz);
+    }
+};
+
+struct Pixel {
+    static constexpr Kind kind{"pixel", Detail::signs};
+    Line at{};
+    int x = 0, y = 0;
+    Value z, stored;
+    bool shown = false;
+    static void fields(auto& e, auto&& field) {
+        field("x", e.x);
+        field("y", e.y);
+        field("z", e.z);
+        field("stored", e.stored);
+        field("shown", e.shown);
+    }
+};
+
+/// The depths are there from level `polygons`.
+struct Span {
+    static constexpr Kind kind{"span", Detail::windows};
+    Line at{};
+    int row = 0;
+    std::vector<ColumnRun> runs;
+    std::optional<std::vector<Value>> depths;
+    static void fields(auto& e, auto&& field) {
+        field("row", e.row);
+        field("runs", e.runs);
+        field("depths", e.depths);
+    }
+};
+
+}  // namespace event
+
+using Event =
+    std::variant<event::Plane, event::Call, event::Depth, event::Fault, event::Push, event::Skip, event::Pop,
+                 event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count, event::Compare,
+                 event::Nearer, event::Uncover, event::Mark, event::Cover, event::Insider, event::Summary,
+                 event::Nearest, event::PointColor, event::Surround, event::Orient, event::ClipBegin, event::ClipSide,
+                 event::ClipSign, event::ClipCross, event::ClipKeep, event::ClipDrop, event::ClipList,
+                 event::ClipResult, event::Row, event::Draw, event::Clear, event::Polygon, event::Edge, event::Extent,
+                 event::Scanline, event::AelAdd, event::Horizontal, event::Leave, event::AelSort, event::AelDrop,
+                 event::AelStep, event::ShownLine, event::Miss, event::Columns, event::Pixel, event::Span>;
+
+}  // namespace vidno

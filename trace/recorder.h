@@ -1,0 +1,295 @@
+/// Recorder: the visitor that turns what a run tells into events and hands them to a sink.
+///
+/// The sink is called with each event of the chosen level, `sink(const event::Push&)` and so on; it may write it
+/// (trace_writer.h), keep it, or throw to end the run.
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+
+#include "event.h"
+#include "vidno/trace.h"
+#include "vidno/z_buffer/active_edge_list.h"
+
+namespace vidno {
+
+/// What a recorder points at: it is copied into the run, this is not.
+template <class Sink>
+struct Recording {
+    Detail detail;
+    Sink& sink;
+    event::Span span{};  // of the ShowLine that is running
+};
+
+template <Kernel K, class Sink>
+class Recorder : public NoTrace {
+public:
+    explicit Recorder(Recording<Sink>& recording) : recording_(&recording) {}
+
+    void plane(Line at, const auto& polygon, const auto& plane) {
+        emit<event::Plane>([&] {
+            return event::Plane{at, place(polygon), {value(plane.a), value(plane.b), value(plane.c), value(plane.d)}};
+        });
+    }
+    void call(Line at, Procedure procedure) {
+        if (procedure == Procedure::show_line) recording_->span = {};
+        if (procedure == Procedure::surround_test && recording_->detail < Detail::signs) return;
+        emit<event::Call>([&] { return event::Call{at, procedure}; });
+    }
+    void depth(Line at, const auto& polygon, const auto& where, const auto& z) {
+        emit<event::Depth>([&] { return event::Depth{at, place(polygon), point(where), depth_value(z)}; });
+    }
+    void fault(Line at, std::string_view reason) {
+        emit<event::Fault>([&] { return event::Fault{at, std::string(reason), {}, {}}; });
+    }
+    void fault(Line at, std::string_view reason, int x, int y) {
+        emit<event::Fault>([&] { return event::Fault{at, std::string(reason), x, y}; });
+    }
+
+    void push_root(Line at, const auto& active_windows) {
+        emit<event::Push>([&] {
+            std::vector<AplEntry> apl;
+            for (const auto& [polygon, surrounding] : *active_windows.back().polygons) {
+                apl.emplace_back(place(*polygon), surrounding);
+            }
+            return event::Push{at, active_windows.back().window, std::move(apl), {}};
+        });
+    }
+    void push_part(Line at, const auto& active_windows, bool shares_list) {
+        emit<event::Push>([&] {
+            return event::Push{at, active_windows.back().window, {}, shares_list ? std::optional(true) : std::nullopt};
+        });
+    }
+    void skip(Line at, const Window& window) {
+        emit<event::Skip>([&] { return event::Skip{at, window}; });
+    }
+    void pop(Line at, const Window& window) {
+        emit<event::Pop>([&] { return event::Pop{at, window}; });
+    }
+    void decide(Line at, Case which) {
+        emit<event::Decide>([&] { return event::Decide{at, which}; });
+    }
+    void fill(Line at, const PixelRectangle& pixels, const Color& color) {
+        emit<event::Fill>([&] { return event::Fill{at, pixels, color}; });
+    }
+
+    void corners(Line at, const auto& z) {
+        emit<event::Corners>([&] { return event::Corners{at, depth_value(z)}; });
+    }
+    void box(Line at, const auto& polygon, bool outside) {
+        emit<event::Box>([&] {
+            const auto& [xmin, ymin, xmax, ymax] = polygon.box;
+            return event::Box{at, place(polygon), {value(xmin), value(ymin), value(xmax), value(ymax)}, outside};
+        });
+    }
+    void discard(Line at, const auto& polygon) {
+        emit<event::Discard>([&] { return event::Discard{at, place(polygon)}; });
+    }
+    void count(Line at, const auto& polygon, int polygon_count) {
+        emit<event::Count>([&] { return event::Count{at, place(polygon), polygon_count}; });
+    }
+    void compare_corner(Line at, const auto& polygon, int corner, const auto& z, const auto& against, bool nearer) {
+        emit<event::Compare>([&] {
+            return event::Compare{at, place(polygon), Corner(corner), depth_value(z), depth_value(against), nearer};
+        });
+    }
+    void nearer(Line at, const auto& polygon, const std::array<bool, 4>& at_corner, int k) {
+        emit<event::Nearer>([&] {
+            std::vector<Corner> corners;
+            for (int i = 0; i < 4; ++i) {
+                if (at_corner[i]) corners.push_back(Corner(i));
+            }
+            return event::Nearer{at, place(polygon), std::move(corners), k};
+        });
+    }
+    void uncover(Line at, const auto& polygon) {
+        emit<event::Uncover>([&] { return event::Uncover{at, place(polygon)}; });
+    }
+    void mark(Line at, const auto& polygon) {
+        emit<event::Mark>([&] { return event::Mark{at, place(polygon)}; });
+    }
+    void cover(Line at, const auto& polygon) {
+        emit<event::Cover>([&] { return event::Cover{at, place(polygon), polygon.color}; });
+    }
+    void insider(Line at, const auto& polygon, bool inside) {
+        emit<event::Insider>([&] { return event::Insider{at, place(polygon), inside}; });
+    }
+    void summary(Line at, const auto& found) {
+        emit<event::Summary>([&] {
+            return event::Summary{at, found.polygon_count, found.has_surround, found.color, found.insider};
+        });
+    }
+
+    void compare(Line at, const auto& polygon, const auto& z, const auto& against, bool nearer) {
+        emit<event::Compare>([&] {
+            return event::Compare{at, place(polygon), {}, depth_value(z), depth_value(against), nearer};
+        });
+    }
+    void nearest(Line at, const auto& polygon, const auto& z) {
+        emit<event::Nearest>([&] { return event::Nearest{at, place(polygon), depth_value(z), polygon.color}; });
+    }
+    void color(Line at, const auto& where, const Color& color) {
+        emit<event::PointColor>([&] { return event::PointColor{at, point(where), color}; });
+    }
+    void orient(Line at, const auto& polygon, int edge, const auto& where, const auto& cross, Sign sign) {
+        emit<event::Orient>([&] { return event::Orient{at, place(polygon), edge, point(where), value(cross), sign}; });
+    }
+    void surround(Line at, const auto& polygon, const auto& where, bool inside) {
+        emit<event::Surround>([&] { return event::Surround{at, place(polygon), point(where), inside}; });
+    }
+
+    void clip_begin(Line at, const auto& polygon, const Window& window) {
+        emit<event::ClipBegin>([&] { return event::ClipBegin{at, place(polygon), window}; });
+    }
+    void clip_side(Line at, int side, const auto& from, const auto& to) {
+        emit<event::ClipSide>([&] { return event::ClipSide{at, side, point(from), point(to)}; });
+    }
+    void clip_sign(Line at, const auto& where, const auto& cross, Sign sign) {
+        emit<event::ClipSign>([&] { return event::ClipSign{at, vertex(where), value(cross), sign}; });
+    }
+    void clip_cross(Line at, const auto& where) {
+        emit<event::ClipCross>([&] { return event::ClipCross{at, vertex(where)}; });
+    }
+    void clip_keep(Line at, const auto& where) {
+        emit<event::ClipKeep>([&] { return event::ClipKeep{at, vertex(where)}; });
+    }
+    void clip_drop(Line at, const auto& where) {
+        emit<event::ClipDrop>([&] { return event::ClipDrop{at, vertex(where)}; });
+    }
+    void clip_list(Line at, const auto& vertices) {
+        emit<event::ClipList>([&] { return event::ClipList{at, int(vertices.size())}; });
+    }
+    void clip_result(Line at, const auto& polygon, const auto& vertices) {
+        emit<event::ClipResult>([&] {
+            std::vector<ValueVertex> copies;
+            for (const auto& each : vertices) copies.push_back(vertex(each));
+            return event::ClipResult{at, place(polygon), std::move(copies)};
+        });
+    }
+    void row(Line at, int row, const auto& left, const auto& right, int first, int end) {
+        emit<event::Row>([&] { return event::Row{at, row, value(left), value(right), first, end}; });
+    }
+    void draw(Line at, const auto& polygon, const std::vector<PixelRun>& runs) {
+        emit<event::Draw>([&] { return event::Draw{at, place(polygon), polygon.color, runs}; });
+    }
+
+    void clear(Line at, const Color& color, const auto& z) {
+        emit<event::Clear>([&] { return event::Clear{at, color, depth_value(z)}; });
+    }
+    void polygon(Line at, const auto& polygon) {
+        emit<event::Polygon>([&] { return event::Polygon{at, place(polygon), polygon.color}; });
+    }
+    void edge(Line at, const auto& edge) {
+        emit<event::Edge>([&] { return event::Edge{at, edge.index, vertex(edge.upper), vertex(edge.lower), rows(edge)}; });
+    }
+    void extent(Line at, const auto& ymin, const auto& ymax) {
+        emit<event::Extent>([&] { return event::Extent{at, value(ymin), value(ymax)}; });
+    }
+    void scanline(Line at, const auto& y, int row) {
+        emit<event::Scanline>([&] { return event::Scanline{at, value(y), row}; });
+    }
+    void ael_add(Line at, const auto& entry) {
+        emit<event::AelAdd>([&] {
+            return event::AelAdd{at,           entry.index,     value(entry.x), value(entry.z), until(entry),
+                                 value(entry.dx), value(entry.dz)};
+        });
+    }
+    void horizontal(Line at, const auto& edge) {
+        emit<event::Horizontal>([&] { return event::Horizontal{at, edge.index}; });
+    }
+    void leave(Line at, const auto& edges, const auto& next) {
+        emit<event::Leave>([&] { return event::Leave{at, indices(edges), next_value(next)}; });
+    }
+    void ael_sort(Line at, const auto& entries, const auto& next) {
+        emit<event::AelSort>([&] { return event::AelSort{at, indices(entries), next_value(next)}; });
+    }
+    void ael_drop(Line at, const auto& entries, const auto& next) {
+        emit<event::AelDrop>([&] { return event::AelDrop{at, indices(entries), next_value(next)}; });
+    }
+    void ael_step(Line at, const auto& entry) {
+        emit<event::AelStep>([&] { return event::AelStep{at, entry.index, value(entry.x), value(entry.z)}; });
+    }
+
+    void line(Line at, int row, const auto& from, const auto& to) {
+        recording_->span.row = row;
+        emit<event::ShownLine>([&] {
+            return event::ShownLine{at, row, {value(from.x), value(from.z)}, {value(to.x), value(to.z)}};
+        });
+    }
+    void miss(Line at) {
+        emit<event::Miss>([&] { return event::Miss{at}; });
+    }
+    void columns(Line at, int first, int end, const auto& z, const auto& dz) {
+        emit<event::Columns>([&] { return event::Columns{at, first, end, value(z), value(dz)}; });
+    }
+    void pixel(Line at, int x, int y, const auto& z, const auto& stored, bool shown) {
+        if (shown) add_to_span(x, z);
+        emit<event::Pixel>([&] { return event::Pixel{at, x, y, value(z), depth_value(stored), shown}; });
+    }
+    void span(Line at) {
+        recording_->span.at = at;
+        emit<event::Span>([&]() -> const event::Span& { return recording_->span; });
+    }
+
+private:
+    template <class E>
+    void emit(auto&& make) {
+        if (recording_->detail >= E::kind.from) recording_->sink(make());
+    }
+
+    void add_to_span(int x, const auto& z) {
+        auto& [at, row, runs, depths] = recording_->span;
+        if (runs.empty() || runs.back().end != x) runs.push_back({x, x});
+        runs.back().end = x + 1;
+        if (recording_->detail < Detail::polygons) return;
+        if (!depths) depths.emplace();
+        depths->push_back(value(z));
+    }
+
+    static PolygonPlace place(const auto& polygon) { return {polygon.index}; }
+
+    static Value value(const typename K::Number& number) {
+        if constexpr (K::has_infinity) {
+            return {double(number)};
+        } else {
+            return Value(K::fraction(number));
+        }
+    }
+    static Value depth_value(const typename K::Depth& z) {
+        if constexpr (K::has_infinity) {
+            return value(z);
+        } else {
+            return z ? value(*z) : Value::minus_infinite();
+        }
+    }
+    /// Of a list that is empty the least is plus infinity.
+    static Value next_value(int row) { return row == no_row ? Value::infinite() : Value(row); }
+    static Value next_value(const std::optional<typename K::Number>& y) { return y ? value(*y) : Value::infinite(); }
+
+    static ValuePoint point(const auto& p) { return {value(p.x), value(p.y)}; }
+    static ValueVertex vertex(const auto& v) { return {value(v.x), value(v.y), value(v.z)}; }
+
+    static Value until(const auto& entry) {
+        if constexpr (requires { entry.last_row; }) {
+            return {double(entry.last_row)};
+        } else {
+            return value(entry.until);
+        }
+    }
+    static std::optional<std::pair<int, int>> rows(const auto& edge) {
+        if constexpr (requires { edge.first_row; }) {
+            return std::pair(edge.first_row, edge.last_row);
+        } else {
+            return std::nullopt;
+        }
+    }
+    static std::vector<int> indices(const auto& edges) {
+        std::vector<int> found;
+        for (const auto& edge : edges) found.push_back(edge.index);
+        return found;
+    }
+
+    Recording<Sink>* recording_;
+};
+
+}  // namespace vidno

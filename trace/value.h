@@ -1,0 +1,41 @@
+/// Value: a number of a kernel as a trace holds it.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "json_text.h"
+
+namespace vidno {
+
+/// A double (a float is one too), or a fraction "p/q" of the exact kernel.
+struct Value {
+    double number = 0;
+    std::string fraction;  // empty: the number counts
+
+    Value() = default;
+    Value(double value) : number(value) {}
+    explicit Value(std::string text) : fraction(std::move(text)) {}
+
+    static Value infinite() { return {std::numeric_limits<double>::infinity()}; }
+    static Value minus_infinite() { return {-std::numeric_limits<double>::infinity()}; }
+
+    /// Equal as written: NaN equals itself, -0 equals 0.
+    bool operator==(const Value& other) const {
+        return fraction == other.fraction &&
+               (number == other.number || (number != number && other.number != other.number));
+    }
+};
+
+struct ValuePoint {
+    Value x, y;
+    bool operator==(const ValuePoint&) const = default;
+};
+
+struct ValueVertex {
+    Value x, y, z;
+    bool operator==(const ValueVertex&) const = default;
+};
+
+}  // namespace vidno

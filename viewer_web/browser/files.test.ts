@@ -1,0 +1,86 @@
+import { gzipSync } from 'node:zlib';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { goTo, launch, open, openFile, opened, shown, small } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+describe('a file of one’s own', () => {
+  it('may be dropped, plain or gzip', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    for (const [name, content] of [
+      ['plain.jsonl', Buffer.from(small)],
+      ['packed.jsonl.gz', gzipSync(small)],
+    ] as const) {
+      await drop(page, name, content);
+      await page.locator('.title h2', { hasText: name }).waitFor();
+      expect((await shown(page)).length).toBe(small.trim().split('\n').length - 2);
+    }
+    expect(faults).toEqual([]);
+  });
+
+  it('that was cut is shown up to the break, with a warning', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'cut.jsonl.gz', gzipSync(small).subarray(0, -1500));
+    expect(await page.locator('vidno-notice .shortened').textContent()).toMatch(
+      /breaks off after line \d+/,
+    );
+    expect((await shown(page)).length).toBeGreaterThan(50);
+  });
+
+  const header = small.slice(0, small.indexOf('\n'));
+  const hostile: readonly (readonly [string, string | Buffer, RegExp])[] = [
+    ['text.jsonl', 'hello', /Line 1: (this is not JSON|nothing stands here)/],
+    ['empty.jsonl', '', /Line 1: nothing stands here/],
+    ['bad.jsonl.gz', Buffer.from([0x1f, 0x8b, 8, 0, 1, 2, 3]), /broken gzip/],
+    ['unknown.jsonl', `${header}\n{"e":"boom","at":"W1"}\n`, /Line 2, e: "boom" is no event/],
+    ['nan.jsonl', `${header}\n{"e":"corners","at":"PW1","z":NaN}\n`, /Line 2: this is not JSON/],
+    [
+      'huge.jsonl',
+      `${header}\n{"end":{"events":1e15,"picture":"sha256:${'0'.repeat(64)}"}}\n`,
+      /Line 2, end.events/,
+    ],
+    [
+      'off.jsonl',
+      `${header}\n{"e":"fill","at":"W7","rect":[0,0,100000000,1],"color":"#ffffff"}\n`,
+      /outside the area/,
+    ],
+    ['<img src=x onerror=alert(1)>.jsonl', 'x\n', /<img src=x onerror=alert\(1\)>/],
+  ];
+
+  it.each(hostile)('%s only gives a message', async (name, content, message) => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await openFile(page, name, content);
+    await page.locator('vidno-notice .failed').waitFor();
+    expect(await page.locator('vidno-notice .failed').textContent()).toMatch(message);
+    expect(faults).toEqual([]);
+  });
+
+  it('shows markup in names as text', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const evil = '<img src=x onerror=alert(1)>';
+    await opened(page, 'evil.jsonl', small.replaceAll('"A"', JSON.stringify(evil)));
+    await goTo(page, 1);
+    expect((await shown(page)).sentence).toContain(evil);
+    expect(await page.locator('img').count()).toBe(0);
+    expect(faults).toEqual([]);
+  });
+});
+
+async function drop(page: Page, name: string, content: Buffer): Promise<void> {
+  await page.evaluate(
+    ([fileName, base64]) => {
+      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      const data = new DataTransfer();
+      data.items.add(new File([bytes], fileName));
+      window.dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
+    },
+    [name, content.toString('base64')] as const,
+  );
+}

@@ -1,0 +1,143 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { goTo, launch, open, opened, shown, small } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+describe('each lesson', () => {
+  it('opens, plays to its end by keyboard and back, and does nothing else', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const ids = await page
+      .locator('vidno-lesson-list button')
+      .evaluateAll((buttons) => buttons.map((button) => button.dataset['trace'] ?? ''));
+    for (const id of ids) {
+      await page.locator(`button[data-trace="${id}"]`).click();
+      await page.locator(`button[data-trace="${id}"][aria-pressed="true"]`).waitFor();
+      await page.keyboard.press('ArrowRight');
+      expect((await shown(page)).step).toBe(1);
+      await page.keyboard.press('End');
+      const last = await shown(page);
+      expect(last.step).toBe(last.length);
+      expect(last.sentence).not.toBe('');
+      await page.keyboard.press('ArrowLeft');
+      expect((await shown(page)).step).toBe(last.length - 1);
+      await page.keyboard.press('Home');
+      expect((await shown(page)).step).toBe(0);
+    }
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('the controls', () => {
+  it('step forward and back through every step alike', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    const steps = 60;
+    const forward: unknown[] = [await shown(page)];
+    for (let i = 0; i < steps; i++) {
+      await page.keyboard.press('ArrowRight');
+      forward.push(await shown(page));
+    }
+    for (let i = steps - 1; i >= 0; i--) {
+      await page.keyboard.press('ArrowLeft');
+      expect(await shown(page)).toEqual(forward[i]);
+    }
+    expect(faults).toEqual([]);
+  });
+
+  it('jump, by number, slider and ten steps', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    await goTo(page, 77);
+    expect((await shown(page)).step).toBe(77);
+    await page.locator('.slider').fill('300');
+    expect((await shown(page)).step).toBe(300);
+    await page.locator('.slider').blur();
+    await page.keyboard.press('Shift+ArrowRight');
+    expect((await shown(page)).step).toBe(310);
+  });
+
+  it('play and pause', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    await page.keyboard.press('Space');
+    await page.waitForFunction(() => {
+      const app = document.querySelector('vidno-app');
+      return (app?.shadowRoot?.querySelector('vidno-player')?.step ?? 0) >= 2;
+    });
+    expect(await page.locator('.sentence').getAttribute('aria-live')).toBe('off');
+    await page.keyboard.press('Space');
+    const { step } = await shown(page);
+    await page.waitForTimeout(500);
+    expect((await shown(page)).step).toBe(step);
+    expect(await page.locator('.sentence').getAttribute('aria-live')).toBe('polite');
+  });
+
+  it('show the map of keys', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    await page.keyboard.press('?');
+    expect(await page.locator('dialog').isVisible()).toBe(true);
+    await page.keyboard.press('Escape');
+    expect(await page.locator('dialog').isVisible()).toBe(false);
+  });
+
+  it('are all reached by Tab', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    const reached = new Set<string>();
+    for (let i = 0; i < 60; i++) {
+      await page.keyboard.press('Tab');
+      reached.add(await focused(page));
+    }
+    for (const label of ['First step', 'Step back', 'Play', 'Step forward', 'Last step', 'Step']) {
+      expect([...reached]).toContain(label);
+    }
+  });
+});
+
+const focused = (page: Page): Promise<string> =>
+  page.evaluate(() => {
+    let element = document.activeElement;
+    while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+    return element?.getAttribute('aria-label') ?? element?.textContent.trim() ?? '';
+  });
+
+describe('the address', () => {
+  it('reopens a lesson at its step', async () => {
+    const { page: first } = await open(browser, '#lang=en');
+    const button = first.locator('vidno-lesson-list button').last();
+    if ((await button.count()) === 0) return;
+    await button.click();
+    await first.keyboard.press('End');
+    const before = await shown(first);
+    await first.waitForFunction((step) => location.hash.endsWith(`step=${step}`), before.step);
+    const { page, faults } = await open(browser, new URL(first.url()).hash);
+    await page.locator('.title h2').getByText(/./).waitFor();
+    expect(await shown(page)).toEqual(before);
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('the language', () => {
+  it('is switched and kept in the address with trace and step', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    await page.keyboard.press('ArrowRight');
+    const english = await shown(page);
+    await page.locator('button[lang=ru]').click();
+    const russian = await shown(page);
+    expect(russian.step).toBe(english.step);
+    expect(russian.sentence).toMatch(/[а-я]/);
+    expect(english.sentence).not.toMatch(/[а-я]/);
+    expect(await page.evaluate(() => document.documentElement.lang)).toBe('ru');
+    await page.waitForFunction(() => location.hash.includes('lang=ru'));
+    expect(faults).toEqual([]);
+  });
+});

@@ -1,0 +1,117 @@
+import { existsSync, readFileSync } from 'node:fs';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+
+const built = fileURLToPath(new URL('../dist/index.html', import.meta.url));
+
+/** A trace with every kind of window, as text. */
+export const small = readFileSync(
+  new URL('../test-data/small.warnock.signs.jsonl', import.meta.url),
+  'utf8',
+);
+
+export function launch(): Promise<Browser> {
+  if (!existsSync(built)) throw new Error('Build the page first: npm run build');
+  return chromium.launch({
+    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+    args: [
+      '--headless=new',
+      '--no-sandbox',
+      '--disable-gpu',
+      '--disable-quic',
+      '--no-first-run',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+    ],
+  });
+}
+
+/** The page as opened from disk, and everything that it should not have done. */
+export interface Opened {
+  readonly page: Page;
+  readonly faults: readonly string[];
+}
+
+export async function open(
+  browser: Browser,
+  hash = '',
+  options: BrowserContextOptions = {},
+): Promise<Opened> {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  const faults: string[] = [];
+  page.on('pageerror', (error) => faults.push(error.message));
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) faults.push(message.text());
+  });
+  page.on('request', (request) => {
+    if (!request.url().startsWith('file:')) faults.push(request.url());
+  });
+  await page.goto(pathToFileURL(built).href + hash);
+  await page.locator('vidno-app header').waitFor();
+  return { page, faults };
+}
+
+/** What the player shows, read in the page. */
+export interface Shown {
+  readonly step: number;
+  readonly length: number;
+  readonly sentence: string;
+  readonly line: string | null;
+}
+
+export function shown(page: Page): Promise<Shown> {
+  return page.evaluate(async () => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    if (!player) throw new Error('no player');
+    await player.updateComplete;
+    const root = player.shadowRoot;
+    const listing = root?.querySelector('vidno-listing');
+    await listing?.updateComplete;
+    return {
+      step: player.step,
+      length: player.length,
+      sentence: root?.querySelector('.sentence')?.textContent.replace(/\s+/g, ' ').trim() ?? '',
+      line: listing?.shadowRoot?.querySelector('[aria-current] .at')?.textContent ?? null,
+    };
+  });
+}
+
+/** Opens a file that is a trace and waits until it is shown. */
+export async function opened(page: Page, name: string, content: string | Buffer): Promise<void> {
+  await openFile(page, name, content);
+  await page.locator('.title h2', { hasText: name }).waitFor();
+}
+
+export async function goTo(page: Page, step: number): Promise<void> {
+  await page.locator('input[type=number]').fill(String(step));
+  await page.locator('input[type=number]').press('Enter');
+}
+
+/** The canonical states of steps `from` up to, not including, `end`, or down if `end` is less. */
+export function states(page: Page, from: number, end: number): Promise<readonly string[]> {
+  return page.evaluate(
+    async ([first, last]) => {
+      const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+      if (!player) throw new Error('no player');
+      const found: string[] = [];
+      for (let step = first; step !== last; step += first < last ? 1 : -1) {
+        player.seek(step);
+        await player.updateComplete;
+        found.push(JSON.stringify(player.canonicalState()));
+      }
+      return found;
+    },
+    [from, end] as const,
+  );
+}
+
+export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
+  await page.locator('vidno-file-drop input').setInputFiles({
+    name,
+    mimeType: 'application/octet-stream',
+    buffer: Buffer.from(content),
+  });
+}

@@ -1,0 +1,56 @@
+import { createHash } from 'node:crypto';
+import type { Plugin, Rollup } from 'vite';
+
+const entryTag = /<script type="module"[^>]*src="[^"]*"[^>]*><\/script>/;
+
+/** Inside a script the parser only looks for its end and for comments. */
+const inScript = (code: string): string =>
+  code.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--').trim();
+
+const hash = (text: string): string =>
+  `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
+
+function hashesOf(html: string, tag: RegExp): string {
+  return [...html.matchAll(tag)].map((match) => hash(match[1] ?? '')).join(' ');
+}
+
+/** Nothing is loaded, nothing is sent, only the page's own script and style count, and no text is markup. */
+function policy(html: string): string {
+  return [
+    "default-src 'none'",
+    `script-src ${hashesOf(html, /<script type="module">([^]*?)<\/script>/g)}`,
+    `style-src ${hashesOf(html, /<style>([^]*?)<\/style>/g)}`,
+    "base-uri 'none'",
+    "form-action 'none'",
+    "require-trusted-types-for 'script'",
+    'trusted-types lit-html',
+  ].join('; ');
+}
+
+function inlined(html: string, code: string): string {
+  const whole = html.replace(entryTag, () => `<script type="module">${inScript(code)}</script>`);
+  const meta = `<meta http-equiv="Content-Security-Policy" content="${policy(whole)}" />`;
+  return whole.replace('<meta charset="utf-8" />', (charset) => `${charset}\n    ${meta}`);
+}
+
+function takeChunk(bundle: Rollup.OutputBundle): string {
+  const chunks = Object.values(bundle).filter((output) => output.type === 'chunk');
+  const [chunk] = chunks;
+  if (chunk === undefined || chunks.length > 1) throw new Error('The page must be one script.');
+  // eslint-disable-next-line @typescript-eslint/no-dynamic-delete -- this is how a bundle loses a file
+  delete bundle[chunk.fileName];
+  return chunk.code;
+}
+
+/** Makes the page one file that opens from disk, under a security policy that names its script by hash. */
+export function singleFile(): Plugin {
+  return {
+    name: 'vidno-single-file',
+    enforce: 'post',
+    generateBundle(_options, bundle): void {
+      const page = bundle['index.html'];
+      if (page?.type !== 'asset') throw new Error('The build has no index.html.');
+      page.source = inlined(String(page.source), takeChunk(bundle));
+    },
+  };
+}

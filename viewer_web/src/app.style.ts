@@ -1,0 +1,136 @@
+import { css } from 'lit';
+
+export const appStyle = css`
+  :host {
+    box-sizing: border-box;
+    display: grid;
+    height: 100dvh;
+    padding: 0 0.9rem 0.9rem;
+    gap: 0 0.9rem;
+    grid-template: 'header header' 3.25rem 'nav main' minmax(0, 1fr) / 14rem minmax(0, 1fr);
+    background: var(--paper);
+  }
+  header {
+    grid-area: header;
+    display: flex;
+    gap: 0.9rem;
+    align-items: center;
+  }
+  h1 {
+    margin: 0;
+    font: 700 1.375rem var(--mono);
+    letter-spacing: -0.03em;
+    color: var(--accent);
+  }
+  .tagline {
+    color: var(--soft);
+    white-space: nowrap;
+    overflow: hidden;
+    text-overflow: ellipsis;
+  }
+  .tools {
+    display: flex;
+    gap: 0.75rem;
+    margin-left: auto;
+  }
+  .tools button {
+    padding: 0 0.7rem;
+    white-space: nowrap;
+  }
+  kbd {
+    font: 0.8125rem var(--mono);
+    color: var(--soft);
+  }
+  .languages {
+    display: flex;
+  }
+  .languages button:first-child {
+    border-radius: 6px 0 0 6px;
+  }
+  .languages button:last-child {
+    border-radius: 0 6px 6px 0;
+    border-left: 0;
+  }
+  .languages button[aria-pressed='true'] {
+    background: var(--accent);
+    border-color: var(--accent);
+    color: var(--on-accent);
+  }
+  nav {
+    grid-area: nav;
+    display: flex;
+    flex-direction: column;
+    gap: 0.75rem;
+    min-height: 0;
+  }
+  vidno-lesson-list {
+    flex: 1;
+    min-height: 0;
+  }
+  main {
+    grid-area: main;
+    display: flex;
+    flex-direction: column;
+    min-height: 0;
+    min-width: 0;
+  }
+  .title {
+    display: flex;
+    flex: none;
+    flex-wrap: wrap;
+    gap: 0 0.9rem;
+    align-items: baseline;
+    min-height: 2.1rem;
+    padding-bottom: 0.4rem;
+  }
+  .title h2 {
+    font-size: 1.125rem;
+    letter-spacing: 0;
+    color: var(--ink);
+    overflow-wrap: anywhere;
+  }
+  .title p {
+    color: var(--soft);
+    font-size: 0.8125rem;
+  }
+  vidno-notice {
+    flex-basis: 100%;
+  }
+  vidno-player {
+    flex: 1;
+  }
+  .nothing {
+    margin: auto;
+    color: var(--soft);
+  }
+  @media (max-width: 1199px) {
+    :host {
+      height: auto;
+      min-height: 100dvh;
+      grid-template: 'header' 3.25rem 'nav' auto 'main' 1fr / minmax(0, 1fr);
+      gap: 0 0.75rem;
+      padding: 0 0.6rem 0.6rem;
+    }
+    nav {
+      flex-flow: row wrap;
+      padding-bottom: 0.6rem;
+    }
+    vidno-lesson-list {
+      flex: 3 1 16rem;
+    }
+    vidno-file-drop {
+      flex: 1 1 12rem;
+    }
+  }
+  @media (max-width: 640px) {
+    :host {
+      grid-template: 'header' 3.25rem 'main' auto 'nav' auto / minmax(0, 1fr);
+    }
+    nav {
+      padding: 0.75rem 0 0;
+    }
+    .tagline {
+      display: none;
+    }
+  }
+`;

@@ -1,0 +1,200 @@
+import { LitElement, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, query, state } from 'lit/decorators.js';
+import { formatAddress, parseAddress } from './address.js';
+import { appStyle } from './app.style.js';
+import './components/file-drop.js';
+import './components/lesson-list.js';
+import './components/notice.js';
+import type { Notice } from './components/notice.js';
+import './components/player.js';
+import type { PlayerElement } from './components/player.js';
+import { base, tokens } from './components/theme.js';
+import { languages, texts } from './i18n/index.js';
+import type { Language } from './i18n/index.js';
+import { embeddedFile, embeddedLessons, idOf } from './lessons.js';
+import type { LessonTrace } from './lessons.js';
+import { readTrace } from './trace/read.js';
+import type { Trace } from './trace/read.js';
+
+/** What is to be said about a trace that is shown. */
+function shortened(trace: Trace | null): Notice | null {
+  const found = trace?.shortened ?? null;
+  return found && { kind: 'shortened', ...found };
+}
+
+/** The page: lessons, files of one's own, and the player. */
+@customElement('vidno-app')
+export class AppElement extends LitElement {
+  static override styles = [tokens, base, appStyle];
+
+  @state() private language: Language = 'en';
+  @state() private trace: Trace | null = null;
+  @state() private traceName = '';
+  @state() private lesson: string | null = null;
+  @state() private step = 0;
+  @state() private notice: Notice | null = null;
+  @query('vidno-player') private player!: PlayerElement;
+
+  private readonly lessons = embeddedLessons(document);
+  private opening = 0;
+  private addressTimer = 0;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.language = navigator.language.startsWith('ru') ? 'ru' : 'en';
+    this.followAddress();
+    window.addEventListener('hashchange', this.followAddress);
+    window.addEventListener('keydown', this.onKey);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.removeEventListener('hashchange', this.followAddress);
+    window.removeEventListener('keydown', this.onKey);
+  }
+
+  private readonly followAddress = (): void => {
+    const { language, trace, step } = parseAddress(location.hash);
+    this.language = language ?? this.language;
+    const all = this.lessons.flatMap((lesson) => lesson.traces);
+    const chosen =
+      all.find((each) => idOf(each) === trace) ?? (trace === null ? all[0] : undefined);
+    if (chosen === undefined) return;
+    if (idOf(chosen) === this.lesson) this.step = step;
+    else void this.openLesson(chosen, step);
+  };
+
+  private async openLesson(chosen: LessonTrace, step: number): Promise<void> {
+    const file = embeddedFile(document, chosen);
+    if (file !== null) await this.open(file, chosen.file, idOf(chosen), step);
+  }
+
+  private async open(file: Blob, name: string, lesson: string | null, step: number): Promise<void> {
+    const turn = ++this.opening;
+    this.notice = { kind: 'reading', name };
+    try {
+      const trace = await readTrace(file);
+      if (turn === this.opening) this.show(trace, name, lesson, step);
+    } catch (error) {
+      if (turn === this.opening) this.notice = { kind: 'failed', name, error };
+    }
+  }
+
+  private show(trace: Trace, name: string, lesson: string | null, step: number): void {
+    this.trace = trace;
+    this.traceName = name;
+    this.lesson = lesson;
+    this.step = step;
+    this.notice = null;
+    this.writeAddress();
+  }
+
+  private readonly onKey = (event: KeyboardEvent): void => {
+    if (!event.composedPath().includes(this.player)) this.player.handleKey(event);
+  };
+
+  private onStep({ detail }: CustomEvent<number>): void {
+    this.step = detail;
+    this.writeAddress();
+  }
+
+  /** Later, since browsers limit how often an address may change. */
+  private writeAddress(): void {
+    clearTimeout(this.addressTimer);
+    this.addressTimer = window.setTimeout(() => {
+      const { language, lesson, step } = this;
+      history.replaceState(null, '', formatAddress({ language, trace: lesson, step }));
+    }, 250);
+  }
+
+  private chooseLanguage(language: Language): void {
+    this.language = language;
+    this.writeAddress();
+  }
+
+  override updated(): void {
+    document.documentElement.lang = this.language;
+    document.title = this.trace ? `${this.name} · vidno` : 'vidno';
+  }
+
+  override render(): TemplateResult {
+    const page = texts[this.language].page;
+    return html`
+      <header>
+        <h1>vidno</h1>
+        <p class="tagline">${page.tagline}</p>
+        <div class="tools">
+          <button @click=${() => this.player.showKeys()} ?disabled=${this.trace === null}>
+            ${page.keys} <kbd>?</kbd>
+          </button>
+          <div class="languages" role="group">
+            ${languages.map((each) => this.languageButton(each))}
+          </div>
+        </div>
+      </header>
+      <nav>
+        <vidno-lesson-list
+          .lessons=${this.lessons}
+          .chosen=${this.lesson}
+          .language=${this.language}
+          @choose=${({ detail }: CustomEvent<LessonTrace>) => this.openLesson(detail, 0)}
+        ></vidno-lesson-list>
+        <vidno-file-drop
+          .texts=${page}
+          @file=${({ detail }: CustomEvent<File>) => this.open(detail, detail.name, null, 0)}
+        ></vidno-file-drop>
+      </nav>
+      <main>
+        ${this.heading()}
+        <vidno-player
+          .trace=${this.trace}
+          .step=${this.step}
+          .lang=${this.language}
+          ?hidden=${this.trace === null}
+          @vidno-step=${this.onStep}
+        ></vidno-player>
+        ${this.trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
+      </main>
+    `;
+  }
+
+  private languageButton(language: Language): TemplateResult {
+    return html`<button
+      lang=${language}
+      title=${texts[language].page.language}
+      aria-pressed=${language === this.language ? 'true' : 'false'}
+      @click=${() => this.chooseLanguage(language)}
+    >
+      ${language.toUpperCase()}
+    </button>`;
+  }
+
+  private get name(): string {
+    const found = this.lessons.find(({ traces }) =>
+      traces.some((each) => idOf(each) === this.lesson),
+    );
+    return found?.title[this.language] ?? this.traceName;
+  }
+
+  private heading(): TemplateResult {
+    const { page } = texts[this.language];
+    const { trace, name } = this;
+    const header = trace?.header;
+    return html`<div class="title">
+      <h2>${trace ? name : ''}</h2>
+      ${
+        header
+          ? html`<p>
+              ${page.methods[header.method]} · ${page.editions[header.edition]} · ${page.kernel}:
+              ${header.kernel} · ${page.detail}: ${header.detail}
+            </p>`
+          : nothing
+      }
+      <vidno-notice
+        .notice=${this.notice ?? shortened(trace)}
+        .language=${this.language}
+      ></vidno-notice>
+    </div>`;
+  }
+}

@@ -1,0 +1,91 @@
+import { LitElement, css, html } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query } from 'lit/decorators.js';
+import type { KeyUse, PageTexts } from '../i18n/texts.js';
+import { base } from './theme.js';
+
+const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
+  ['step', ['←', '→']],
+  ['ten', ['Shift ←', 'Shift →']],
+  ['ends', ['Home', 'End']],
+  ['play', ['Space']],
+  ['speed', ['−', '+']],
+  ['map', ['?']],
+];
+
+/** The map of keys. */
+@customElement('vidno-keys')
+export class KeysElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      dialog {
+        max-width: min(32rem, calc(100vw - 2rem));
+        padding: 1.25rem 1.5rem;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+        background: var(--panel);
+        color: var(--ink);
+      }
+      dialog::backdrop {
+        background: rgb(10 12 18 / 45%);
+      }
+      h2 {
+        margin-bottom: 0.75rem;
+        font-size: 1rem;
+        color: var(--ink);
+      }
+      dl {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: 0.5rem 1.25rem;
+        align-items: baseline;
+      }
+      dt {
+        white-space: nowrap;
+      }
+      kbd {
+        display: inline-block;
+        margin-right: 0.3rem;
+        padding: 0.05rem 0.45rem;
+        border: 1px solid var(--line);
+        border-bottom-width: 2px;
+        border-radius: 5px;
+        background: var(--well);
+        font: 0.8125rem var(--mono);
+      }
+      button {
+        margin-top: 1rem;
+        padding: 0 1rem;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) texts!: PageTexts;
+  @query('dialog') private dialog!: HTMLDialogElement;
+
+  toggle(): void {
+    if (this.dialog.open) this.dialog.close();
+    else this.dialog.showModal();
+  }
+
+  get open(): boolean {
+    return this.dialog.open;
+  }
+
+  override render(): TemplateResult {
+    const { texts } = this;
+    return html`<dialog aria-labelledby="title">
+      <h2 id="title">${texts.keys}</h2>
+      <dl>
+        ${keys.map(
+          ([use, names]) => html`
+            <dt>${names.map((name) => html`<kbd>${name}</kbd>`)}</dt>
+            <dd>${texts.keyMap[use]}</dd>
+          `,
+        )}
+      </dl>
+      <button @click=${() => this.toggle()}>${texts.close}</button>
+    </dialog>`;
+  }
+}

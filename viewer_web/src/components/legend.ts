@@ -1,0 +1,69 @@
+import { LitElement, css, html, svg } from 'lit';
+import type { SVGTemplateResult, TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import type { LegendEntry } from '../i18n/texts.js';
+import type { Method } from '../trace/events.js';
+import type { View } from '../view.js';
+import { marksStyle } from './picture.style.js';
+import { base } from './theme.js';
+
+const entries: Readonly<Record<Method, readonly LegendEntry[]>> = {
+  warnock: ['window', 'stacked', 'active', 'touched', 'yes', 'no'],
+  zbuffer: ['scanline', 'edge', 'active', 'touched'],
+};
+
+const dots: readonly LegendEntry[] = ['yes', 'no', 'edge'];
+
+/** What the marks on the picture mean. */
+@customElement('vidno-legend')
+export class LegendElement extends LitElement {
+  static override styles = [
+    base,
+    marksStyle,
+    css`
+      ul {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 0.1rem 0.9rem;
+        padding: 0.4rem 0.75rem;
+        border-top: 1px solid var(--line);
+        list-style: none;
+        font-size: 0.75rem;
+        color: var(--soft);
+      }
+      li {
+        display: flex;
+        gap: 0.35rem;
+        align-items: center;
+        white-space: nowrap;
+      }
+      svg {
+        width: 1.25rem;
+        height: 0.875rem;
+        background: #ffffff;
+        border-radius: 2px;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) view!: View;
+
+  override render(): TemplateResult {
+    const { header, texts } = this.view;
+    return html`<ul>
+      ${entries[header.method].map(
+        (entry) =>
+          html`<li>
+            <svg viewBox="0 0 20 14" aria-hidden="true">${icon(entry)}</svg>${texts.legend[entry]}
+          </li>`,
+      )}
+    </ul>`;
+  }
+}
+
+function icon(entry: LegendEntry): SVGTemplateResult {
+  if (dots.includes(entry)) return svg`<circle class="dot ${entry}" cx="10" cy="7" r="4.5" />`;
+  if (entry !== 'active') return svg`<rect class=${entry} x="3" y="3" width="14" height="8" />`;
+  return svg`<path class="casing active" d="M3 11L17 3" />
+    <path class="active" d="M3 11L17 3" stroke="#d08a00" />`;
+}

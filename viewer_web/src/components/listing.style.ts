@@ -1,0 +1,114 @@
+import { css } from 'lit';
+
+export const listingStyle = css`
+  :host {
+    display: flex;
+    flex-direction: column;
+    min-height: 0;
+  }
+  ol {
+    list-style: none;
+  }
+  .calls {
+    display: flex;
+    flex: none;
+    flex-wrap: wrap;
+    height: 2.6rem;
+    padding: 0 0.75rem;
+    align-content: center;
+    overflow: hidden;
+    white-space: nowrap;
+    font-size: 0.75rem;
+    line-height: 1.3;
+    color: var(--soft);
+    border-bottom: 1px solid var(--line);
+  }
+  .calls li + li::before {
+    content: '›';
+    margin: 0 0.5em;
+  }
+  .calls li:last-child {
+    color: var(--ink);
+  }
+  .procedures {
+    position: relative;
+    flex: 1;
+    min-height: 0;
+    overflow: auto;
+    padding-bottom: 0.75rem;
+    scrollbar-width: thin;
+  }
+  .procedures:focus-visible {
+    outline-offset: -3px;
+  }
+  h3 {
+    margin-top: 0.6rem;
+    padding: 0.2rem 0.75rem;
+    font: 0.8125rem / 1.4 var(--mono);
+    letter-spacing: 0;
+  }
+  .name {
+    font-weight: 700;
+    color: var(--ink);
+  }
+  .title {
+    margin-left: 0.4em;
+    font: 0.75rem var(--sans);
+    white-space: nowrap;
+  }
+  .entered h3 {
+    background: var(--now);
+    box-shadow: inset 3px 0 var(--now-edge);
+    color: var(--ink);
+  }
+  li {
+    position: relative;
+  }
+  section li {
+    display: grid;
+    grid-template-columns: 2.5rem 1fr auto;
+    align-items: baseline;
+    padding: 0.14rem 0.75rem;
+    font-size: 0.8125rem;
+    line-height: 1.4;
+  }
+  .at {
+    color: var(--soft);
+    font: 0.6875rem var(--mono);
+  }
+  code {
+    padding-left: calc(var(--indent) * 1rem + 0.8rem);
+    text-indent: -0.8rem;
+    font-family: var(--sans);
+    overflow-wrap: anywhere;
+  }
+  .now {
+    background: var(--now);
+    box-shadow: inset 3px 0 var(--now-edge);
+  }
+  .now .at {
+    color: inherit;
+  }
+  .caller {
+    background: var(--caller);
+    box-shadow: inset 3px 0 color-mix(in srgb, var(--now-edge) 45%, transparent);
+  }
+  @container (min-width: 1500px) {
+    section li {
+      font-size: 0.9375rem;
+    }
+    h3 {
+      font-size: 0.9375rem;
+    }
+  }
+  .defect {
+    margin-left: 0.5rem;
+    padding: 0 0.35em;
+    border-radius: 4px;
+    background: var(--bad-wash);
+    color: var(--bad);
+    font: 600 0.6875rem / 1.5 var(--mono);
+    text-decoration: none;
+    cursor: help;
+  }
+`;

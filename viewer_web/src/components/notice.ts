@@ -1,0 +1,63 @@
+import { LitElement, css, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { complaint, texts } from '../i18n/index.js';
+import type { Language } from '../i18n/index.js';
+import { Unreadable } from '../trace/read.js';
+import type { Shortened } from '../trace/read.js';
+import { base } from './theme.js';
+
+/** What the page has to say about a file. */
+export type Notice =
+  | { readonly kind: 'reading'; readonly name: string }
+  | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
+  | ({ readonly kind: 'shortened' } & Shortened);
+
+/** One line about the file that is being read, was refused, or is not whole. */
+@customElement('vidno-notice')
+export class NoticeElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: block;
+      }
+      p {
+        margin-top: 0.3rem;
+        padding: 0.45rem 0.7rem;
+        border-radius: 6px;
+        background: var(--accent-wash);
+        font-size: 0.875rem;
+        overflow-wrap: anywhere;
+      }
+      .failed {
+        background: var(--bad-wash);
+        color: var(--bad);
+      }
+      .shortened {
+        background: var(--warn-wash);
+        color: var(--warn);
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) notice: Notice | null = null;
+  @property({ attribute: false }) language: Language = 'en';
+
+  override render(): TemplateResult | typeof nothing {
+    const { notice } = this;
+    if (notice === null) return nothing;
+    const role = notice.kind === 'failed' ? 'alert' : 'status';
+    return html`<p class=${notice.kind} role=${role}>${this.say(notice)}</p>`;
+  }
+
+  private say(notice: Notice): string {
+    const { page } = texts[this.language];
+    if (notice.kind === 'reading') return page.reading(notice.name);
+    if (notice.kind === 'shortened') return page.shortened[notice.why](notice.line);
+    if (notice.error instanceof Unreadable) {
+      return complaint(notice.name, notice.error, this.language);
+    }
+    return page.broken(notice.name);
+  }
+}

@@ -1,0 +1,38 @@
+import { html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { classMap } from 'lit/directives/class-map.js';
+import { short } from '../i18n/words.js';
+import type { N } from '../trace/values.js';
+import type { View } from '../view.js';
+
+/** A colour as a small square. */
+export function swatch(color: string): TemplateResult {
+  return html`<span class="swatch" .style=${`background: ${color}`}></span>`;
+}
+
+/** A polygon's colour and id. */
+export function polygonName(id: string, { header }: View): TemplateResult {
+  const color = header.scene.byId.get(id)?.color;
+  return html`${color === undefined ? nothing : swatch(color)}${id}`;
+}
+
+/** A named value; `changed` marks what this step altered. */
+export function value(
+  name: string,
+  shown: unknown,
+  changed: boolean,
+  kind: 'wide' | '' = '',
+): TemplateResult {
+  return html`<div class=${kind}>
+    <dt>${name}</dt>
+    <dd class=${classMap({ changed })}>${shown}</dd>
+  </div>`;
+}
+
+/** A number of the trace, short; in full when pointed at. */
+export function numberCell(now: N, before: N | undefined): TemplateResult {
+  const changed = now !== before;
+  return html`<td class=${classMap({ number: true, changed })} title=${String(now)}>
+    ${short(now)}
+  </td>`;
+}

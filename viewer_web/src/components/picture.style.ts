@@ -1,0 +1,160 @@
+import { css } from 'lit';
+
+/** Grid, outlines and names, which do not change from step to step. */
+export const pictureStyle = css`
+  :host {
+    display: block;
+    position: relative;
+    overflow: hidden;
+    background: var(--well);
+  }
+  canvas,
+  svg {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    height: 100%;
+  }
+  .grid {
+    stroke: #7c8798;
+    stroke-opacity: 0.28;
+    stroke-width: 1;
+  }
+  .area {
+    stroke: #7c8798;
+    stroke-width: 1;
+  }
+  .outline-casing {
+    stroke: #ffffff;
+    stroke-opacity: 0.8;
+    stroke-width: 3;
+  }
+  .outline {
+    stroke-width: 1.5;
+  }
+  .many .outline-casing {
+    display: none;
+  }
+  .many .outline {
+    stroke-width: 1;
+    stroke-opacity: 0.3;
+  }
+  .label {
+    fill: #10131c;
+    stroke: #ffffff;
+    stroke-width: 3.5px;
+    paint-order: stroke;
+    text-anchor: middle;
+    dominant-baseline: central;
+    font-family: var(--mono);
+    font-weight: 600;
+  }
+`;
+
+/**
+ * Marks stand on a picture of any colours: each has a light casing, so that it shows on light and on dark, in
+ * both themes alike.
+ */
+export const marksStyle = css`
+  :host {
+    --mark: #c2006b;
+  }
+  svg * {
+    vector-effect: non-scaling-stroke;
+    fill: none;
+    stroke-linejoin: round;
+    stroke-linecap: round;
+  }
+  .casing {
+    stroke: #ffffff;
+    stroke-width: 5;
+    stroke-opacity: 0.85;
+  }
+  .stacked {
+    stroke: #10131c;
+    stroke-width: 1;
+    stroke-dasharray: 1.5 4;
+    stroke-opacity: 0.8;
+  }
+  .window {
+    stroke: #10131c;
+    stroke-width: 3;
+  }
+  .active {
+    stroke-width: 2.5;
+  }
+  .fresh {
+    stroke: var(--mark);
+    stroke-width: 2;
+    stroke-dasharray: 5 4;
+  }
+  .off {
+    stroke: #5a6372;
+    stroke-width: 2;
+    stroke-dasharray: 2 4;
+  }
+  .touched {
+    stroke: var(--mark);
+    stroke-width: 2.5;
+  }
+  .scanline {
+    stroke: #10131c;
+    stroke-width: 1;
+    fill: #10131c;
+    fill-opacity: 0.08;
+  }
+  .edge,
+  .clip {
+    stroke: #10131c;
+    stroke-width: 2.5;
+  }
+  .clip {
+    stroke-dasharray: 6 4;
+  }
+  .clip-new,
+  .side {
+    stroke: var(--mark);
+    stroke-width: 3;
+  }
+  .casing.stacked,
+  .casing.scanline {
+    stroke-width: 3;
+    stroke-opacity: 0.35;
+    stroke-dasharray: none;
+    fill: none;
+  }
+  .casing.fresh,
+  .casing.off,
+  .casing.touched,
+  .casing.side,
+  .casing.clip,
+  .casing.clip-new,
+  .casing.window,
+  .casing.edge {
+    stroke: #ffffff;
+    stroke-width: 5;
+    stroke-dasharray: none;
+  }
+  .casing.active {
+    stroke: #10131c;
+    stroke-width: 5;
+    stroke-opacity: 1;
+  }
+  .dot {
+    stroke: #ffffff;
+    stroke-width: 2;
+    fill: #10131c;
+  }
+  .dot.yes,
+  .dot.clip-new,
+  .dot.point {
+    fill: var(--mark);
+    stroke: #ffffff;
+    stroke-width: 2;
+  }
+  .dot.no {
+    fill: #ffffff;
+    stroke: #10131c;
+    stroke-width: 2.5;
+  }
+`;

@@ -1,0 +1,111 @@
+import { css } from 'lit';
+
+export const playerStyle = css`
+  :host {
+    display: flex;
+    flex-direction: column;
+    gap: 0.75rem;
+    min-height: 0;
+    container-type: inline-size;
+  }
+  .panels {
+    display: grid;
+    flex: 1;
+    min-height: 0;
+    gap: 0.75rem;
+    grid-template-columns: minmax(0, 1fr) minmax(0, 1fr) minmax(18.5rem, 0.62fr);
+    grid-template-rows: minmax(0, 1fr);
+  }
+  .panels > section {
+    display: flex;
+    min-height: 0;
+    min-width: 0;
+    overflow: hidden;
+    border: 1px solid var(--line);
+    border-radius: var(--radius);
+    background: var(--panel);
+  }
+  .panels > section > * {
+    flex: 1;
+    min-width: 0;
+  }
+  .panels > .picture {
+    flex-direction: column;
+  }
+  .picture vidno-legend {
+    flex: none;
+  }
+  .dock {
+    display: grid;
+    flex: none;
+    gap: 0.5rem;
+    padding: 0.6rem 0.9rem 0.7rem;
+    border: 1px solid var(--line);
+    border-radius: var(--radius);
+    background: var(--panel);
+  }
+  .sentence {
+    display: flex;
+    gap: 0.75rem;
+    align-items: center;
+    height: 3.1rem;
+    overflow: hidden;
+    font-size: 1.125rem;
+    line-height: 1.35;
+  }
+  .sentence .at {
+    flex: none;
+    min-width: 3.4rem;
+    padding: 0.1rem 0.4rem;
+    border-radius: 5px;
+    background: var(--now);
+    font: 600 0.9375rem / 1.5 var(--mono);
+    text-align: center;
+  }
+  @container (min-width: 1500px) {
+    .panels {
+      grid-template-columns: minmax(0, 1.05fr) minmax(0, 1fr) minmax(24rem, 0.55fr);
+    }
+    .sentence {
+      font-size: 1.375rem;
+      height: 3.8rem;
+    }
+  }
+  @container (max-width: 960px) {
+    .panels {
+      flex: none;
+      grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+      grid-template-rows: 32rem 26rem;
+    }
+    .listing {
+      grid-row: 2;
+      grid-column: 1 / -1;
+    }
+    .dock {
+      position: sticky;
+      bottom: 0;
+      z-index: 1;
+    }
+  }
+  @container (max-width: 620px) {
+    .panels {
+      grid-template-columns: minmax(0, 1fr);
+      grid-template-rows: 92cqw 19rem auto;
+    }
+    .listing {
+      grid-row: auto;
+    }
+    .sentence {
+      height: 4.2rem;
+      font-size: 0.9375rem;
+      gap: 0.5rem;
+    }
+    .sentence .at {
+      min-width: 2.8rem;
+      font-size: 0.8125rem;
+    }
+    .dock {
+      padding: 0.4rem 0.6rem 0.5rem;
+    }
+  }
+`;

@@ -1,0 +1,201 @@
+import { LitElement, html, nothing } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, property, query, state } from 'lit/decorators.js';
+import { isLanguage } from '../i18n/index.js';
+import type { Language } from '../i18n/index.js';
+import { canonical } from '../state/canonical.js';
+import type { Trace } from '../trace/read.js';
+import { viewOf } from '../view.js';
+import type { View } from '../view.js';
+import { takesKey } from './keyboard.js';
+import './keys.js';
+import type { KeysElement } from './keys.js';
+import './legend.js';
+import './listing.js';
+import './picture.js';
+import { playerStyle } from './player.style.js';
+import { base, tokens } from './theme.js';
+import './transport.js';
+import { speeds } from './transport.js';
+import type { Command } from './transport.js';
+import './warnock-panel.js';
+import './zbuffer-panel.js';
+
+/**
+ * Replays a trace. Set `trace`; `step` and `lang` may be set and change with the controls. Each step that is
+ * shown is told by an event `vidno-step`.
+ */
+@customElement('vidno-player')
+export class PlayerElement extends LitElement {
+  static override styles = [tokens, base, playerStyle];
+
+  @property({ attribute: false }) trace: Trace | null = null;
+  @property({ type: Number }) step = 0;
+  @property() override lang = 'en';
+  @state() private playing = false;
+  @state() private speed = 5;
+  @query('vidno-keys') private keys!: KeysElement;
+  private view: View | null = null;
+  private clock = { frame: 0, last: 0, due: 0 };
+
+  /** Shows the state after the first `step` events. */
+  seek(step: number): void {
+    this.step = step;
+  }
+
+  /** The state that is shown, in the form in which readers of a trace are compared. */
+  canonicalState(): unknown {
+    if (this.trace === null) return null;
+    const { header, timeline } = this.trace;
+    return canonical(timeline.seek(this.clamped(this.step)), header);
+  }
+
+  get length(): number {
+    return this.trace?.timeline.length ?? 0;
+  }
+
+  togglePlay(): void {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  private play(): void {
+    if (this.step >= this.length) this.step = 0;
+    this.playing = true;
+    this.clock = { frame: requestAnimationFrame(this.tick), last: performance.now(), due: 0 };
+  }
+
+  private pause(): void {
+    this.playing = false;
+    cancelAnimationFrame(this.clock.frame);
+  }
+
+  private readonly tick = (now: number): void => {
+    const { clock } = this;
+    clock.due += (Math.max(0, now - clock.last) / 1000) * this.speed;
+    clock.last = now;
+    const steps = Math.floor(clock.due);
+    clock.due -= steps;
+    if (steps > 0) this.step = this.clamped(this.step + steps);
+    if (this.step >= this.length) this.pause();
+    else clock.frame = requestAnimationFrame(this.tick);
+  };
+
+  private clamped(step: number): number {
+    return Math.min(Math.max(0, Math.trunc(step) || 0), this.length);
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.addEventListener('keydown', this.onKey);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.removeEventListener('keydown', this.onKey);
+    this.pause();
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('trace')) this.pause();
+    this.step = this.clamped(this.step);
+    const language: Language = isLanguage(this.lang) ? this.lang : 'en';
+    this.view = this.trace && viewOf(this.trace, this.step, language);
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    if (changed.has('step') || changed.has('trace')) {
+      this.dispatchEvent(new CustomEvent('vidno-step', { detail: this.step }));
+    }
+  }
+
+  override render(): TemplateResult | typeof nothing {
+    const { view } = this;
+    if (view === null) return nothing;
+    const { texts, header } = view;
+    return html`
+      <div class="panels">
+        <section class="picture" aria-label=${texts.picture}>
+          <vidno-picture .view=${view}></vidno-picture>
+          <vidno-legend .view=${view}></vidno-legend>
+        </section>
+        <section class="listing" aria-label=${texts.listing}>
+          <vidno-listing .view=${view}></vidno-listing>
+        </section>
+        <section class="state" aria-label=${texts.state}>
+          ${
+            header.method === 'warnock'
+              ? html`<vidno-warnock .view=${view}></vidno-warnock>`
+              : html`<vidno-zbuffer .view=${view}></vidno-zbuffer>`
+          }
+        </section>
+      </div>
+      <div class="dock">
+        <p class="sentence" aria-live=${this.playing ? 'off' : 'polite'} aria-atomic="true">
+          <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
+        </p>
+        <vidno-transport
+          .view=${view}
+          .playing=${this.playing}
+          .speed=${this.speed}
+          @command=${this.onCommand}
+        ></vidno-transport>
+      </div>
+      <vidno-keys .texts=${texts}></vidno-keys>
+    `;
+  }
+
+  showKeys(): void {
+    this.keys.toggle();
+  }
+
+  private onCommand({ detail }: CustomEvent<Command>): void {
+    if (detail.do === 'play') this.togglePlay();
+    else if (detail.do === 'speed') this.speed = detail.speed;
+    else this.moveTo(detail.step);
+  }
+
+  private moveTo(step: number): void {
+    this.pause();
+    this.step = this.clamped(step);
+  }
+
+  private readonly onKey = (event: KeyboardEvent): void => this.handleKey(event);
+
+  /** Does what a key means; the page passes on keys that were pressed outside the player. */
+  handleKey(event: KeyboardEvent): void {
+    if (this.trace === null || event.defaultPrevented) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || takesKey(event)) return;
+    const act = this.actionOf(event);
+    if (act === null || (this.keys.open && event.key !== '?')) return;
+    event.preventDefault();
+    act();
+  }
+
+  private actionOf({ key, shiftKey }: KeyboardEvent): (() => void) | null {
+    const by = shiftKey ? 10 : 1;
+    const actions: Readonly<Record<string, () => void>> = {
+      ArrowRight: () => this.moveTo(this.step + by),
+      ArrowLeft: () => this.moveTo(this.step - by),
+      Home: () => this.moveTo(0),
+      End: () => this.moveTo(this.length),
+      ' ': () => this.togglePlay(),
+      '+': () => this.changeSpeed(1),
+      '=': () => this.changeSpeed(1),
+      '-': () => this.changeSpeed(-1),
+      '?': () => this.showKeys(),
+    };
+    return actions[key] ?? null;
+  }
+
+  private changeSpeed(by: number): void {
+    const now = speeds.findIndex((speed) => speed >= this.speed);
+    this.speed = speeds[now + by] ?? this.speed;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-player': PlayerElement;
+  }
+}

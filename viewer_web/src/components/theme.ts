@@ -1,0 +1,127 @@
+import { css } from 'lit';
+
+/** The colours and sizes of the page, light and dark; they are inherited by all components. */
+export const tokens = css`
+  :host {
+    --paper: #eceff3;
+    --panel: #ffffff;
+    --well: #f5f7f9;
+    --ink: #171b24;
+    --soft: #566070;
+    --line: #d3d9e1;
+    --accent: #3446c9;
+    --on-accent: #ffffff;
+    --accent-wash: #e8ebfc;
+    --now: #ffe9a3;
+    --now-edge: #c98a00;
+    --caller: #f4f0e2;
+    --changed: #ffe9a3;
+    --warn: #8a4b00;
+    --warn-wash: #fff1dc;
+    --bad: #a3122b;
+    --bad-wash: #fde8eb;
+    --mono: ui-monospace, 'SF Mono', 'Cascadia Code', 'DejaVu Sans Mono', Menlo, monospace;
+    --sans: system-ui, -apple-system, 'Segoe UI', Roboto, 'Noto Sans', 'DejaVu Sans', sans-serif;
+    --radius: 8px;
+    color: var(--ink);
+    font: 0.9375rem / 1.45 var(--sans);
+    color-scheme: light;
+  }
+  @media (prefers-color-scheme: dark) {
+    :host {
+      --paper: #0f1218;
+      --panel: #181c24;
+      --well: #11151b;
+      --ink: #e6e9ef;
+      --soft: #9aa5b5;
+      --line: #2d3440;
+      --accent: #9aa8ff;
+      --on-accent: #10131c;
+      --accent-wash: #232a47;
+      --now: #57450d;
+      --now-edge: #f0b93a;
+      --caller: #262319;
+      --changed: #57450d;
+      --warn: #f3c27a;
+      --warn-wash: #33260f;
+      --bad: #ff9aa8;
+      --bad-wash: #3a151c;
+      color-scheme: dark;
+    }
+  }
+`;
+
+/** What all components share. */
+export const base = css`
+  *,
+  *::before,
+  *::after {
+    box-sizing: border-box;
+  }
+  h2,
+  h3,
+  p,
+  ol,
+  ul,
+  dl,
+  dd,
+  figure {
+    margin: 0;
+    padding: 0;
+  }
+  [hidden] {
+    display: none !important;
+  }
+  h2,
+  h3 {
+    font-size: 0.75rem;
+    font-weight: 600;
+    letter-spacing: 0.02em;
+    color: var(--soft);
+  }
+  button,
+  input,
+  select {
+    font: inherit;
+    color: inherit;
+  }
+  button,
+  select,
+  input[type='number'] {
+    min-height: 2rem;
+    border: 1px solid var(--line);
+    border-radius: 6px;
+    background: var(--panel);
+  }
+  button {
+    cursor: pointer;
+  }
+  button:hover:not(:disabled) {
+    border-color: var(--accent);
+  }
+  button:disabled {
+    color: var(--soft);
+    opacity: 0.6;
+    cursor: default;
+  }
+  :focus-visible {
+    outline: 3px solid var(--accent);
+    outline-offset: 2px;
+  }
+  table {
+    border-collapse: collapse;
+  }
+  .number {
+    font-family: var(--mono);
+    font-variant-numeric: tabular-nums;
+  }
+  .swatch {
+    display: inline-block;
+    width: 0.8em;
+    height: 0.8em;
+    margin-right: 0.4em;
+    border: 1px solid color-mix(in srgb, var(--ink) 45%, transparent);
+    border-radius: 2px;
+    vertical-align: -0.05em;
+  }
+`;

@@ -1,0 +1,108 @@
+import { LitElement, html, svg } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import type { View } from '../view.js';
+import { base } from './theme.js';
+import { transportStyle } from './transport.style.js';
+
+export const speeds = [1, 2, 5, 10, 30, 100, 300] as const;
+
+/** What the controls ask for; the player does it. */
+export type Command =
+  | { readonly do: 'seek'; readonly step: number }
+  | { readonly do: 'play' }
+  | { readonly do: 'speed'; readonly speed: number };
+
+const shapes = {
+  first: 'M5 4v12M17 4l-9 6 9 6z',
+  back: 'M14 4l-9 6 9 6z',
+  play: 'M6 3l10 7-10 7z',
+  pause: 'M5 4h3v12H5zM12 4h3v12h-3z',
+  forward: 'M6 4l9 6-9 6z',
+  last: 'M15 4v12M3 4l9 6-9 6z',
+} as const;
+
+/** The controls of time. */
+@customElement('vidno-transport')
+export class TransportElement extends LitElement {
+  static override styles = [base, transportStyle];
+
+  @property({ attribute: false }) view!: View;
+  @property({ type: Boolean }) playing = false;
+  @property({ type: Number }) speed = 5;
+
+  override render(): TemplateResult {
+    const { step, length, texts } = this.view;
+    return html`
+      <div class="buttons">
+        ${this.button('first', 0, step === 0)} ${this.button('back', step - 1, step === 0)}
+        <button
+          class="play"
+          aria-label=${this.playing ? texts.pause : texts.play}
+          title=${this.playing ? texts.pause : texts.play}
+          @click=${() => this.ask({ do: 'play' })}
+        >
+          ${icon(this.playing ? 'pause' : 'play')}
+        </button>
+        ${this.button('forward', step + 1, step === length)}
+        ${this.button('last', length, step === length)}
+      </div>
+      <input
+        class="slider"
+        type="range"
+        min="0"
+        max=${length}
+        .value=${String(step)}
+        aria-label=${texts.step}
+        @input=${this.onInput}
+      />
+      <label class="step">
+        <span>${texts.step}</span>
+        <input type="number" min="0" max=${length} .value=${String(step)} @change=${this.onInput} />
+        <span class="number">${texts.ofSteps(String(length))}</span>
+      </label>
+      <label class="speed">
+        <span>${texts.speed}</span>
+        <select @change=${this.onSpeed} title=${texts.perSecond(this.speed)}>
+          ${speeds.map(
+            (n) => html`<option value=${n} ?selected=${n === this.speed}>${n}/s</option>`,
+          )}
+        </select>
+      </label>
+    `;
+  }
+
+  private button(
+    name: 'first' | 'back' | 'forward' | 'last',
+    to: number,
+    off: boolean,
+  ): TemplateResult {
+    const label = this.view.texts[name];
+    return html`<button
+      aria-label=${label}
+      title=${label}
+      aria-disabled=${off ? 'true' : 'false'}
+      @click=${() => this.ask({ do: 'seek', step: to })}
+    >
+      ${icon(name)}
+    </button>`;
+  }
+
+  private onInput(event: Event): void {
+    const { value } = event.target as HTMLInputElement;
+    if (value !== '') this.ask({ do: 'seek', step: Number(value) });
+  }
+
+  private onSpeed(event: Event): void {
+    this.ask({ do: 'speed', speed: Number((event.target as HTMLSelectElement).value) });
+  }
+
+  private ask(command: Command): void {
+    this.dispatchEvent(new CustomEvent<Command>('command', { detail: command }));
+  }
+}
+
+function icon(name: keyof typeof shapes): TemplateResult {
+  const path = svg`<path d=${shapes[name]} />`;
+  return html`<svg viewBox="0 0 20 20" aria-hidden="true">${path}</svg>`;
+}

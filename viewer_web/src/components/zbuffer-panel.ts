@@ -1,0 +1,95 @@
+import { LitElement, html } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { classMap } from 'lit/directives/class-map.js';
+import { short } from '../i18n/words.js';
+import { emptyZBuffer } from '../state/zbuffer.js';
+import type { ActiveEdge, ZBuffer } from '../state/zbuffer.js';
+import type { N } from '../trace/values.js';
+import type { View } from '../view.js';
+import './depths.js';
+import { panelsStyle } from './panels.style.js';
+import { numberCell, polygonName, value } from './parts.js';
+import { base } from './theme.js';
+
+/** The state of the Z-buffer algorithm: the scanline, S, AEL, and the depths around the scanline. */
+@customElement('vidno-zbuffer')
+export class ZBufferPanel extends LitElement {
+  static override styles = [base, panelsStyle];
+
+  @property({ attribute: false }) view!: View;
+
+  private get now(): ZBuffer {
+    return this.view.after.zbuffer ?? emptyZBuffer;
+  }
+
+  private get old(): ZBuffer {
+    return this.view.before.zbuffer ?? emptyZBuffer;
+  }
+
+  override render(): TemplateResult {
+    const { texts } = this.view;
+    return html`
+      ${this.scanline()}
+      <section>
+        <h3>${texts.ael}</h3>
+        <div class="list ael" tabindex="0" role="region" aria-label=${texts.ael}>${this.ael()}</div>
+      </section>
+      <section>
+        <h3>${texts.depths}</h3>
+        <vidno-depths .view=${this.view}></vidno-depths>
+      </section>
+    `;
+  }
+
+  private scanline(): TemplateResult {
+    const { now, old } = this;
+    const { texts } = this.view;
+    const number = (n: N | null): string => (n === null ? texts.none : short(n));
+    const polygon = now.polygon === null ? texts.none : polygonName(now.polygon, this.view);
+    return html`<section>
+      <dl class="values">
+        ${value('P', polygon, now.polygon !== old.polygon)}
+        ${value(texts.row, now.row ?? texts.none, now.row !== old.row)}
+        ${value('yₜ', number(now.y), now.y !== old.y)}
+        ${value('ySnext', number(now.nextS), now.nextS !== old.nextS)}
+        ${value('yAELnext', number(now.nextAel), now.nextAel !== old.nextAel)}
+        ${value(texts.unsorted, edgeList(now.edges, texts.none), now.edges !== old.edges, 'wide')}
+      </dl>
+    </section>`;
+  }
+
+  private ael(): TemplateResult {
+    const { texts } = this.view;
+    return html`<table class="rows">
+      <thead>
+        <tr>
+          <th scope="col">${texts.edge}</th>
+          <th scope="col">x</th>
+          <th scope="col">z</th>
+          <th scope="col">${texts.until}</th>
+          <th scope="col">Δx</th>
+          <th scope="col">Δz</th>
+        </tr>
+      </thead>
+      <tbody>
+        ${this.now.ael.map((entry) => this.entry(entry))}
+      </tbody>
+    </table>`;
+  }
+
+  private entry({ edge, x, z, until, dx, dz }: ActiveEdge): TemplateResult {
+    const before = this.old.ael.find((each) => each.edge === edge);
+    return html`<tr>
+      <td class=${classMap({ number: true, changed: before === undefined })}>${edge}</td>
+      ${numberCell(x, before?.x)} ${numberCell(z, before?.z)} ${numberCell(until, before?.until)}
+      ${numberCell(dx, before?.dx)} ${numberCell(dz, before?.dz)}
+    </tr>`;
+  }
+}
+
+function edgeList(edges: readonly number[], none: string): string {
+  const most = 16;
+  if (edges.length === 0) return none;
+  return `${edges.slice(0, most).join(' ')}${edges.length > most ? ' …' : ''}`;
+}

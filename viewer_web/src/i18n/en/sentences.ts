@@ -1,0 +1,179 @@
+import type { Sentences } from '../texts.js';
+import { cells, point, short, windowText } from '../words.js';
+import type { Words } from '../words.js';
+import { purposes } from './page.js';
+
+const pixels = { one: 'pixel', other: 'pixels' };
+const rows = { one: 'row', other: 'rows' };
+const vertices = { one: 'vertex', other: 'vertices' };
+
+const takes = (n: number, words: Words): string =>
+  `${words.counted(n, pixels)} ${n === 1 ? 'takes' : 'take'}`;
+
+const colorOf = (color: string, words: Words): string => {
+  const owner = words.owner(color);
+  return owner === null ? 'the background' : `the colour of ${owner}`;
+};
+
+const place = (at: readonly (number | string)[], words: Words): string => {
+  const corner = words.placeOf(at);
+  return corner === null ? `point ${point(at)}` : `${corner} corner`;
+};
+
+const edgesOf = (list: readonly number[], words: Words): string =>
+  `${list.length === 1 ? 'Edge' : 'Edges'} ${words.list(list)}`;
+
+const currentList = (words: Words): string =>
+  words.ids((words.after.warnock?.apl?.entries ?? []).map(([id]) => id));
+
+const sides = ['top', 'left', 'bottom', 'right'];
+const when = (next: number | string, before: string): string =>
+  next === 'inf' ? '' : `; ${before} ${short(next)}`;
+
+export const sentences: Sentences = {
+  plane: ({ polygon, plane }) =>
+    `The plane of ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
+  call: ({ of }) => `${of} begins: ${purposes[of]}`,
+  depth: ({ polygon, point: at, z }, words) =>
+    `At the ${place(at, words)} the plane of ${polygon} has depth ${short(z)}.`,
+  fault: ({ reason, x, y }) =>
+    x === undefined || y === undefined
+      ? `The printed text fails here: ${reason}. The run ends.`
+      : `The printed text fails here: ${reason}, pixel (${x}, ${y}).`,
+
+  push: ({ at, window, shared, apl }, words) => {
+    if (at === 'W3') {
+      return `The first window, ${windowText(window)}, goes on the stack with ${words.ids((apl ?? []).map(([id]) => id)) || 'no polygon'}.`;
+    }
+    const list = shared === true ? 'the same list' : 'its own copy of the list';
+    return `The part ${windowText(window)} goes on the stack with ${list}.`;
+  },
+  skip: ({ window }) => `The part ${windowText(window)} lies off the area: it is left out.`,
+  pop: ({ window }, words) =>
+    `The window ${windowText(window)} comes off the stack with ${currentList(words) || 'an empty list'}.`,
+  corners: ({ z }) => `Nothing is seen yet: the depth at all four corners starts at ${short(z)}.`,
+  box: ({ polygon, outside }) =>
+    outside
+      ? `The box of ${polygon} lies outside the window.`
+      : `The box of ${polygon} meets the window.`,
+  discard: ({ polygon }) => `${polygon} cannot show in this window: it leaves the list.`,
+  count: ({ polygon, count }) =>
+    `${polygon} may show in this window: polygonCount is now ${count}.`,
+  compare: ({ polygon, corner, z, against, nearer }, words) => {
+    const where = corner === undefined ? 'At the point' : `At the ${words.places([corner])}`;
+    const sign = nearer ? '>' : '≯';
+    const so = nearer ? 'is nearer' : 'is not nearer';
+    return `${where} ${polygon} ${so}: ${short(z)} ${sign} ${short(against)}.`;
+  },
+  nearer: ({ polygon, corners, k }, words) => {
+    if (k === 0) return `${polygon} is nearer at none of the 4 corners.`;
+    const where = k === 4 ? '' : ` (${words.places(corners)})`;
+    return `${polygon} is nearer at ${k} of 4 corners${where}.`;
+  },
+  uncover: ({ polygon }, { before }) =>
+    before.warnock?.hasSurround === true
+      ? `${polygon} comes before it, so what surrounds the window no longer hides everything.`
+      : `${polygon} is nearer somewhere: for now nothing is known to hide everything.`,
+  surround: ({ polygon, point: at, inside }, words) =>
+    `The ${place(at, words)} lies ${inside ? 'in' : 'outside'} ${polygon}.`,
+  mark: ({ polygon }) => `All four corners lie in ${polygon}: it surrounds the window.`,
+  cover: ({ polygon }) =>
+    `${polygon} surrounds the window and is nearest at all four corners: it hides all so far.`,
+  insider: ({ polygon, inside }) =>
+    inside
+      ? `${polygon}, the first in the window, lies wholly inside it.`
+      : `${polygon}, the first in the window, does not lie wholly inside it.`,
+  summary: ({ count, hasSurround }, words) => {
+    const found = words.counted(count, { one: 'polygon', other: 'polygons' });
+    return `${found} in the window; ${hasSurround ? 'one hides all others' : 'none is known to hide the others'}.`;
+  },
+  decide: (event, { after }) => {
+    const only = after.warnock?.apl?.entries[0]?.[0] ?? '';
+    return {
+      empty: 'No polygon is left in the window: it takes the background.',
+      surrounded: 'One polygon hides everything: the window takes its colour.',
+      pixel: 'The window is no larger than a pixel: the point at its centre decides.',
+      single: `Only ${only} is in the window: background first, then ${only}.`,
+      split: 'None of the simple cases: the window is split.',
+    }[event.case];
+  },
+  fill: ({ rect, color }, words) => `${takes(rect[2] * rect[3], words)} ${colorOf(color, words)}.`,
+  nearest: ({ polygon, z }) => `${polygon} is the nearest at the point so far: z = ${short(z)}.`,
+  color: ({ point: at, color }, words) =>
+    `At ${point(at)} one sees ${words.owner(color) ?? 'the background'}.`,
+  orient: ({ polygon, edge, value, sign }) => {
+    const side = {
+      '-1': 'on the negative side of',
+      0: 'on the line of',
+      1: 'on the positive side of',
+    };
+    return `The point lies ${side[sign]} edge ${edge} of ${polygon} (${short(value)}).`;
+  },
+  clip_begin: ({ polygon }) => `${polygon} is clipped by the window's four sides in turn.`,
+  clip_side: ({ side }) =>
+    `Side ${side} of 4, the ${sides[side - 1] ?? ''} one: the new list is empty.`,
+  clip_sign: ({ vertex, sign }) => {
+    const where = { '-1': 'on the inner side of', 0: 'on', 1: 'on the outer side of' }[sign];
+    return `The vertex ${point(vertex.slice(0, 2))} lies ${where} this line.`;
+  },
+  clip_cross: ({ vertex }) =>
+    `The edge crosses the side at ${point(vertex.slice(0, 2))}: the crossing joins the new list.`,
+  clip_keep: ({ vertex }) => `The vertex ${point(vertex.slice(0, 2))} joins the new list.`,
+  clip_drop: ({ vertex }) => `The vertex ${point(vertex.slice(0, 2))} lies outside and is dropped.`,
+  clip_list: ({ count }, words) =>
+    count === 0
+      ? 'Nothing is left.'
+      : `This side is done: ${words.counted(count, vertices)} in the list.`,
+  clip_result: ({ polygon, vertices: left }, words) =>
+    left.length === 0
+      ? `No part of ${polygon} lies in the window.`
+      : `The part of ${polygon} in the window has ${words.counted(left.length, vertices)}.`,
+  row: ({ row, left, right, first, end }) =>
+    first < end
+      ? `Row ${row} meets it from ${short(left)} to ${short(right)}: columns ${first} to ${end - 1}.`
+      : `Row ${row} meets it from ${short(left)} to ${short(right)}: no pixel's centre.`,
+  draw: ({ polygon, runs }, words) =>
+    `${takes(cells(runs), words)} the colour of ${polygon}, in ${words.counted(runs.length, rows)}.`,
+
+  clear: ({ z }) => `The picture is background; every cell of Z holds ${short(z)}.`,
+  polygon: ({ polygon }) => `Now ${polygon}: S and AEL are empty.`,
+  edge: ({ edge, rows }) => {
+    const [first, last] = rows ?? [];
+    if (first === undefined || last === undefined) return `Edge ${edge} joins S.`;
+    if (last < first) return `Edge ${edge} joins S; it crosses the centre of no row.`;
+    return `Edge ${edge} joins S: rows ${first} to ${last}.`;
+  },
+  extent: ({ ymin, ymax }) => `The polygon reaches from y = ${short(ymin)} to ${short(ymax)}.`,
+  scanline: ({ y, row }) => `The scanline is row ${row}, y = ${short(y)}.`,
+  ael_add: ({ edge, x, z, until }) =>
+    `Edge ${edge} begins: it joins AEL at x = ${short(x)}, z = ${short(z)}, until ${short(until)}.`,
+  horizontal: ({ edge }) => `Edge ${edge} is level: it is shown at once and does not join AEL.`,
+  leave: ({ edges, next }, words) =>
+    edges.length === 0
+      ? 'No edge leaves S.'
+      : `${edgesOf(edges, words)} of S done with${when(next, 'the next begins at')}.`,
+  ael_sort: ({ edges, next }, words) =>
+    edges.length === 0
+      ? 'AEL is empty.'
+      : `AEL from left to right: ${words.list(edges)}${when(next, 'the next change is at')}.`,
+  line: ({ row, from, to }) =>
+    `Row ${row} from x = ${short(from[0])} (z = ${short(from[1])}) to x = ${short(to[0])} (z = ${short(to[1])}).`,
+  miss: () => 'The line lies off the area: nothing to show.',
+  columns: ({ first, end, z, dz }) =>
+    first < end
+      ? `Columns ${first} to ${end - 1}: z = ${short(z)} at the first, then ${short(dz)} more at each.`
+      : 'No pixel centre lies between the ends.',
+  pixel: ({ x, y, z, stored, shown }) =>
+    shown
+      ? `Pixel (${x}, ${y}): ${short(z)} is nearer than ${short(stored)}, so it shows.`
+      : `Pixel (${x}, ${y}): ${short(z)} is not nearer than ${short(stored)}, so it stays hidden.`,
+  span: ({ row, runs }, words) =>
+    cells(runs) === 0
+      ? `No pixel of row ${row} changes.`
+      : `${takes(cells(runs), words)} the colour of ${words.after.zbuffer?.polygon ?? ''}, in row ${row}.`,
+  ael_drop: ({ edges, next }, words) =>
+    edges.length === 0
+      ? 'No edge ends here.'
+      : `${edgesOf(edges, words)} ended: out of AEL${when(next, 'the next change is at')}.`,
+  ael_step: ({ edge, x, z }) => `Edge ${edge} steps to x = ${short(x)}, z = ${short(z)}.`,
+};

@@ -1,0 +1,99 @@
+import { describe, expect, it } from 'vitest';
+import { allSamples } from '../testing/samples.js';
+import { headerOf } from '../testing/traces.js';
+import { emptyWarnock } from '../state/warnock.js';
+import { emptyZBuffer } from '../state/zbuffer.js';
+import type { Values } from '../state/state.js';
+import type { Event } from '../trace/events.js';
+import { parseHeader } from '../trace/header.js';
+import { Unreadable } from '../trace/read.js';
+import { Refusal } from '../trace/refusal.js';
+import { complaint, languages, sentence, texts } from './index.js';
+import type { Language } from './index.js';
+import { short, toNumber } from './words.js';
+
+const { scene } = parseHeader(headerOf('warnock'));
+const apl = { entries: [['A', false]] as const };
+const values: Values = {
+  step: 1,
+  calls: [],
+  warnock: { ...emptyWarnock, window: [0, 0, 4, 4], apl },
+  zbuffer: { ...emptyZBuffer, polygon: 'A' },
+};
+const say = (event: Event, language: Language): string =>
+  sentence(event, values, values, scene, language);
+
+describe.each(languages)('in %s', (language) => {
+  it.each(allSamples.map((event) => [event.e, event] as const))(
+    '%s is one sentence',
+    (_e, event) => {
+      const said = say(event, language);
+      expect(said).toMatch(/^[\p{Lu}\d].*[.?]$/u);
+      expect(said).not.toMatch(/undefined|null|NaN|\[object|\s\s| \./);
+    },
+  );
+
+  it('each reason can be said', () => {
+    for (const reason of Object.values(texts[language].reasons)) {
+      const speak = reason;
+      expect(speak('1', '2', '3')).toMatch(/\p{L}/u);
+    }
+  });
+});
+
+describe('sentences', () => {
+  const nearer: Event = { e: 'nearer', at: 'PW6', polygon: 'B', corners: ['lb', 'lt'], k: 2 };
+
+  it('name corners by their place on the screen', () => {
+    expect(say(nearer, 'en')).toBe('B is nearer at 2 of 4 corners (top left, bottom left).');
+    expect(say(nearer, 'ru')).toBe('B ближе в 2 из 4 углов (левый верхний, левый нижний).');
+  });
+
+  it('count as the language does', () => {
+    const fill = (n: number): Event => ({
+      e: 'fill',
+      at: 'W8',
+      rect: [0, 0, n, 1],
+      color: '#112233',
+    });
+    const said = [1, 2, 5, 21].map((n) => say(fill(n), 'ru'));
+    expect(said).toEqual([
+      '1 пиксель получает цвет A.',
+      '2 пикселя получают цвет A.',
+      '5 пикселей получают цвет A.',
+      '21 пиксель получает цвет A.',
+    ]);
+    expect(say(fill(1), 'en')).toBe('1 pixel takes the colour of A.');
+  });
+});
+
+describe('numbers', () => {
+  it.each([
+    [0.5, '0.5'],
+    [-2, '−2'],
+    [0.1 + 0.2, '0.3'],
+    [1 / 3, '0.3333'],
+    [1e-9 / 3, '3.33e−10'],
+    ['-inf', '−∞'],
+    ['1/10', '1/10'],
+    ['-3/1', '−3'],
+    ['-1000000000000000000001/3000000000000000000000', '≈−0.3333'],
+    ['nan', 'nan'],
+    ['1/0', '1/0'],
+  ] as const)('%s is shown as %s', (value, shown) => {
+    expect(short(value)).toBe(shown);
+  });
+
+  it('are plotted by their value', () => {
+    expect([toNumber('1/4'), toNumber('-inf'), toNumber(2)]).toEqual([0.25, -Infinity, 2]);
+  });
+});
+
+describe('a complaint', () => {
+  it('says file, line, place and reason', () => {
+    const error = new Unreadable(3, new Refusal('polygon', 'noSuchPolygon', 'X'));
+    expect(complaint('x.jsonl', error, 'en')).toBe(
+      'x.jsonl is not a trace that can be read. Line 3, polygon: the scene has no polygon X.',
+    );
+  });
+});

@@ -1,0 +1,42 @@
+import type { Values } from '../state/state.js';
+import type { Event } from '../trace/events.js';
+import type { Scene } from '../trace/header.js';
+import type { Unreadable } from '../trace/read.js';
+import * as en from './en/index.js';
+import * as ru from './ru/index.js';
+import type { Texts } from './texts.js';
+import { Words } from './words.js';
+
+export const languages = ['en', 'ru'] as const;
+export type Language = (typeof languages)[number];
+
+export const texts: Readonly<Record<Language, Texts>> = { en: en.texts, ru: ru.texts };
+
+const rules: Readonly<Record<Language, Intl.PluralRules>> = {
+  en: new Intl.PluralRules('en'),
+  ru: new Intl.PluralRules('ru'),
+};
+
+export function isLanguage(value: unknown): value is Language {
+  return languages.includes(value as Language);
+}
+
+/** What a step did, in one sentence. */
+export function sentence(
+  event: Event,
+  before: Values,
+  after: Values,
+  scene: Scene,
+  language: Language,
+): string {
+  const words = new Words(before, after, scene, texts[language], rules[language]);
+  const say = texts[language].sentences[event.e] as (event: Event, words: Words) => string;
+  return say(event, words);
+}
+
+/** What is wrong with a file: line, place and reason. */
+export function complaint(name: string, { line, refusal }: Unreadable, language: Language): string {
+  const { reasons, page } = texts[language];
+  const say: (...details: string[]) => string = reasons[refusal.reason];
+  return page.unreadable(name, line, refusal.path, say(...refusal.details));
+}

@@ -1,0 +1,6 @@
+import type { Texts } from '../texts.js';
+import { page, places, purposes } from './page.js';
+import { reasons } from './reasons.js';
+import { sentences } from './sentences.js';
+
+export const texts: Texts = { page, places, purposes, sentences, reasons };

@@ -1,0 +1,194 @@
+import type { Sentences } from '../texts.js';
+import { cells, point, short, windowText } from '../words.js';
+import type { Words } from '../words.js';
+import { purposes } from './page.js';
+
+const pixels = { one: 'пиксель', few: 'пикселя', other: 'пикселей' };
+const rows = { one: 'строке', other: 'строках' };
+const vertices = { one: 'вершина', few: 'вершины', other: 'вершин' };
+
+const takes = (n: number, words: Words): string =>
+  `${words.counted(n, pixels)} ${n % 10 === 1 && n % 100 !== 11 ? 'получает' : 'получают'}`;
+
+const colorOf = (color: string, words: Words): string => {
+  const owner = words.owner(color);
+  return owner === null ? 'цвет фона' : `цвет ${owner}`;
+};
+
+const inCorner: Readonly<Record<string, string>> = {
+  'левый верхний': 'в левом верхнем углу',
+  'левый нижний': 'в левом нижнем углу',
+  'правый верхний': 'в правом верхнем углу',
+  'правый нижний': 'в правом нижнем углу',
+};
+
+const where = (at: readonly (number | string)[], words: Words): string =>
+  inCorner[words.placeOf(at) ?? ''] ?? `в точке ${point(at)}`;
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+const edgesOf = (list: readonly number[], words: Words): string =>
+  `${list.length === 1 ? 'Ребро' : 'Рёбра'} ${words.list(list)}`;
+
+const currentList = (words: Words): string =>
+  words.ids((words.after.warnock?.apl?.entries ?? []).map(([id]) => id));
+
+const sides = ['верхняя', 'левая', 'нижняя', 'правая'];
+const when = (next: number | string, before: string): string =>
+  next === 'inf' ? '' : `; ${before} ${short(next)}`;
+
+export const sentences: Sentences = {
+  plane: ({ polygon, plane }) =>
+    `Плоскость ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
+  call: ({ of }) => `Начинается ${of}: ${purposes[of]}`,
+  depth: ({ polygon, point: at, z }, words) =>
+    `${capital(where(at, words))} глубина плоскости ${polygon} равна ${short(z)}.`,
+  fault: ({ reason, x, y }) =>
+    x === undefined || y === undefined
+      ? `Напечатанный текст здесь ошибается: ${reason}. Прогон окончен.`
+      : `Напечатанный текст здесь ошибается: ${reason}, пиксель (${x}, ${y}).`,
+
+  push: ({ at, window, shared, apl }, words) => {
+    if (at === 'W3') {
+      return `Первое окно ${windowText(window)} кладётся в стек, его список: ${words.ids((apl ?? []).map(([id]) => id)) || 'пуст'}.`;
+    }
+    const list = shared === true ? 'с тем же списком' : 'с собственной копией списка';
+    return `Часть ${windowText(window)} кладётся в стек ${list}.`;
+  },
+  skip: ({ window }) => `Часть ${windowText(window)} лежит вне области: она пропускается.`,
+  pop: ({ window }, words) =>
+    `Окно ${windowText(window)} берётся из стека, его список: ${currentList(words) || 'пуст'}.`,
+  corners: ({ z }) => `Пока ничего не видно: глубина во всех четырёх углах равна ${short(z)}.`,
+  box: ({ polygon, outside }) =>
+    outside
+      ? `Габаритный прямоугольник ${polygon} лежит вне окна.`
+      : `Габаритный прямоугольник ${polygon} пересекается с окном.`,
+  discard: ({ polygon }) => `${polygon} не может быть виден в этом окне: он удаляется из списка.`,
+  count: ({ polygon, count }) =>
+    `${polygon} может быть виден в окне: polygonCount теперь ${count}.`,
+  compare: ({ polygon, corner, z, against, nearer }, words) => {
+    const place =
+      corner === undefined ? 'В точке' : capital(inCorner[words.places([corner])] ?? '');
+    const so = nearer ? 'ближе' : 'не ближе';
+    return `${place} ${polygon} ${so}: ${short(z)} ${nearer ? '>' : '≯'} ${short(against)}.`;
+  },
+  nearer: ({ polygon, corners, k }, words) => {
+    if (k === 0) return `${polygon} не ближе ни в одном из 4 углов.`;
+    const list = k === 4 ? '' : ` (${words.places(corners)})`;
+    return `${polygon} ближе в ${k} из 4 углов${list}.`;
+  },
+  uncover: ({ polygon }, { before }) =>
+    before.warnock?.hasSurround === true
+      ? `${polygon} оказался ближе, и охватывающий многоугольник больше не закрывает всего.`
+      : `${polygon} где-то ближе: пока неизвестно, закрывает ли что-нибудь остальное.`,
+  surround: ({ polygon, point: at, inside }, words) => {
+    const corner = words.placeOf(at);
+    const subject = corner === null ? `Точка ${point(at)}` : `${capital(corner)} угол`;
+    return `${subject} лежит ${inside ? 'в' : 'вне'} ${polygon}.`;
+  },
+  mark: ({ polygon }) => `Все четыре угла лежат в ${polygon}: он охватывает окно.`,
+  cover: ({ polygon }) =>
+    `${polygon} охватывает окно и ближе всех в четырёх углах: он закрывает всё рассмотренное.`,
+  insider: ({ polygon, inside }) =>
+    inside
+      ? `${polygon}, первый в окне, лежит целиком внутри него.`
+      : `${polygon}, первый в окне, не лежит целиком внутри него.`,
+  summary: ({ count, hasSurround }, words) => {
+    const found = words.counted(count, {
+      one: 'многоугольник',
+      few: 'многоугольника',
+      other: 'многоугольников',
+    });
+    return `В окне ${found}; ${hasSurround ? 'один из них закрывает остальные' : 'неизвестно, закрывает ли один остальные'}.`;
+  },
+  decide: (event, { after }) => {
+    const only = after.warnock?.apl?.entries[0]?.[0] ?? '';
+    return {
+      empty: 'В окне не осталось многоугольников: оно получает цвет фона.',
+      surrounded: 'Один многоугольник закрывает всё: окно получает его цвет.',
+      pixel: 'Окно не больше пикселя: решает точка в его центре.',
+      single: `В окне только ${only}: сначала фон, затем ${only}.`,
+      split: 'Ни один из простых случаев: окно делится.',
+    }[event.case];
+  },
+  fill: ({ rect, color }, words) => `${takes(rect[2] * rect[3], words)} ${colorOf(color, words)}.`,
+  nearest: ({ polygon, z }) => `Пока ближе всех в точке ${polygon}: z = ${short(z)}.`,
+  color: ({ point: at, color }, words) => {
+    const owner = words.owner(color);
+    return `В точке ${point(at)} виден ${owner ?? 'фон'}.`;
+  },
+  orient: ({ polygon, edge, value, sign }) => {
+    const side = {
+      '-1': 'по отрицательную сторону ребра',
+      0: 'на прямой ребра',
+      1: 'по положительную сторону ребра',
+    }[sign];
+    return `Точка лежит ${side} ${edge} многоугольника ${polygon} (${short(value)}).`;
+  },
+  clip_begin: ({ polygon }) => `${polygon} отсекается по очереди четырьмя сторонами окна.`,
+  clip_side: ({ side }) => `Сторона ${side} из 4, ${sides[side - 1] ?? ''}: новый список пуст.`,
+  clip_sign: ({ vertex, sign }) => {
+    const place = { '-1': 'с внутренней стороны', 0: 'на самой', 1: 'с внешней стороны' }[sign];
+    return `Вершина ${point(vertex.slice(0, 2))} лежит ${place} прямой.`;
+  },
+  clip_cross: ({ vertex }) =>
+    `Ребро пересекает сторону в ${point(vertex.slice(0, 2))}: точка входит в новый список.`,
+  clip_keep: ({ vertex }) => `Вершина ${point(vertex.slice(0, 2))} входит в новый список.`,
+  clip_drop: ({ vertex }) => `Вершина ${point(vertex.slice(0, 2))} лежит снаружи и отбрасывается.`,
+  clip_list: ({ count }, words) =>
+    count === 0
+      ? 'Ничего не осталось.'
+      : `Сторона пройдена: в списке ${words.counted(count, vertices)}.`,
+  clip_result: ({ polygon, vertices: left }, words) =>
+    left.length === 0
+      ? `В окне нет ни одной части ${polygon}.`
+      : `У части ${polygon} в окне ${words.counted(left.length, vertices)}.`,
+  row: ({ row, left, right, first, end }) =>
+    first < end
+      ? `Строка ${row} пересекает его от ${short(left)} до ${short(right)}: столбцы ${first}–${end - 1}.`
+      : `Строка ${row} пересекает его от ${short(left)} до ${short(right)}: ни одного центра пикселя.`,
+  draw: ({ polygon, runs }, words) =>
+    `${takes(cells(runs), words)} цвет ${polygon} в ${words.counted(runs.length, rows)}.`,
+
+  clear: ({ z }) => `Изображение заполнено фоном, каждая ячейка Z-буфера — значением ${short(z)}.`,
+  polygon: ({ polygon }) => `Теперь ${polygon}: S и список активных рёбер пусты.`,
+  edge: ({ edge, rows }) => {
+    const [first, last] = rows ?? [];
+    if (first === undefined || last === undefined) return `Ребро ${edge} входит в S.`;
+    if (last < first) return `Ребро ${edge} входит в S; оно не пересекает центра ни одной строки.`;
+    return `Ребро ${edge} входит в S: строки ${first}–${last}.`;
+  },
+  extent: ({ ymin, ymax }) => `Многоугольник простирается от y = ${short(ymin)} до ${short(ymax)}.`,
+  scanline: ({ y, row }) => `Строка растра ${row}, y = ${short(y)}.`,
+  ael_add: ({ edge, x, z, until }) =>
+    `Ребро ${edge} начинается: входит в AEL с x = ${short(x)}, z = ${short(z)}, до ${short(until)}.`,
+  horizontal: ({ edge }) => `Ребро ${edge} горизонтально: оно рисуется сразу и в список не входит.`,
+  leave: ({ edges, next }, words) =>
+    edges.length === 0
+      ? 'Из S ничего не удаляется.'
+      : `${edgesOf(edges, words)} — вон из S${when(next, 'следующее начинается в')}.`,
+  ael_sort: ({ edges, next }, words) =>
+    edges.length === 0
+      ? 'Список активных рёбер пуст.'
+      : `Активные рёбра слева направо: ${words.list(edges)}${when(next, 'следующее изменение в')}.`,
+  line: ({ row, from, to }) =>
+    `Строка ${row} от x = ${short(from[0])} (z = ${short(from[1])}) до x = ${short(to[0])} (z = ${short(to[1])}).`,
+  miss: () => 'Отрезок лежит вне области: показывать нечего.',
+  columns: ({ first, end, z, dz }) =>
+    first < end
+      ? `Столбцы ${first}–${end - 1}: z = ${short(z)} в первом, далее с шагом ${short(dz)}.`
+      : 'Между концами нет ни одного центра пикселя.',
+  pixel: ({ x, y, z, stored, shown }) =>
+    shown
+      ? `Пиксель (${x}, ${y}): ${short(z)} ближе, чем ${short(stored)}, — он виден.`
+      : `Пиксель (${x}, ${y}): ${short(z)} не ближе, чем ${short(stored)}, — он закрыт.`,
+  span: ({ row, runs }, words) =>
+    cells(runs) === 0
+      ? `В строке ${row} ничего не меняется.`
+      : `${takes(cells(runs), words)} цвет ${words.after.zbuffer?.polygon ?? ''} в строке ${row}.`,
+  ael_drop: ({ edges, next }, words) =>
+    edges.length === 0
+      ? 'Ни одно ребро здесь не кончается.'
+      : `${edgesOf(edges, words)}: конец, удаление из списка${when(next, 'следующее изменение в')}.`,
+  ael_step: ({ edge, x, z }) => `Ребро ${edge} делает шаг: x = ${short(x)}, z = ${short(z)}.`,
+};

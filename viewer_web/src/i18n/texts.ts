@@ -1,0 +1,87 @@
+import type { Event, EventName, Method, Procedure } from '../trace/events.js';
+import type { Edition } from '../trace/header.js';
+import type { Reason, Reasons } from '../trace/refusal.js';
+import type { Shortened } from '../trace/read.js';
+import type { Corner } from '../trace/values.js';
+import type { Words } from './words.js';
+
+/** One sentence an event, made from the event and the step that it belongs to. */
+export type Sentences = {
+  readonly [K in EventName]: (event: Event<K>, words: Words) => string;
+};
+
+export type ReasonTexts = {
+  readonly [K in Reason]: (...details: Reasons[K]) => string;
+};
+
+/** Everything that the page says, in one language. */
+export interface Texts {
+  readonly page: PageTexts;
+  readonly places: Readonly<Record<Corner, string>>;
+  readonly purposes: Readonly<Record<Procedure, string>>;
+  readonly sentences: Sentences;
+  readonly reasons: ReasonTexts;
+}
+
+export interface PageTexts {
+  readonly language: string;
+  readonly tagline: string;
+  readonly lessons: string;
+  readonly noLessons: string;
+  readonly ownTrace: string;
+  readonly openFile: string;
+  readonly dropHere: string;
+  readonly reading: (name: string) => string;
+  readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
+  readonly broken: (name: string) => string;
+  readonly shortened: Readonly<Record<Shortened['why'], (line: number) => string>>;
+  readonly methods: Readonly<Record<Method, string>>;
+  readonly editions: Readonly<Record<Edition, string>>;
+  readonly kernel: string;
+  readonly detail: string;
+  readonly start: string;
+  readonly nothingOpen: string;
+  readonly picture: string;
+  readonly listing: string;
+  readonly callStack: string;
+  readonly state: string;
+  readonly first: string;
+  readonly back: string;
+  readonly forward: string;
+  readonly last: string;
+  readonly play: string;
+  readonly pause: string;
+  readonly step: string;
+  readonly ofSteps: (length: string) => string;
+  readonly speed: string;
+  readonly perSecond: (n: number) => string;
+  readonly keys: string;
+  readonly close: string;
+  readonly keyMap: Readonly<Record<KeyUse, string>>;
+  readonly window: string;
+  readonly none: string;
+  readonly legend: Readonly<Record<LegendEntry, string>>;
+  readonly cornerDepths: string;
+  readonly apl: string;
+  readonly surrounds: string;
+  readonly stack: string;
+  readonly empty: string;
+  readonly clip: string;
+  readonly ael: string;
+  readonly edge: string;
+  readonly until: string;
+  readonly unsorted: string;
+  readonly depths: string;
+  readonly row: string;
+  readonly yes: string;
+  readonly no: string;
+  readonly more: (n: number) => string;
+  readonly notInTrace: string;
+  readonly defect: (id: string) => string;
+}
+
+/** The marks on the picture that the legend explains. */
+export type LegendEntry =
+  'window' | 'stacked' | 'active' | 'touched' | 'yes' | 'no' | 'scanline' | 'edge';
+
+export type KeyUse = 'step' | 'ten' | 'ends' | 'play' | 'speed' | 'map';

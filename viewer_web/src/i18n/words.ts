@@ -1,0 +1,116 @@
+import type { Values } from '../state/state.js';
+import type { Scene } from '../trace/header.js';
+import type { Box, Corner, N } from '../trace/values.js';
+import type { Texts } from './texts.js';
+
+const shortest = 7;
+
+/** A whole fraction's value, near enough to be shown. */
+function fractionValue(written: string): number {
+  const [above = '0', below = '1'] = written.split('/');
+  const scale = 10n ** 12n;
+  return Number((BigInt(above) * scale) / BigInt(below)) / 1e12;
+}
+
+function shortNumber(value: number): string {
+  const exact = String(value);
+  if (exact.length <= shortest) return exact;
+  const size = Math.abs(value);
+  if (size < 1e-4 || size >= 1e6) return value.toExponential(2);
+  const rounded = [4, 3, 2].map((digits) => String(Number(value.toPrecision(digits))));
+  return rounded.find((text) => text.length <= shortest) ?? value.toPrecision(2);
+}
+
+/** A number of a trace as it is shown: short, with a real minus sign; `≈` where a fraction was cut. */
+export function short(value: N): string {
+  return plain(value).replace('-', '−');
+}
+
+function plain(value: N): string {
+  if (typeof value === 'number') return shortNumber(value);
+  if (value.endsWith('inf')) return value.replace('inf', '∞');
+  if (value.endsWith('/1')) return value.slice(0, -2);
+  if (value === 'nan' || value.length <= shortest) return value;
+  if (value.endsWith('/0')) return value;
+  return `≈${shortNumber(fractionValue(value))}`;
+}
+
+/** The number to plot, where there is one. */
+export function toNumber(value: N): number {
+  if (typeof value === 'number') return value;
+  if (value === 'inf') return Infinity;
+  if (value === '-inf') return -Infinity;
+  return value === 'nan' || value.endsWith('/0') ? NaN : fractionValue(value);
+}
+
+export function point(at: readonly N[]): string {
+  return `(${at.map(short).join(', ')})`;
+}
+
+export function windowText([x, y, width, height]: Box): string {
+  return `${point([x, y])} ${short(width)} × ${short(height)}`;
+}
+
+/** The text's corner at a point of a window, if it is one. */
+export function cornerAt(at: readonly N[], window: Box | null): Corner | null {
+  if (window === null) return null;
+  const [x, y, width, height] = window;
+  const [px, py] = at.map(toNumber);
+  if ((px !== x && px !== x + width) || (py !== y && py !== y + height)) return null;
+  if (px === x) return py === y ? 'lb' : 'lt';
+  return py === y ? 'rb' : 'rt';
+}
+
+export interface PluralForms {
+  readonly one: string;
+  readonly few?: string;
+  readonly other: string;
+}
+
+/** What the sentences of a step need beside its event. */
+export class Words {
+  constructor(
+    readonly before: Values,
+    readonly after: Values,
+    readonly scene: Scene,
+    private readonly texts: Pick<Texts, 'places'>,
+    private readonly rules: Intl.PluralRules,
+  ) {}
+
+  /** "3 pixels", "3 пикселя". */
+  counted(n: number, forms: PluralForms): string {
+    const form = this.rules.select(n);
+    if (form === 'one') return `${n} ${forms.one}`;
+    return `${n} ${form === 'few' ? (forms.few ?? forms.other) : forms.other}`;
+  }
+
+  places(corners: readonly Corner[]): string {
+    return corners.map((corner) => this.texts.places[corner]).join(', ');
+  }
+
+  /** The place of a corner of the current window, or null for a point that is none. */
+  placeOf(at: readonly N[]): string | null {
+    const corner = cornerAt(at, this.after.warnock?.window ?? null);
+    return corner && this.texts.places[corner];
+  }
+
+  /** Whose colour it is: a polygon's id, or null for the background. */
+  owner(color: string): string | null {
+    const owner = this.scene.polygons.find((polygon) => polygon.color === color);
+    return color === this.scene.background || owner === undefined ? null : owner.id;
+  }
+
+  ids(ids: readonly string[]): string {
+    const most = 6;
+    const shown = ids.slice(0, most).join(', ');
+    return ids.length > most ? `${shown} … (${ids.length})` : shown;
+  }
+
+  list(edges: readonly number[]): string {
+    return edges.join(', ');
+  }
+}
+
+export function cells(runs: readonly (readonly number[])[]): number {
+  return runs.reduce((sum, run) => sum + (run.at(-1) ?? 0) - (run.at(-2) ?? 0), 0);
+}

@@ -1,0 +1,39 @@
+import { list, oneOf, part, text } from './trace/check.js';
+import type { Checked } from './trace/check.js';
+import { details, tables } from './trace/events.js';
+import type { Method } from './trace/events.js';
+
+/** What `index.json` beside the lessons' traces says; the build embeds it together with them. */
+const entry = part({
+  file: text,
+  method: oneOf(...(Object.keys(tables) as Method[])),
+  kernel: text,
+  edition: oneOf('corrected', 'printed'),
+  detail: oneOf(...details),
+});
+
+const lessonList = list(
+  part({ id: text, title: part({ en: text, ru: text }), traces: list(entry) }),
+);
+
+export type LessonTrace = Checked<typeof entry>;
+export type Lesson = Checked<typeof lessonList>[number];
+
+/** The name of an embedded trace in the page's address. */
+export function idOf({ file }: LessonTrace): string {
+  return file.replace(/\.jsonl(\.gz)?$/, '');
+}
+
+/** The lessons that stand in the page as blocks of data, which no browser executes. */
+export function embeddedLessons(page: Document): readonly Lesson[] {
+  const block = page.getElementById('vidno-lessons');
+  return block === null ? [] : lessonList(JSON.parse(block.textContent), '');
+}
+
+export function embeddedFile(page: Document, { file }: LessonTrace): Blob | null {
+  const blocks = page.querySelectorAll<HTMLScriptElement>('script[data-vidno-file]');
+  const block = [...blocks].find((each) => each.dataset['vidnoFile'] === file);
+  if (block === undefined) return null;
+  const bytes = Uint8Array.from(atob(block.textContent.trim()), (c) => c.charCodeAt(0));
+  return new Blob([bytes]);
+}

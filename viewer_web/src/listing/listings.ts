@@ -1,0 +1,71 @@
+import listings from '../../../trace/listings/listings.json' with { type: 'json' };
+import type { Language } from '../i18n/index.js';
+import type { Method } from '../trace/events.js';
+import type { Edition } from '../trace/header.js';
+
+/** A line of a procedure as it is shown. */
+export interface Line {
+  readonly at: string;
+  readonly indent: number;
+  readonly text: string;
+  /** The defects of the printed text in this line, if that is what is shown. */
+  readonly defects: readonly string[];
+}
+
+export interface Listing {
+  readonly name: string;
+  readonly title: string;
+  readonly takes: string;
+  readonly lines: readonly Line[];
+}
+
+type Both = Readonly<Record<Language, string>>;
+interface SourceLine extends Both {
+  readonly at: string;
+  readonly indent: number;
+  readonly printed?: Both & { readonly defects: readonly string[] };
+}
+interface Source {
+  readonly name: string;
+  readonly takes: string;
+  readonly title: Both;
+  readonly lines: readonly SourceLine[];
+}
+
+const sources: readonly Source[] = listings.procedures;
+
+const used: Readonly<Record<Method, readonly string[]>> = {
+  warnock: [
+    'Warnock',
+    'ProcessWindow',
+    'SurroundTest',
+    'Depth',
+    'PointColor',
+    'PolygonClip',
+    'FillPolygon',
+    'InitializePolygon',
+  ],
+  zbuffer: ['ZBuffer', 'ShowLine', 'Depth', 'InitializePolygon'],
+};
+
+function line(source: SourceLine, edition: Edition, language: Language): Line {
+  const printed = edition === 'printed' ? source.printed : undefined;
+  const { at, indent } = source;
+  return { at, indent, text: (printed ?? source)[language], defects: printed?.defects ?? [] };
+}
+
+/** The procedures of a method in the order in which they call one another. */
+export function listingsOf(
+  method: Method,
+  edition: Edition,
+  language: Language,
+): readonly Listing[] {
+  return used[method]
+    .flatMap((name) => sources.filter((source) => source.name === name))
+    .map(({ name, title, takes, lines }) => ({
+      name,
+      title: title[language],
+      takes,
+      lines: lines.map((each) => line(each, edition, language)),
+    }));
+}

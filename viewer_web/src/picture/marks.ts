@@ -1,0 +1,174 @@
+import type { View } from '../view.js';
+import type { Event, EventName } from '../trace/events.js';
+import type { Polygon } from '../trace/header.js';
+import { toNumber } from '../i18n/words.js';
+import type { Box, Corner, N, Pair, Triple } from '../trace/values.js';
+
+/** What a mark is about; the style sheet of the picture gives each role its look. */
+export type Role =
+  | 'stacked'
+  | 'window'
+  | 'fresh'
+  | 'off'
+  | 'touched'
+  | 'scanline'
+  | 'edge'
+  | 'active'
+  | 'clip'
+  | 'clip-new'
+  | 'side'
+  | 'yes'
+  | 'no'
+  | 'point';
+
+interface PathMark {
+  readonly kind: 'path';
+  readonly role: Role;
+  readonly points: readonly Spot[];
+  readonly closed: boolean;
+  /** Instead of the role's own colour. */
+  readonly color?: string;
+}
+
+export type Mark =
+  | PathMark
+  | { readonly kind: 'box'; readonly role: Role; readonly box: Box }
+  | { readonly kind: 'point'; readonly role: Role; readonly at: Spot };
+
+type Spot = readonly [number, number];
+
+const box = (role: Role, of: Box): Mark => ({ kind: 'box', role, box: of });
+
+const spot = (at: readonly N[]): Spot => [toNumber(at[0] ?? NaN), toNumber(at[1] ?? NaN)];
+const point = (role: Role, at: readonly N[]): Mark => ({ kind: 'point', role, at: spot(at) });
+
+const path = (role: Role, points: readonly (readonly N[])[], closed = false): PathMark => ({
+  kind: 'path',
+  role,
+  points: points.map(spot),
+  closed,
+});
+
+function edgeOf(polygon: Polygon | undefined, edge: number, role: Role): readonly Mark[] {
+  const vertices = polygon?.vertices ?? [];
+  const from = vertices[edge];
+  const to = vertices[(edge + 1) % vertices.length];
+  return from && to ? [path(role, [from, to])] : [];
+}
+
+export function cornerOf([x, y, width, height]: Box, corner: Corner): Spot {
+  return [corner.startsWith('r') ? x + width : x, corner.endsWith('t') ? y + height : y];
+}
+
+/** What stands on the picture because of the state. */
+function stateMarks({ after, header: { scene } }: View): readonly Mark[] {
+  const { warnock, zbuffer } = after;
+  const marks: Mark[] = [];
+  for (const { window } of warnock?.stack ?? []) marks.push(box('stacked', window));
+  if (warnock?.window) marks.push(box('window', warnock.window));
+  if (warnock?.clip) {
+    marks.push(path('clip', warnock.clip.vertices, true));
+    marks.push(path('clip-new', warnock.clip.next));
+    for (const vertex of warnock.clip.next) marks.push(point('clip-new', vertex));
+  }
+  const { area } = scene;
+  if (zbuffer?.row != null) marks.push(box('scanline', [area.x, zbuffer.row, area.width, 1]));
+  const polygon = scene.byId.get(zbuffer?.polygon ?? '');
+  for (const { edge, x } of zbuffer?.ael ?? []) {
+    marks.push(...edgeOf(polygon, edge, 'edge'));
+    if (zbuffer?.y != null) marks.push(point('edge', [x, zbuffer.y]));
+  }
+  return marks;
+}
+
+const rowBoxes = (
+  role: Role,
+  row: number,
+  runs: readonly (readonly [number, number])[],
+): readonly Mark[] => runs.map(([first, end]) => box(role, [first, row, end - first, 1]));
+
+type Draw<K extends EventName> = (event: Event<K>, view: View) => readonly Mark[];
+
+const atPoint = ({ point: at }: { readonly point: Pair }): readonly Mark[] => [point('point', at)];
+const keptVertex = ({ vertex }: { readonly vertex: Triple }): readonly Mark[] => [
+  point('yes', vertex),
+];
+
+function edgeInHand({ edge }: { readonly edge: number }, view: View): readonly Mark[] {
+  const { header, after } = view;
+  return edgeOf(header.scene.byId.get(after.zbuffer?.polygon ?? ''), edge, 'side');
+}
+
+function cornerMarks(view: View, corners: readonly Corner[], role: Role): readonly Mark[] {
+  const window = view.after.warnock?.window;
+  return window ? corners.map((corner) => point(role, cornerOf(window, corner))) : [];
+}
+
+/** A piece of the centre line of a row. */
+const onRow = (row: number, left: N, right: N): Mark =>
+  path('side', [
+    [left, row + 0.5],
+    [right, row + 0.5],
+  ]);
+
+/** What stands on the picture because of the step itself. */
+const draw: { readonly [K in EventName]?: Draw<K> } = {
+  push: ({ window }) => [box('fresh', window)],
+  skip: ({ window }) => [box('off', window)],
+  fill: ({ rect }) => [box('touched', rect)],
+  draw: ({ runs }) => runs.flatMap(([row, ...run]) => rowBoxes('touched', row, [run])),
+  span: ({ row, runs }) => rowBoxes('touched', row, runs),
+  pixel: ({ x, y, shown }) => [box(shown ? 'touched' : 'off', [x, y, 1, 1])],
+  depth: atPoint,
+  color: atPoint,
+  surround: ({ point: at, inside }) => [point(inside ? 'yes' : 'no', at)],
+  orient: ({ polygon, edge, point: at }, { header }) => [
+    ...edgeOf(header.scene.byId.get(polygon), edge, 'side'),
+    point('point', at),
+  ],
+  compare: ({ corner, nearer }, view) =>
+    cornerMarks(view, corner ? [corner] : [], nearer ? 'yes' : 'no'),
+  nearer: ({ corners }, view) => cornerMarks(view, corners, 'yes'),
+  clip_side: ({ from, to }) => [path('side', [from, to])],
+  clip_sign: ({ vertex, sign }) => [point(sign > 0 ? 'no' : 'yes', vertex)],
+  clip_cross: keptVertex,
+  clip_keep: keptVertex,
+  clip_drop: ({ vertex }) => [point('no', vertex)],
+  clip_result: ({ vertices }) => [path('clip', vertices, true)],
+  row: ({ row, left, right, first, end }) => [
+    onRow(row, left, right),
+    ...rowBoxes('fresh', row, [[first, end]]),
+  ],
+  line: ({ row, from, to }) => [onRow(row, from[0], to[0])],
+  columns: ({ first, end }, { after }) =>
+    rowBoxes('fresh', after.zbuffer?.row ?? 0, [[first, end]]),
+  edge: ({ from, to }) => [path('side', [from, to])],
+  horizontal: edgeInHand,
+  ael_add: edgeInHand,
+  ael_step: edgeInHand,
+  fault: ({ x, y }) => (x === undefined || y === undefined ? [] : [box('off', [x, y, 1, 1])]),
+};
+
+function eventMarks(event: Event, view: View): readonly Mark[] {
+  const marks = draw[event.e] as Draw<EventName> | undefined;
+  return marks?.(event, view) ?? [];
+}
+
+function isFinite(mark: Mark): boolean {
+  if (mark.kind === 'box') return true;
+  const spots = mark.kind === 'point' ? [mark.at] : mark.points;
+  return spots.every(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
+}
+
+function polygonMark(view: View): readonly Mark[] {
+  const { event, header, after } = view;
+  const id = event && 'polygon' in event ? event.polygon : after.zbuffer?.polygon;
+  const polygon = header.scene.byId.get(id ?? '');
+  return polygon ? [{ ...path('active', polygon.vertices, true), color: polygon.color }] : [];
+}
+
+/** All marks of a step, those above later. */
+export function marksOf(view: View): readonly Mark[] {
+  const ofEvent = view.event ? eventMarks(view.event, view) : [];
+  return [...polygonMark(view), ...stateMarks(view), ...ofEvent].filter(isFinite);
+}

@@ -1,0 +1,57 @@
+import type { Header } from '../trace/header.js';
+import { toColor } from './grid.js';
+import type { Screen } from './screen.js';
+import type { State } from './state.js';
+import type { Warnock } from './warnock.js';
+import type { ZBuffer } from './zbuffer.js';
+
+/** The state in the one form in which readers of a trace are compared, key by key in this order. */
+export function canonical(state: State, { detail }: Header): unknown {
+  const { step, calls, warnock, zbuffer } = state.values;
+  return {
+    step,
+    calls: calls.map(({ of, at }) => ({ of, at })),
+    picture: pictureRows(state.screen),
+    warnock: warnock && warnockValues(warnock),
+    zbuffer: zbuffer && { ...zbufferValues(zbuffer), z: depthRows(state.screen, detail) },
+  };
+}
+
+function pictureRows({ picture }: Screen): readonly string[] {
+  return Array.from({ length: picture.height }, (_, j) =>
+    Array.from(picture.row(j) as ArrayLike<number>, toColor).join(''),
+  );
+}
+
+function depthRows({ z }: Screen, detail: Header['detail']): unknown {
+  if (z === null || detail === 'windows') return null;
+  return Array.from({ length: z.height }, (_, j) => Array.from(z.row(j)));
+}
+
+function warnockValues(warnock: Warnock): object {
+  const { stack, window, apl, corners, k, count, hasSurround, color, insider, clip } = warnock;
+  return {
+    stack: stack.map((each) => ({ window: each.window, apl: each.apl.entries })),
+    window,
+    apl: apl?.entries ?? null,
+    corners: corners && { lb: corners.lb, lt: corners.lt, rb: corners.rb, rt: corners.rt },
+    k,
+    count,
+    hasSurround,
+    color,
+    insider,
+    clip: clip && { vertices: clip.vertices, next: clip.next },
+  };
+}
+
+function zbufferValues({ polygon, edges, ael, y, row, nextS, nextAel }: ZBuffer): object {
+  return {
+    polygon,
+    S: edges,
+    ael: ael.map(({ edge, x, z, until, dx, dz }) => ({ edge, x, z, until, dx, dz })),
+    y,
+    row,
+    nextS,
+    nextAel,
+  };
+}

@@ -1,0 +1,60 @@
+import type { Polygon, Scene } from '../trace/header.js';
+import { Refusal } from '../trace/refusal.js';
+import type { N } from '../trace/values.js';
+import { Grid, toPixel } from './grid.js';
+import type { Row } from './grid.js';
+
+/** What the handlers of events write to: the picture and, where the trace carries it, the buffer of depths. */
+export class Screen {
+  readonly picture: Grid<number>;
+  z: Grid<N> | null = null;
+
+  constructor(
+    readonly scene: Scene,
+    private readonly hasDepths: boolean,
+  ) {
+    const { width, height } = scene.area;
+    const pixel = toPixel(scene.background);
+    this.picture = new Grid<number>(width, height, pixel, (n) => new Uint32Array(n));
+  }
+
+  polygon(id: string): Polygon {
+    const polygon = this.scene.byId.get(id);
+    if (polygon === undefined) throw new Refusal('polygon', 'noSuchPolygon', id);
+    return polygon;
+  }
+
+  /** Pixels of the plane take a colour; they must lie in the area. */
+  paint(x: number, y: number, width: number, height: number, color: string): void {
+    const { area } = this.scene;
+    const i = x - area.x;
+    const j = y - area.y;
+    const inside = i >= 0 && j >= 0 && width >= 0 && height >= 0;
+    if (!inside || i + width > area.width || j + height > area.height) {
+      throw new Refusal('', 'outsideArea');
+    }
+    this.picture.fill(i, j, width, height, toPixel(color));
+  }
+
+  clear(color: string, z: N): void {
+    const { x, y, width, height } = this.scene.area;
+    this.paint(x, y, width, height, color);
+    if (this.hasDepths) this.z = new Grid<N>(width, height, z, (n) => new Array<N>(n).fill(z));
+  }
+
+  save(): SavedScreen {
+    return { picture: this.picture.save(), z: this.z, depths: this.z?.save() ?? null };
+  }
+
+  load({ picture, z, depths }: SavedScreen): void {
+    this.picture.load(picture);
+    this.z = z;
+    if (depths !== null) z?.load(depths);
+  }
+}
+
+export interface SavedScreen {
+  readonly picture: readonly Row<number>[];
+  readonly z: Grid<N> | null;
+  readonly depths: readonly Row<N>[] | null;
+}

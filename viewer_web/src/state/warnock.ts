@@ -1,0 +1,200 @@
+import { corners as cornerNames } from '../trace/values.js';
+import type { WarnockEvents } from '../trace/events.js';
+import { Refusal } from '../trace/refusal.js';
+import type { Box, Color, Corner, N, Triple } from '../trace/values.js';
+import type { Screen } from './screen.js';
+
+/** An entry (P, S) of a list of active polygons. */
+export type Entry = readonly [polygon: string, surrounds: boolean];
+
+/** A list of active polygons. Windows that share one hold the same object. */
+export interface Apl {
+  readonly entries: readonly Entry[];
+}
+
+export interface StackedWindow {
+  readonly window: Box;
+  readonly apl: Apl;
+}
+
+export interface Clip {
+  readonly vertices: readonly Triple[];
+  readonly next: readonly Triple[];
+}
+
+export interface Warnock {
+  readonly stack: readonly StackedWindow[];
+  readonly window: Box | null;
+  readonly apl: Apl | null;
+  readonly corners: Readonly<Record<Corner, N>> | null;
+  readonly k: number | null;
+  readonly count: number;
+  readonly hasSurround: boolean;
+  readonly color: Color | null;
+  readonly insider: boolean;
+  readonly clip: Clip | null;
+  /** The depths of the polygon in hand at the corners so far, in the order of their names. */
+  readonly depths: readonly N[];
+  /** What PointColor has found so far. */
+  readonly nearest: { readonly polygon: string; readonly z: N } | null;
+}
+
+export const emptyWarnock: Warnock = {
+  stack: [],
+  window: null,
+  apl: null,
+  corners: null,
+  k: null,
+  count: 0,
+  hasSurround: false,
+  color: null,
+  insider: false,
+  clip: null,
+  depths: [],
+  nearest: null,
+};
+
+type WarnockEvent = WarnockEvents[keyof WarnockEvents];
+type Handler<E> = (event: E, now: Warnock, screen: Screen) => Partial<Warnock>;
+type Handlers = { readonly [K in keyof WarnockEvents]: Handler<WarnockEvents[K]> };
+
+const nothing = (): Partial<Warnock> => ({});
+
+function sameWindow(a: Box, b: Box): boolean {
+  return a.every((value, i) => value === b[i]);
+}
+
+function currentApl(now: Warnock): Apl {
+  if (now.apl === null) throw new Refusal('', 'noWindow');
+  return now.apl;
+}
+
+/** The current list becomes another one, in the windows that share it too. */
+function changeApl(now: Warnock, entries: readonly Entry[]): Partial<Warnock> {
+  const old = currentApl(now);
+  const apl = { entries };
+  const shared = now.stack.some((each) => each.apl === old);
+  const stack = shared
+    ? now.stack.map((each) => (each.apl === old ? { ...each, apl } : each))
+    : now.stack;
+  return { apl, stack };
+}
+
+function entryIndex(now: Warnock, polygon: string): number {
+  const index = currentApl(now).entries.findIndex(([id]) => id === polygon);
+  if (index < 0) throw new Refusal('polygon', 'notInList', polygon);
+  return index;
+}
+
+function currentClip(now: Warnock): Clip {
+  if (now.clip === null) throw new Refusal('', 'noClip');
+  return now.clip;
+}
+
+function keep({ vertex }: { readonly vertex: Triple }, now: Warnock): Partial<Warnock> {
+  const clip = currentClip(now);
+  return { clip: { ...clip, next: [...clip.next, vertex] } };
+}
+
+function pushedApl({ at, apl, shared }: WarnockEvents['push'], now: Warnock): Apl {
+  if (at === 'W3') {
+    if (apl === undefined) throw new Refusal('apl', 'rootNeedsList');
+    return { entries: apl };
+  }
+  if (apl !== undefined) throw new Refusal('apl', 'partHasList');
+  return shared === true ? currentApl(now) : { entries: currentApl(now).entries };
+}
+
+export function addDepth(z: N, { depths }: Warnock): Partial<Warnock> {
+  return { depths: [...depths, z] };
+}
+
+const handlers: Handlers = {
+  push: (event, now, screen) => {
+    event.apl?.forEach(([id]) => screen.polygon(id));
+    return { stack: [...now.stack, { window: event.window, apl: pushedApl(event, now) }] };
+  },
+  skip: nothing,
+  pop: ({ window }, { stack }) => {
+    const top = stack.at(-1);
+    if (top === undefined) throw new Refusal('', 'emptyStack');
+    if (!sameWindow(top.window, window)) throw new Refusal('window', 'notTop');
+    return { stack: stack.slice(0, -1), window, apl: top.apl, nearest: null };
+  },
+  corners: ({ z }) => ({
+    corners: { lb: z, lt: z, rb: z, rt: z },
+    k: null,
+    count: 0,
+    hasSurround: false,
+    color: null,
+    insider: false,
+    depths: [],
+  }),
+  box: nothing,
+  discard: ({ polygon }, now) => {
+    const index = entryIndex(now, polygon);
+    return changeApl(
+      now,
+      currentApl(now).entries.filter((_, i) => i !== index),
+    );
+  },
+  count: ({ count }) => ({ count, depths: [] }),
+  compare: nothing,
+  nearer: ({ corners, k }, now) => {
+    const depths: Partial<Record<Corner, N>> = {};
+    for (const corner of corners) {
+      const z = now.depths[cornerNames.indexOf(corner)];
+      if (z === undefined) throw new Refusal('corners', 'noDepths');
+      depths[corner] = z;
+    }
+    if (now.corners === null) throw new Refusal('', 'noWindow');
+    return { k, corners: { ...now.corners, ...depths } };
+  },
+  uncover: () => ({ hasSurround: false }),
+  surround: nothing,
+  mark: ({ polygon }, now) => {
+    const index = entryIndex(now, polygon);
+    return changeApl(
+      now,
+      currentApl(now).entries.map((entry, i) => (i === index ? [polygon, true] : entry)),
+    );
+  },
+  cover: ({ color }) => ({ hasSurround: true, color }),
+  insider: ({ inside }) => ({ insider: inside }),
+  summary: ({ count, hasSurround, color, insider }) => ({ count, hasSurround, color, insider }),
+  decide: nothing,
+  fill: ({ rect, color }, _now, screen) => {
+    screen.paint(rect[0], rect[1], rect[2], rect[3], color);
+    return {};
+  },
+  nearest: ({ polygon, z }) => ({ nearest: { polygon, z } }),
+  color: ({ color }) => ({ color }),
+  orient: nothing,
+  clip_begin: ({ polygon }, _now, screen) => ({
+    clip: { vertices: screen.polygon(polygon).vertices, next: [] },
+  }),
+  clip_side: (_event, now) => ({ clip: { ...currentClip(now), next: [] } }),
+  clip_sign: nothing,
+  clip_cross: keep,
+  clip_keep: keep,
+  clip_drop: nothing,
+  clip_list: ({ count }, now) => {
+    const { next } = currentClip(now);
+    if (next.length !== count) {
+      throw new Refusal('count', 'clipCount', String(count), String(next.length));
+    }
+    return { clip: { vertices: next, next: [] } };
+  },
+  clip_result: () => ({ clip: null }),
+  row: nothing,
+  draw: ({ runs, color }, _now, screen) => {
+    for (const [row, first, end] of runs) screen.paint(first, row, end - first, 1, color);
+    return {};
+  },
+};
+
+/** What an event changes. */
+export function afterWarnock(event: WarnockEvent, now: Warnock, screen: Screen): Partial<Warnock> {
+  const handler = handlers[event.e] as Handler<WarnockEvent>;
+  return handler(event, now, screen);
+}

@@ -1,0 +1,57 @@
+import { readFileSync, readdirSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import type { Detail, Event, Method } from '../trace/events.js';
+import { readTrace } from '../trace/read.js';
+import type { Trace } from '../trace/read.js';
+
+const directory = fileURLToPath(new URL('../../test-data/', import.meta.url));
+
+export const traceNames: readonly string[] = readdirSync(directory).filter((name) =>
+  name.endsWith('.jsonl'),
+);
+
+export function textOf(name: string): string {
+  return readFileSync(directory + name, 'utf8');
+}
+
+export function traceOf(text: string | Uint8Array<ArrayBuffer>): Promise<Trace> {
+  return readTrace(new Blob([text]));
+}
+
+/** The header of an 8 x 8 scene with the polygons A and B. */
+export function headerOf(method: Method, detail: Detail = 'signs'): object {
+  const square = (id: string, color: string): object => ({
+    id,
+    color,
+    vertices: [
+      [0, 0, 0.5],
+      [8, 0, 0.5],
+      [8, 8, 0.5],
+      [0, 8, 0.5],
+    ],
+  });
+  return {
+    format: 'vidno-trace/1',
+    method,
+    edition: 'corrected',
+    kernel: 'double',
+    detail,
+    scene: {
+      format: 'vidno-scene/1',
+      name: 'Two squares',
+      window: { x: 0, y: 0, width: 8, height: 8 },
+      background: '#ffffff',
+      polygons: [square('A', '#112233'), square('B', '#445566')],
+    },
+  };
+}
+
+export function linesOf(...values: readonly unknown[]): string {
+  return values.map((value) => `${JSON.stringify(value)}\n`).join('');
+}
+
+/** A trace of these events as text, its last line included. */
+export function textWith(header: object, events: readonly Event[]): string {
+  const end = { end: { events: events.length, picture: `sha256:${'0'.repeat(64)}` } };
+  return linesOf(header, ...events, end);
+}

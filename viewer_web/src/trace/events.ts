@@ -1,0 +1,178 @@
+import { between, bool, list, matching, oneOf, record, text, tuple, whole } from './check.js';
+import type { Check, Checked, Obligatory, Optional } from './check.js';
+import {
+  box,
+  color,
+  corner,
+  id,
+  num,
+  pair,
+  pixels,
+  rowRuns,
+  runs,
+  sign,
+  triple,
+} from './values.js';
+
+/**
+ * The events of `vidno-trace/1` as one table: the types of the events and the check of a line are both
+ * derived from it, so that they cannot part. The order is that of FORMAT.md.
+ */
+
+type Fields = Readonly<Record<string, Check<unknown>>>;
+interface Kind<L extends string, F extends Fields, O extends Fields> {
+  readonly at: Check<L>;
+  readonly from: Detail;
+  readonly fields: F;
+  readonly optional: O;
+}
+
+export const details = ['windows', 'polygons', 'signs'] as const;
+export type Detail = (typeof details)[number];
+
+const none = {} as const;
+const levels = { w: 'windows', p: 'polygons', s: 'signs' } as const;
+
+function kind<L extends string, F extends Fields>(
+  at: Check<L>,
+  from: keyof typeof levels,
+  fields: F,
+): Kind<L, F, typeof none>;
+function kind<L extends string, F extends Fields, O extends Fields>(
+  at: Check<L>,
+  from: keyof typeof levels,
+  fields: F,
+  optional: O,
+): Kind<L, F, O>;
+function kind(
+  at: Check<string>,
+  from: keyof typeof levels,
+  fields: Fields,
+  optional: Fields = none,
+) {
+  return { at, from: levels[from], fields, optional };
+}
+
+const anyLine = matching(/^(W|PW|PC|D|S|PL|I|F|Z|L)[1-9]\d?$/, 'label');
+const count = between(0, Number.MAX_SAFE_INTEGER);
+const edges = list(count);
+
+export const procedures = [
+  'ProcessWindow',
+  'PointColor',
+  'SurroundTest',
+  'PolygonClip',
+  'FillPolygon',
+  'ShowLine',
+] as const;
+export type Procedure = (typeof procedures)[number];
+
+export const common = {
+  plane: kind(oneOf('I1'), 'p', { polygon: id, plane: tuple(num, num, num, num) }),
+  call: kind(anyLine, 'p', { of: oneOf(...procedures) }),
+  depth: kind(oneOf('PW5', 'PC3', 'Z3'), 'p', { polygon: id, point: pair, z: num }),
+  fault: kind(anyLine, 'w', { reason: text }, { x: whole, y: whole }),
+} as const;
+
+export const warnock = {
+  push: kind(
+    oneOf('W3', 'W13'),
+    'w',
+    { window: box },
+    { apl: list(tuple(id, bool)), shared: oneOf(true) },
+  ),
+  skip: kind(oneOf('W13'), 'w', { window: box }),
+  pop: kind(oneOf('W5'), 'w', { window: box }),
+  corners: kind(oneOf('PW1'), 'p', { z: num }),
+  box: kind(oneOf('PW3'), 's', { polygon: id, box: tuple(num, num, num, num), outside: bool }),
+  discard: kind(oneOf('PW3'), 'p', { polygon: id }),
+  count: kind(oneOf('PW4'), 'p', { polygon: id, count }),
+  compare: kind(
+    oneOf('PW6', 'PC4'),
+    's',
+    { polygon: id, z: num, against: num, nearer: bool },
+    { corner },
+  ),
+  nearer: kind(oneOf('PW6'), 'p', { polygon: id, corners: list(corner), k: between(0, 4) }),
+  uncover: kind(oneOf('PW7'), 'p', { polygon: id }),
+  surround: kind(oneOf('PW8', 'PC2'), 'p', { polygon: id, point: pair, inside: bool }),
+  mark: kind(oneOf('PW8'), 'p', { polygon: id }),
+  cover: kind(oneOf('PW9'), 'p', { polygon: id, color }),
+  insider: kind(oneOf('PW10'), 'p', { polygon: id, inside: bool }),
+  summary: kind(oneOf('W6'), 'p', { count, hasSurround: bool, color, insider: bool }),
+  decide: kind(oneOf('W7', 'W8', 'W9', 'W10', 'W13'), 'w', {
+    case: oneOf('empty', 'surrounded', 'pixel', 'single', 'split'),
+  }),
+  fill: kind(oneOf('W7', 'W8', 'W9', 'W10'), 'w', { rect: pixels, color }),
+  nearest: kind(oneOf('PC4'), 'p', { polygon: id, z: num, color }),
+  color: kind(oneOf('W9'), 'p', { point: pair, color }),
+  orient: kind(oneOf('S2', 'S3'), 's', { polygon: id, edge: count, point: pair, value: num, sign }),
+  clip_begin: kind(oneOf('PL1'), 'p', { polygon: id, window: box }),
+  clip_side: kind(oneOf('PL2'), 'p', { side: between(1, 4), from: pair, to: pair }),
+  clip_sign: kind(oneOf('PL3', 'PL4'), 's', { vertex: triple, value: num, sign }),
+  clip_cross: kind(oneOf('PL5'), 'p', { vertex: triple }),
+  clip_keep: kind(oneOf('PL6'), 'p', { vertex: triple }),
+  clip_drop: kind(oneOf('PL6'), 'p', { vertex: triple }),
+  clip_list: kind(oneOf('PL7'), 'p', { count }),
+  clip_result: kind(oneOf('W12'), 'p', { polygon: id, vertices: list(triple) }),
+  row: kind(oneOf('F2'), 's', { row: whole, left: num, right: num, first: whole, end: whole }),
+  draw: kind(oneOf('W11', 'W12'), 'w', { polygon: id, color, runs }),
+} as const;
+
+export const zbuffer = {
+  clear: kind(oneOf('Z1'), 'w', { color, z: num }),
+  polygon: kind(oneOf('Z2'), 'w', { polygon: id, color }),
+  edge: kind(
+    oneOf('Z3'),
+    'p',
+    { edge: count, from: triple, to: triple },
+    { rows: tuple(whole, whole) },
+  ),
+  extent: kind(oneOf('Z4'), 'p', { ymin: num, ymax: num }),
+  scanline: kind(oneOf('Z6'), 'w', { y: num, row: whole }),
+  ael_add: kind(oneOf('Z8'), 'p', { edge: count, x: num, z: num, until: num, dx: num, dz: num }),
+  horizontal: kind(oneOf('Z9'), 'p', { edge: count }),
+  leave: kind(oneOf('Z10'), 'p', { edges, next: num }),
+  ael_sort: kind(oneOf('Z12'), 'p', { edges, next: num }),
+  line: kind(oneOf('L1'), 'p', { row: whole, from: pair, to: pair }),
+  miss: kind(oneOf('L1', 'L2'), 'p', {}),
+  columns: kind(oneOf('L4'), 's', { first: whole, end: whole, z: num, dz: num }),
+  pixel: kind(oneOf('L6'), 's', { x: whole, y: whole, z: num, stored: num, shown: bool }),
+  span: kind(oneOf('Z9', 'Z14'), 'w', { row: whole, runs: rowRuns }, { depths: list(num) }),
+  ael_drop: kind(oneOf('Z16'), 'p', { edges, next: num }),
+  ael_step: kind(oneOf('Z17'), 'p', { edge: count, x: num, z: num }),
+} as const;
+
+export const tables = { warnock, zbuffer } as const;
+export type Method = keyof typeof tables;
+
+type EventsOf<T extends Readonly<Record<string, AnyKind>>> = {
+  readonly [K in keyof T]: { readonly e: K; readonly at: Checked<T[K]['at']> } & Obligatory<
+    T[K]['fields']
+  > &
+    Optional<T[K]['optional']>;
+};
+
+export type CommonEvents = EventsOf<typeof common>;
+export type WarnockEvents = EventsOf<typeof warnock>;
+export type ZBufferEvents = EventsOf<typeof zbuffer>;
+export type Events = CommonEvents & WarnockEvents & ZBufferEvents;
+
+export type EventName = keyof Events;
+/** An event, or with a name the event of that name. */
+export type Event<K extends EventName = EventName> = { readonly [P in K]: Events[P] }[K];
+
+type LineCheck = Check<Event>;
+type AnyKind = Kind<string, Fields, Fields>;
+
+function lineChecks(method: Method): ReadonlyMap<string, { check: LineCheck; from: Detail }> {
+  const kinds = Object.entries({ ...common, ...tables[method] });
+  return new Map(
+    kinds.map(([name, { at, from, fields, optional }]: [string, AnyKind]) => {
+      const check = record({ e: text, at, ...fields }, optional);
+      return [name, { check: check as unknown as LineCheck, from }];
+    }),
+  );
+}
+
+export const checks = { warnock: lineChecks('warnock'), zbuffer: lineChecks('zbuffer') } as const;

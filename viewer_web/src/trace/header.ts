@@ -1,0 +1,81 @@
+import { between, finite, list, oneOf, record, text, tuple, whole } from './check.js';
+import type { Check, Checked } from './check.js';
+import { details, tables } from './events.js';
+import type { Method } from './events.js';
+import { Refusal } from './refusal.js';
+import { color } from './values.js';
+
+const greatestSide = 16384;
+const hexFloat = /^(-?)0x([0-9a-f]+)(?:\.([0-9a-f]*))?(?:p([+-]?\d+))?$/i;
+
+/** A coordinate is a number or a hexadecimal float such as "0x1.8p-3". */
+const coordinate: Check<number> = (value, path) => {
+  const match = typeof value === 'string' ? hexFloat.exec(value) : null;
+  if (match === null) return finite(value, path);
+  const [, minus, before = '', after = '', exponent = '0'] = match;
+  const digits = Number.parseInt(before + after, 16);
+  const size = digits * 2 ** (Number(exponent) - 4 * after.length);
+  return finite(minus === '-' ? -size : size, path);
+};
+
+const polygon = record(
+  { color, vertices: list(tuple(coordinate, coordinate, coordinate)) },
+  { id: text },
+);
+
+const area = record(
+  { x: whole, y: whole, width: between(1, greatestSide), height: between(1, greatestSide) },
+  {},
+);
+
+const sceneFile = record(
+  { format: oneOf('vidno-scene/1'), window: area, background: color, polygons: list(polygon) },
+  { name: text },
+);
+
+const header = record(
+  {
+    format: oneOf('vidno-trace/1'),
+    method: oneOf(...(Object.keys(tables) as Method[])),
+    edition: oneOf('corrected', 'printed'),
+    kernel: oneOf('float', 'double', 'exact'),
+    detail: oneOf(...details),
+    scene: sceneFile,
+  },
+  {},
+);
+
+export type Area = Checked<typeof area>;
+export type Edition = Checked<typeof header>['edition'];
+export type Kernel = Checked<typeof header>['kernel'];
+
+export interface Polygon {
+  readonly id: string;
+  readonly color: string;
+  readonly vertices: readonly (readonly [number, number, number])[];
+}
+
+export interface Scene {
+  readonly name: string;
+  readonly area: Area;
+  readonly background: string;
+  readonly polygons: readonly Polygon[];
+  readonly byId: ReadonlyMap<string, Polygon>;
+}
+
+export interface Header extends Omit<Checked<typeof header>, 'scene' | 'format'> {
+  readonly scene: Scene;
+}
+
+export function parseHeader(value: unknown): Header {
+  const { method, edition, kernel, detail, scene: drawn } = header(value, '');
+  const polygons = drawn.polygons.map((p, i) => ({ ...p, id: p.id ?? String(i) }));
+  const byId = new Map<string, Polygon>();
+  polygons.forEach((p, i) => {
+    if (byId.has(p.id)) throw new Refusal(`scene.polygons[${i}].id`, 'twice');
+    byId.set(p.id, p);
+  });
+  const { name = '', window: shown, background } = drawn;
+  const scene = { name, area: shown, background, polygons, byId };
+  return { method, edition, kernel, detail, scene };
+}

@@ -1,0 +1,47 @@
+import { between, matching, oneOf, plainObject, record } from './check.js';
+import type { Checked } from './check.js';
+import { checks, details } from './events.js';
+import type { Event } from './events.js';
+import type { Header } from './header.js';
+import { Refusal, describe } from './refusal.js';
+
+const end = record(
+  {
+    end: record(
+      {
+        events: between(0, Number.MAX_SAFE_INTEGER),
+        picture: matching(/^sha256:[0-9a-f]{64}$/, 'hash'),
+      },
+      { partial: oneOf(true) },
+    ),
+  },
+  {},
+);
+
+export type End = Checked<typeof end>['end'];
+export type Line = { readonly event: Event } | { readonly end: End };
+
+export function parseJson(line: string): unknown {
+  try {
+    return JSON.parse(line);
+  } catch {
+    throw line.trim() === ''
+      ? new Refusal('', 'empty')
+      : new Refusal('', 'notJson', describe(line));
+  }
+}
+
+/** One line after the header: an event of the trace's method and level, or the last line. */
+export function parseLine(line: string, header: Header): Line {
+  const object = plainObject(parseJson(line), '');
+  if (!Object.hasOwn(object, 'e')) return { end: end(object, '').end };
+  const name = object['e'];
+  const known = typeof name === 'string' ? checks[header.method].get(name) : undefined;
+  if (known === undefined) {
+    throw new Refusal('e', 'noEvent', describe(name), header.method);
+  }
+  if (details.indexOf(known.from) > details.indexOf(header.detail)) {
+    throw new Refusal('e', 'tooDetailed', describe(name), header.detail);
+  }
+  return { event: known.check(object, '') };
+}

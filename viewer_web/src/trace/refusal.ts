@@ -1,0 +1,74 @@
+/** Why a file or an event is refused, with what the message needs; the wording is in `i18n`. */
+export interface Reasons {
+  // A value is not what the format says.
+  number: [found: string];
+  kernelNumber: [found: string];
+  whole: [found: string];
+  between: [least: string, greatest: string, found: string];
+  bool: [found: string];
+  text: [found: string];
+  color: [found: string];
+  label: [found: string];
+  hash: [found: string];
+  oneOf: [values: string, found: string];
+  list: [found: string];
+  listOf: [length: string, found: string];
+  object: [found: string];
+  missing: [];
+  unknownKey: [];
+  twice: [];
+  // A line is not what may stand there.
+  empty: [];
+  notJson: [found: string];
+  noEvent: [name: string, method: string];
+  tooDetailed: [name: string, detail: string];
+  afterEnd: [];
+  eventCount: [said: string, found: string];
+  notUtf8: [];
+  longLine: [];
+  notGzip: [];
+  // An event that cannot happen here.
+  noSuchPolygon: [id: string];
+  outsideArea: [];
+  resultOf: [procedure: string, frame: string];
+  emptyStack: [];
+  notTop: [];
+  noWindow: [];
+  rootNeedsList: [];
+  partHasList: [];
+  notInList: [id: string];
+  noDepths: [];
+  noClip: [];
+  clipCount: [said: string, found: string];
+  noPolygon: [];
+  notInS: [edge: string];
+  notInAel: [edge: string];
+  twiceInAel: [edge: string];
+  notAnOrder: [];
+  depthCount: [depths: string, pixels: string];
+}
+export type Reason = keyof Reasons;
+
+/** `path` says where in the line, as in `scene.polygons[2].color`. */
+export class Refusal<K extends Reason = Reason> extends Error {
+  readonly details: Reasons[K];
+
+  constructor(
+    readonly path: string,
+    readonly reason: K,
+    ...details: Reasons[K]
+  ) {
+    super(`${path} ${reason} ${details.join(' ')}`);
+    this.details = details;
+  }
+}
+
+export function isRefusal(error: unknown): error is Refusal {
+  return error instanceof Refusal;
+}
+
+/** A short picture of a value for a message: never the whole of a long one. */
+export function describe(value: unknown): string {
+  const text = value === undefined ? '' : JSON.stringify(value);
+  return text.length > 40 ? `${text.slice(0, 39)}…` : text;
+}

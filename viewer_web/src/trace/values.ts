@@ -1,0 +1,35 @@
+import { finite, list, matching, oneOf, text, tuple, whole } from './check.js';
+import type { Check, Checked } from './check.js';
+import { Refusal, describe } from './refusal.js';
+
+/** N of the format: a number of the run's kernel. A reader copies it and never computes with it. */
+export type N = number | string;
+
+/** Longer fractions than any run writes would only keep the page busy. */
+const written = /^(-?inf|nan|-?\d{1,20000}\/\d{1,20000})$/;
+
+export const num: Check<N> = (value, path) => {
+  if (typeof value === 'number' && Number.isFinite(value)) return value;
+  if (typeof value === 'string' && written.test(value)) return value;
+  throw new Refusal(path, 'kernelNumber', describe(value));
+};
+
+export const id = text;
+export const color = matching(/^#[0-9a-f]{6}$/, 'color');
+export const corner = oneOf('lb', 'lt', 'rb', 'rt');
+export const pair = tuple(num, num);
+export const triple = tuple(num, num, num);
+export const box = tuple(finite, finite, finite, finite);
+export const pixels = tuple(whole, whole, whole, whole);
+export const runs = list(tuple(whole, whole, whole));
+export const rowRuns = list(tuple(whole, whole));
+export const sign = oneOf(-1, 0, 1);
+
+export type Color = Checked<typeof color>;
+export type Corner = Checked<typeof corner>;
+export type Pair = Checked<typeof pair>;
+export type Triple = Checked<typeof triple>;
+export type Box = Checked<typeof box>;
+
+/** The text's four corners, in the order in which their depths are computed. */
+export const corners = ['lb', 'lt', 'rb', 'rt'] as const satisfies readonly Corner[];

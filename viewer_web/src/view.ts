@@ -1,0 +1,41 @@
+import { sentence, texts } from './i18n/index.js';
+import type { Language } from './i18n/index.js';
+import type { PageTexts } from './i18n/texts.js';
+import type { Screen } from './state/screen.js';
+import type { Values } from './state/state.js';
+import type { Event } from './trace/events.js';
+import type { Header } from './trace/header.js';
+import type { Trace } from './trace/read.js';
+
+/** A step as the components show it: what happened, and what was before and after it. */
+export interface View {
+  readonly header: Header;
+  readonly step: number;
+  readonly length: number;
+  readonly event: Event | null;
+  readonly before: Values;
+  readonly after: Values;
+  readonly screen: Screen;
+  readonly language: Language;
+  readonly texts: PageTexts;
+  readonly sentence: string;
+}
+
+export function viewOf({ header, timeline }: Trace, step: number, language: Language): View {
+  const before = timeline.seek(Math.max(0, step - 1)).values;
+  const { values: after, screen } = timeline.seek(step);
+  const event = timeline.event(step);
+  const { page } = texts[language];
+  return {
+    header,
+    step,
+    length: timeline.length,
+    event,
+    before,
+    after,
+    screen,
+    language,
+    texts: page,
+    sentence: event ? sentence(event, before, after, header.scene, language) : page.start,
+  };
+}

@@ -1,0 +1,16 @@
+import { resolve } from 'node:path';
+import { defineConfig } from 'vite';
+import { lessons } from './plugins/lessons.js';
+import { singleFile } from './plugins/single-file.js';
+
+const traces = process.env['VIDNO_TRACES'] ?? '../build/lessons';
+
+export default defineConfig({
+  plugins: [lessons(resolve(traces)), singleFile()],
+  server: { fs: { allow: ['..'] } },
+  build: {
+    target: 'es2022',
+    modulePreload: false,
+    chunkSizeWarningLimit: 2000,
+  },
+});
