@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fault.h"
 #include "picture.h"
 #include "polygon.h"
 #include "trace.h"
@@ -150,7 +151,12 @@ struct Run {
     void show_line(Line at, const auto& row, const SpanEnd<Number>& from, const SpanEnd<Number>& to,
                    const Polygon<K>& polygon) {
         trace.call(at, Procedure::show_line);
-        Set::show_line(*this, row, from, to, polygon);
+        try {
+            Set::show_line(*this, row, from, to, polygon);
+        } catch (const Fault&) {
+            trace.span(at);  // what was painted before
+            throw;
+        }
         trace.span(at);
     }
 

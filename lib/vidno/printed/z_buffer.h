@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "../fault.h"
 #include "../run.h"
@@ -67,14 +68,14 @@ private:
                 for (const auto& edge : edges) {
                     if (starts_here(edge)) start(run, edge, y, active_edges, polygon);
                 }
-                const auto starting = std::ranges::stable_partition(edges, std::not_fn(starts_here));
-                next_start = least(std::ranges::subrange(edges.begin(), starting.begin()),
-                                   [](const auto& edge) { return edge.upper.y; });
-                trace.leave(Z10, starting, next_start);
-                edges.erase(starting.begin(), starting.end());
-                std::ranges::stable_sort(active_edges, [](const auto& a, const auto& b) {
+                const auto starting = std::stable_partition(edges.begin(), edges.end(), std::not_fn(starts_here));
+                next_start = least(std::span(edges.begin(), starting), [](const auto& edge) { return edge.upper.y; });
+                trace.leave(Z10, std::span(starting, edges.end()), next_start);
+                edges.erase(starting, edges.end());
+                const auto left_of = [](const auto& a, const auto& b) {
                     return a.x < b.x || (a.x == b.x && a.dx < b.dx);
-                });
+                };
+                std::stable_sort(active_edges.begin(), active_edges.end(), left_of);
                 next_end = least(active_edges, [](const auto& edge) { return edge.until; });
                 trace.ael_sort(Z12, active_edges, next_end);
             }
@@ -87,11 +88,10 @@ private:
             y += 1;
             if (next_end && y >= *next_end) {
                 const auto stays = [&](const auto& edge) { return !(edge.until <= y); };
-                const auto ended = std::ranges::stable_partition(active_edges, stays);
-                next_end = least(std::ranges::subrange(active_edges.begin(), ended.begin()),
-                                 [](const auto& edge) { return edge.until; });
-                trace.ael_drop(Z16, ended, next_end);
-                active_edges.erase(ended.begin(), ended.end());
+                const auto ended = std::stable_partition(active_edges.begin(), active_edges.end(), stays);
+                next_end = least(std::span(active_edges.begin(), ended), [](const auto& edge) { return edge.until; });
+                trace.ael_drop(Z16, std::span(ended, active_edges.end()), next_end);
+                active_edges.erase(ended, active_edges.end());
             }
             for (auto& edge : active_edges) {
                 edge.x += edge.dx;
@@ -130,7 +130,8 @@ private:
             if (level ? lower.x < upper.x : lower.y < upper.y) std::swap(upper, lower);
             edges.push_back({int(i), upper, lower});
         }
-        std::ranges::stable_sort(edges, [](const auto& a, const auto& b) { return a.upper.y < b.upper.y; });
+        const auto above = [](const auto& a, const auto& b) { return a.upper.y < b.upper.y; };
+        std::stable_sort(edges.begin(), edges.end(), above);
         for (const auto& edge : edges) run.trace.edge(Line::Z3, edge);
         return edges;
     }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
+#include <span>
 #include <vector>
 
 #include "../run.h"

@@ -42,7 +42,8 @@ private:
         while (row <= last_row) {
             trace.scanline(Z6, run.kernel.centre(row), row);
             if (row == next_start) {
-                const auto starting = std::ranges::find_if(edges, [&](auto& edge) { return edge.first_row > row; });
+                const auto later = [&](const auto& edge) { return edge.first_row > row; };
+                const auto starting = std::find_if(edges.begin(), edges.end(), later);
                 for (auto edge = edges.begin(); edge != starting; ++edge) {
                     if (edge->last_row < edge->first_row) continue;
                     if (!edge->level()) {
@@ -54,9 +55,9 @@ private:
                     }
                 }
                 next_start = starting == edges.end() ? no_row : starting->first_row;
-                trace.leave(Z10, std::ranges::subrange(edges.begin(), starting), next_start);
+                trace.leave(Z10, std::span(edges.begin(), starting), next_start);
                 edges.erase(edges.begin(), starting);
-                std::ranges::stable_sort(active_edges, left_of);
+                std::stable_sort(active_edges.begin(), active_edges.end(), left_of);
                 next_end = first_end(active_edges);
                 trace.ael_sort(Z12, active_edges, next_end);
             }
@@ -67,10 +68,11 @@ private:
             }
             ++row;
             if (row >= next_end) {
-                const auto ended = std::ranges::stable_partition(active_edges, [&](auto& e) { return e.last_row >= row; });
-                next_end = first_end(std::ranges::subrange(active_edges.begin(), ended.begin()));
-                trace.ael_drop(Z16, ended, next_end);
-                active_edges.erase(ended.begin(), ended.end());
+                const auto stays = [&](const auto& edge) { return edge.last_row >= row; };
+                const auto ended = std::stable_partition(active_edges.begin(), active_edges.end(), stays);
+                next_end = first_end(std::span(active_edges.begin(), ended));
+                trace.ael_drop(Z16, std::span(ended, active_edges.end()), next_end);
+                active_edges.erase(ended, active_edges.end());
             }
             for (auto& edge : active_edges) {
                 edge.x += edge.dx;
@@ -91,7 +93,8 @@ private:
             const auto& next = vertices[(i + 1) % vertices.size()];
             edges.push_back(edge_between(run, polygon, int(i), vertices[i], next));
         }
-        std::ranges::stable_sort(edges, [](auto& a, auto& b) { return a.upper.y < b.upper.y; });
+        const auto above = [](const auto& a, const auto& b) { return a.upper.y < b.upper.y; };
+        std::stable_sort(edges.begin(), edges.end(), above);
         for (const auto& edge : edges) run.trace.edge(Z3, edge);
         return edges;
     }

@@ -1,0 +1,127 @@
+/// The program vidno.
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "commands.h"
+#include "refused.h"
+
+namespace {
+
+using namespace vidno;
+using namespace vidno::cli;
+
+std::vector<std::string> words(const auto& names) {
+    return {names.begin(), names.end()};
+}
+
+std::vector<std::string> kernel_words() {
+    std::vector<std::string> names;
+    for (const auto& kernel : kernel_choices) names.emplace_back(kernel.name);
+    return names;
+}
+
+void add_run_options(CLI::App& command, RunOptions& options) {
+    command.add_option("SCENE", options.scene, "A scene file, vidno-scene/1; - for standard input")->required();
+    command.add_option("--method", options.method, "Which algorithm")
+        ->check(CLI::IsMember(words(method_names)))
+        ->capture_default_str();
+    command.add_option("--kernel", options.kernel, "Which arithmetic decides")
+        ->check(CLI::IsMember(kernel_words()))
+        ->capture_default_str();
+    command.add_option("--edition", options.edition, "The procedures put right, or as the text prints them")
+        ->check(CLI::IsMember({"corrected", "printed"}))
+        ->capture_default_str();
+}
+
+CLI::App& add_trace(CLI::App& app, RunOptions& options) {
+    auto& command = *app.add_subcommand("trace", "Run a method and write down every step");
+    add_run_options(command, options);
+    command.add_option("--detail", options.detail, "How much: each level adds events to the one before")
+        ->check(CLI::IsMember(words(detail_names)))
+        ->capture_default_str();
+    command.add_option("--max-events", options.most_events, "Stop after so many events, keep what was traced");
+    command.add_option("-o", options.output, "The trace, .jsonl or .jsonl.gz; - for standard output")->required();
+    command.footer("Example: vidno trace scene.json --method warnock --detail signs -o run.jsonl.gz");
+    return command;
+}
+
+CLI::App& add_render(CLI::App& app, RunOptions& options) {
+    auto& command = *app.add_subcommand("render", "Run a method and keep only the picture");
+    add_run_options(command, options);
+    command.add_option("-o", options.output, "The picture, .png or .ppm; - writes PPM to standard output")->required();
+    command.footer("Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png");
+    return command;
+}
+
+CLI::App& add_replay(CLI::App& app, ReplayOptions& options) {
+    auto& command = *app.add_subcommand("replay", "Rebuild the picture from the events of a trace alone");
+    command.add_option("TRACE", options.trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
+    command.add_option("--step", options.step, "After so many events; without it, at the end");
+    command
+        .add_option("-o", options.output,
+                    "The picture, .png or .ppm; or .json: the whole state at that step; or .jsonl: at every step")
+        ->required();
+    command.footer("Exit status 1: the trace was cut short, is partial, or paints another picture than it says.");
+    return command;
+}
+
+CLI::App& add_diff(CLI::App& app, DiffOptions& options) {
+    auto& command = *app.add_subcommand("diff", "Find the first step where two traces part");
+    command.add_option("A", options.first, "A trace")->required();
+    command.add_option("B", options.second, "Another, for example of another kernel")->required();
+    command.footer("Headers are not compared. Exit status 1: the traces part.");
+    return command;
+}
+
+CLI::App& add_import(CLI::App& app, MeshOptions& options) {
+    auto& command = *app.add_subcommand("import", "Make a scene from a mesh seen by a camera");
+    command.add_option("MESH", options.mesh, "A mesh: .obj, .off, .ply or .stl")->required();
+    add_camera_options(command, options.import);
+    command.add_option("-o", options.output, "The scene, .json; - for standard output")->required();
+    command.footer("Faces that are not planar or not convex are cut into triangles; what is dropped is said.");
+    return command;
+}
+
+/// Help is printed as CLI11 has it; every error is one line and status 2.
+int refuse(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << "vidno: " << error.what() << " (vidno --help)\n";
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"vidno runs the textbook hidden-surface procedures one small step at a time."};
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "vidno " VIDNO_VERSION);
+    app.get_formatter()->column_width(28);
+    app.footer("vidno COMMAND --help says more. Exit status: 0 done; 1 done, and something was found; 2 refused.");
+
+    RunOptions run;
+    ReplayOptions replayed;
+    DiffOptions compared;
+    MeshOptions mesh;
+    int status = 0;
+    add_trace(app, run).callback([&] { status = trace(run); });
+    add_render(app, run).callback([&] { status = render(run); });
+    add_replay(app, replayed).callback([&] { status = replay(replayed); });
+    add_diff(app, compared).callback([&] { status = diff(compared); });
+    add_import(app, mesh).callback([&] { status = import(mesh); });
+    app.add_subcommand("methods", "What there is: methods, kernels, editions, levels")->callback([&] {
+        status = methods();
+    });
+
+    try {
+        app.parse(argc, argv);
+        return status;
+    } catch (const CLI::ParseError& error) {
+        return refuse(app, error);
+    } catch (const Refused& refused) {
+        std::cerr << "vidno: " << refused.what() << '\n';
+    } catch (const std::bad_alloc&) {
+        std::cerr << "vidno: not enough memory\n";
+    }
+    return 2;
+}

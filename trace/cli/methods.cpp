@@ -1,0 +1,26 @@
+#include <iostream>
+
+#include "commands.h"
+
+namespace vidno::cli {
+
+int methods() {
+    std::cout << "methods    (domain: convex planar polygons; rule: the nearest polygon at each pixel centre,\n"
+                 "            the first of equally near ones; edge-on polygons show nothing)\n"
+                 "  warnock    look at a window; paint it if it is plain, else split it\n"
+                 "  zbuffer    scan each polygon with an active edge list; keep the nearest depth at each pixel\n"
+                 "kernels    (the arithmetic)\n";
+    for (const auto& kernel : kernel_choices) {
+        std::cout << "  " << kernel.name << std::string(11 - kernel.name.size(), ' ') << kernel.rule << '\n';
+    }
+    std::cout << "editions\n"
+                 "  corrected  the procedures with the errors of the printed text put right\n"
+                 "  printed    as the course text prints them, errors included\n"
+                 "levels of detail (each adds events to the one before)\n"
+                 "  windows    windows, cases and fills; polygons, scanlines and painted runs\n"
+                 "  polygons   relations, corner depths and clips; the active edge list and stored depths\n"
+                 "  signs      every orientation test and every depth comparison\n";
+    return 0;
+}
+
+}  // namespace vidno::cli

@@ -1,0 +1,62 @@
+/// Files in and out. An output file appears whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "refused.h"
+
+namespace vidno {
+
+/// The whole of a file, "-" for standard input. Throws Refused.
+std::string read_file(const std::string& name);
+
+/// Writes beside the file and renames at `commit`; without it nothing remains. "-" is standard output. A name that ends
+/// in ".gz" is compressed. Throws Refused where the system refuses.
+class OutputFile {
+public:
+    explicit OutputFile(const std::string& name);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(std::string_view bytes);
+    void commit();
+
+private:
+    struct Stream;
+
+    std::string name_;
+    std::string temporary_;  // empty: standard output
+    std::unique_ptr<Stream> stream_;
+};
+
+/// The lines of a file one by one, gzipped or not, "-" for standard input.
+class LineReader {
+public:
+    /// Throws Refused if the file cannot be opened.
+    explicit LineReader(const std::string& name);
+    /// Reads a text already in memory.
+    static LineReader of_text(std::string text);
+    ~LineReader();
+    LineReader(LineReader&&) noexcept;
+
+    /// False at the end. A last line without its newline, or compressed data that stop, make `cut` true.
+    bool next(std::string& line);
+    bool cut() const { return cut_; }
+
+private:
+    struct Source;
+
+    explicit LineReader(std::unique_ptr<Source> source);
+    bool refill();
+
+    std::unique_ptr<Source> source_;
+    std::string buffer_;
+    std::size_t position_ = 0;
+    bool cut_ = false;
+};
+
+}  // namespace vidno

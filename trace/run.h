@@ -1,0 +1,38 @@
+/// Running a method as chosen at run time: one translation unit a kernel, two editions, with a trace or without.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "trace_writer.h"
+
+namespace vidno {
+
+struct RunRequest {
+    Method method;
+    bool printed;  // the edition
+    const Scene& scene;
+    Detail detail = Detail::windows;
+    TraceWriter* writer = nullptr;  // none: no trace
+};
+
+/// Throws EventLimitReached out of the writer.
+using RunKernel = Picture (*)(const RunRequest&);
+
+Picture run_float(const RunRequest&);
+Picture run_double(const RunRequest&);
+Picture run_exact(const RunRequest&);
+
+struct KernelChoice {
+    std::string_view name;
+    std::string_view rule;
+    RunKernel run;
+};
+
+inline constexpr std::array kernel_choices{
+    KernelChoice{"float", "IEEE binary32; decisions as they fall", run_float},
+    KernelChoice{"double", "IEEE binary64; decisions as they fall", run_double},
+    KernelChoice{"exact", "exact rationals; every decision is right, the reference", run_exact},
+};
+
+}  // namespace vidno

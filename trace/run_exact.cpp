@@ -1,0 +1,10 @@
+#include "run_kernel.h"
+#include "vidno/kernels/exact.h"
+
+namespace vidno {
+
+Picture run_exact(const RunRequest& request) {
+    return run_kernel(request, Exact{});
+}
+
+}  // namespace vidno

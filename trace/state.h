@@ -1,0 +1,158 @@
+/// State: everything that a method holds at a step, rebuilt from its events alone.
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+
+#include "event.h"
+#include "trace_writer.h"
+
+namespace vidno {
+
+/// An event that cannot follow: the reason.
+struct Impossible {
+    std::string reason;
+};
+
+class State {
+public:
+    using Apl = std::vector<AplEntry>;
+
+    struct Frame {
+        Procedure of;
+        std::optional<Line> at;
+        bool operator==(const Frame&) const = default;
+    };
+    struct StackedWindow {
+        Window window;
+        std::shared_ptr<Apl> apl;  // below level `polygons` nothing leaves it
+    };
+    struct Clip {
+        std::vector<ValueVertex> vertices, next;
+    };
+    struct AelEntry {
+        int edge;
+        Value x, z, until, dx, dz;
+    };
+
+    explicit State(const TraceHeader& header);
+
+    /// Takes the next event. Throws Impossible and is then as before or useless: throw it away.
+    void apply(const Event& event);
+
+    std::uint64_t step() const { return step_; }
+    const TraceHeader& header() const { return *header_; }
+    const Picture& picture() const { return picture_; }
+    const std::vector<Frame>& calls() const { return calls_; }  // outermost first
+
+    // Warnock
+    const std::vector<StackedWindow>& stack() const { return stack_; }  // AW, bottom first
+    const std::optional<StackedWindow>& current() const { return current_; }
+    const std::optional<std::array<Value, 4>>& corners() const { return corners_; }
+    std::optional<int> k() const { return k_; }
+    int count() const { return count_; }
+    bool has_surround() const { return has_surround_; }
+    const std::optional<Color>& color() const { return color_; }
+    bool insider() const { return insider_; }
+    const std::optional<Clip>& clip() const { return clip_; }
+
+    // Z-buffer
+    std::optional<int> polygon() const { return polygon_; }
+    const std::vector<int>& edges() const { return edges_; }  // S
+    const std::vector<AelEntry>& ael() const { return ael_; }
+    const std::optional<Value>& y() const { return y_; }
+    std::optional<int> row() const { return row_; }
+    const std::optional<Value>& next_start() const { return next_start_; }
+    const std::optional<Value>& next_end() const { return next_end_; }
+    /// The depth of a cell; none before Z1 and below level `polygons`.
+    std::optional<Value> depth(int x, int y) const;
+
+private:
+    void take(const event::Plane&) {}
+    void take(const event::Call&);
+    void take(const event::Depth&);
+    void take(const event::Fault&) {}
+    void take(const event::Push&);
+    void take(const event::Skip&) {}
+    void take(const event::Pop&);
+    void take(const event::Decide&) {}
+    void take(const event::Fill&);
+    void take(const event::Corners&);
+    void take(const event::Box&) {}
+    void take(const event::Discard&);
+    void take(const event::Count&);
+    void take(const event::Compare&) {}
+    void take(const event::Nearer&);
+    void take(const event::Uncover&) { has_surround_ = false; }
+    void take(const event::Mark&);
+    void take(const event::Cover&);
+    void take(const event::Insider& e) { insider_ = e.inside; }
+    void take(const event::Summary&);
+    void take(const event::Nearest&) {}
+    void take(const event::PointColor& e);
+    void take(const event::Surround&);
+    void take(const event::Orient&) {}
+    void take(const event::ClipBegin&);
+    void take(const event::ClipSide&) { clipping().next.clear(); }
+    void take(const event::ClipSign&) {}
+    void take(const event::ClipCross& e) { clipping().next.push_back(e.vertex); }
+    void take(const event::ClipKeep& e) { clipping().next.push_back(e.vertex); }
+    void take(const event::ClipDrop&) {}
+    void take(const event::ClipList&);
+    void take(const event::ClipResult&);
+    void take(const event::Row&) {}
+    void take(const event::Draw&);
+    void take(const event::Clear&);
+    void take(const event::Polygon&);
+    void take(const event::Edge& e) { edges_.push_back(e.edge); }
+    void take(const event::Extent&) {}
+    void take(const event::Scanline&);
+    void take(const event::AelAdd& e) { ael_.push_back({e.edge, e.x, e.z, e.until, e.dx, e.dz}); }
+    void take(const event::Horizontal&) {}
+    void take(const event::Leave&);
+    void take(const event::AelSort&);
+    void take(const event::AelDrop&);
+    void take(const event::AelStep&);
+    void take(const event::ShownLine&) {}
+    void take(const event::Miss&) {}
+    void take(const event::Columns&) {}
+    void take(const event::Pixel&) {}
+    void take(const event::Span&);
+
+    void result_of(Procedure procedure, Detail from);
+    Apl& current_apl();
+    AplEntry& entry(PolygonPlace polygon);
+    Clip& clipping();
+    AelEntry& active_edge(int edge);
+    void expect_in_area(int row, int first, int end) const;
+
+    const TraceHeader* header_;
+    std::uint64_t step_ = 0;
+    Picture picture_;
+    std::vector<Frame> calls_;
+
+    std::vector<StackedWindow> stack_;
+    std::optional<StackedWindow> current_;
+    std::vector<Value> depths_;  // at PW5, of the polygon at hand
+    std::optional<std::array<Value, 4>> corners_;
+    std::optional<int> k_;
+    int count_ = 0;
+    bool has_surround_ = false;
+    std::optional<Color> color_;
+    bool insider_ = false;
+    std::optional<Clip> clip_;
+
+    std::optional<int> polygon_;
+    std::vector<int> edges_;
+    std::vector<AelEntry> ael_;
+    std::optional<Value> y_;
+    std::optional<int> row_;
+    std::optional<Value> next_start_, next_end_;
+    std::optional<Value> cleared_depth_;
+    std::unordered_map<std::int64_t, Value> depths_stored_;  // of the cells that were written
+};
+
+/// The state as JSON on one line, as the page's tests compare it.
+std::string state_json(const State& state);
+
+}  // namespace vidno

@@ -1,0 +1,194 @@
+#include <utility>
+
+#include "event_json.h"
+#include "state.h"
+
+namespace vidno {
+
+namespace {
+
+/// Writes a state; each function appends one value.
+class StateText {
+public:
+    explicit StateText(const State& state)
+        : state_(state), names_(polygon_names(state.header().scene)), values_(out_, names_) {}
+
+    std::string line() {
+        out_ += "{\"step\":";
+        append_integer(out_, state_.step());
+        out_ += ",\"calls\":";
+        list(state_.calls(), [this](const auto& frame) { call(frame); });
+        out_ += ",\"picture\":";
+        picture();
+        const bool is_warnock = state_.header().method == Method::warnock;
+        out_ += ",\"warnock\":";
+        is_warnock ? warnock() : null();
+        out_ += ",\"zbuffer\":";
+        is_warnock ? null() : z_buffer();
+        out_ += "}\n";
+        return std::move(out_);
+    }
+
+private:
+    void null() { out_ += "null"; }
+    void boolean(bool value) { out_ += value ? "true" : "false"; }
+
+    void list(const auto& items, auto&& append) {
+        out_ += '[';
+        bool first = true;
+        for (const auto& item : items) {
+            if (!std::exchange(first, false)) out_ += ',';
+            append(item);
+        }
+        out_ += ']';
+    }
+    void optional(const auto& value, auto&& append) { value ? append(*value) : null(); }
+
+    void number(const Value& value) { values_.value(value); }
+    void integer(int value) { append_integer(out_, value); }
+
+    void call(const State::Frame& frame) {
+        out_ += "{\"of\":\"";
+        out_ += procedure_names[std::size_t(frame.of)];
+        out_ += "\",\"at\":";
+        optional(frame.at, [this](Line at) { append_string(out_, line_names[std::size_t(at)]); });
+        out_ += '}';
+    }
+
+    void picture() {
+        const Area& area = state_.picture().area();
+        out_ += '[';
+        for (int y = area.y; y < area.bottom(); ++y) {
+            std::string row;
+            for (int x = area.x; x < area.right(); ++x) append_color(row, state_.picture().at(x, y));
+            std::erase(row, '"');
+            if (y > area.y) out_ += ',';
+            append_string(out_, row);
+        }
+        out_ += ']';
+    }
+
+    void window(const Window& w) {
+        list(std::array{w.x, w.y, w.width, w.height}, [this](double v) { append_number(out_, v); });
+    }
+    void apl(const State::Apl& entries) {
+        list(entries, [this](const AplEntry& entry) {
+            out_ += '[' + names_[std::size_t(entry.first.index)] + ',';
+            boolean(entry.second);
+            out_ += ']';
+        });
+    }
+    void vertices(const std::vector<ValueVertex>& vertices) {
+        list(vertices, [this](const ValueVertex& v) {
+            list(std::array{v.x, v.y, v.z}, [this](const Value& c) { number(c); });
+        });
+    }
+
+    void warnock() {
+        out_ += "{\"stack\":";
+        list(state_.stack(), [this](const auto& stacked) {
+            out_ += "{\"window\":";
+            window(stacked.window);
+            out_ += ",\"apl\":";
+            apl(*stacked.apl);
+            out_ += '}';
+        });
+        const auto& current = state_.current();
+        out_ += ",\"window\":";
+        current ? window(current->window) : null();
+        out_ += ",\"apl\":";
+        current ? apl(*current->apl) : null();
+        out_ += ",\"corners\":";
+        optional(state_.corners(), [this](const auto& corners) {
+            for (std::size_t i = 0; i < 4; ++i) {
+                out_ += i == 0 ? "{\"" : ",\"";
+                out_ += corner_names[i];
+                out_ += "\":";
+                number(corners[i]);
+            }
+            out_ += '}';
+        });
+        out_ += ",\"k\":";
+        optional(state_.k(), [this](int k) { integer(k); });
+        out_ += ",\"count\":";
+        integer(state_.count());
+        out_ += ",\"hasSurround\":";
+        boolean(state_.has_surround());
+        out_ += ",\"color\":";
+        optional(state_.color(), [this](const Color& color) { append_color(out_, color); });
+        out_ += ",\"insider\":";
+        boolean(state_.insider());
+        out_ += ",\"clip\":";
+        optional(state_.clip(), [this](const State::Clip& clip) {
+            out_ += "{\"vertices\":";
+            vertices(clip.vertices);
+            out_ += ",\"next\":";
+            vertices(clip.next);
+            out_ += '}';
+        });
+        out_ += '}';
+    }
+
+    void z_buffer() {
+        out_ += "{\"polygon\":";
+        optional(state_.polygon(), [this](int index) { out_ += names_[std::size_t(index)]; });
+        out_ += ",\"S\":";
+        list(state_.edges(), [this](int edge) { integer(edge); });
+        out_ += ",\"ael\":";
+        list(state_.ael(), [this](const State::AelEntry& entry) { active_edge(entry); });
+        out_ += ",\"y\":";
+        optional(state_.y(), [this](const Value& y) { number(y); });
+        out_ += ",\"row\":";
+        optional(state_.row(), [this](int row) { integer(row); });
+        out_ += ",\"nextS\":";
+        optional(state_.next_start(), [this](const Value& next) { number(next); });
+        out_ += ",\"nextAel\":";
+        optional(state_.next_end(), [this](const Value& next) { number(next); });
+        out_ += ",\"z\":";
+        depths();
+        out_ += '}';
+    }
+    void active_edge(const State::AelEntry& entry) {
+        out_ += "{\"edge\":";
+        integer(entry.edge);
+        const auto field = [this](std::string_view key, const Value& value) {
+            out_ += ",\"";
+            out_ += key;
+            out_ += "\":";
+            number(value);
+        };
+        field("x", entry.x);
+        field("z", entry.z);
+        field("until", entry.until);
+        field("dx", entry.dx);
+        field("dz", entry.dz);
+        out_ += '}';
+    }
+    void depths() {
+        const Area& area = state_.picture().area();
+        if (!state_.depth(area.x, area.y)) return null();
+        out_ += '[';
+        for (int y = area.y; y < area.bottom(); ++y) {
+            out_ += y > area.y ? ",[" : "[";
+            for (int x = area.x; x < area.right(); ++x) {
+                if (x > area.x) out_ += ',';
+                number(*state_.depth(x, y));
+            }
+            out_ += ']';
+        }
+        out_ += ']';
+    }
+
+    const State& state_;
+    PolygonNames names_;
+    std::string out_;
+    EventText values_;
+};
+
+}  // namespace
+
+std::string state_json(const State& state) {
+    return StateText(state).line();
+}
+
+}  // namespace vidno

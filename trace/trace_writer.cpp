@@ -1,0 +1,55 @@
+#include "trace_writer.h"
+
+#include <openssl/sha.h>
+
+#include "image.h"
+#include "scene_json.h"
+
+namespace vidno {
+
+std::string header_json(const TraceHeader& header) {
+    std::string text = R"({"format":"vidno-trace/1","method":")";
+    text += method_names[std::size_t(header.method)];
+    text += R"(","edition":")" + header.edition + R"(","kernel":")" + header.kernel + R"(","detail":")";
+    text += detail_names[std::size_t(header.detail)];
+    text += R"(","scene":)" + scene_json(header.scene) + "}\n";
+    return text;
+}
+
+std::string picture_hash(const Picture& picture) {
+    const std::string bytes = rgb_rows(picture);
+    unsigned char digest[SHA256_DIGEST_LENGTH];
+    SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest);
+    std::string text = "sha256:";
+    for (const unsigned char byte : digest) {
+        text += "0123456789abcdef"[byte / 16];
+        text += "0123456789abcdef"[byte % 16];
+    }
+    return text;
+}
+
+TraceWriter::TraceWriter(const TraceHeader& header, Write write, std::uint64_t most_events)
+    : names_(polygon_names(header.scene)), write_(std::move(write)), most_events_(most_events) {
+    text_ = header_json(header);
+}
+
+void TraceWriter::finish(const Picture& picture) {
+    text_ += R"({"end":{"events":)";
+    append_integer(text_, events_);
+    text_ += R"(,"picture":")" + picture_hash(picture) + "\"}}\n";
+    flush();
+}
+
+void TraceWriter::finish_partial() {
+    text_ += R"({"end":{"events":)";
+    append_integer(text_, events_);
+    text_ += R"(,"partial":true}})" "\n";
+    flush();
+}
+
+void TraceWriter::flush() {
+    write_(text_);
+    text_.clear();
+}
+
+}  // namespace vidno

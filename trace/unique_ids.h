@@ -1,0 +1,44 @@
+/// Ids of a scene: non-empty, at most longest_id bytes, no two alike; and those of the parts that a polygon is cut into.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "vidno/scene.h"
+
+namespace vidno {
+
+inline constexpr std::size_t longest_id = 200;
+
+/// The first bytes of UTF-8 text, at most so many, without half a character at the end.
+inline std::string_view first_bytes(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return text;
+    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+    return text.substr(0, most);
+}
+
+/// Parts of polygon "A" become "A.1", "A.2", ...; numbers that are taken are passed over. A single part keeps the id.
+class PartIds {
+public:
+    explicit PartIds(std::unordered_set<std::string> taken) : taken_(std::move(taken)) {}
+
+    void name(std::vector<ScenePolygon>& parts) {
+        if (parts.size() < 2) return;
+        std::size_t number = 0;
+        for (auto& part : parts) {
+            const std::string stem(first_bytes(part.id, longest_id - 10));
+            do {
+                part.id = stem + "." + std::to_string(++number);
+            } while (!taken_.insert(part.id).second);
+        }
+    }
+
+private:
+    std::unordered_set<std::string> taken_;
+};
+
+}  // namespace vidno
