@@ -244,7 +244,7 @@ struct Summary {
     Line at{};
     int count = 0;
     bool has_surround = false;
-    Color color;
+    std::optional<Color> color;
     bool insider = false;
     static void fields(auto& e, auto&& field) {
         field("count", e.count);
@@ -559,16 +559,22 @@ struct Miss {
     static void fields(auto&, auto&&) {}
 };
 
+struct Slope {
+    static constexpr Kind kind{"slope", Detail::signs};
+    Line at{};
+    Value dz;
+    static void fields(auto& e, auto&& field) { field("dz", e.dz); }
+};
+
 struct Columns {
     static constexpr Kind kind{"columns", Detail::signs};
     Line at{};
     int first = 0, end = 0;
-    Value z, dz;
+    Value z;
     static void fields(auto& e, auto&& field) {
         field("first", e.first);
         field("end", e.end);
         field("z", e.z);
-        field("dz", e.dz);
     }
 };
 
@@ -611,6 +617,6 @@ using Event =
                  event::ClipSign, event::ClipCross, event::ClipKeep, event::ClipDrop, event::ClipList,
                  event::ClipResult, event::Row, event::Draw, event::Clear, event::Polygon, event::Edge, event::Extent,
                  event::Scanline, event::AelAdd, event::Horizontal, event::Leave, event::AelSort, event::AelDrop,
-                 event::AelStep, event::ShownLine, event::Miss, event::Columns, event::Pixel, event::Span>;
+                 event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel, event::Span>;
 
 }  // namespace vidno

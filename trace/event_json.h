@@ -28,7 +28,7 @@ public:
         out_ += R"(","at":")";
         out_ += line_names[std::size_t(event.at)];
         out_ += '"';
-        E::fields(event, [this](std::string_view key, const auto& value) { field(key, value); });
+        E::fields(event, [&](std::string_view key, const auto& value) { field(key, value); });
         out_ += "}\n";
     }
 

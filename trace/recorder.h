@@ -116,7 +116,8 @@ public:
     }
     void summary(Line at, const auto& found) {
         emit<event::Summary>([&] {
-            return event::Summary{at, found.polygon_count, found.has_surround, found.color, found.insider};
+            const auto color = found.has_surround ? std::optional(found.color) : std::nullopt;
+            return event::Summary{at, found.polygon_count, found.has_surround, color, found.insider};
         });
     }
 
@@ -219,8 +220,11 @@ public:
     void miss(Line at) {
         emit<event::Miss>([&] { return event::Miss{at}; });
     }
-    void columns(Line at, int first, int end, const auto& z, const auto& dz) {
-        emit<event::Columns>([&] { return event::Columns{at, first, end, value(z), value(dz)}; });
+    void slope(Line at, const auto& dz) {
+        emit<event::Slope>([&] { return event::Slope{at, value(dz)}; });
+    }
+    void columns(Line at, int first, int end, const auto& z) {
+        emit<event::Columns>([&] { return event::Columns{at, first, end, value(z)}; });
     }
     void pixel(Line at, int x, int y, const auto& z, const auto& stored, bool shown) {
         if (shown) add_to_span(x, z);

@@ -2,12 +2,13 @@
 /// values, and last the polygons' shapes, exactly. The first fault ends it.
 #include "scene_json.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <unordered_set>
@@ -54,27 +55,45 @@ std::string pointer_step(std::string_view key) {
     return step;
 }
 
-/// Follows the parser: where in the document it is, how deep, and which keys each open object has had.
-class ParserWatch {
+[[noreturn]] void refuse_at(const std::string& pointer, std::string_view reason) {
+    throw Refused((pointer.empty() ? "" : pointer + ": ") + std::string(reason));
+}
+
+std::string line_and_column(std::string_view text, std::size_t position) {
+    const std::string_view before = text.substr(0, position > 0 ? position - 1 : 0);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const std::size_t column = before.size() - (before.rfind('\n') + 1);  // npos + 1 is 0
+    return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
+}
+
+/// Hears the parser, and refuses what a tree would not show any more: text that is not JSON, with its place, nesting
+/// that is too deep, and a key that an object has twice. (A tree's own parser with a callback takes quadratic time.)
+class ParserWatch : public nlohmann::json_sax<json> {
 public:
-    void tell(json::parse_event_t event, const json& parsed) {
-        switch (event) {
-            case json::parse_event_t::object_start:
-            case json::parse_event_t::array_start: open(event == json::parse_event_t::object_start); break;
-            case json::parse_event_t::object_end:
-            case json::parse_event_t::array_end: close(); break;
-            case json::parse_event_t::key: key(parsed.get_ref<const std::string&>()); break;
-            case json::parse_event_t::value: next(); break;
-        }
+    explicit ParserWatch(std::string_view text) : text_(text) {}
+
+    bool null() override { return next(); }
+    bool boolean(bool) override { return next(); }
+    bool number_integer(number_integer_t) override { return next(); }
+    bool number_unsigned(number_unsigned_t) override { return next(); }
+    bool number_float(number_float_t, const string_t&) override { return next(); }
+    bool string(string_t&) override { return next(); }
+    bool binary(binary_t&) override { return next(); }
+    bool start_object(std::size_t) override { return open(true); }
+    bool start_array(std::size_t) override { return open(false); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override {
+        levels_.back().key = name;
+        if (!levels_.back().keys.insert(name).second) refuse_at(pointer(), "the key is there twice");
+        return true;
     }
 
-    std::string pointer() const {
-        std::string out;
-        for (const Level& level : levels_) {
-            if (level.is_object ? level.keys.empty() : false) break;
-            out += level.is_object ? pointer_step(level.key) : "/" + std::to_string(level.index);
-        }
-        return out;
+    bool parse_error(std::size_t position, const std::string&, const json::exception& error) override {
+        constexpr int number_overflow = 406;
+        if (error.id == number_overflow) refuse_at(pointer(), "the number is beyond the range of doubles");
+        refuse_at(line_and_column(text_, position), "not valid JSON");
     }
 
 private:
@@ -85,52 +104,39 @@ private:
         std::set<std::string> keys;
     };
 
-    void open(bool is_object) {
-        if (int(levels_.size()) == deepest_nesting) throw Refused(pointer() + ": nested too deeply");
+    std::string pointer() const {
+        std::string out;
+        for (const Level& level : levels_) {
+            if (level.is_object && level.keys.empty()) break;
+            out += level.is_object ? pointer_step(level.key) : "/" + std::to_string(level.index);
+        }
+        return out;
+    }
+
+    bool open(bool is_object) {
+        if (int(levels_.size()) == deepest_nesting) refuse_at(pointer(), "nested too deeply");
         levels_.push_back({is_object, 0, {}, {}});
+        return true;
     }
 
-    void close() {
+    bool close() {
         levels_.pop_back();
-        next();
+        return next();
     }
 
-    void next() {
+    bool next() {
         if (!levels_.empty()) ++levels_.back().index;
+        return true;
     }
 
-    void key(const std::string& name) {
-        levels_.back().key = name;
-        if (!levels_.back().keys.insert(name).second) throw Refused(pointer() + ": the key is there twice");
-    }
-
+    std::string_view text_;
     std::vector<Level> levels_;
 };
 
-std::string line_and_column(std::string_view text, std::size_t position) {
-    std::size_t line = 1, column = 1;
-    for (const char c : text.substr(0, position > 0 ? position - 1 : 0)) {
-        ++column;
-        if (c == '\n') {
-            ++line;
-            column = 1;
-        }
-    }
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
-}
-
 json parse(std::string_view text) {
-    ParserWatch watch;
-    try {
-        return json::parse(text, [&](int, json::parse_event_t event, json& parsed) {
-            watch.tell(event, parsed);
-            return true;
-        });
-    } catch (const json::parse_error& error) {
-        throw Refused(line_and_column(text, error.byte) + ": not valid JSON");
-    } catch (const json::out_of_range&) {
-        throw Refused(watch.pointer() + ": the number is beyond the range of doubles");
-    }
+    ParserWatch watch(text);
+    json::sax_parse(text, &watch);
+    return json::parse(text);
 }
 
 /// A value and where it stands. Only what goes wrong costs the making of a path.
@@ -138,7 +144,7 @@ class Node {
 public:
     explicit Node(const json& value) : value_(value) {}
 
-    [[noreturn]] void refuse(std::string_view reason) const { throw Refused(pointer() + ": " + std::string(reason)); }
+    [[noreturn]] void refuse(std::string_view reason) const { refuse_at(pointer(), reason); }
 
     /// An object with all of the required keys and none but these and the optional ones.
     void require_keys(std::initializer_list<std::string_view> required,

@@ -115,6 +115,7 @@ private:
     void take(const event::AelStep&);
     void take(const event::ShownLine&) {}
     void take(const event::Miss&) {}
+    void take(const event::Slope&) {}
     void take(const event::Columns&) {}
     void take(const event::Pixel&) {}
     void take(const event::Span&);

@@ -73,7 +73,7 @@ public:
         E event;
         event.at = Line(index_of(member("at"), line_names, "/at"));
         fields_ = 2;  // e and at
-        E::fields(event, [this](std::string_view key, auto& target) { field(key, target); });
+        E::fields(event, [&](std::string_view key, auto& target) { field(key, target); });
         if (object_.size() != fields_) throw Misfit{"", "unknown key " + unknown_key(event)};
         return event;
     }
@@ -180,7 +180,8 @@ private:
 
     template <class E>
     std::string unknown_key(const E& event) const {
-        for (const auto& [key, unused] : object_.items()) {
+        for (const auto& item : object_.items()) {
+            const std::string& key = item.key();
             bool known = key == "e" || key == "at";
             E::fields(event, [&](std::string_view name, const auto&) { known = known || name == key; });
             if (!known) return key;

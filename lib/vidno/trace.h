@@ -90,7 +90,8 @@ struct NoTrace {
     // ShowLine
     void line(Line, int /*row*/, const auto& /*from*/, const auto& /*to*/) {}
     void miss(Line) {}
-    void columns(Line, int /*first*/, int /*end*/, const auto& /*z*/, const auto& /*dz*/) {}
+    void slope(Line, const auto& /*dz*/) {}
+    void columns(Line, int /*first*/, int /*end*/, const auto& /*z*/) {}
     void pixel(Line, int /*x*/, int /*y*/, const auto& /*z*/, const auto& /*stored*/, bool /*shown*/) {}
     void span(Line) {}
 };

@@ -9,6 +9,10 @@
 #include "import.h"
 #include "run.h"
 
+namespace CLI {
+class App;
+}
+
 namespace vidno::cli {
 
 struct RunOptions {
@@ -30,6 +34,9 @@ struct MeshOptions {
     std::string mesh, output;
     ImportOptions import;
 };
+
+/// The options of `import` that say who looks at the mesh from where.
+void add_camera_options(CLI::App& command, ImportOptions& import);
 
 int trace(const RunOptions& options);
 int render(const RunOptions& options);

@@ -1,11 +1,54 @@
 #include "import.h"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "commands.h"
 #include "output.h"
 
 namespace vidno::cli {
+
+namespace {
+
+/// The option's three numbers, x y z, become a vector of the camera; naming any of them makes a camera.
+void add_vector(CLI::App& command, ImportOptions& import, const std::string& name, glm::dvec3 Camera::*target,
+                const std::string& help) {
+    const auto set = [&import, target](const std::vector<double>& xyz) {
+        if (!import.camera) import.camera.emplace();
+        *import.camera.*target = {xyz[0], xyz[1], xyz[2]};
+    };
+    command.add_option_function<std::vector<double>>(name, set, help)->expected(3)->type_name("X Y Z");
+}
+
+void add_length(CLI::App& command, ImportOptions& import, const std::string& name, double Camera::*target,
+                const std::string& help) {
+    const auto set = [&import, target](double value) {
+        if (!import.camera) import.camera.emplace();
+        *import.camera.*target = value;
+        if (target == &Camera::height) import.camera->projection = Projection::orthographic;
+    };
+    command.add_option_function<double>(name, set, help);
+}
+
+}  // namespace
+
+void add_camera_options(CLI::App& command, ImportOptions& import) {
+    command.add_option("--width", import.width, "Of the picture, in pixels")
+        ->check(CLI::Range(1, largest_side))
+        ->capture_default_str();
+    command.add_option("--height", import.height, "Of the picture, in pixels")
+        ->check(CLI::Range(1, largest_side))
+        ->capture_default_str();
+    const std::string group = "Camera (without any of these it shows the whole mesh, a little from above)";
+    auto& camera = *command.add_option_group(group);
+    add_vector(camera, import, "--eye", &Camera::eye, "Where it stands");
+    add_vector(camera, import, "--target", &Camera::target, "What it looks at");
+    add_vector(camera, import, "--up", &Camera::up, "What is up");
+    add_length(camera, import, "--fov", &Camera::field_of_view, "Perspective: the vertical angle in degrees");
+    add_length(camera, import, "--ortho", &Camera::height, "Parallel projection: the height that is seen");
+    add_length(camera, import, "--near", &Camera::near_distance, "What is nearer is cut off");
+    add_length(camera, import, "--far", &Camera::far_distance, "What is farther is cut off");
+}
 
 int import(const MeshOptions& options) {
     const auto [scene, report] = import_mesh(read_file(options.mesh), options.mesh, options.import);

@@ -93,7 +93,7 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"vidno runs the textbook hidden-surface procedures one small step at a time."};
+    CLI::App app{"vidno runs the textbook hidden-surface procedures one small step at a time.", "vidno"};
     app.require_subcommand(1);
     app.set_version_flag("--version", "vidno " VIDNO_VERSION);
     app.get_formatter()->column_width(28);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -137,7 +138,7 @@ private:
             return int(std::floor(value));
         } else {
             while (end - low > 1) {
-                const int middle = low + (end - low) / 2;
+                const int middle = std::midpoint(low, end);
                 (T(middle) <= value ? low : end) = middle;
             }
             return low;

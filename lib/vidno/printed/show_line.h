@@ -33,6 +33,7 @@ struct ShowLine {
             return;
         }
         const Number dz = slope(kernel, from, to);
+        trace.slope(L3, dz);
         Number x = from.x;
         Number z = from.z;
         if (x < left_end) {

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
-#include <span>
 
 #include "../fault.h"
+#include "../part.h"
 #include "../run.h"
 
 namespace vidno::printed {
@@ -69,8 +69,8 @@ private:
                     if (starts_here(edge)) start(run, edge, y, active_edges, polygon);
                 }
                 const auto starting = std::stable_partition(edges.begin(), edges.end(), std::not_fn(starts_here));
-                next_start = least(std::span(edges.begin(), starting), [](const auto& edge) { return edge.upper.y; });
-                trace.leave(Z10, std::span(starting, edges.end()), next_start);
+                next_start = least(Part{edges.begin(), starting}, [](const auto& edge) { return edge.upper.y; });
+                trace.leave(Z10, Part{starting, edges.end()}, next_start);
                 edges.erase(starting, edges.end());
                 const auto left_of = [](const auto& a, const auto& b) {
                     return a.x < b.x || (a.x == b.x && a.dx < b.dx);
@@ -89,8 +89,8 @@ private:
             if (next_end && y >= *next_end) {
                 const auto stays = [&](const auto& edge) { return !(edge.until <= y); };
                 const auto ended = std::stable_partition(active_edges.begin(), active_edges.end(), stays);
-                next_end = least(std::span(active_edges.begin(), ended), [](const auto& edge) { return edge.until; });
-                trace.ael_drop(Z16, std::span(ended, active_edges.end()), next_end);
+                next_end = least(Part{active_edges.begin(), ended}, [](const auto& edge) { return edge.until; });
+                trace.ael_drop(Z16, Part{ended, active_edges.end()}, next_end);
                 active_edges.erase(ended, active_edges.end());
             }
             for (auto& edge : active_edges) {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 #include <vector>
 
+#include "../part.h"
 #include "../run.h"
 
 namespace vidno {

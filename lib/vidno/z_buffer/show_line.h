@@ -27,8 +27,9 @@ struct ShowLine {
         }
         const bool is_point = left.x == right.x;
         const Number dz = is_point ? Number(0) : Number((right.z - left.z) / (right.x - left.x));
+        trace.slope(L3, dz);
         Number z = left.z + (kernel.centre(x) - left.x) * dz;
-        trace.columns(L4, x, end, z, dz);
+        trace.columns(L4, x, end, z);
         for (; x < end; ++x, z += dz) {
             auto& stored = run.depth_buffer.at(x, row);
             const bool nearer = kernel.nearer(z, stored);

@@ -55,7 +55,7 @@ private:
                     }
                 }
                 next_start = starting == edges.end() ? no_row : starting->first_row;
-                trace.leave(Z10, std::span(edges.begin(), starting), next_start);
+                trace.leave(Z10, Part{edges.begin(), starting}, next_start);
                 edges.erase(edges.begin(), starting);
                 std::stable_sort(active_edges.begin(), active_edges.end(), left_of);
                 next_end = first_end(active_edges);
@@ -70,8 +70,8 @@ private:
             if (row >= next_end) {
                 const auto stays = [&](const auto& edge) { return edge.last_row >= row; };
                 const auto ended = std::stable_partition(active_edges.begin(), active_edges.end(), stays);
-                next_end = first_end(std::span(active_edges.begin(), ended));
-                trace.ael_drop(Z16, std::span(ended, active_edges.end()), next_end);
+                next_end = first_end(Part{active_edges.begin(), ended});
+                trace.ael_drop(Z16, Part{ended, active_edges.end()}, next_end);
                 active_edges.erase(ended, active_edges.end());
             }
             for (auto& edge : active_edges) {

@@ -161,7 +161,12 @@ const handlers: Handlers = {
   },
   cover: ({ color }) => ({ hasSurround: true, color }),
   insider: ({ inside }) => ({ insider: inside }),
-  summary: ({ count, hasSurround, color, insider }) => ({ count, hasSurround, color, insider }),
+  summary: ({ count, hasSurround, color, insider }) => ({
+    count,
+    hasSurround,
+    color: color ?? null,
+    insider,
+  }),
   decide: nothing,
   fill: ({ rect, color }, _now, screen) => {
     screen.paint(rect[0], rect[1], rect[2], rect[3], color);

@@ -109,6 +109,7 @@ const handlers: Handlers = {
   },
   line: nothing,
   miss: nothing,
+  slope: nothing,
   columns: nothing,
   pixel: nothing,
   span: (event, { polygon }, screen) => {

@@ -49,7 +49,7 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   ],
   summary: [
     { e: 'summary', at: 'W6', count: 1, hasSurround: true, color: '#112233', insider: false },
-    { e: 'summary', at: 'W6', count: 3, hasSurround: false, color: '#ffffff', insider: false },
+    { e: 'summary', at: 'W6', count: 3, hasSurround: false, insider: false },
   ],
   decide: (['empty', 'surrounded', 'pixel', 'single', 'split'] as const).map((which) => ({
     e: 'decide',
@@ -118,9 +118,13 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   ],
   line: [{ e: 'line', at: 'L1', row: 2, from: [0.5, 0.1], to: [3.5, 0.2] }],
   miss: [{ e: 'miss', at: 'L2' }],
+  slope: [
+    { e: 'slope', at: 'L3', dz: 0.01 },
+    { e: 'slope', at: 'L3', dz: 'nan' },
+  ],
   columns: [
-    { e: 'columns', at: 'L4', first: 0, end: 4, z: 0.1, dz: 0.01 },
-    { e: 'columns', at: 'L4', first: 1, end: 1, z: 0.1, dz: 0 },
+    { e: 'columns', at: 'L4', first: 0, end: 4, z: 0.1 },
+    { e: 'columns', at: 'L4', first: 1, end: 1, z: 0.1 },
   ],
   pixel: [
     { e: 'pixel', at: 'L6', x: 1, y: 2, z: 0.5, stored: '-inf', shown: true },

@@ -99,7 +99,7 @@ export const warnock = {
   mark: kind(oneOf('PW8'), 'p', { polygon: id }),
   cover: kind(oneOf('PW9'), 'p', { polygon: id, color }),
   insider: kind(oneOf('PW10'), 'p', { polygon: id, inside: bool }),
-  summary: kind(oneOf('W6'), 'p', { count, hasSurround: bool, color, insider: bool }),
+  summary: kind(oneOf('W6'), 'p', { count, hasSurround: bool, insider: bool }, { color }),
   decide: kind(oneOf('W7', 'W8', 'W9', 'W10', 'W13'), 'w', {
     case: oneOf('empty', 'surrounded', 'pixel', 'single', 'split'),
   }),
@@ -136,7 +136,8 @@ export const zbuffer = {
   ael_sort: kind(oneOf('Z12'), 'p', { edges, next: num }),
   line: kind(oneOf('L1'), 'p', { row: whole, from: pair, to: pair }),
   miss: kind(oneOf('L1', 'L2'), 'p', {}),
-  columns: kind(oneOf('L4'), 's', { first: whole, end: whole, z: num, dz: num }),
+  slope: kind(oneOf('L3'), 's', { dz: num }),
+  columns: kind(oneOf('L4'), 's', { first: whole, end: whole, z: num }),
   pixel: kind(oneOf('L6'), 's', { x: whole, y: whole, z: num, stored: num, shown: bool }),
   span: kind(oneOf('Z9', 'Z14'), 'w', { row: whole, runs: rowRuns }, { depths: list(num) }),
   ael_drop: kind(oneOf('Z16'), 'p', { edges, next: num }),

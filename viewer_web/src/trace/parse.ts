@@ -5,14 +5,12 @@ import type { Event } from './events.js';
 import type { Header } from './header.js';
 import { Refusal, describe } from './refusal.js';
 
+/** A whole run has the hash of its picture, one that was stopped says that it is partial. */
 const end = record(
   {
     end: record(
-      {
-        events: between(0, Number.MAX_SAFE_INTEGER),
-        picture: matching(/^sha256:[0-9a-f]{64}$/, 'hash'),
-      },
-      { partial: oneOf(true) },
+      { events: between(0, Number.MAX_SAFE_INTEGER) },
+      { picture: matching(/^sha256:[0-9a-f]{64}$/, 'hash'), partial: oneOf(true) },
     ),
   },
   {},

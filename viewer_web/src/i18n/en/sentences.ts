@@ -159,9 +159,10 @@ export const sentences: Sentences = {
   line: ({ row, from, to }) =>
     `Row ${row} from x = ${short(from[0])} (z = ${short(from[1])}) to x = ${short(to[0])} (z = ${short(to[1])}).`,
   miss: () => 'The line lies off the area: nothing to show.',
-  columns: ({ first, end, z, dz }) =>
+  slope: ({ dz }) => `From pixel to pixel z changes by ${short(dz)}.`,
+  columns: ({ first, end, z }) =>
     first < end
-      ? `Columns ${first} to ${end - 1}: z = ${short(z)} at the first, then ${short(dz)} more at each.`
+      ? `Columns ${first} to ${end - 1}: z = ${short(z)} at the first.`
       : 'No pixel centre lies between the ends.',
   pixel: ({ x, y, z, stored, shown }) =>
     shown

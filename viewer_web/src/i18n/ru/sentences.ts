@@ -174,9 +174,10 @@ export const sentences: Sentences = {
   line: ({ row, from, to }) =>
     `Строка ${row} от x = ${short(from[0])} (z = ${short(from[1])}) до x = ${short(to[0])} (z = ${short(to[1])}).`,
   miss: () => 'Отрезок лежит вне области: показывать нечего.',
-  columns: ({ first, end, z, dz }) =>
+  slope: ({ dz }) => `От пикселя к пикселю z меняется на ${short(dz)}.`,
+  columns: ({ first, end, z }) =>
     first < end
-      ? `Столбцы ${first}–${end - 1}: z = ${short(z)} в первом, далее с шагом ${short(dz)}.`
+      ? `Столбцы ${first}–${end - 1}: z = ${short(z)} в первом.`
       : 'Между концами нет ни одного центра пикселя.',
   pixel: ({ x, y, z, stored, shown }) =>
     shown

@@ -1,0 +1,72 @@
+/// An event as a tree of JSON values: how a trace would be written without EventText.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "event.h"
+
+namespace vidno {
+
+class EventObject {
+public:
+    explicit EventObject(const Scene& scene) : scene_(scene) {}
+
+    template <class E>
+    nlohmann::json operator()(const E& event) const {
+        nlohmann::json object{{"e", E::kind.name}, {"at", line_names[std::size_t(event.at)]}};
+        E::fields(event, [&](std::string_view key, const auto& v) { field(object, key, v); });
+        return object;
+    }
+
+private:
+    using json = nlohmann::json;
+
+    void field(json& object, std::string_view key, const auto& v) const { object[std::string(key)] = value(v); }
+    template <class T>
+    void field(json& object, std::string_view key, const std::optional<T>& v) const {
+        if (v) field(object, key, *v);
+    }
+
+    json value(int v) const { return v; }
+    json value(bool v) const { return v; }
+    json value(double v) const { return v; }
+    json value(const std::string& v) const { return v; }
+    json value(const Value& v) const { return v.fraction.empty() ? json(v.number) : json(v.fraction); }
+    json value(const Color& v) const {
+        std::string text;
+        append_color(text, v);
+        return text.substr(1, 7);
+    }
+    json value(PolygonPlace v) const { return scene_.polygons[std::size_t(v.index)].id; }
+    json value(Sign v) const { return int(v); }
+    json value(Corner v) const { return corner_names[std::size_t(v)]; }
+    json value(Case v) const { return case_names[std::size_t(v)]; }
+    json value(Procedure v) const { return procedure_names[std::size_t(v)]; }
+    json value(const ValuePoint& v) const { return list(v.x, v.y); }
+    json value(const ValueVertex& v) const { return list(v.x, v.y, v.z); }
+    json value(const Window& v) const { return list(v.x, v.y, v.width, v.height); }
+    json value(const PixelRectangle& v) const { return list(v.x, v.y, v.width, v.height); }
+    json value(const PixelRun& v) const { return list(v.row, v.first, v.end); }
+    json value(const ColumnRun& v) const { return list(v.first, v.end); }
+    template <class A, class B>
+    json value(const std::pair<A, B>& v) const {
+        return list(v.first, v.second);
+    }
+    json value(const std::array<Value, 4>& v) const { return list(v[0], v[1], v[2], v[3]); }
+    template <class T>
+    json value(const std::vector<T>& items) const {
+        json array = json::array();
+        for (const auto& item : items) array.push_back(value(item));
+        return array;
+    }
+
+    json list(const auto&... items) const {
+        json array = json::array();
+        (array.push_back(value(items)), ...);
+        return array;
+    }
+
+    const Scene& scene_;
+};
+
+}  // namespace vidno

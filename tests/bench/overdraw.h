@@ -1,0 +1,38 @@
+/// Random triangles, the same ones on every machine.
+#pragma once
+
+#include <vidno/scene.h>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace vidno {
+
+/// `count` equilateral triangles on a square of `side` pixels, slightly tilted, each at a depth of its own, which
+/// together have `overdraw` times the square's area.
+inline Scene random_triangles(int count, int side, double overdraw) {
+    std::uint64_t state = 1;
+    const auto random = [&] {  // 0 <= r < 1; Knuth's MMIX generator, whose high bits are good
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return double(state >> 11) * 0x1p-53;
+    };
+    const double area = overdraw * side * side / count;
+    const double radius = std::sqrt(area * 4 / (3 * std::numbers::sqrt3));
+
+    Scene scene{.name = "random triangles", .area = {0, 0, side, side}, .background = {}, .polygons = {}};
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 centre(random() * side, random() * side, random() * 1.8 - 0.9);
+        const double turn = random() * 2 * std::numbers::pi;
+        ScenePolygon polygon{.id = std::to_string(i), .color = {}, .vertices = {}};
+        polygon.color = {std::uint8_t(random() * 256), std::uint8_t(random() * 256), std::uint8_t(random() * 256)};
+        for (int corner = 0; corner < 3; ++corner) {
+            const double angle = turn + corner * 2 * std::numbers::pi / 3;
+            polygon.vertices.push_back(
+                centre + glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), random() * 0.2 - 0.1));
+        }
+        scene.polygons.push_back(polygon);
+    }
+    return scene;
+}
+
+}  // namespace vidno

@@ -1,0 +1,30 @@
+// Runs every procedure with the visitor that hears nothing. Compiled twice: against lib/, and against a copy of it
+// without trace calls; the counts of instructions are compared.
+#include <vidno/printed.h>
+#include <vidno/vidno.h>
+#include <cstdio>
+
+#include "bench/overdraw.h"
+
+namespace {
+
+using namespace vidno;
+
+template <class Set, Kernel K>
+void run(const Scene& scene, K kernel) {
+    for (const auto method : {Method::warnock, Method::zbuffer}) {
+        const Picture picture = render<Set>(method, scene, kernel);
+        unsigned sum = 0;
+        for (const Color& color : picture.pixels()) sum = sum * 31 + color.red * 7u + color.green * 3u + color.blue;
+        std::printf("%08x\n", sum);
+    }
+}
+
+}  // namespace
+
+int main() {
+    const Scene scene = random_triangles(200, 128, 4);
+    run<Corrected>(scene, Double{});
+    run<Corrected>(scene, Float{});
+    run<Printed>(scene, Double{});
+}

@@ -1,0 +1,18 @@
+# Copies LIB to STRIPPED with every trace call replaced by the empty statement. Relies on the rule that an event is one
+# call, `trace.event(...);` or `run.trace.event(...);`, without a semicolon inside. Run with -P.
+cmake_minimum_required(VERSION 3.25)
+file(REMOVE_RECURSE ${STRIPPED})
+file(GLOB_RECURSE headers RELATIVE ${LIB} ${LIB}/*.h)
+set(count 0)
+foreach(header IN LISTS headers)
+    file(READ ${LIB}/${header} text)
+    string(REGEX MATCHALL "(run[.])?trace[.][a-z_]+[(]" calls "${text}")
+    list(LENGTH calls found)
+    math(EXPR count "${count} + ${found}")
+    string(REGEX REPLACE "(run[.])?trace[.][a-z_]+[(][^;]*;" ";" text "${text}")
+    file(WRITE ${STRIPPED}/${header} "${text}")
+endforeach()
+if(count LESS 40)
+    message(FATAL_ERROR "Only ${count} trace calls found in ${LIB}: do they look different now?")
+endif()
+file(WRITE ${STRIPPED}/stamp "${count} trace calls stripped\n")

@@ -1,0 +1,22 @@
+# What the compiler does not check about lib/. Run with -P, with LIB and HEADERS (the lists in lib/CMakeLists.txt).
+cmake_minimum_required(VERSION 3.25)
+file(GLOB_RECURSE headers RELATIVE ${LIB} ${LIB}/*.h)
+set(errors "")
+
+foreach(header IN LISTS headers)
+    file(STRINGS ${LIB}/${header} conditionals REGEX "^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else)")
+    foreach(line IN LISTS conditionals)
+        list(APPEND errors "${header}: conditional compilation: ${line}")
+    endforeach()
+    if(NOT ${LIB}/${header} IN_LIST HEADERS)
+        list(APPEND errors "${header}: stands in no file set of lib/CMakeLists.txt, so it is not installed")
+    endif()
+endforeach()
+if(NOT headers)
+    list(APPEND errors "${LIB} holds no header")
+endif()
+
+if(errors)
+    list(JOIN errors "\n" errors)
+    message(FATAL_ERROR "${errors}")
+endif()

@@ -1,0 +1,58 @@
+/// A run at hand: to call one procedure of it and look at what it gives.
+#pragma once
+
+#include "vidno/kernels/exact.h"
+#include "vidno/printed.h"
+#include "vidno/vidno.h"
+
+/// The kernels over which every hand-computed case is run.
+#define VIDNO_KERNELS ::vidno::Float, ::vidno::Double, ::vidno::Exact
+
+namespace vidno::test {
+
+template <class K, class Set = Corrected, class Trace = NoTrace>
+struct Stage {
+    Scene scene;
+    Picture picture;
+    Run<Set, K, Trace> run;
+
+    explicit Stage(Scene given, Trace trace = {})
+        : scene(std::move(given)), picture(scene.area, scene.background), run(scene, K{}, trace, picture) {}
+
+    const Polygon<K>& polygon(std::size_t index = 0) const { return run.polygons[index]; }
+    Point<typename K::Number> point(double x, double y) const { return run.kernel.point(x, y); }
+
+    ActivePolygonList<K> all_active() const {
+        ActivePolygonList<K> list;
+        for (const auto& polygon : run.polygons) list.push_back({&polygon, false});
+        return list;
+    }
+};
+
+/// How many windows Warnock's algorithm takes from its stack.
+struct CountWindows : NoTrace {
+    int* windows;
+    explicit CountWindows(int& count) : windows(&count) {}
+    void pop(Line, const auto&) { ++*windows; }
+};
+
+/// The last fault that ended or marred a run.
+struct HearFaults : NoTrace {
+    struct Heard {
+        int count = 0;
+        Line at{};
+        std::string reason;
+    };
+    Heard* heard;
+    explicit HearFaults(Heard& to) : heard(&to) {}
+    void fault(Line at, std::string_view reason) { *heard = {heard->count + 1, at, std::string(reason)}; }
+    void fault(Line at, std::string_view reason, int, int) { fault(at, reason); }
+};
+
+inline int different_pixels(const Picture& a, const Picture& b) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) count += a.pixels()[i] != b.pixels()[i] ? 1 : 0;
+    return count;
+}
+
+}  // namespace vidno::test

@@ -1,0 +1,315 @@
+// The trace: sufficient, graded, and the same after reading it back.
+
+#include <doctest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "event_json.h"
+#include "output.h"
+#include "recorder.h"
+#include "run.h"
+#include "state.h"
+#include "support/scenes.h"
+#include "support/stage.h"
+#include "trace_reader.h"
+
+using namespace vidno;
+using namespace vidno::test;
+
+namespace {
+
+struct Choice {
+    Method method;
+    bool printed;
+    RunKernel run;
+    std::string_view kernel;
+};
+
+std::vector<Choice> all_choices() {
+    std::vector<Choice> choices;
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        for (const bool printed : {false, true}) {
+            for (const auto& kernel : kernel_choices) choices.push_back({method, printed, kernel.run, kernel.name});
+        }
+    }
+    return choices;
+}
+
+TraceHeader header_of(const Scene& scene, const Choice& choice, Detail detail) {
+    return {choice.method, choice.printed ? "printed" : "corrected", std::string(choice.kernel), detail, scene};
+}
+
+struct TracedRun {
+    std::string text;
+    Picture picture;
+};
+
+TracedRun traced(const Scene& scene, const Choice& choice, Detail detail) {
+    std::string text;
+    TraceWriter writer(header_of(scene, choice, detail), [&](std::string_view part) { text += part; });
+    const Picture picture = choice.run({choice.method, choice.printed, scene, detail, &writer});
+    writer.finish(picture);
+    return {text, picture};
+}
+
+TraceReader reader_of(const std::string& text) {
+    return {LineReader::of_text(text), "trace"};
+}
+
+std::vector<Event> events_of(const std::string& text) {
+    std::vector<Event> events;
+    TraceReader reader = reader_of(text);
+    while (const auto event = reader.next()) events.push_back(*event);
+    return events;
+}
+
+/// The event as a lower level has it, none if it is left out there.
+std::optional<Event> lowered(Event event, Detail detail) {
+    const bool stays = std::visit([&](const auto& e) { return e.kind.from <= detail; }, event);
+    if (!stays) return std::nullopt;
+    if (const auto* call = std::get_if<event::Call>(&event)) {
+        if (call->of == Procedure::surround_test && detail < Detail::signs) return std::nullopt;
+    }
+    if (auto* span = std::get_if<event::Span>(&event)) {
+        if (detail < Detail::polygons) span->depths.reset();
+    }
+    return event;
+}
+
+std::string lines_of(const std::vector<Event>& events, const Scene& scene) {
+    const PolygonNames names = polygon_names(scene);
+    std::string text;
+    for (const auto& event : events) std::visit([&](const auto& e) { EventText(text, names).line(e); }, event);
+    return text;
+}
+
+template <class K>
+Value value_of(const typename K::Number& number) {
+    if constexpr (K::has_infinity) {
+        return {double(number)};
+    } else {
+        return Value(K::fraction(number));
+    }
+}
+
+struct ToState {
+    State& state;
+    template <class E>
+    void operator()(const E& event) {
+        state.apply(Event(event));
+    }
+};
+
+/// The state rebuilt from a run's events, and how often it was held against the run's own lists.
+struct Rebuilt {
+    explicit Rebuilt(const TraceHeader& header) : state(header), sink{state}, recording{header.detail, sink} {}
+    State state;
+    ToState sink;
+    Recording<ToState> recording;
+    int compared = 0, different = 0;
+};
+
+/// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
+template <class K>
+class Compare : public Recorder<K, ToState> {
+    using Base = Recorder<K, ToState>;
+
+public:
+    explicit Compare(Rebuilt& rebuilt) : Base(rebuilt.recording), rebuilt_(&rebuilt) {}
+
+    void push_root(Line at, const auto& windows) {
+        Base::push_root(at, windows);
+        compare_windows(windows);
+    }
+    void push_part(Line at, const auto& windows, bool shares_list) {
+        Base::push_part(at, windows, shares_list);
+        compare_windows(windows);
+    }
+    void summary(Line at, const auto& found) {
+        Base::summary(at, found);
+        expect(rebuilt_->state.count() == found.polygon_count &&
+               rebuilt_->state.has_surround() == found.has_surround);
+    }
+    void clip_list(Line at, const auto& vertices) {
+        Base::clip_list(at, vertices);
+        expect(equal(vertices, rebuilt_->state.clip()->vertices, [](const auto& own, const auto& v) {
+            return value_of<K>(own.x) == v.x && value_of<K>(own.y) == v.y && value_of<K>(own.z) == v.z;
+        }));
+    }
+    void ael_sort(Line at, const auto& entries, const auto& next) {
+        Base::ael_sort(at, entries, next);
+        expect(equal(entries, rebuilt_->state.ael(), [](const auto& own, const auto& entry) {
+            return own.index == entry.edge && value_of<K>(own.x) == entry.x && value_of<K>(own.z) == entry.z &&
+                   value_of<K>(own.dx) == entry.dx && value_of<K>(own.dz) == entry.dz;
+        }));
+    }
+
+private:
+    static bool equal(const auto& own, const auto& rebuilt, auto same) {
+        return std::equal(own.begin(), own.end(), rebuilt.begin(), rebuilt.end(), same);
+    }
+
+    void expect(bool same) {
+        ++rebuilt_->compared;
+        rebuilt_->different += same ? 0 : 1;
+    }
+
+    void compare_windows(const auto& windows) {
+        expect(equal(windows, rebuilt_->state.stack(), [](const auto& own, const auto& stacked) {
+            return own.window == stacked.window &&
+                   equal(*own.polygons, *stacked.apl, [](const auto& active, const auto& entry) {
+                       return active.polygon->index == entry.first.index && active.surrounding == entry.second;
+                   });
+        }));
+    }
+
+    Rebuilt* rebuilt_;
+};
+
+template <class K, class Set>
+void check_rebuilt(const Scene& scene, Method method) {
+    const TraceHeader header{method, std::string(Set::name), std::string(K::name), Detail::polygons, scene};
+    Rebuilt rebuilt(header);
+    Stage<K, Set, Compare<K>> stage(scene, Compare<K>(rebuilt));
+    try {
+        method == Method::warnock ? Set::warnock(stage.run) : Set::z_buffer(stage.run);
+    } catch (const Fault&) {
+    }
+    CHECK(rebuilt.compared > 0);
+    CHECK(rebuilt.different == 0);
+    CHECK(rebuilt.state.picture() == stage.picture);
+    if (method == Method::warnock) return;
+    int different = 0;
+    const Area& area = scene.area;
+    for (int y = area.y; y < area.bottom(); ++y) {
+        for (int x = area.x; x < area.right(); ++x) {
+            const auto& stored = stage.run.depth_buffer.at(x, y);
+            const bool none = !stage.run.kernel.nearer(stored, stage.run.kernel.farthest());
+            const Value own = none ? Value::minus_infinite() : value_of<K>(stage.run.kernel.finite(stored));
+            different += own == *rebuilt.state.depth(x, y) ? 0 : 1;
+        }
+    }
+    CHECK_MESSAGE(different == 0, "cells of Z");
+}
+
+Scene small_scene() {
+    return SceneBuilder({-3, 2, 9, 7})
+        .polygon({{-4, 1, 0}, {7, 3, .5}, {0, 10, 1}})
+        .quad(-2, 3, 4, 8, .25)
+        .polygon({{0, 2.5, .75}, {5, 2.5, .75}, {2.5, 8.5, -1}})
+        .build();
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("Sufficient: states rebuilt from the events equal the algorithm's own", K, VIDNO_KERNELS) {
+    RandomScenes random(11);
+    for (int i = 0; i < 25; ++i) {
+        CAPTURE(i);
+        const Scene scene = i == 0 ? small_scene() : random.scene();
+        for (const Method method : {Method::warnock, Method::zbuffer}) {
+            check_rebuilt<K, Corrected>(scene, method);
+            check_rebuilt<K, Printed>(scene, method);
+        }
+    }
+}
+
+TEST_CASE("Sufficient: the picture at every level") {
+    const Scene scene = small_scene();
+    for (const auto& choice : all_choices()) {
+        for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
+            CAPTURE(choice.kernel);
+            CAPTURE(choice.printed);
+            CAPTURE(int(detail));
+            const auto [text, picture] = traced(scene, choice, detail);
+            TraceReader reader = reader_of(text);
+            State state(reader.header());
+            while (const auto event = reader.next()) state.apply(*event);
+            CHECK(state.picture() == picture);
+            REQUIRE(reader.end().has_value());
+            CHECK(reader.end()->picture == picture_hash(picture));
+            CHECK(state.calls().size() <= 2);  // a fault may leave the procedure that failed open
+        }
+    }
+}
+
+TEST_CASE("Recording does not change the run") {
+    const Scene scene = small_scene();
+    for (const auto& choice : all_choices()) {
+        CHECK(traced(scene, choice, Detail::signs).picture ==
+              choice.run({choice.method, choice.printed, scene, Detail::windows, nullptr}));
+    }
+}
+
+TEST_CASE("Graded: a lower level is a higher one with events left out") {
+    const Scene scene = small_scene();
+    for (const auto& choice : all_choices()) {
+        CAPTURE(choice.kernel);
+        for (const Detail detail : {Detail::windows, Detail::polygons}) {
+            std::vector<Event> left;
+            for (const auto& event : events_of(traced(scene, choice, Detail::signs).text)) {
+                if (const auto kept = lowered(event, detail)) left.push_back(*kept);
+            }
+            CHECK(lines_of(left, scene) == lines_of(events_of(traced(scene, choice, detail).text), scene));
+        }
+    }
+}
+
+TEST_CASE("Read back and written again the bytes are the same, twice traced too") {
+    const Scene scene = small_scene();
+    for (const auto& choice : all_choices()) {
+        const std::string text = traced(scene, choice, Detail::signs).text;
+        CHECK(text == traced(scene, choice, Detail::signs).text);
+        TraceReader reader = reader_of(text);
+        std::string again;
+        TraceWriter writer(reader.header(), [&](std::string_view part) { again += part; });
+        State state(reader.header());
+        while (const auto event = reader.next()) {
+            std::visit([&](const auto& e) { writer(e); }, *event);
+            state.apply(*event);
+        }
+        writer.finish(state.picture());
+        CHECK(again == text);
+    }
+}
+
+TEST_CASE("Every label that an event bears stands in the listings") {
+    std::ifstream file(VIDNO_ROOT "/trace/listings/listings.json");
+    std::stringstream listings;
+    listings << file.rdbuf();
+    REQUIRE(listings.str().size() > 1000);
+    for (const auto name : line_names) {
+        CAPTURE(name);
+        CHECK(listings.str().find("\"at\": \"" + std::string(name) + "\"") != std::string::npos);
+    }
+}
+
+TEST_CASE("FORMAT.md: the worked example is what the program writes") {
+    std::ifstream file(VIDNO_ROOT "/trace/FORMAT.md");
+    std::stringstream format;
+    format << file.rdbuf();
+    const std::string opening = "```jsonl\n";
+    const auto begin = format.str().find(opening);
+    REQUIRE(begin != std::string::npos);
+    const auto end = format.str().find("```", begin + opening.size());
+    const std::string example = format.str().substr(begin + opening.size(), end - begin - opening.size());
+    TraceReader reader = reader_of(example);
+    const Choice choice{reader.header().method, false, run_double, "double"};
+    CHECK(traced(reader.header().scene, choice, reader.header().detail).text == example);
+}
+
+TEST_CASE("A limit keeps what was told and says that it is partial") {
+    const Scene scene = small_scene();
+    const Choice choice = all_choices().front();
+    std::string text;
+    TraceWriter writer(header_of(scene, choice, Detail::signs), [&](std::string_view part) { text += part; }, 10);
+    CHECK_THROWS_AS(choice.run({choice.method, choice.printed, scene, Detail::signs, &writer}), EventLimitReached);
+    writer.finish_partial();
+    TraceReader reader = reader_of(text);
+    while (reader.next()) {
+    }
+    CHECK(reader.events() == 10);
+    REQUIRE(reader.end().has_value());
+    CHECK(reader.end()->partial);
+}

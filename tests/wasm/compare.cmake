@@ -1,0 +1,12 @@
+# Runs both programs and compares what they print, byte for byte. Run with -P.
+cmake_minimum_required(VERSION 3.25)
+execute_process(COMMAND ${NATIVE} OUTPUT_FILE ${WORK}/native.txt COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${NODE} ${SCRIPT} OUTPUT_FILE ${WORK}/wasm.txt COMMAND_ERROR_IS_FATAL ANY)
+file(SIZE ${WORK}/native.txt size)
+if(size LESS 10000)
+    message(FATAL_ERROR "${WORK}/native.txt is too short: ${size} bytes")
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${WORK}/native.txt ${WORK}/wasm.txt RESULT_VARIABLE differ)
+if(differ)
+    message(FATAL_ERROR "The pictures or signs differ: diff ${WORK}/native.txt ${WORK}/wasm.txt")
+endif()

@@ -1,0 +1,186 @@
+#include "import.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "ear_clipping.h"
+#include "mesh_soup.h"
+#include "refused.h"
+#include "unique_ids.h"
+#include "vidno/admission.h"
+#include "vidno/look.h"
+
+namespace vidno {
+namespace {
+
+/// The least sphere about the middle of the box around the vertices in use.
+struct Sphere {
+    glm::dvec3 middle;
+    double radius;
+};
+
+Sphere sphere_around(const MeshSoup& mesh) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+    for (const auto& face : mesh.faces) {
+        for (const std::size_t i : face) {
+            low = glm::min(low, mesh.points[i]);
+            high = glm::max(high, mesh.points[i]);
+        }
+    }
+    return {low / 2.0 + high / 2.0, glm::length(high / 2.0 - low / 2.0)};
+}
+
+/// Sees the whole sphere, from in front, a little from above and the right.
+Camera camera_for(const Sphere& sphere, double aspect) {
+    constexpr double room = 1.02;
+    Camera camera;
+    camera.field_of_view = 30;
+    const double slope = std::tan(glm::radians(camera.field_of_view / 2)) * std::min(1.0, aspect);
+    const double distance = room * sphere.radius * std::sqrt(1 + 1 / (slope * slope));
+    camera.target = sphere.middle;
+    camera.eye = sphere.middle + distance * glm::normalize(glm::dvec3(0.5, 0.45, 1.0));
+    camera.near_distance = distance - room * sphere.radius;
+    camera.far_distance = distance + room * sphere.radius;
+    return camera;
+}
+
+/// From dark, edge-on, to light, facing the viewer.
+Color tone(const Camera& camera, const ScenePolygon& face) {
+    constexpr glm::dvec3 dark(38, 70, 83), light(214, 232, 240);
+    const glm::dvec3 ray = camera.projection == Projection::perspective ? face.vertices.front() - camera.eye
+                                                                        : camera.target - camera.eye;
+    const double facing = std::abs(
+        glm::dot(camera::direction_of(rough_normal(face.vertices)), camera::direction_of(ray)));
+    const glm::dvec3 mixed = glm::mix(dark, light, facing <= 1 ? facing : 1.0);
+    return {std::uint8_t(std::lround(mixed.x)), std::uint8_t(std::lround(mixed.y)), std::uint8_t(std::lround(mixed.z))};
+}
+
+/// The file's own name without folders and ending, as UTF-8 whatever it is.
+std::string scene_name(const std::string& file) {
+    std::string name = file.substr(file.find_last_of("/\\") + 1);
+    name = name.substr(0, name.rfind('.'));
+    using nlohmann::json;
+    return json::parse(json(name).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
+}
+
+class Importer {
+public:
+    Importer(const MeshSoup& mesh, const Camera& camera, Scene& scene)
+        : mesh_(mesh), camera_(camera), view_(view_of(camera, scene.area)), scene_(scene) {}
+
+    void import() {
+        for (std::size_t i = 0; i < mesh_.faces.size(); ++i) import_face(i);
+    }
+
+    /// "992 faces read, 12 dropped: 10 have no area, 2 cross themselves; 5 cut into triangles; 40 not in view"
+    std::string report() const {
+        const std::size_t dropped = without_area_ + crossing_ + unclear_;
+        std::string line = std::to_string(mesh_.faces.size()) + " faces read, " + std::to_string(dropped) + " dropped";
+        std::string why;
+        append(why, ", ", without_area_, "without area");
+        append(why, ", ", crossing_, "crossing themselves");
+        append(why, ", ", unclear_, "neither convex nor of at most " + std::to_string(most_corners_to_clip) + " corners");
+        if (!why.empty()) line += ": " + why;
+        append(line, "; ", cut_, "cut into triangles");
+        append(line, "; ", out_of_view_, "not in view");
+        append(line, "; ", vertices_, "vertices reflex by rounding, dropped");
+        return line;
+    }
+
+private:
+    static void append(std::string& line, std::string_view separator, std::size_t count, const std::string& what) {
+        if (count == 0) return;
+        if (!line.empty()) line += separator;
+        line += std::to_string(count) + " " + what;
+    }
+
+    void import_face(std::size_t number) {
+        ScenePolygon face;
+        face.id = std::to_string(number);
+        for (const std::size_t i : mesh_.faces[number]) face.vertices.push_back(mesh_.points[i]);
+        std::vector<ScenePolygon> shown;
+        const std::vector<ScenePolygon> parts = convex_parts(std::move(face));
+        bool bent = false;
+        for (const ScenePolygon& part : parts) {
+            Seen seen = look(view_, part);
+            vertices_ += seen.dropped;
+            bent = bent || seen.polygons.size() > 1;
+            for (ScenePolygon& polygon : seen.polygons) {
+                if (!polygon.edge_on) shown.push_back(std::move(polygon));
+            }
+        }
+        cut_ += parts.size() > 1 || bent;
+        out_of_view_ += shown.empty() && !parts.empty();
+        part_ids_.name(shown);
+        for (ScenePolygon& polygon : shown) scene_.polygons.push_back(std::move(polygon));
+        if (scene_.polygons.size() > most_polygons) {
+            throw Refused("cut into more than " + std::to_string(most_polygons) + " polygons");
+        }
+    }
+
+    /// The face itself, or the triangles it is cut into; none if it is dropped.
+    std::vector<ScenePolygon> convex_parts(ScenePolygon face) {
+        const Admitted admitted = admit_in_world(face);
+        if (admitted.admission == Admission::too_few_vertices || face.edge_on) {
+            ++without_area_;
+            return {};
+        }
+        face.color = tone(camera_, face);
+        if (admitted.admission == Admission::admitted) {
+            vertices_ += admitted.dropped;
+            return {std::move(face)};
+        }
+        const std::vector<glm::dvec3> seen = seen_along(axis_that_shows(face.vertices), face.vertices);
+        std::vector<ScenePolygon> parts;
+        for (const auto& [i, j, k] : clip_ears(seen)) {
+            parts.push_back({face.id, {}, {face.vertices[i], face.vertices[j], face.vertices[k]}});
+            parts.back().color = tone(camera_, parts.back());
+        }
+        if (parts.empty()) ++(face.vertices.size() > most_corners_to_clip ? unclear_ : crossing_);
+        return parts;
+    }
+
+    const MeshSoup& mesh_;
+    const Camera& camera_;
+    const View view_;
+    Scene& scene_;
+    PartIds part_ids_{{}};  // "7.1" is no face's number
+    std::size_t without_area_ = 0, crossing_ = 0, unclear_ = 0, cut_ = 0, out_of_view_ = 0, vertices_ = 0;
+};
+
+}  // namespace
+
+SceneWithWarnings import_mesh(std::string_view bytes, const std::string& file, const ImportOptions& options) {
+    const auto is_side = [](int side) { return 1 <= side && side <= largest_side; };
+    if (!is_side(options.width) || !is_side(options.height)) {
+        throw Refused(file + ": the size is not from 1 to " + std::to_string(largest_side) + " pixels a side");
+    }
+    const MeshSoup mesh = read_mesh_soup(bytes, file);
+    SceneWithWarnings result;
+    Scene& scene = result.scene;
+    scene.name = scene_name(file);
+    scene.area = {0, 0, options.width, options.height};
+    scene.background = options.background;
+    const double aspect = double(options.width) / double(options.height);
+    const Camera camera = options.camera ? *options.camera : camera_for(sphere_around(mesh), aspect);
+    if (const auto defect = defect_of(camera, scene.area)) {
+        if (options.camera) throw Refused(file + ": camera: " + std::string(*defect));
+        throw Refused(file + ": no camera fits the mesh: it is a point, or out of the range of doubles");
+    }
+    try {
+        Importer importer(mesh, camera, scene);
+        importer.import();
+        result.warnings.push_back(file + ": " + importer.report());
+    } catch (const Refused& refused) {
+        throw Refused(file + ": " + refused.what());
+    }
+    return result;
+}
+
+}  // namespace vidno
