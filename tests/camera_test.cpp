@@ -157,7 +157,8 @@ TEST_CASE("cameras that see nothing are refused") {
     CHECK(with([](Camera& c) { c.field_of_view = 180; }) == "fov is not between 0 and 180 degrees");
     CHECK(with([](Camera& c) { c.field_of_view = std::nan(""); }) == "fov is not between 0 and 180 degrees");
     CHECK(with([](Camera& c) { c.eye.x = std::nan(""); }) == "not finite");
-    CHECK(with([](Camera& c) { c.far_distance = std::numeric_limits<double>::infinity(); }) == "out of the range of doubles");
+    CHECK(with([](Camera& c) { c.far_distance = std::numeric_limits<double>::infinity(); }) ==
+          "out of the range of doubles");
     CHECK(with([](Camera& c) {
               c.projection = Projection::orthographic;
               c.height = 0;

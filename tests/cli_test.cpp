@@ -1,6 +1,6 @@
 // The program as its users call it: what it prints, its exit status, and that no file appears where it refuses.
 
-#include <doctest.h>
+#include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

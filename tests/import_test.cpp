@@ -148,18 +148,17 @@ TEST_CASE("a cube in every format is the same scene") {
     CHECK(import_mesh(text_stl(), "cube.stl", {}).scene.polygons.size() == 1);
 }
 
-TEST_CASE("opposite faces have one tone, and what faces the viewer is lighter") {
-    // The default camera stands in front (+z), a little above (+y) and to the right (+x). By perspective the far faces
-    // are seen from a flatter angle; all the same each pair is ordered like its axes.
+TEST_CASE("what faces the viewer is lighter") {
+    // The default camera stands in front (+z), a little above (+y) and to the right (+x).
     const Scene scene = import_mesh(cube_obj(), "cube.obj", {}).scene;
     const auto light = [&](std::size_t face) { return int(scene.polygons[face].color.green); };
     CHECK(light(5) > light(1));  // z = 1 against x = 1
-    CHECK(light(1) > 0);
 }
 
 TEST_CASE("OBJ: corners with normals, indices from the end, tabs, continued lines, anything else passed over") {
     const std::string points = "v 0 0 0\nv 4 0 0\nv 0 4 0 1.0\r\nvn 0 0 1\n";
-    for (const std::string face : {"f 1 2 3\n", "f 1/1/1 2//1 3/2\n", "f -3 -2 -1\n", "f\t1\t2\t3\r\n", "f 1 2 \\\n3"}) {
+    for (const std::string face :
+         {"f 1 2 3\n", "f 1/1/1 2//1 3/2\n", "f -3 -2 -1\n", "f\t1\t2\t3\r\n", "f 1 2 \\\n3"}) {
         CAPTURE(face);
         const Scene scene = import_mesh(points + "l 1 2\n" + face, "t.obj", from_the_front()).scene;
         REQUIRE(scene.polygons.size() == 1);
@@ -186,7 +185,8 @@ TEST_CASE("PLY with other elements, other types and lists that are not asked for
 
 TEST_CASE("faces that are not planar or not convex are cut into triangles") {
     SUBCASE("a quad with a raised corner: 2 triangles") {
-        const auto [scene, warnings] = import_mesh("v 0 0 0\nv 4 0 0\nv 4 4 1\nv 0 4 0\nf 1 2 3 4\n", "q.obj", from_the_front());
+        const auto [scene, warnings] =
+            import_mesh("v 0 0 0\nv 4 0 0\nv 4 4 1\nv 0 4 0\nf 1 2 3 4\n", "q.obj", from_the_front());
         CHECK(ids(scene) == std::vector<std::string>{"0.1", "0.2"});
         CHECK(warnings.front() == "q.obj: 1 faces read, 0 dropped; 1 cut into triangles");
     }
@@ -211,11 +211,12 @@ TEST_CASE("faces that are not planar or not convex are cut into triangles") {
 
 TEST_CASE("what cannot be shown is dropped and counted") {
     const std::string points = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 8 0 0\nv 100 0 0\nv 104 0 0\nv 100 4 0\n";
-    const auto [scene, warnings] = import_mesh(points + "f 1 2 3\n"    // 0: fine
-                                                        "f 1 2\n"      // 1: two corners
-                                                        "f 1 2 5\n"    // 2: in a line
-                                                        "f 1 3 2 4\n"  // 3: a bow-tie
-                                                        "f 6 7 8\n",   // 4: far to the right
+    const auto [scene, warnings] = import_mesh(points +
+                                                   "f 1 2 3\n"    // 0: fine
+                                                   "f 1 2\n"      // 1: two corners
+                                                   "f 1 2 5\n"    // 2: in a line
+                                                   "f 1 3 2 4\n"  // 3: a bow-tie
+                                                   "f 6 7 8\n",   // 4: far to the right
                                                "d.obj", from_the_front());
     CHECK(ids(scene) == std::vector<std::string>{"0"});
     CHECK(warnings == std::vector<std::string>{
@@ -261,10 +262,12 @@ TEST_CASE("files that lie about themselves are refused before anything is reserv
          "element dust has no properties"},
         {"m.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n",
          "element vertex has no number z"},
-        {"m.ply", ply_header("ascii", billions), "the header" + promise + "items of element vertex, more than the file can hold"},
+        {"m.ply", ply_header("ascii", billions),
+         "the header" + promise + "items of element vertex, more than the file can hold"},
         {"m.ply", ply_header("binary_little_endian", billions),
          "the header" + promise + "items of element vertex, more than the file can hold"},
-        {"m.ply", ply_header("binary_little_endian", "1", billions) + std::string(12, '\0'), "more than 1048576 faces"},
+        {"m.ply", ply_header("binary_little_endian", "1", billions) + std::string(12, '\0'),
+         "the header" + promise + "items of element face, more than the file can hold"},
         {"m.ply", ply_header("binary_little_endian", "1", "1") + std::string(12, '\0') + "\xff" + std::string(8, '\0'),
          "a list that is longer than the file, or of negative length"},
         {"m.ply", ply_header("ascii", "1", "1") + "0 0 0\n3 0 0 1\n", "a face of a vertex that is not there"},
@@ -276,7 +279,8 @@ TEST_CASE("files that lie about themselves are refused before anything is reserv
          "vertex 0: a coordinate that is not finite"},
         {"m.stl", "", "neither text that begins with solid nor long enough for a binary header"},
         {"m.stl", "facet", "neither text that begins with solid nor long enough for a binary header"},
-        {"m.stl", std::string(80, ' ') + bytes_of(std::uint32_t(1000000)), "the header says 1000000 triangles, more than the file can hold"},
+        {"m.stl", std::string(80, ' ') + bytes_of(std::uint32_t(1000000)),
+         "the header says 1000000 triangles, more than the file can hold"},
         {"m.stl", std::string(80, ' ') + bytes_of(std::uint32_t(4000000000)), "more than 1048576 faces"},
         {"m.stl", std::string(80, ' ') + bytes_of(std::uint32_t(0)), "no faces"},
         {"m.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n", "line 5: \"vertex\" is missing"},
@@ -304,9 +308,10 @@ TEST_CASE("a file cut off anywhere is refused or read, never more") {
 TEST_CASE("sizes and cameras that make no picture are refused") {
     ImportOptions options;
     options.width = 0;
-    CHECK_THROWS_WITH_AS(import_mesh(cube_obj(), "c.obj", options), "c.obj: the size is not from 1 to 16384 pixels a side",
-                         Refused);
+    CHECK_THROWS_WITH_AS(import_mesh(cube_obj(), "c.obj", options),
+                         "c.obj: the size is not from 1 to 16384 pixels a side", Refused);
     options = from_the_front();
     options.camera->target = options.camera->eye;
-    CHECK_THROWS_WITH_AS(import_mesh(cube_obj(), "c.obj", options), "c.obj: camera: eye and target are one point", Refused);
+    CHECK_THROWS_WITH_AS(import_mesh(cube_obj(), "c.obj", options), "c.obj: camera: eye and target are one point",
+                         Refused);
 }

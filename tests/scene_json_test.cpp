@@ -148,8 +148,7 @@ TEST_CASE("the window is whole pixels within bounds") {
         {scene_with_window(R"({"x": 0.5, "y": 0, "width": 16, "height": 16})"), "/window/x: not a whole number"},
         {scene_with_window(R"({"x": "0", "y": 0, "width": 16, "height": 16})"), "/window/x: not a whole number"},
         {scene_with_window(R"({"x": 0, "y": 0, "width": 0, "height": 16})"), "/window/width: not from 1 to 16384"},
-        {scene_with_window(R"({"x": 0, "y": 0, "width": 16, "height": 16385})"),
-         "/window/height: not from 1 to 16384"},
+        {scene_with_window(R"({"x": 0, "y": 0, "width": 16, "height": 16385})"), "/window/height: not from 1 to 16384"},
         {scene_with_window(R"({"x": 0, "y": 1073741825, "width": 16, "height": 16})"),
          "/window/y: not from -1073741824 to 1073741824"},
     });
@@ -167,9 +166,9 @@ TEST_CASE("coordinates are numbers, or hexadecimal ones as text") {
         CHECK(taken == (good.find("0x.") == std::string::npos));
     }
     const std::string place = "/polygons/0/vertices/0/0: ";
-    for (const std::string bad : {R"("")", R"("1.5")", R"("0x")", R"("0x1")", R"("0x1.8")", R"("0x1p")", R"("0x1p1 ")",
-                                  R"(" 0x1p1")", R"("+0x1p1")", R"("--0x1p1")", R"("0x-1p1")", R"("0xinfp1")",
-                                  R"("0x1.8.p1")", R"("nan")", R"("0xp1")"}) {
+    for (const std::string bad :
+         {R"("")", R"("1.5")", R"("0x")", R"("0x1")", R"("0x1.8")", R"("0x1p")", R"("0x1p1 ")", R"(" 0x1p1")",
+          R"("+0x1p1")", R"("--0x1p1")", R"("0x-1p1")", R"("0xinfp1")", R"("0x1.8.p1")", R"("nan")", R"("0xp1")"}) {
         CAPTURE(bad);
         CHECK(message_for(scene_with_x(bad)) == "f.json: " + place + "not a hexadecimal number such as \"0x1.8p-3\"");
     }
@@ -191,8 +190,7 @@ TEST_CASE("polygons are checked exactly, and ids are unique") {
          "/polygons/0/vertices/1/2: z outside -1 to 1"},
         {scene_with(std::string(triangle) + ", " + polygon_with("[[0, 0, 0], [4, 0, 0], [4, 4, 1], [0, 4, 0]]")),
          "/polygons/1/vertices: not planar"},
-        {scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]")),
-         "/polygons/0/vertices: not convex"},
+        {scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]")), "/polygons/0/vertices: not convex"},
         {scene_with(named + ", " + named), "/polygons/1/id: the id is there twice"},
         {scene_with(R"({"id": "1", "color": "#102030", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]}, )" +
                     std::string(triangle)),

@@ -1,6 +1,6 @@
 // The trace: sufficient, graded, and the same after reading it back.
 
-#include <doctest.h>
+#include <doctest/doctest.h>
 
 #include <fstream>
 #include <sstream>

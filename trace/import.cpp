@@ -53,10 +53,10 @@ Camera camera_for(const Sphere& sphere, double aspect) {
 /// From dark, edge-on, to light, facing the viewer.
 Color tone(const Camera& camera, const ScenePolygon& face) {
     constexpr glm::dvec3 dark(38, 70, 83), light(214, 232, 240);
-    const glm::dvec3 ray = camera.projection == Projection::perspective ? face.vertices.front() - camera.eye
-                                                                        : camera.target - camera.eye;
-    const double facing = std::abs(
-        glm::dot(camera::direction_of(rough_normal(face.vertices)), camera::direction_of(ray)));
+    const glm::dvec3 ray =
+        camera.projection == Projection::perspective ? face.vertices.front() - camera.eye : camera.target - camera.eye;
+    const double facing =
+        std::abs(glm::dot(camera::direction_of(rough_normal(face.vertices)), camera::direction_of(ray)));
     const glm::dvec3 mixed = glm::mix(dark, light, facing <= 1 ? facing : 1.0);
     return {std::uint8_t(std::lround(mixed.x)), std::uint8_t(std::lround(mixed.y)), std::uint8_t(std::lround(mixed.z))};
 }
@@ -85,7 +85,8 @@ public:
         std::string why;
         append(why, ", ", without_area_, "without area");
         append(why, ", ", crossing_, "crossing themselves");
-        append(why, ", ", unclear_, "neither convex nor of at most " + std::to_string(most_corners_to_clip) + " corners");
+        append(why, ", ", unclear_,
+               "neither convex nor of at most " + std::to_string(most_corners_to_clip) + " corners");
         if (!why.empty()) line += ": " + why;
         append(line, "; ", cut_, "cut into triangles");
         append(line, "; ", out_of_view_, "not in view");

@@ -39,7 +39,8 @@ void check_face_count(std::uint64_t count) {
 /// A promise in a header against what is there.
 void check_count(std::uint64_t count, std::string_view what, std::uint64_t least_size, std::size_t bytes_left) {
     if (count <= bytes_left / least_size) return;
-    throw Refused("the header says " + std::to_string(count) + " " + std::string(what) + ", more than the file can hold");
+    throw Refused("the header says " + std::to_string(count) + " " + std::string(what) +
+                  ", more than the file can hold");
 }
 
 // ------------------------------------------------------------------------------------------------ text
@@ -400,7 +401,8 @@ private:
             least_size += body.least_size(property.size_type != nullptr ? *property.size_type : *property.type);
         }
         if (least_size == 0 && element.count > 0) throw Refused("element " + element.name + " has no properties");
-        if (element.count > 0) check_count(element.count, "items of element " + element.name, least_size, body.bytes_left());
+        if (element.count > 0)
+            check_count(element.count, "items of element " + element.name, least_size, body.bytes_left());
         if (element.name == "vertex" || element.name == "vertices") {
             copy_points(body, element);
         } else if (element.name == "face" || element.name == "faces") {

@@ -224,7 +224,8 @@ private:
         const bool prefixed = rest.starts_with("0x") || rest.starts_with("0X");
         rest.remove_prefix(prefixed ? 2 : 0);
         constexpr std::string_view digits = "0123456789abcdefABCDEF";
-        const bool well_begun = prefixed && rest.find_first_not_of(digits) > 0 && rest.find_first_of("pP") < rest.size();
+        const bool well_begun =
+            prefixed && rest.find_first_not_of(digits) > 0 && rest.find_first_of("pP") < rest.size();
         double value = 0;
         const auto [end, error] =
             std::from_chars(rest.data(), rest.data() + rest.size(), value, std::chars_format::hex);

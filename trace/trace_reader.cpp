@@ -291,14 +291,14 @@ std::optional<Event> TraceReader::next() {
 
 std::optional<Event> TraceReader::parse(const std::string& line) {
     const json object = parse_line(line);
-    if (object.contains("end")) {
+    const auto name = object.find("e");
+    if (name == object.end() && object.contains("end")) {
         end_ = read_end(object);
         if (end_->events != events_) throw Misfit{"/end/events", "not the number of events read"};
         std::string rest;
         if (lines_.next(rest)) throw Misfit{"", "text after the last line"};
         return std::nullopt;
     }
-    const auto name = object.find("e");
     if (name == object.end() || !name->is_string()) throw Misfit{"/e", "no name of an event"};
     EventReader reader(object, places_, header_.kernel == "exact");
     Event event = read_event(reader, name->get_ref<const std::string&>(), header_.detail);

@@ -1,4 +1,5 @@
-/// Ids of a scene: non-empty, at most longest_id bytes, no two alike; and those of the parts that a polygon is cut into.
+/// Ids of a scene: non-empty, at most longest_id bytes, no two alike; and those of the parts that a polygon is cut
+/// into.
 #pragma once
 
 #include <cstddef>

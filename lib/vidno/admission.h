@@ -1,13 +1,13 @@
 /// Admission: does a polygon keep to what every procedure takes for granted? Decided exactly for the given doubles.
 ///
-/// An admitted polygon is finite, has at least three vertices, is planar, and seen from the viewer it is convex and goes
-/// round once; repeated and collinear vertices are allowed. Edge-on polygons (collinear seen from the viewer) are
+/// An admitted polygon is finite, has at least three vertices, is planar, and seen from the viewer it is convex and
+/// goes round once; repeated and collinear vertices are allowed. Edge-on polygons (collinear seen from the viewer) are
 /// admitted whatever the order of their vertices, for they show nothing and lie in a plane in any case.
 ///
 /// Planar      no vertex is farther than 2^-40 of the extent from the plane of Newell's sum about the first vertex
 ///             (warnock/initialize_polygon.h). Triangles always are.
-/// Convex      all turns have one sign, and the direction of the edges, taken as "to the right or straight down" against
-///             the rest, flips exactly twice. Why that is enough: turns of one sign that go round once make a convex
+/// Convex      all turns have one sign, and the direction of the edges, taken as "to the right or straight down"
+///             against the rest, flips exactly twice. Why that is enough: turns of one sign that go round once make a convex
 ///             outline, each round flips twice, and an edge that runs back on itself forces a turn of the other sign.
 /// Rounding    a vertex reflex by at most 2^-40 of the extent is dropped: its distance from the chord that takes its
 ///             place says by how much. Linear time.
@@ -210,7 +210,8 @@ inline bool near_chord(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec
         const Vector<Exact> beyond = difference<Exact>(q, r);
         return within_tolerance<Exact>(squared(beyond.x) + squared(beyond.y), 1, box).make_certain();
     }
-    return within_tolerance<Exact>(squared(Exact(chord.x * way.y - chord.y * way.x)), squared_chord, box).make_certain();
+    return within_tolerance<Exact>(squared(Exact(chord.x * way.y - chord.y * way.x)), squared_chord, box)
+        .make_certain();
 }
 
 /// The outline without its reflex vertices: one walk with a stack, from a vertex that surely stays. Vertices at which

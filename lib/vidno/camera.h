@@ -59,12 +59,12 @@ inline glm::dvec3 direction_of(glm::dvec3 v) {
 
 /// Greater z nearer: GLM has -1 at the near plane.
 inline glm::dmat4 projection_matrix(const Camera& camera, double aspect) {
-    glm::dmat4 matrix = camera.projection == Projection::perspective
-                            ? glm::perspectiveRH_NO(glm::radians(camera.field_of_view), aspect, camera.near_distance,
-                                                    camera.far_distance)
-                            : glm::orthoRH_NO(-camera.height * aspect / 2, camera.height * aspect / 2,
-                                              -camera.height / 2, camera.height / 2, camera.near_distance,
-                                              camera.far_distance);
+    glm::dmat4 matrix =
+        camera.projection == Projection::perspective
+            ? glm::perspectiveRH_NO(glm::radians(camera.field_of_view), aspect, camera.near_distance,
+                                    camera.far_distance)
+            : glm::orthoRH_NO(-camera.height * aspect / 2, camera.height * aspect / 2, -camera.height / 2,
+                              camera.height / 2, camera.near_distance, camera.far_distance);
     for (int column = 0; column < 4; ++column) matrix[column].z = -matrix[column].z;
     return matrix;
 }

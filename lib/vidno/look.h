@@ -1,8 +1,8 @@
 /// Look: from polygons of the world to admitted polygons of a scene.
 ///
 /// In the world there is no viewer yet, so a polygon is checked as one who looks along the axis nearest to its normal
-/// would see it. What the camera makes of it is checked once more; where rounding has left it off-plane or reflex beyond
-/// the tolerance it is cut into triangles.
+/// would see it. What the camera makes of it is checked once more; where rounding has left it off-plane or reflex
+/// beyond the tolerance it is cut into triangles.
 #pragma once
 
 #include <algorithm>
@@ -42,8 +42,7 @@ inline glm::dvec3 rough_normal(std::vector<glm::dvec3> vertices) {
 inline int axis_that_shows(const std::vector<glm::dvec3>& vertices) {
     const glm::dvec3 normal = rough_normal(vertices);
     std::array<int, 3> axes{2, 0, 1};
-    std::stable_sort(axes.begin(), axes.end(),
-                     [&](int i, int j) { return std::abs(normal[i]) > std::abs(normal[j]); });
+    std::stable_sort(axes.begin(), axes.end(), [&](int i, int j) { return std::abs(normal[i]) > std::abs(normal[j]); });
     for (const int axis : axes) {
         if (!admission::is_edge_on(seen_along(axis, vertices))) return axis;
     }

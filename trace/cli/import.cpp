@@ -39,15 +39,17 @@ void add_camera_options(CLI::App& command, ImportOptions& import) {
     command.add_option("--height", import.height, "Of the picture, in pixels")
         ->check(CLI::Range(1, largest_side))
         ->capture_default_str();
-    const std::string group = "Camera (without any of these it shows the whole mesh, a little from above)";
-    auto& camera = *command.add_option_group(group);
+    auto& camera = *command.add_option_group("Camera", "Without --eye it shows the whole mesh, a little from above");
     add_vector(camera, import, "--eye", &Camera::eye, "Where it stands");
-    add_vector(camera, import, "--target", &Camera::target, "What it looks at");
-    add_vector(camera, import, "--up", &Camera::up, "What is up");
-    add_length(camera, import, "--fov", &Camera::field_of_view, "Perspective: the vertical angle in degrees");
-    add_length(camera, import, "--ortho", &Camera::height, "Parallel projection: the height that is seen");
-    add_length(camera, import, "--near", &Camera::near_distance, "What is nearer is cut off");
-    add_length(camera, import, "--far", &Camera::far_distance, "What is farther is cut off");
+    add_vector(camera, import, "--target", &Camera::target, "What it looks at; the origin if not said");
+    add_vector(camera, import, "--up", &Camera::up, "What is up; 0 1 0 if not said");
+    add_length(camera, import, "--fov", &Camera::field_of_view, "Perspective: the vertical angle; 45 degrees if not said");
+    add_length(camera, import, "--ortho", &Camera::height, "Parallel projection instead: the height that is seen");
+    add_length(camera, import, "--near", &Camera::near_distance, "What is nearer is cut off; 0.1 if not said");
+    add_length(camera, import, "--far", &Camera::far_distance, "What is farther is cut off; 100 if not said");
+    for (auto* option : camera.get_options()) {
+        if (option->get_name() != "--eye") option->needs("--eye");
+    }
 }
 
 int import(const MeshOptions& options) {
