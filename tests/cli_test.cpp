@@ -21,7 +21,7 @@ struct Outcome {
     std::string text;  // standard output and error
 };
 
-Outcome vidno(const std::string& arguments) {
+Outcome program(const std::string& arguments) {
     std::FILE* pipe = popen(("'" VIDNO_FILE "' " + arguments + " 2>&1 </dev/null").c_str(), "r");
     REQUIRE(pipe != nullptr);
     std::string text;
@@ -58,9 +58,8 @@ struct Workplace {
     }
 };
 
-const std::string square_scene =
-    R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":1},"polygons":[)"
-    R"({"color":"#ff0000","vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}]})";
+const std::string square_scene = R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":1},"polygons":[)"
+                                 R"({"color":"#ff0000","vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}]})";
 
 // The left pixel red, the right one background.
 const std::string square_picture("P6\n2 1\n255\n\xff\0\0\xff\xff\xff", 17);
@@ -71,13 +70,15 @@ TEST_CASE("render writes the picture, replay rebuilds it, at any level and both 
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     for (const std::string method : {"warnock", "zbuffer"}) {
-        CHECK(vidno("render " + scene + " --method " + method + " -o " + work.file("a.ppm")).status == 0);
+        CHECK(program("render " + scene + " --method " + method + " -o " + work.file("a.ppm")).status == 0);
         CHECK(work.read("a.ppm") == square_picture);
         for (const std::string detail : {"windows", "polygons", "signs"}) {
             for (const std::string name : {"run.jsonl", "run.jsonl.gz"}) {
                 const std::string trace = work.file(name);
-                CHECK(vidno("trace " + scene + " --method " + method + " --detail " + detail + " -o " + trace).status == 0);
-                CHECK(vidno("replay " + trace + " -o " + work.file("b.ppm")).status == 0);
+                CHECK(
+                    program("trace " + scene + " --method " + method + " --detail " + detail + " -o " + trace).status ==
+                    0);
+                CHECK(program("replay " + trace + " -o " + work.file("b.ppm")).status == 0);
                 CHECK(work.read("b.ppm") == square_picture);
             }
         }
@@ -88,10 +89,10 @@ TEST_CASE("replay --step stops there: before the first event there is only backg
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     const std::string trace = work.file("run.jsonl");
-    REQUIRE(vidno("trace " + scene + " -o " + trace).status == 0);
-    CHECK(vidno("replay " + trace + " --step 0 -o " + work.file("a.ppm")).status == 0);
+    REQUIRE(program("trace " + scene + " -o " + trace).status == 0);
+    CHECK(program("replay " + trace + " --step 0 -o " + work.file("a.ppm")).status == 0);
     CHECK(work.read("a.ppm") == std::string("P6\n2 1\n255\n\xff\xff\xff\xff\xff\xff", 17));
-    const auto beyond = vidno("replay " + trace + " --step 100000 -o " + work.file("b.ppm"));
+    const auto beyond = program("replay " + trace + " --step 100000 -o " + work.file("b.ppm"));
     CHECK(beyond.status == 2);
     CHECK(beyond.text.find("there is no step 100000") != std::string::npos);
     CHECK_FALSE(work.has("b.ppm"));
@@ -100,11 +101,11 @@ TEST_CASE("replay --step stops there: before the first event there is only backg
 TEST_CASE("diff: the step where two traces part") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
-    REQUIRE(vidno("trace " + scene + " --kernel double -o " + work.file("a.jsonl")).status == 0);
-    REQUIRE(vidno("trace " + scene + " --kernel double -o " + work.file("b.jsonl.gz")).status == 0);
-    REQUIRE(vidno("trace " + scene + " --kernel exact -o " + work.file("c.jsonl")).status == 0);
-    CHECK(vidno("diff " + work.file("a.jsonl") + " " + work.file("b.jsonl.gz")).status == 0);
-    const auto parted = vidno("diff " + work.file("a.jsonl") + " " + work.file("c.jsonl"));
+    REQUIRE(program("trace " + scene + " --kernel double -o " + work.file("a.jsonl")).status == 0);
+    REQUIRE(program("trace " + scene + " --kernel double -o " + work.file("b.jsonl.gz")).status == 0);
+    REQUIRE(program("trace " + scene + " --kernel exact -o " + work.file("c.jsonl")).status == 0);
+    CHECK(program("diff " + work.file("a.jsonl") + " " + work.file("b.jsonl.gz")).status == 0);
+    const auto parted = program("diff " + work.file("a.jsonl") + " " + work.file("c.jsonl"));
     CHECK(parted.status == 1);
     // The first event is the plane, whose numbers `exact` writes as fractions: c is twice the area of the unit square.
     CHECK(parted.text.find("part at step 1\n") != std::string::npos);
@@ -114,12 +115,12 @@ TEST_CASE("diff: the step where two traces part") {
 TEST_CASE("A trace that was cut short, is partial or lies: exit 1") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
-    REQUIRE(vidno("trace " + scene + " -o " + work.file("run.jsonl")).status == 0);
+    REQUIRE(program("trace " + scene + " -o " + work.file("run.jsonl")).status == 0);
     const std::string whole = work.read("run.jsonl");
 
     SUBCASE("cut in the middle of a line") {
-        const auto cut = vidno("replay " + work.write("cut.jsonl", whole.substr(0, whole.size() - 120)) + " -o " +
-                               work.file("a.ppm"));
+        const auto cut = program("replay " + work.write("cut.jsonl", whole.substr(0, whole.size() - 120)) + " -o " +
+                                 work.file("a.ppm"));
         CHECK(cut.status == 1);
         CHECK(cut.text.find("cut short") != std::string::npos);
         CHECK_MESSAGE(work.has("a.ppm"), "what was read is used");
@@ -128,15 +129,15 @@ TEST_CASE("A trace that was cut short, is partial or lies: exit 1") {
         std::string other = whole;
         const auto digit = other.find("sha256:") + 7;
         other[digit] = other[digit] == '0' ? '1' : '0';
-        const auto lie = vidno("replay " + work.write("lie.jsonl", other) + " -o " + work.file("a.ppm"));
+        const auto lie = program("replay " + work.write("lie.jsonl", other) + " -o " + work.file("a.ppm"));
         CHECK(lie.status == 1);
         CHECK(lie.text.find("another picture") != std::string::npos);
     }
     SUBCASE("stopped by --max-events") {
-        const auto stopped = vidno("trace " + scene + " --max-events 5 -o " + work.file("few.jsonl"));
+        const auto stopped = program("trace " + scene + " --max-events 5 -o " + work.file("few.jsonl"));
         CHECK(stopped.status == 1);
         CHECK(stopped.text.find("stopped after 5 events") != std::string::npos);
-        const auto partial = vidno("replay " + work.file("few.jsonl") + " -o " + work.file("a.ppm"));
+        const auto partial = program("replay " + work.file("few.jsonl") + " -o " + work.file("a.ppm"));
         CHECK(partial.status == 1);
         CHECK(partial.text.find("partial") != std::string::npos);
     }
@@ -145,10 +146,11 @@ TEST_CASE("A trace that was cut short, is partial or lies: exit 1") {
 TEST_CASE("Broken traces are refused with the line and the reason") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
-    REQUIRE(vidno("trace " + scene + " -o " + work.file("run.jsonl")).status == 0);
+    REQUIRE(program("trace " + scene + " -o " + work.file("run.jsonl")).status == 0);
     const std::string whole = work.read("run.jsonl");
     const std::string header = whole.substr(0, whole.find('\n') + 1);
-    const std::string push = R"({"e":"push","at":"W3","window":[0,0,2,2],"apl":[]})" "\n";
+    const std::string push = R"({"e":"push","at":"W3","window":[0,0,2,2],"apl":[]})"
+                             "\n";
 
     struct Broken {
         std::string text, reason;
@@ -157,28 +159,63 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
         {"", "empty, not a trace"},
         {"{}\n", ":1: /format: not a trace"},
         {"P6\n2 1\n255\n", ":1: not JSON"},
-        {R"({"format":"vidno-trace/2"})" "\n", ":1: /format: not a trace"},
-        {R"({"format":"vidno-trace/1","method":"painter"})" "\n", ":1: /method: unknown word"},
+        {R"({"format":"vidno-trace/2"})"
+         "\n",
+         ":1: /format: not a trace"},
+        {R"({"format":"vidno-trace/1","method":"painter"})"
+         "\n",
+         ":1: /method: unknown word"},
         {header + "[]\n", ":2: not an object"},
-        {header + R"({"e":"explode","at":"W3"})" "\n", ":2: /e: unknown event"},
-        {header + R"({"e":"pop","at":"W99","window":[0,0,2,2]})" "\n", ":2: /at: unknown word"},
-        {header + R"({"e":"pop","at":"W5"})" "\n", ":2: no key window"},
-        {header + R"({"e":"pop","at":"W5","window":[0,0,2]})" "\n", ":2: /window: not a list of 4"},
-        {header + R"({"e":"pop","at":"W5","window":[0,0,2,"2"]})" "\n", ":2: /window/3: not a number"},
-        {header + R"({"e":"pop","at":"W5","window":[0,0,2,2],"more":1})" "\n", ":2: unknown key more"},
-        {header + R"({"e":"pop","at":"W5","window":[0,0,2,2]})" "\n", ":2: step 1: the stack AW is empty"},
-        {header + push + R"({"e":"pop","at":"W5","window":[9,9,2,2]})" "\n", ":3: step 2: not the window on top"},
-        {header + R"({"e":"discard","at":"PW3","polygon":"<b>"})" "\n", ":2: /polygon: no polygon of the scene"},
-        {header + R"({"e":"discard","at":"PW3","polygon":"0"})" "\n", ":2: step 1: no current window"},
-        {header + R"({"e":"fill","at":"W7","rect":[0,0,3,1],"color":"#ffffff"})" "\n", ":2: step 1: a rectangle outside"},
-        {header + R"({"e":"fill","at":"W7","rect":[0,0,1e99,1],"color":"#ffffff"})" "\n", ":2: /rect/2: not a whole number"},
-        {header + R"({"e":"fill","at":"W7","rect":[0,0,1,1],"color":"white"})" "\n", ":2: /color: not a colour"},
-        {header + R"({"e":"corners","at":"PW1","z":"1/2"})" "\n", ":2: /z: not a number of this kernel"},
-        {header + R"({"end":{"events":7,"picture":"sha256:0"}})" "\n", ":2: /end/events: not the number of events read"},
+        {header + R"({"e":"explode","at":"W3"})"
+                  "\n",
+         ":2: /e: unknown event"},
+        {header + R"({"e":"pop","at":"W99","window":[0,0,2,2]})"
+                  "\n",
+         ":2: /at: unknown word"},
+        {header + R"({"e":"pop","at":"W5"})"
+                  "\n",
+         ":2: no key window"},
+        {header + R"({"e":"pop","at":"W5","window":[0,0,2]})"
+                  "\n",
+         ":2: /window: not a list of 4"},
+        {header + R"({"e":"pop","at":"W5","window":[0,0,2,"2"]})"
+                  "\n",
+         ":2: /window/3: not a number"},
+        {header + R"({"e":"pop","at":"W5","window":[0,0,2,2],"more":1})"
+                  "\n",
+         ":2: unknown key more"},
+        {header + R"({"e":"pop","at":"W5","window":[0,0,2,2]})"
+                  "\n",
+         ":2: step 1: the stack AW is empty"},
+        {header + push +
+             R"({"e":"pop","at":"W5","window":[9,9,2,2]})"
+             "\n",
+         ":3: step 2: not the window on top"},
+        {header + R"({"e":"discard","at":"PW3","polygon":"<b>"})"
+                  "\n",
+         ":2: /polygon: no polygon of the scene"},
+        {header + R"({"e":"discard","at":"PW3","polygon":"0"})"
+                  "\n",
+         ":2: step 1: no current window"},
+        {header + R"({"e":"fill","at":"W7","rect":[0,0,3,1],"color":"#ffffff"})"
+                  "\n",
+         ":2: step 1: a rectangle outside"},
+        {header + R"({"e":"fill","at":"W7","rect":[0,0,1e99,1],"color":"#ffffff"})"
+                  "\n",
+         ":2: /rect/2: not a whole number"},
+        {header + R"({"e":"fill","at":"W7","rect":[0,0,1,1],"color":"white"})"
+                  "\n",
+         ":2: /color: not a colour"},
+        {header + R"({"e":"corners","at":"PW1","z":"1/2"})"
+                  "\n",
+         ":2: /z: not a number of this kernel"},
+        {header + R"({"end":{"events":7,"picture":"sha256:0"}})"
+                  "\n",
+         ":2: /end/events: not the number of events read"},
         {whole + "{}\n", "text after the last line"},
     };
     for (const auto& [text, reason] : table) {
-        const auto refused = vidno("replay " + work.write("broken.jsonl", text) + " -o " + work.file("a.ppm"));
+        const auto refused = program("replay " + work.write("broken.jsonl", text) + " -o " + work.file("a.ppm"));
         CHECK_MESSAGE(refused.status == 2, reason);
         CHECK_MESSAGE(refused.text.find(reason) != std::string::npos, refused.text);
         CHECK_MESSAGE(refused.text.find('\n') == refused.text.size() - 1, "one line: " << refused.text);
@@ -192,16 +229,24 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
     const std::string scene = work.write("scene.json", square_scene);
     const std::string output = " -o " + work.file("out.jsonl");
     for (const std::string& call : {
-             std::string(""), std::string("frobnicate"), "trace" + output, "trace " + scene,
-             "trace " + scene + " --method painter" + output, "trace " + scene + " --kernel half" + output,
-             "trace " + scene + " --detail all" + output, "trace " + scene + " --max-events -1" + output,
-             "trace " + work.file("missing.json") + output, "trace " + work.directory.string() + output,
-             "trace " + scene + " -o " + work.file("no/such/place.jsonl"), "render " + scene + " -o " + work.file("a.gif"),
-             "replay " + scene + " -o " + work.file("a.png"), "diff " + scene,
+             std::string(""),
+             std::string("frobnicate"),
+             "trace" + output,
+             "trace " + scene,
+             "trace " + scene + " --method painter" + output,
+             "trace " + scene + " --kernel half" + output,
+             "trace " + scene + " --detail all" + output,
+             "trace " + scene + " --max-events -1" + output,
+             "trace " + work.file("missing.json") + output,
+             "trace " + work.directory.string() + output,
+             "trace " + scene + " -o " + work.file("no/such/place.jsonl"),
+             "render " + scene + " -o " + work.file("a.gif"),
+             "replay " + scene + " -o " + work.file("a.png"),
+             "diff " + scene,
              "import " + scene + " -o " + work.file("a.json"),
          }) {
         CAPTURE(call);
-        const auto refused = vidno(call);
+        const auto refused = program(call);
         CHECK(refused.status == 2);
         CHECK(refused.text.rfind("vidno: ", 0) == 0);
         CHECK(refused.text.find('\n') == refused.text.size() - 1);
@@ -211,19 +256,19 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
 
 TEST_CASE("Help says what there is, exit 0") {
     for (const std::string call : {"--help", "trace --help", "import --help", "methods", "--version"}) {
-        CHECK(vidno(call).status == 0);
-        CHECK(vidno(call).text.size() > 10);
+        CHECK(program(call).status == 0);
+        CHECK(program(call).text.size() > 10);
     }
-    CHECK(vidno("methods").text.find("nearest polygon at each pixel centre") != std::string::npos);
+    CHECK(program("methods").text.find("nearest polygon at each pixel centre") != std::string::npos);
 }
 
 TEST_CASE("import, then both methods paint the same picture of the mesh") {
     const Workplace work;
     const std::string scene = work.file("teapot.json");
-    const auto imported = vidno("import " VIDNO_ROOT "/lessons/meshes/teapot.obj --width 64 --height 64 -o " + scene);
+    const auto imported = program("import " VIDNO_ROOT "/lessons/meshes/teapot.obj --width 64 --height 64 -o " + scene);
     CHECK(imported.status == 0);
     CHECK(imported.text.find("992 faces read") != std::string::npos);
-    REQUIRE(vidno("render " + scene + " --method warnock --kernel exact -o " + work.file("a.ppm")).status == 0);
-    REQUIRE(vidno("render " + scene + " --method zbuffer --kernel exact -o " + work.file("b.ppm")).status == 0);
+    REQUIRE(program("render " + scene + " --method warnock --kernel exact -o " + work.file("a.ppm")).status == 0);
+    REQUIRE(program("render " + scene + " --method zbuffer --kernel exact -o " + work.file("b.ppm")).status == 0);
     CHECK(work.read("a.ppm") == work.read("b.ppm"));
 }

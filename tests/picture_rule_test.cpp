@@ -44,7 +44,8 @@ TEST_CASE("Coplanar overlaps: the first wins") {
 
 TEST_CASE("A fan of triangles that share edges and a vertex covers without gaps") {
     const glm::dvec3 hub(7.5, 7.5, .5);
-    const Corners rim{{0, 0, 0}, {7.5, -1, 0}, {16, 0, 0}, {17, 7.5, 0}, {16, 16, 0}, {7.5, 17, 0}, {0, 16, 0}, {-1, 7.5, 0}};
+    const Corners rim{{0, 0, 0},   {7.5, -1, 0}, {16, 0, 0}, {17, 7.5, 0},
+                      {16, 16, 0}, {7.5, 17, 0}, {0, 16, 0}, {-1, 7.5, 0}};
     SceneBuilder builder(area_16);
     for (std::size_t i = 0; i < rim.size(); ++i) builder.polygon({hub, rim[i], rim[(i + 1) % rim.size()]});
     const Scene scene = builder.build();
@@ -81,7 +82,8 @@ TEST_CASE("Cyclic overlap") {
 }
 
 TEST_CASE("Areas of any size and place") {
-    for (const Area area : {Area{0, 0, 1, 1}, {3, 5, 7, 1}, {-100, 40, 1, 9}, {-8, -8, 13, 11}, {1 << 30, -(1 << 30), 5, 6}}) {
+    for (const Area area :
+         {Area{0, 0, 1, 1}, {3, 5, 7, 1}, {-100, 40, 1, 9}, {-8, -8, 13, 11}, {1 << 30, -(1 << 30), 5, 6}}) {
         CAPTURE(area.x);
         const double x = area.x, y = area.y;
         check_picture_rule(SceneBuilder(area)

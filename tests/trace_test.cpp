@@ -53,9 +53,7 @@ TracedRun traced(const Scene& scene, const Choice& choice, Detail detail) {
     return {text, picture};
 }
 
-TraceReader reader_of(const std::string& text) {
-    return {LineReader::of_text(text), "trace"};
-}
+TraceReader reader_of(const std::string& text) { return {LineReader::of_text(text), "trace"}; }
 
 std::vector<Event> events_of(const std::string& text) {
     std::vector<Event> events;
@@ -128,8 +126,7 @@ public:
     }
     void summary(Line at, const auto& found) {
         Base::summary(at, found);
-        expect(rebuilt_->state.count() == found.polygon_count &&
-               rebuilt_->state.has_surround() == found.has_surround);
+        expect(rebuilt_->state.count() == found.polygon_count && rebuilt_->state.has_surround() == found.has_surround);
     }
     void clip_list(Line at, const auto& vertices) {
         Base::clip_list(at, vertices);
@@ -303,7 +300,8 @@ TEST_CASE("A limit keeps what was told and says that it is partial") {
     const Scene scene = small_scene();
     const Choice choice = all_choices().front();
     std::string text;
-    TraceWriter writer(header_of(scene, choice, Detail::signs), [&](std::string_view part) { text += part; }, 10);
+    TraceWriter writer(
+        header_of(scene, choice, Detail::signs), [&](std::string_view part) { text += part; }, 10);
     CHECK_THROWS_AS(choice.run({choice.method, choice.printed, scene, Detail::signs, &writer}), EventLimitReached);
     writer.finish_partial();
     TraceReader reader = reader_of(text);

@@ -16,9 +16,7 @@ namespace {
 // z = (x + y) / 16 over the triangle below the diagonal.
 const Corners tilted_triangle{{0, 0, 0}, {8, 0, .5}, {0, 8, .5}};
 
-Scene scene_of(const Corners& vertices, Area area = area_16) {
-    return SceneBuilder(area).polygon(vertices).build();
-}
+Scene scene_of(const Corners& vertices, Area area = area_16) { return SceneBuilder(area).polygon(vertices).build(); }
 
 template <class K>
 std::set<std::array<double, 3>> as_set(const std::vector<Vertex<typename K::Number>>& vertices) {
@@ -100,8 +98,7 @@ TEST_CASE_TEMPLATE("PolygonClip: a triangle by a window that cuts three corners 
     // Left of 1, above 1, right of 5 and below 5 go; the diagonal x + y = 8 meets x = 5 at y = 3 and y = 5 at x = 3.
     Stage<K> stage(scene_of(tilted_triangle));
     const auto clipped = Corrected::polygon_clip(stage.run, stage.polygon(), Window{1, 1, 4, 4});
-    const std::set<std::array<double, 3>> expected{
-        {1, 1, .125}, {5, 1, .375}, {5, 3, .5}, {3, 5, .5}, {1, 5, .375}};
+    const std::set<std::array<double, 3>> expected{{1, 1, .125}, {5, 1, .375}, {5, 3, .5}, {3, 5, .5}, {1, 5, .375}};
     if constexpr (K::has_infinity) {
         CHECK(as_set<K>(clipped) == expected);
     } else {
@@ -156,9 +153,7 @@ TEST_CASE_TEMPLATE("PointColor: the nearest, the first of equals, or the backgro
                        .polygon("equal", blue, {{6, 6, .5}, {14, 6, .5}, {14, 14, .5}, {6, 14, .5}})
                        .build());
     const auto active = stage.all_active();
-    const auto color = [&](double x, double y) {
-        return Corrected::point_color(stage.run, stage.point(x, y), active);
-    };
+    const auto color = [&](double x, double y) { return Corrected::point_color(stage.run, stage.point(x, y), active); };
     CHECK(color(2, 2) == red);
     CHECK(color(5, 5) == green);
     CHECK_MESSAGE(color(7, 7) == green, "equal depths: the first in the scene");
@@ -219,7 +214,8 @@ TEST_CASE_TEMPLATE("Warnock: the near square before the far quad", K, VIDNO_KERN
 
 TEST_CASE_TEMPLATE("Warnock: one window for a scene without polygons or with one over all", K, VIDNO_KERNELS) {
     int windows = 0;
-    CHECK(render(Method::warnock, SceneBuilder(area_16).build(), K{}, CountWindows(windows)) == Picture(area_16, white));
+    CHECK(render(Method::warnock, SceneBuilder(area_16).build(), K{}, CountWindows(windows)) ==
+          Picture(area_16, white));
     CHECK(windows == 1);
     windows = 0;
     const Scene covered = SceneBuilder(area_16).polygon(far_quad).build();

@@ -115,8 +115,7 @@ TEST_CASE_TEMPLATE("ZBuffer: the active edges of a diamond, row by row", K, VIDN
 
 TEST_CASE_TEMPLATE("ZBuffer: a side vertex on the last row's centre hands over, it does not double", K, VIDNO_KERNELS) {
     // The last row is 5 (centre 5.5), the lowest point 6: the vertex (9.5, 5.5) lies on that row and is not the end.
-    const Scene scene =
-        SceneBuilder(area_16).polygon({{10, 2, 0}, {14, 2.5, 0}, {13.5, 6, 0}, {9.5, 5.5, 0}}).build();
+    const Scene scene = SceneBuilder(area_16).polygon({{10, 2, 0}, {14, 2.5, 0}, {13.5, 6, 0}, {9.5, 5.5, 0}}).build();
     int others = 0;
     render(Method::zbuffer, scene, K{}, ExpectPairs(others));
     CHECK(others == 0);
@@ -135,8 +134,7 @@ TEST_CASE_TEMPLATE("ZBuffer: the closed outline is painted", K, VIDNO_KERNELS) {
 }
 
 TEST_CASE_TEMPLATE("ZBuffer: depth -1 and 1 are visible, of equal depths the first wins", K, VIDNO_KERNELS) {
-    const Scene scene =
-        SceneBuilder({0, 0, 3, 1}).quad(0, 0, 3, 1, -1).quad(1, 0, 3, 1, 1).quad(2, 0, 3, 1, 1).build();
+    const Scene scene = SceneBuilder({0, 0, 3, 1}).quad(0, 0, 3, 1, -1).quad(1, 0, 3, 1, 1).quad(2, 0, 3, 1, 1).build();
     const Picture picture = render(Method::zbuffer, scene, K{});
     CHECK(picture.at(0, 0) == color_of(0));
     CHECK(picture.at(1, 0) == color_of(1));

@@ -609,14 +609,14 @@ struct Span {
 
 }  // namespace event
 
-using Event =
-    std::variant<event::Plane, event::Call, event::Depth, event::Fault, event::Push, event::Skip, event::Pop,
-                 event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count, event::Compare,
-                 event::Nearer, event::Uncover, event::Mark, event::Cover, event::Insider, event::Summary,
-                 event::Nearest, event::PointColor, event::Surround, event::Orient, event::ClipBegin, event::ClipSide,
-                 event::ClipSign, event::ClipCross, event::ClipKeep, event::ClipDrop, event::ClipList,
-                 event::ClipResult, event::Row, event::Draw, event::Clear, event::Polygon, event::Edge, event::Extent,
-                 event::Scanline, event::AelAdd, event::Horizontal, event::Leave, event::AelSort, event::AelDrop,
-                 event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel, event::Span>;
+using Event = std::variant<event::Plane, event::Call, event::Depth, event::Fault, event::Push, event::Skip, event::Pop,
+                           event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count,
+                           event::Compare, event::Nearer, event::Uncover, event::Mark, event::Cover, event::Insider,
+                           event::Summary, event::Nearest, event::PointColor, event::Surround, event::Orient,
+                           event::ClipBegin, event::ClipSide, event::ClipSign, event::ClipCross, event::ClipKeep,
+                           event::ClipDrop, event::ClipList, event::ClipResult, event::Row, event::Draw, event::Clear,
+                           event::Polygon, event::Edge, event::Extent, event::Scanline, event::AelAdd,
+                           event::Horizontal, event::Leave, event::AelSort, event::AelDrop, event::AelStep,
+                           event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel, event::Span>;
 
 }  // namespace vidno

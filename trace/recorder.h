@@ -122,9 +122,8 @@ public:
     }
 
     void compare(Line at, const auto& polygon, const auto& z, const auto& against, bool nearer) {
-        emit<event::Compare>([&] {
-            return event::Compare{at, place(polygon), {}, depth_value(z), depth_value(against), nearer};
-        });
+        emit<event::Compare>(
+            [&] { return event::Compare{at, place(polygon), {}, depth_value(z), depth_value(against), nearer}; });
     }
     void nearest(Line at, const auto& polygon, const auto& z) {
         emit<event::Nearest>([&] { return event::Nearest{at, place(polygon), depth_value(z), polygon.color}; });
@@ -181,7 +180,9 @@ public:
         emit<event::Polygon>([&] { return event::Polygon{at, place(polygon), polygon.color}; });
     }
     void edge(Line at, const auto& edge) {
-        emit<event::Edge>([&] { return event::Edge{at, edge.index, vertex(edge.upper), vertex(edge.lower), rows(edge)}; });
+        emit<event::Edge>([&] {
+            return event::Edge{at, edge.index, vertex(edge.upper), vertex(edge.lower), rows(edge)};
+        });
     }
     void extent(Line at, const auto& ymin, const auto& ymax) {
         emit<event::Extent>([&] { return event::Extent{at, value(ymin), value(ymax)}; });
@@ -191,8 +192,8 @@ public:
     }
     void ael_add(Line at, const auto& entry) {
         emit<event::AelAdd>([&] {
-            return event::AelAdd{at,           entry.index,     value(entry.x), value(entry.z), until(entry),
-                                 value(entry.dx), value(entry.dz)};
+            return event::AelAdd{at,           entry.index,     value(entry.x), value(entry.z),
+                                 until(entry), value(entry.dx), value(entry.dz)};
         });
     }
     void horizontal(Line at, const auto& edge) {

@@ -3,8 +3,6 @@
 
 namespace vidno {
 
-Picture run_double(const RunRequest& request) {
-    return run_kernel(request, Double{});
-}
+Picture run_double(const RunRequest& request) { return run_kernel(request, Double{}); }
 
 }  // namespace vidno

@@ -3,8 +3,6 @@
 
 namespace vidno {
 
-Picture run_exact(const RunRequest& request) {
-    return run_kernel(request, Exact{});
-}
+Picture run_exact(const RunRequest& request) { return run_kernel(request, Exact{}); }
 
 }  // namespace vidno

@@ -3,8 +3,6 @@
 
 namespace vidno {
 
-Picture run_float(const RunRequest& request) {
-    return run_kernel(request, Float{});
-}
+Picture run_float(const RunRequest& request) { return run_kernel(request, Float{}); }
 
 }  // namespace vidno

@@ -6,14 +6,11 @@ namespace vidno {
 
 namespace {
 
-std::int64_t cell(const Area& area, int x, int y) {
-    return std::int64_t(y - area.y) * area.width + (x - area.x);
-}
+std::int64_t cell(const Area& area, int x, int y) { return std::int64_t(y - area.y) * area.width + (x - area.x); }
 
 }  // namespace
 
-State::State(const TraceHeader& header)
-    : header_(&header), picture_(header.scene.area, header.scene.background) {
+State::State(const TraceHeader& header) : header_(&header), picture_(header.scene.area, header.scene.background) {
     const bool is_warnock = header.method == Method::warnock;
     calls_.push_back({is_warnock ? Procedure::warnock : Procedure::z_buffer, std::nullopt});
 }
@@ -112,9 +109,7 @@ void State::take(const event::Nearer& e) {
     k_ = e.k;
 }
 
-void State::take(const event::Mark& e) {
-    entry(e.polygon).second = true;
-}
+void State::take(const event::Mark& e) { entry(e.polygon).second = true; }
 
 void State::take(const event::Cover& e) {
     has_surround_ = true;
@@ -134,9 +129,7 @@ void State::take(const event::PointColor& e) {
     color_ = e.color;
 }
 
-void State::take(const event::Surround&) {
-    result_of(Procedure::surround_test, Detail::signs);
-}
+void State::take(const event::Surround&) { result_of(Procedure::surround_test, Detail::signs); }
 
 State::Clip& State::clipping() {
     if (!clip_) throw Impossible{"nothing is being clipped"};

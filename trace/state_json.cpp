@@ -187,8 +187,6 @@ private:
 
 }  // namespace
 
-std::string state_json(const State& state) {
-    return StateText(state).line();
-}
+std::string state_json(const State& state) { return StateText(state).line(); }
 
 }  // namespace vidno

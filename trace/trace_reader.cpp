@@ -274,7 +274,8 @@ TraceReader::TraceReader(LineReader lines, std::string file) : lines_(std::move(
     } catch (const Misfit& misfit) {
         throw Refused(message(place(), misfit));
     }
-    for (std::size_t i = 0; i < header_.scene.polygons.size(); ++i) places_.emplace(header_.scene.polygons[i].id, int(i));
+    for (std::size_t i = 0; i < header_.scene.polygons.size(); ++i)
+        places_.emplace(header_.scene.polygons[i].id, int(i));
 }
 
 std::optional<Event> TraceReader::next() {

@@ -43,7 +43,8 @@ void TraceWriter::finish(const Picture& picture) {
 void TraceWriter::finish_partial() {
     text_ += R"({"end":{"events":)";
     append_integer(text_, events_);
-    text_ += R"(,"partial":true}})" "\n";
+    text_ += R"(,"partial":true}})"
+             "\n";
     flush();
 }
 

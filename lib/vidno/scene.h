@@ -23,9 +23,7 @@ struct Area {
 
     int right() const { return x + width; }
     int bottom() const { return y + height; }
-    bool contains(int column, int row) const {
-        return x <= column && column < right() && y <= row && row < bottom();
-    }
+    bool contains(int column, int row) const { return x <= column && column < right() && y <= row && row < bottom(); }
     bool operator==(const Area&) const = default;
 };
 

@@ -43,7 +43,8 @@ struct NoTrace {
     void box(Line, const auto& /*polygon*/, bool /*outside*/) {}
     void discard(Line, const auto& /*polygon*/) {}
     void count(Line, const auto& /*polygon*/, int /*polygon_count*/) {}
-    void compare_corner(Line, const auto& /*polygon*/, int /*corner*/, const auto& /*z*/, const auto& /*against*/, bool /*nearer*/) {}
+    void compare_corner(Line, const auto& /*polygon*/, int /*corner*/, const auto& /*z*/, const auto& /*against*/,
+                        bool /*nearer*/) {}
     void nearer(Line, const auto& /*polygon*/, const std::array<bool, 4>& /*at_corner*/, int /*k*/) {}
     void uncover(Line, const auto& /*polygon*/) {}
     void mark(Line, const auto& /*polygon*/) {}
@@ -57,7 +58,8 @@ struct NoTrace {
     void color(Line, const auto& /*point*/, const auto& /*color*/) {}
 
     // SurroundTest
-    void orient(Line, const auto& /*polygon*/, int /*edge*/, const auto& /*point*/, const auto& /*value*/, auto /*sign*/) {}
+    void orient(Line, const auto& /*polygon*/, int /*edge*/, const auto& /*point*/, const auto& /*value*/,
+                auto /*sign*/) {}
     void surround(Line, const auto& /*polygon*/, const auto& /*point*/, bool /*inside*/) {}
 
     // PolygonClip

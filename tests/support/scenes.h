@@ -48,7 +48,8 @@ public:
 
     static void admitted(ScenePolygon& polygon) {
         const Admitted result = admit(polygon);
-        if (result.admission != Admission::admitted) throw std::invalid_argument(std::string(reason_of(result.admission)));
+        if (result.admission != Admission::admitted)
+            throw std::invalid_argument(std::string(reason_of(result.admission)));
     }
 
 private:
@@ -98,7 +99,8 @@ struct RandomScenes {
         const double z = depth() / 2;
         const double slope = whole(-1, 1) / 128.0;
         const auto at = [&](double x, double y) { return glm::dvec3(x, y, z + slope * (x - left)); };
-        Corners vertices{at(left, top), at((left + right) / 2, top), at(right, top), at(right, bottom), at(left, bottom)};
+        Corners vertices{at(left, top), at((left + right) / 2, top), at(right, top), at(right, bottom),
+                         at(left, bottom)};
         if (whole(0, 1) == 1) vertices.insert(vertices.begin() + 3, vertices[2]);
         return vertices;
     }
@@ -125,9 +127,7 @@ struct RandomScenes {
                 case 0: builder.polygon(triangle(drawing)); break;
                 case 1: builder.polygon(box(drawing)); break;
                 case 2: builder.polygon(sliver(drawing)); break;
-                default:
-                    const auto [a, b] = neighbours(drawing);
-                    builder.polygon(a).polygon(b);
+                default: const auto [a, b] = neighbours(drawing); builder.polygon(a).polygon(b);
             }
         }
         return builder.build();

@@ -43,7 +43,8 @@ void add_camera_options(CLI::App& command, ImportOptions& import) {
     add_vector(camera, import, "--eye", &Camera::eye, "Where it stands");
     add_vector(camera, import, "--target", &Camera::target, "What it looks at; the origin if not said");
     add_vector(camera, import, "--up", &Camera::up, "What is up; 0 1 0 if not said");
-    add_length(camera, import, "--fov", &Camera::field_of_view, "Perspective: the vertical angle; 45 degrees if not said");
+    add_length(camera, import, "--fov", &Camera::field_of_view,
+               "Perspective: the vertical angle; 45 degrees if not said");
     add_length(camera, import, "--ortho", &Camera::height, "Parallel projection instead: the height that is seen");
     add_length(camera, import, "--near", &Camera::near_distance, "What is nearer is cut off; 0.1 if not said");
     add_length(camera, import, "--far", &Camera::far_distance, "What is farther is cut off; 100 if not said");

@@ -11,9 +11,7 @@ namespace {
 using namespace vidno;
 using namespace vidno::cli;
 
-std::vector<std::string> words(const auto& names) {
-    return {names.begin(), names.end()};
-}
+std::vector<std::string> words(const auto& names) { return {names.begin(), names.end()}; }
 
 std::vector<std::string> kernel_words() {
     std::vector<std::string> names;

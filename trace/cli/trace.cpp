@@ -18,7 +18,8 @@ Scene scene_of(const RunOptions& options) {
 }
 
 const KernelChoice& kernel_named(const std::string& name) {
-    return *std::find_if(kernel_choices.begin(), kernel_choices.end(), [&](auto& kernel) { return kernel.name == name; });
+    return *std::find_if(kernel_choices.begin(), kernel_choices.end(),
+                         [&](auto& kernel) { return kernel.name == name; });
 }
 
 /// The place of a name that the command line has checked.

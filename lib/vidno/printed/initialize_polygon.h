@@ -18,8 +18,7 @@ struct InitializePolygon {
         const Number a = (y2 * z3 - z2 * y3) - (y1 * z3 - z1 * y3) + (y1 * z2 - z1 * y2);
         const Number b = (z2 * x3 - x2 * z3) - (z1 * x3 - x1 * z3) + (z1 * x2 - x1 * z2);
         const Number c = (x2 * y3 - y2 * x3) - (x1 * y3 - y1 * x3) + (x1 * y2 - y1 * x2);
-        const Number d =
-            -(x1 * (y2 * z3 - z2 * y3) - x2 * (y1 * z3 - z1 * y3) + x3 * (y1 * z2 - z1 * y2));
+        const Number d = -(x1 * (y2 * z3 - z2 * y3) - x2 * (y1 * z3 - z1 * y3) + x3 * (y1 * z2 - z1 * y2));
         return {a, b, c, d};
     }
 };

@@ -20,13 +20,12 @@ struct PolygonClip {
         auto& trace = run.trace;
 
         const std::array corners{kernel.point(window.x, window.y), kernel.point(window.x, window.bottom()),
-                                 kernel.point(window.right(), window.bottom()),
-                                 kernel.point(window.right(), window.y)};
+                                 kernel.point(window.right(), window.bottom()), kernel.point(window.right(), window.y)};
         auto vertices = polygon.vertices;
         trace.clip_begin(PL1, polygon, window);
 
         for (int side = 0; side < 4; ++side) {
-            const auto& corner = corners[side];             // F_i
+            const auto& corner = corners[side];            // F_i
             const auto& before = corners[(side + 3) % 4];  // f0
             trace.clip_side(PL2, side + 1, before, corner);
 

@@ -59,9 +59,7 @@ ActiveEdge<typename Run::Number> entry_of(const Run& run, const PolygonEdge<type
 }
 
 /// The order of AEL: by x, and where two edges start at one point by dx.
-inline constexpr auto left_of = [](const auto& a, const auto& b) {
-    return a.x < b.x || (a.x == b.x && a.dx < b.dx);
-};
+inline constexpr auto left_of = [](const auto& a, const auto& b) { return a.x < b.x || (a.x == b.x && a.dx < b.dx); };
 
 /// The first row by which an entry has ended.
 int first_end(const auto& active_edges) {

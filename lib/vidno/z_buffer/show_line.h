@@ -12,7 +12,8 @@ namespace vidno {
 struct ShowLine {
     template <class Run>
     static void show_line(Run& run, int row, const SpanEnd<typename Run::Number>& left,
-                          const SpanEnd<typename Run::Number>& right, const Polygon<typename Run::Arithmetic>& polygon) {
+                          const SpanEnd<typename Run::Number>& right,
+                          const Polygon<typename Run::Arithmetic>& polygon) {
         using enum Line;
         using Number = typename Run::Number;
         auto& kernel = run.kernel;
