@@ -203,7 +203,7 @@ struct HearFirstSlope : NoTrace {
     std::optional<double>* heard;
     explicit HearFirstSlope(std::optional<double>& to) : heard(&to) {}
     void slope(Line, const auto& dz) {
-        if (!*heard) *heard = static_cast<double>(dz);
+        if (!*heard) *heard = as_double(dz);
     }
 };
 

@@ -25,8 +25,8 @@ struct WatchAel : NoTrace {
         if (at == Line::Z14) rows->back() = {rows->back().row, {}, {}};
     }
     void line(Line, int, const auto& from, const auto& to) {
-        rows->back().x = {static_cast<double>(from.x), static_cast<double>(to.x)};
-        rows->back().z = {static_cast<double>(from.z), static_cast<double>(to.z)};
+        rows->back().x = {as_double(from.x), as_double(to.x)};
+        rows->back().z = {as_double(from.z), as_double(to.z)};
     }
 };
 

@@ -365,7 +365,8 @@ void ply_item(PlyBody& body, const PlyElement& element, std::vector<std::vector<
         double length = 1;
         if (property.size_type != nullptr) {
             length = body.number(*property.size_type);
-            if (!(length >= 0 && length <= double(body.bytes_left() / body.least_size(*property.type)))) {
+            const auto most = body.bytes_left() / body.least_size(*property.type);
+            if (!(length >= 0 && length <= double(most))) {
                 throw Refused("a list that is longer than the file, or of negative length");
             }
         }

@@ -29,6 +29,10 @@ struct Stage {
     }
 };
 
+/// A number of any kernel as the nearest double.
+inline double as_double(double number) { return number; }
+inline double as_double(const Rational& number) { return CGAL::to_double(number); }
+
 /// How many windows Warnock's algorithm takes from its stack.
 struct CountWindows : NoTrace {
     int* windows;

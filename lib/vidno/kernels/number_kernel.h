@@ -137,7 +137,7 @@ private:
         if constexpr (has_infinity) {
             return int(std::floor(value));
         } else {
-            while (end - low > 1) {
+            while (low + 1 < end) {
                 const int middle = std::midpoint(low, end);
                 (T(middle) <= value ? low : end) = middle;
             }
