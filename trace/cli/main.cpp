@@ -38,7 +38,8 @@ CLI::App& add_trace(CLI::App& app, RunOptions& options) {
     command.add_option("--detail", options.detail, "How much: each level adds events to the one before")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
-    command.add_option("--max-events", options.most_events, "Stop after so many events, keep what was traced");
+    command.add_option("--max-events", options.most_events, "Stop after so many events, keep what was traced")
+        ->check(CLI::NonNegativeNumber);
     command.add_option("-o", options.output, "The trace, .jsonl or .jsonl.gz; - for standard output")->required();
     command.footer("Example: vidno trace scene.json --method warnock --detail signs -o run.jsonl.gz");
     return command;
