@@ -273,6 +273,22 @@ TEST_CASE("Read back and written again the bytes are the same, twice traced too"
     }
 }
 
+TEST_CASE("A number is written in its shortest form, whichever way it was found") {
+    // Whole numbers and halves have a way of their own; std::to_chars says what the shortest form is.
+    std::vector<double> numbers{99999, 99999.5, 100000, 100000.5, -99999.5, 1e-5, .1, 123456789, 1e300};
+    for (int i = -3000; i <= 3000; ++i) numbers.push_back(i / 2.0);
+    for (const double number : numbers) {
+        char digits[32];
+        const std::string shortest(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+        std::string written;
+        append_number(written, number);
+        CHECK(written == shortest);
+    }
+    std::string zero;
+    append_number(zero, -0.0);
+    CHECK(zero == "0");
+}
+
 TEST_CASE("Every label that an event bears stands in the listings") {
     std::ifstream file(VIDNO_ROOT "/trace/listings/listings.json");
     std::stringstream listings;

@@ -16,35 +16,37 @@ inline PolygonNames polygon_names(const Scene& scene) {
     return names;
 }
 
+/// Appends to a std::string or a Text.
+template <class Out>
 class EventText {
 public:
-    EventText(std::string& out, const PolygonNames& names) : out_(out), names_(names) {}
+    EventText(Out& out, const PolygonNames& names) : out_(out), names_(names) {}
 
     /// Appends the event as one line, newline included.
     template <class E>
     void line(const E& event) {
-        out_ += R"({"e":")";
+        out_ += std::string_view(R"({"e":")");
         out_ += E::kind.name;
-        out_ += R"(","at":")";
+        out_ += std::string_view(R"(","at":")");
         out_ += line_names[std::size_t(event.at)];
         out_ += '"';
         E::fields(event, [&](std::string_view key, const auto& value) { field(key, value); });
-        out_ += "}\n";
+        out_ += std::string_view("}\n");
     }
 
     void value(const Value& v) {
-        if (v.fraction.empty()) {
-            append_number(out_, v.number);
+        if (v.fraction) {
+            append_string(out_, *v.fraction);
         } else {
-            append_string(out_, v.fraction);
+            append_number(out_, v.number);
         }
     }
 
 private:
     void field(std::string_view key, const auto& v) {
-        out_ += ",\"";
+        out_ += std::string_view(",\"");
         out_ += key;
-        out_ += "\":";
+        out_ += std::string_view("\":");
         value(v);
     }
     template <class T>
@@ -53,11 +55,11 @@ private:
     }
 
     void value(int v) { append_integer(out_, v); }
-    void value(bool v) { out_ += v ? "true" : "false"; }
+    void value(bool v) { out_ += std::string_view(v ? "true" : "false"); }
     void value(double v) { append_number(out_, v); }
     void value(const std::string& v) { append_string(out_, v); }
     void value(const Color& v) { append_color(out_, v); }
-    void value(PolygonPlace v) { out_ += names_[std::size_t(v.index)]; }
+    void value(PolygonPlace v) { out_ += std::string_view(names_[std::size_t(v.index)]); }
     void value(Sign v) { append_integer(out_, int(v)); }
     void value(Corner v) { name(corner_names[std::size_t(v)]); }
     void value(Case v) { name(case_names[std::size_t(v)]); }
@@ -94,7 +96,7 @@ private:
         out_ += ']';
     }
 
-    std::string& out_;
+    Out& out_;
     const PolygonNames& names_;
 };
 

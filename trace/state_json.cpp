@@ -182,7 +182,7 @@ private:
     const State& state_;
     PolygonNames names_;
     std::string out_;
-    EventText values_;
+    EventText<std::string> values_;
 };
 
 }  // namespace

@@ -107,7 +107,7 @@ private:
         } else if (text == "nan" && !exact_) {
             target.number = std::numeric_limits<double>::quiet_NaN();
         } else if (exact_ && is_fraction(text)) {
-            target.fraction = text;
+            target = Value(text);
         } else {
             throw Misfit{path, "not a number of this kernel"};
         }

@@ -30,18 +30,18 @@ std::string picture_hash(const Picture& picture) {
 
 TraceWriter::TraceWriter(const TraceHeader& header, Write write, std::uint64_t most_events)
     : names_(polygon_names(header.scene)), write_(std::move(write)), most_events_(most_events) {
-    text_ = header_json(header);
+    text_ += std::string_view(header_json(header));
 }
 
 void TraceWriter::finish(const Picture& picture) {
-    text_ += R"({"end":{"events":)";
+    text_ += std::string_view(R"({"end":{"events":)");
     append_integer(text_, events_);
-    text_ += R"(,"picture":")" + picture_hash(picture) + "\"}}\n";
+    text_ += std::string_view(R"(,"picture":")" + picture_hash(picture) + "\"}}\n");
     flush();
 }
 
 void TraceWriter::finish_partial() {
-    text_ += R"({"end":{"events":)";
+    text_ += std::string_view(R"({"end":{"events":)");
     append_integer(text_, events_);
     text_ += R"(,"partial":true}})"
              "\n";
@@ -49,7 +49,7 @@ void TraceWriter::finish_partial() {
 }
 
 void TraceWriter::flush() {
-    write_(text_);
+    write_(text_.view());
     text_.clear();
 }
 

@@ -56,7 +56,7 @@ private:
     Write write_;
     std::uint64_t most_events_;
     std::uint64_t events_ = 0;
-    std::string text_;
+    Text text_;
 };
 
 }  // namespace vidno

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -12,19 +13,19 @@ namespace vidno {
 /// A double (a float is one too), or a fraction "p/q" of the exact kernel.
 struct Value {
     double number = 0;
-    std::string fraction;  // empty: the number counts
+    std::shared_ptr<const std::string> fraction;  // none: the number counts
 
     Value() = default;
     Value(double value) : number(value) {}
-    explicit Value(std::string text) : fraction(std::move(text)) {}
+    explicit Value(std::string text) : fraction(std::make_shared<const std::string>(std::move(text))) {}
 
     static Value infinite() { return {std::numeric_limits<double>::infinity()}; }
     static Value minus_infinite() { return {-std::numeric_limits<double>::infinity()}; }
 
     /// Equal as written: NaN equals itself, -0 equals 0.
     bool operator==(const Value& other) const {
-        return fraction == other.fraction &&
-               (number == other.number || (number != number && other.number != other.number));
+        if (fraction || other.fraction) return fraction && other.fraction && *fraction == *other.fraction;
+        return number == other.number || (number != number && other.number != other.number);
     }
 };
 

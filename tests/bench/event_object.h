@@ -31,7 +31,7 @@ private:
     json value(bool v) const { return v; }
     json value(double v) const { return v; }
     json value(const std::string& v) const { return v; }
-    json value(const Value& v) const { return v.fraction.empty() ? json(v.number) : json(v.fraction); }
+    json value(const Value& v) const { return v.fraction ? json(*v.fraction) : json(v.number); }
     json value(const Color& v) const {
         std::string text;
         append_color(text, v);
