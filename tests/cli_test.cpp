@@ -214,10 +214,10 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
          ":2: /end/events: not the number of events read"},
         {whole + "{}\n", "text after the last line"},
     };
-    for (const auto& [text, reason] : table) {
-        const auto refused = program("replay " + work.write("broken.jsonl", text) + " -o " + work.file("a.ppm"));
-        CHECK_MESSAGE(refused.status == 2, reason);
-        CHECK_MESSAGE(refused.text.find(reason) != std::string::npos, refused.text);
+    for (const Broken& broken : table) {
+        const auto refused = program("replay " + work.write("broken.jsonl", broken.text) + " -o " + work.file("a.ppm"));
+        CHECK_MESSAGE(refused.status == 2, broken.reason);
+        CHECK_MESSAGE(refused.text.find(broken.reason) != std::string::npos, refused.text);
         CHECK_MESSAGE(refused.text.find('\n') == refused.text.size() - 1, "one line: " << refused.text);
         CHECK_FALSE(work.has("a.ppm"));
     }

@@ -286,10 +286,10 @@ TEST_CASE("files that lie about themselves are refused before anything is reserv
         {"m.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n", "line 5: \"vertex\" is missing"},
         {"m.stl", "solid\n", "line 1: the file ends before endsolid"},
     };
-    for (const auto& [file, bytes, message] : table) {
-        CAPTURE(file);
-        CAPTURE(bytes);
-        CHECK(message_for(bytes, file) == file + ": " + message);
+    for (const auto& bad : table) {
+        CAPTURE(bad.file);
+        CAPTURE(bad.bytes);
+        CHECK(message_for(bad.bytes, bad.file) == bad.file + ": " + bad.message);
     }
 }
 

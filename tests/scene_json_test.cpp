@@ -46,9 +46,9 @@ struct BadInput {
 };
 
 void check_refused(const std::vector<BadInput>& table) {
-    for (const auto& [text, message] : table) {
-        CAPTURE(text);
-        CHECK(message_for(text) == "f.json: " + message);
+    for (const BadInput& bad : table) {
+        CAPTURE(bad.text);
+        CHECK(message_for(bad.text) == "f.json: " + bad.message);
     }
 }
 
