@@ -252,6 +252,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
         CHECK(refused.text.find('\n') == refused.text.size() - 1);
     }
     CHECK(work.files() == 1);
+    CHECK_MESSAGE(program("frobnicate").text.find("frobnicate") != std::string::npos, "the wrong word is named");
 }
 
 TEST_CASE("Help says what there is, exit 0") {

@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <climits>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
 #include <sstream>
 
 #include "event_json.h"
@@ -76,10 +79,10 @@ std::optional<Event> lowered(Event event, Detail detail) {
 }
 
 std::string lines_of(const std::vector<Event>& events, const Scene& scene) {
-    const PolygonNames names = polygon_names(scene);
-    std::string text;
-    for (const auto& event : events) std::visit([&](const auto& e) { EventText(text, names).line(e); }, event);
-    return text;
+    EventText lines(polygon_names(scene));
+    Text text;
+    for (const auto& event : events) std::visit([&](const auto& e) { lines.line(text, e); }, event);
+    return text.string();
 }
 
 template <class K>
@@ -280,13 +283,54 @@ TEST_CASE("A number is written in its shortest form, whichever way it was found"
     for (const double number : numbers) {
         char digits[32];
         const std::string shortest(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
-        std::string written;
+        Text written;
         append_number(written, number);
-        CHECK(written == shortest);
+        CHECK(written.view() == shortest);
     }
-    std::string zero;
+    Text zero;
     append_number(zero, -0.0);
-    CHECK(zero == "0");
+    CHECK(zero.view() == "0");
+}
+
+TEST_CASE("A number that was written before is written the same again") {
+    // Ten times as many numbers as are remembered, so most places are taken and taken over; from all over the doubles.
+    std::mt19937_64 random(1);
+    std::vector<double> numbers{5e-324, -2.2250738585072014e-308, 1.7976931348623157e308};
+    while (numbers.size() < 10000) {
+        const auto number = std::bit_cast<double>(random());
+        if (std::isfinite(number)) numbers.push_back(number);
+    }
+    RememberedShortest remembered;
+    for (int round = 0; round < 2; ++round) {
+        for (const double number : numbers) {
+            for (int twice = 0; twice < 2; ++twice) {
+                Text plain, again;
+                append_number(plain, number);
+                append_number(again, number, remembered);
+                CHECK(again.view() == plain.view());
+            }
+        }
+    }
+}
+
+TEST_CASE("A line has room for the longest of everything") {
+    // Bytes that JSON escapes with six, and fractions longer than any double.
+    Scene scene{.name = {}, .area = {0, 0, 1, 1}, .background = {}, .polygons = {}};
+    scene.polygons.push_back({.id = std::string(5000, '\x01'), .color = {}, .vertices = {}});
+    const Value fraction(std::string(3000, '1') + "/" + std::string(3000, '7'));
+    const Value least(-std::numeric_limits<double>::denorm_min()), longest(-2.2250738585072014e-308);
+    const std::vector<Event> events{
+        event::Plane{Line::I1, {0}, {longest, longest, longest, longest}},
+        event::Depth{Line::D1, {0}, {fraction, fraction}, fraction},
+        event::ClipResult{Line::PL1, {0}, std::vector(100, ValueVertex{longest, fraction, least})},
+        event::Draw{Line::F2, {0}, {}, std::vector(100, PixelRun{INT_MIN, INT_MIN, INT_MIN})},
+        event::Push{Line::W3, {-1e-300, -1e-300, -1e-300, -1e-300}, std::vector(100, AplEntry{{0}, false}), true},
+        event::Fault{Line::W9, std::string(1000, '\x02'), INT_MIN, INT_MIN},
+    };
+    std::stringstream lines(lines_of(events, scene));
+    std::vector<std::string> names;
+    for (std::string line; std::getline(lines, line);) names.push_back(nlohmann::json::parse(line).at("e"));
+    CHECK(names == std::vector<std::string>{"plane", "depth", "clip_result", "draw", "push", "fault"});
 }
 
 TEST_CASE("Every label that an event bears stands in the listings") {

@@ -1,8 +1,6 @@
 /// Events as lines of JSON, written field by field.
 #pragma once
 
-#include <span>
-
 #include "event.h"
 
 namespace vidno {
@@ -12,92 +10,148 @@ using PolygonNames = std::vector<std::string>;
 
 inline PolygonNames polygon_names(const Scene& scene) {
     PolygonNames names;
-    for (const auto& polygon : scene.polygons) append_string(names.emplace_back(), polygon.id);
+    for (const auto& polygon : scene.polygons) {
+        Text name;
+        append_string(name, polygon.id);
+        names.push_back(name.string());
+    }
     return names;
 }
 
-/// Appends to a std::string or a Text.
-template <class Out>
+/// How many bytes an event takes as a line, at most: each piece of it adds what it may take.
+class LineBound {
+public:
+    explicit LineBound(const PolygonNames& names) : names_(names) {}
+
+    template <class E>
+    std::size_t operator()(const E& event) {
+        bytes_ = 100;  // the longest names of an event and of a line, and what stands around them
+        E::fields(event, [&](std::string_view key, const auto& value) {
+            bytes_ += key.size() + std::string_view(R"(,"":)").size();
+            add(value);
+        });
+        return bytes_;
+    }
+
+private:
+    void add(const Value& v) { v.fraction ? add(*v.fraction) : add(v.number); }
+    void add(const std::string& v) { bytes_ += 6 * v.size() + 2; }  // \u0000 for each byte, in quotes
+    void add(PolygonPlace v) { bytes_ += names_[std::size_t(v.index)].size(); }
+    void add(const ValuePoint& v) { add_all(v.x, v.y); }
+    void add(const ValueVertex& v) { add_all(v.x, v.y, v.z); }
+    template <class A, class B>
+    void add(const std::pair<A, B>& v) {
+        add_all(v.first, v.second);
+    }
+    void add(const std::array<Value, 4>& v) { add_all(v[0], v[1], v[2], v[3]); }
+    template <class T>
+    void add(const std::optional<T>& v) {
+        if (v) add(*v);
+    }
+    template <class T>
+    void add(const std::vector<T>& items) {
+        for (const auto& item : items) add_all(item);
+    }
+    template <class T>
+    void add(const T&) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        bytes_ += 4 * longest_number + 5;  // four numbers at most, as a window has
+    }
+    void add_all(const auto&... values) {
+        bytes_ += 2 + sizeof...(values);  // brackets and commas
+        (add(values), ...);
+    }
+
+    const PolygonNames& names_;
+    std::size_t bytes_ = 0;
+};
+
 class EventText {
 public:
-    EventText(Out& out, const PolygonNames& names) : out_(out), names_(names) {}
+    explicit EventText(PolygonNames names) : names_(std::move(names)) {}
 
     /// Appends the event as one line, newline included.
     template <class E>
-    void line(const E& event) {
-        out_ += std::string_view(R"({"e":")");
-        out_ += E::kind.name;
-        out_ += std::string_view(R"(","at":")");
-        out_ += line_names[std::size_t(event.at)];
-        out_ += '"';
-        E::fields(event, [&](std::string_view key, const auto& value) { field(key, value); });
-        out_ += std::string_view("}\n");
+    void line(Text& out, const E& event) {
+        out.put(LineBound(names_)(event), [&](char* to) {
+            Pen pen{to};
+            pen += std::string_view(R"({"e":")");
+            pen += E::kind.name;
+            pen += std::string_view(R"(","at":")");
+            pen += line_names[std::size_t(event.at)];
+            pen += '"';
+            E::fields(event, [&](std::string_view key, const auto& value) { field(pen, key, value); });
+            pen += std::string_view("}\n");
+            return pen.at;
+        });
     }
 
-    void value(const Value& v) {
+    void value(auto& out, const Value& v) {
         if (v.fraction) {
-            append_string(out_, *v.fraction);
+            append_string(out, *v.fraction);
         } else {
-            append_number(out_, v.number);
+            append_number(out, v.number, shortest_);
         }
     }
 
 private:
-    void field(std::string_view key, const auto& v) {
-        out_ += std::string_view(",\"");
-        out_ += key;
-        out_ += std::string_view("\":");
-        value(v);
+    void field(Pen& out, std::string_view key, const auto& v) {
+        out += std::string_view(",\"");
+        out += key;
+        out += std::string_view("\":");
+        value(out, v);
     }
     template <class T>
-    void field(std::string_view key, const std::optional<T>& v) {
-        if (v) field(key, *v);
+    void field(Pen& out, std::string_view key, const std::optional<T>& v) {
+        if (v) field(out, key, *v);
     }
 
-    void value(int v) { append_integer(out_, v); }
-    void value(bool v) { out_ += std::string_view(v ? "true" : "false"); }
-    void value(double v) { append_number(out_, v); }
-    void value(const std::string& v) { append_string(out_, v); }
-    void value(const Color& v) { append_color(out_, v); }
-    void value(PolygonPlace v) { out_ += std::string_view(names_[std::size_t(v.index)]); }
-    void value(Sign v) { append_integer(out_, int(v)); }
-    void value(Corner v) { name(corner_names[std::size_t(v)]); }
-    void value(Case v) { name(case_names[std::size_t(v)]); }
-    void value(Procedure v) { name(procedure_names[std::size_t(v)]); }
-    void value(const ValuePoint& v) { list(v.x, v.y); }
-    void value(const ValueVertex& v) { list(v.x, v.y, v.z); }
-    void value(const Window& v) { list(v.x, v.y, v.width, v.height); }
-    void value(const PixelRectangle& v) { list(v.x, v.y, v.width, v.height); }
-    void value(const PixelRun& v) { list(v.row, v.first, v.end); }
-    void value(const ColumnRun& v) { list(v.first, v.end); }
-    void value(const AplEntry& v) { list(v.first, v.second); }
-    void value(const std::pair<int, int>& v) { list(v.first, v.second); }
-    void value(const std::array<Value, 4>& v) { list(v[0], v[1], v[2], v[3]); }
+    void value(Pen& out, int v) { append_integer(out, v); }
+    void value(Pen& out, bool v) { out += std::string_view(v ? "true" : "false"); }
+    void value(Pen& out, double v) { append_number(out, v, shortest_); }
+    void value(Pen& out, const std::string& v) { append_string(out, v); }
+    void value(Pen& out, const Color& v) { append_color(out, v); }
+    void value(Pen& out, PolygonPlace v) { out += std::string_view(names_[std::size_t(v.index)]); }
+    void value(Pen& out, Sign v) { append_integer(out, int(v)); }
+    void value(Pen& out, Corner v) { name(out, corner_names[std::size_t(v)]); }
+    void value(Pen& out, Case v) { name(out, case_names[std::size_t(v)]); }
+    void value(Pen& out, Procedure v) { name(out, procedure_names[std::size_t(v)]); }
+    void value(Pen& out, const ValuePoint& v) { list(out, v.x, v.y); }
+    void value(Pen& out, const ValueVertex& v) { list(out, v.x, v.y, v.z); }
+    void value(Pen& out, const Window& v) { list(out, v.x, v.y, v.width, v.height); }
+    void value(Pen& out, const PixelRectangle& v) { list(out, v.x, v.y, v.width, v.height); }
+    void value(Pen& out, const PixelRun& v) { list(out, v.row, v.first, v.end); }
+    void value(Pen& out, const ColumnRun& v) { list(out, v.first, v.end); }
+    template <class A, class B>
+    void value(Pen& out, const std::pair<A, B>& v) {
+        list(out, v.first, v.second);
+    }
+    void value(Pen& out, const std::array<Value, 4>& v) { list(out, v[0], v[1], v[2], v[3]); }
     template <class T>
-    void value(const std::vector<T>& items) {
-        out_ += '[';
+    void value(Pen& out, const std::vector<T>& items) {
+        out += '[';
         bool first = true;
         for (const auto& item : items) {
-            if (!std::exchange(first, false)) out_ += ',';
-            value(item);
+            if (!std::exchange(first, false)) out += ',';
+            value(out, item);
         }
-        out_ += ']';
+        out += ']';
     }
 
-    void name(std::string_view text) {
-        out_ += '"';
-        out_ += text;
-        out_ += '"';
+    static void name(Pen& out, std::string_view text) {
+        out += '"';
+        out += text;
+        out += '"';
     }
-    void list(const auto& first, const auto&... rest) {
-        out_ += '[';
-        value(first);
-        ((out_ += ',', value(rest)), ...);
-        out_ += ']';
+    void list(Pen& out, const auto& first, const auto&... rest) {
+        out += '[';
+        value(out, first);
+        ((out += ',', value(out, rest)), ...);
+        out += ']';
     }
 
-    Out& out_;
-    const PolygonNames& names_;
+    PolygonNames names_;
+    RememberedShortest shortest_;
 };
 
 }  // namespace vidno

@@ -1,37 +1,48 @@
 /// JSON as text, written without a tree in between: numbers in their shortest form that reads back the same.
 ///
-/// Each function appends to a std::string or to a Text.
+/// Each function appends to a Text or a Pen.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "vidno/scene.h"
 
 namespace vidno {
 
-/// Text that grows. A trace is appended in pieces of a few bytes; here appending one is a copy and a comparison.
+/// Text that grows.
 class Text {
 public:
     Text& operator+=(char c) {
-        if (size_ == room_.size()) grow(1);
-        room_[size_++] = c;
-        return *this;
+        return put(1, [c](char* to) { return *to = c, to + 1; });
     }
     Text& operator+=(std::string_view part) {
-        if (room_.size() - size_ < part.size()) grow(part.size());
-        std::memcpy(room_.data() + size_, part.data(), part.size());
-        size_ += part.size();
+        return put(part.size(), [part](char* to) { return std::copy(part.begin(), part.end(), to); });
+    }
+    /// Appends what `write` puts where it is told, so many bytes at most; it gives the end.
+    Text& put(std::size_t most, auto&& write) {
+        if (room_.size() - size_ < most) grow(most);
+        char* const start = room_.data() + size_;
+        const auto written = std::size_t(write(start) - start);
+        assert(written <= most);
+        size_ += written;
         return *this;
     }
 
     std::string_view view() const { return {room_.data(), size_}; }
+    std::string string() const { return std::string(view()); }
     std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
 
@@ -43,16 +54,68 @@ private:
     std::size_t size_ = 0;
 };
 
-inline void append_digits(auto& out, auto value) {
-    char digits[32];
-    const char* end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    out += std::string_view(digits, std::size_t(end - digits));
+/// Text that goes where there is room for all of it. A line of a trace is written in pieces of a few bytes: one of them is
+/// a copy and nothing else.
+struct Pen {
+    char* at;
+
+    Pen& operator+=(char c) {
+        *at++ = c;
+        return *this;
+    }
+    Pen& operator+=(std::string_view part) {
+        at = std::copy(part.begin(), part.end(), at);
+        return *this;
+    }
+    Pen& put(std::size_t, auto&& write) {
+        at = write(at);
+        return *this;
+    }
+};
+
+/// No number takes more bytes.
+inline constexpr std::size_t longest_number = 24;  // -2.2250738585072014e-308
+
+/// Writes the shortest form of a number that reads back the same; gives its end.
+struct Shortest {
+    char* operator()(char* to, auto value) const { return std::to_chars(to, to + longest_number, value).ptr; }
+};
+
+/// The same, and remembers what it wrote: a trace says most of its numbers more than once.
+class RememberedShortest {
+public:
+    char* operator()(char* to, double value) {
+        Known& known = known_[hash(value)];
+        if (!(known.value == value)) {
+            known.value = value;
+            known.size = std::size_t(Shortest{}(known.text.data(), value) - known.text.data());
+        }
+        std::copy(known.text.begin(), known.text.end(), to);  // all: a copy of fixed size is quick
+        return to + known.size;
+    }
+
+private:
+    struct Known {
+        double value = std::numeric_limits<double>::quiet_NaN();
+        std::size_t size = 0;
+        std::array<char, longest_number> text;
+    };
+    static constexpr int index_bits = 10;
+
+    static std::size_t hash(double value) {
+        constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15;  // Fibonacci hashing: the product's upper bits
+        return (std::bit_cast<std::uint64_t>(value) * golden_ratio) >> (64 - index_bits);
+    }
+
+    std::vector<Known> known_{1 << index_bits};
+};
+
+inline void append_integer(auto& out, std::integral auto value) {
+    out.put(longest_number, [&](char* to) { return Shortest{}(to, value); });
 }
 
-inline void append_integer(auto& out, std::integral auto value) { append_digits(out, value); }
-
 /// -0 is written 0, what is not finite as a string.
-inline void append_number(auto& out, double value) {
+inline void append_number(auto& out, double value, auto&& shortest) {
     // Most numbers of a trace are whole pixels and their centres. Below 100,000 no other form of them is shorter.
     if (std::abs(value) < 1e5 && 2 * value == int(2 * value)) {
         const int twice = int(2 * value);
@@ -64,9 +127,10 @@ inline void append_number(auto& out, double value) {
     } else if (std::isinf(value)) {
         out += std::string_view(value < 0 ? "\"-inf\"" : "\"inf\"");
     } else {
-        append_digits(out, value);
+        out.put(longest_number, [&](char* to) { return shortest(to, value); });
     }
 }
+inline void append_number(auto& out, double value) { append_number(out, value, Shortest{}); }
 
 /// Quotes, backslashes and control characters are escaped; the text is UTF-8 already.
 inline void append_string(auto& out, std::string_view text) {
@@ -86,13 +150,19 @@ inline void append_string(auto& out, std::string_view text) {
     out += '"';
 }
 
-inline void append_color(auto& out, const Color& color) {
+/// "#rrggbb" without quotes.
+inline void append_hex(auto& out, const Color& color) {
     constexpr std::string_view digits = "0123456789abcdef";
-    out += std::string_view("\"#");
+    out += '#';
     for (const int part : {int(color.red), int(color.green), int(color.blue)}) {
         out += digits[std::size_t(part / 16)];
         out += digits[std::size_t(part % 16)];
     }
+}
+
+inline void append_color(auto& out, const Color& color) {
+    out += '"';
+    append_hex(out, color);
     out += '"';
 }
 

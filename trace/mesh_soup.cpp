@@ -123,7 +123,7 @@ private:
     std::size_t line_number_ = 0;
 };
 
-void copy_coordinates(std::string& out, Words& words) {
+void copy_coordinates(Text& out, Words& words) {
     for (int axis = 0; axis < 3; ++axis) {
         out += ' ';
         append_number(out, words.number(words.word()));
@@ -141,7 +141,7 @@ std::string plain_obj(std::string_view bytes) {
             std::fill_n(unfolded.begin() + std::ptrdiff_t(at), fold.size(), ' ');
         }
     }
-    std::string out;
+    Text out;
     std::int64_t points = 0, greatest_index = 0;
     std::uint64_t faces = 0;
     Words words(unfolded);
@@ -168,7 +168,7 @@ std::string plain_obj(std::string_view bytes) {
     if (greatest_index > points) {
         throw Refused("a face of vertex " + std::to_string(greatest_index) + ", of " + std::to_string(points));
     }
-    return out;
+    return out.string();
 }
 
 // ------------------------------------------------------------------------------------------------ OFF
@@ -192,7 +192,8 @@ std::string plain_off(std::string_view bytes) {
     check_count(faces, "faces", 2, words.bytes_left() + 1);
     check_face_count(faces);
 
-    std::string out = "OFF\n" + std::to_string(points) + " " + std::to_string(faces) + " 0\n";
+    Text out;
+    out += "OFF\n" + std::to_string(points) + " " + std::to_string(faces) + " 0\n";
     for (std::uint64_t i = 0; i < points; ++i) {
         if (!words.next_line_with_words('#')) words.refuse("the file ends before its last vertex");
         copy_coordinates(out, words);
@@ -210,7 +211,7 @@ std::string plain_off(std::string_view bytes) {
         }
         out += '\n';
     }
-    return out;
+    return out.string();
 }
 
 // ------------------------------------------------------------------------------------------------ PLY
@@ -486,7 +487,8 @@ std::string plain_binary_stl(std::string_view bytes) {
 
 /// The corners of the triangles, without the solids' names, which may be anything.
 std::string plain_text_stl(std::string_view bytes) {
-    std::string out = "solid\n";
+    Text out;
+    out += "solid\n";
     Words words(bytes);
     const auto expect = [&](std::string_view wanted) {
         if (lower_case(words.word_of_text()) != wanted) words.refuse("\"" + std::string(wanted) + "\" is missing");
@@ -516,7 +518,8 @@ std::string plain_text_stl(std::string_view bytes) {
         out += "endfacet\n";
     }
     if (in_solid) words.refuse("the file ends before endsolid");
-    return out + "endsolid\n";
+    out += "endsolid\n";
+    return out.string();
 }
 
 std::string plain_stl(std::string_view bytes) {

@@ -1,7 +1,7 @@
 /// Running a method as chosen at run time: one translation unit a kernel, two editions, with a trace or without.
 #pragma once
 
-#include <span>
+#include <functional>
 #include <string_view>
 
 #include "trace_writer.h"
@@ -13,7 +13,8 @@ struct RunRequest {
     bool printed;  // the edition
     const Scene& scene;
     Detail detail = Detail::windows;
-    TraceWriter* writer = nullptr;  // none: no trace
+    TraceWriter* writer = nullptr;           // none: no trace
+    std::function<void()> progress = [] {};  // without a trace, called at each window or polygon
 };
 
 /// Throws EventLimitReached out of the writer.

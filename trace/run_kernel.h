@@ -7,9 +7,17 @@
 
 namespace vidno {
 
+/// The visitor of a run without a trace: whoever waits for it sees that it goes on.
+struct Pacer : NoTrace {
+    const std::function<void()>& progress;
+
+    void pop(Line, const auto&) { progress(); }
+    void polygon(Line, const auto&) { progress(); }
+};
+
 template <class Set, Kernel K>
 Picture run_set(const RunRequest& request, K kernel) {
-    if (!request.writer) return render<Set>(request.method, request.scene, kernel);
+    if (!request.writer) return render<Set>(request.method, request.scene, kernel, Pacer{{}, request.progress});
     Recording<TraceWriter> recording{request.detail, *request.writer};
     return render<Set>(request.method, request.scene, kernel, Recorder<K, TraceWriter>(recording));
 }

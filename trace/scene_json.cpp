@@ -383,7 +383,7 @@ private:
     SceneWithWarnings result_;
 };
 
-void append_vertex(std::string& out, const glm::dvec3& vertex) {
+void append_vertex(Text& out, const glm::dvec3& vertex) {
     out += '[';
     append_number(out, vertex.x);
     out += ',';
@@ -393,7 +393,7 @@ void append_vertex(std::string& out, const glm::dvec3& vertex) {
     out += ']';
 }
 
-void append_polygon(std::string& out, const ScenePolygon& polygon) {
+void append_polygon(Text& out, const ScenePolygon& polygon) {
     out += "{\"id\":";
     append_string(out, polygon.id);
     out += ",\"color\":";
@@ -418,7 +418,8 @@ SceneWithWarnings read_scene(std::string_view text, const std::string& file) {
 }
 
 std::string scene_json(const Scene& scene) {
-    std::string out = "{\"format\":\"";
+    Text out;
+    out += "{\"format\":\"";
     out += scene_format;
     out += "\",\"name\":";
     append_string(out, scene.name);
@@ -438,7 +439,7 @@ std::string scene_json(const Scene& scene) {
         append_polygon(out, scene.polygons[i]);
     }
     out += "]}";
-    return out;
+    return out.string();
 }
 
 }  // namespace vidno

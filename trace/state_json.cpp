@@ -11,7 +11,7 @@ namespace {
 class StateText {
 public:
     explicit StateText(const State& state)
-        : state_(state), names_(polygon_names(state.header().scene)), values_(out_, names_) {}
+        : state_(state), names_(polygon_names(state.header().scene)), values_(names_) {}
 
     std::string line() {
         out_ += "{\"step\":";
@@ -26,7 +26,7 @@ public:
         out_ += ",\"zbuffer\":";
         is_warnock ? null() : z_buffer();
         out_ += "}\n";
-        return std::move(out_);
+        return out_.string();
     }
 
 private:
@@ -44,7 +44,7 @@ private:
     }
     void optional(const auto& value, auto&& append) { value ? append(*value) : null(); }
 
-    void number(const Value& value) { values_.value(value); }
+    void number(const Value& value) { values_.value(out_, value); }
     void integer(int value) { append_integer(out_, value); }
 
     void call(const State::Frame& frame) {
@@ -59,11 +59,10 @@ private:
         const Area& area = state_.picture().area();
         out_ += '[';
         for (int y = area.y; y < area.bottom(); ++y) {
-            std::string row;
-            for (int x = area.x; x < area.right(); ++x) append_color(row, state_.picture().at(x, y));
-            std::erase(row, '"');
             if (y > area.y) out_ += ',';
-            append_string(out_, row);
+            out_ += '"';
+            for (int x = area.x; x < area.right(); ++x) append_hex(out_, state_.picture().at(x, y));
+            out_ += '"';
         }
         out_ += ']';
     }
@@ -73,7 +72,9 @@ private:
     }
     void apl(const State::Apl& entries) {
         list(entries, [this](const AplEntry& entry) {
-            out_ += '[' + names_[std::size_t(entry.first.index)] + ',';
+            out_ += '[';
+            out_ += names_[std::size_t(entry.first.index)];
+            out_ += ',';
             boolean(entry.second);
             out_ += ']';
         });
@@ -181,8 +182,8 @@ private:
 
     const State& state_;
     PolygonNames names_;
-    std::string out_;
-    EventText<std::string> values_;
+    Text out_;
+    EventText values_;
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ std::string picture_hash(const Picture& picture) {
 }
 
 TraceWriter::TraceWriter(const TraceHeader& header, Write write, std::uint64_t most_events)
-    : names_(polygon_names(header.scene)), write_(std::move(write)), most_events_(most_events) {
+    : lines_(polygon_names(header.scene)), write_(std::move(write)), most_events_(most_events) {
     text_ += std::string_view(header_json(header));
 }
 

@@ -38,7 +38,7 @@ public:
     void operator()(const E& event) {
         if (events_ == most_events_) throw EventLimitReached{};
         ++events_;
-        EventText(text_, names_).line(event);
+        lines_.line(text_, event);
         if (text_.size() > block) flush();
     }
 
@@ -52,7 +52,7 @@ private:
 
     void flush();
 
-    PolygonNames names_;
+    EventText lines_;
     Write write_;
     std::uint64_t most_events_;
     std::uint64_t events_ = 0;

@@ -44,6 +44,7 @@ inline std::vector<Window> parts_of(const Window& window) {
     const double width = window.width / columns;
     const double height = window.height / rows;
     std::vector<Window> parts;
+    parts.reserve(4);
     for (int i = 0; i < columns; ++i) {
         for (int j = 0; j < rows; ++j) parts.push_back({window.x + i * width, window.y + j * height, width, height});
     }

@@ -83,7 +83,6 @@ template <Method method>
 void export_lines(benchmark::State& state) {
     const Scene scene = traced_scene();
     const auto events = events_of<method>(scene);
-    const auto names = polygon_names(scene);
     std::size_t bytes = 0;
     // In blocks, as the writer hands them on: what is measured is the text, not the memory for all of it.
     const auto in_blocks = [&](auto& text, const auto& append) {
@@ -97,10 +96,9 @@ void export_lines(benchmark::State& state) {
         }
     };
     Text text;
+    EventText lines(polygon_names(scene));
     const auto write = [&] {
-        in_blocks(text, [&](const Event& event) {
-            std::visit([&](const auto& e) { EventText(text, names).line(e); }, event);
-        });
+        in_blocks(text, [&](const Event& event) { std::visit([&](const auto& e) { lines.line(text, e); }, event); });
     };
     std::string dumped;
     const auto build_and_dump = [&, object = EventObject(scene)] {

@@ -33,9 +33,9 @@ private:
     json value(const std::string& v) const { return v; }
     json value(const Value& v) const { return v.fraction ? json(*v.fraction) : json(v.number); }
     json value(const Color& v) const {
-        std::string text;
-        append_color(text, v);
-        return text.substr(1, 7);
+        Text text;
+        append_hex(text, v);
+        return text.string();
     }
     json value(PolygonPlace v) const { return scene_.polygons[std::size_t(v.index)].id; }
     json value(Sign v) const { return int(v); }

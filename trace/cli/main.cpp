@@ -93,7 +93,7 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
 
 int main(int argc, char** argv) {
     CLI::App app{"vidno runs the textbook hidden-surface procedures one small step at a time.", "vidno"};
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);  // one; but a wrong one is told before none
     app.set_version_flag("--version", "vidno " VIDNO_VERSION);
     app.get_formatter()->column_width(28);
     app.footer("vidno COMMAND --help says more. Exit status: 0 done; 1 done, and something was found; 2 refused.");
@@ -114,6 +114,7 @@ int main(int argc, char** argv) {
 
     try {
         app.parse(argc, argv);
+        if (app.get_subcommands().empty()) throw CLI::RequiredError::Subcommand(1);
         return status;
     } catch (const CLI::ParseError& error) {
         return refuse(app, error);

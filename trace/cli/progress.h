@@ -19,8 +19,9 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void show(unsigned long long count) {
+        if (!on_) return;
         const auto now = std::chrono::steady_clock::now();
-        if (!on_ || now - last_ < std::chrono::milliseconds(200)) return;
+        if (now - last_ < std::chrono::milliseconds(200)) return;
         last_ = now;
         shown_ = true;
         std::fprintf(stderr, "\r%llu %s", count, what_.c_str());

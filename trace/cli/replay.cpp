@@ -70,19 +70,19 @@ int replay(const ReplayOptions& options) {
 int diff(const DiffOptions& options) {
     TraceReader first(LineReader(options.first), options.first);
     TraceReader second(LineReader(options.second), options.second);
-    const PolygonNames first_names = polygon_names(first.header().scene);
-    const PolygonNames second_names = polygon_names(second.header().scene);
-    const auto line_of = [](const std::optional<Event>& event, const PolygonNames& names) {
-        std::string line;
-        if (event) std::visit([&](const auto& e) { EventText(line, names).line(e); }, *event);
-        return event ? line : std::string("(the end)\n");
+    EventText first_text(polygon_names(first.header().scene));
+    EventText second_text(polygon_names(second.header().scene));
+    const auto line_of = [](const std::optional<Event>& event, EventText& text) {
+        Text line;
+        if (event) std::visit([&](const auto& e) { text.line(line, e); }, *event);
+        return event ? line.string() : "(the end)\n";
     };
     for (std::uint64_t step = 1;; ++step) {
         const auto a = first.next();
         const auto b = second.next();
         if (!a && !b) return 0;
-        const std::string line_a = line_of(a, first_names);
-        const std::string line_b = line_of(b, second_names);
+        const std::string line_a = line_of(a, first_text);
+        const std::string line_b = line_of(b, second_text);
         if (line_a == line_b) continue;
         std::cout << "the traces part at step " << step << "\n- " << line_a << "+ " << line_b;
         return 1;

@@ -63,7 +63,10 @@ int render(const RunOptions& options) {
     const Scene scene = scene_of(options);
     encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
     OutputFile file(options.output);
-    file.write(encode_image(kernel_named(options.kernel).run(request_of(options, scene)), options.output));
+    RunRequest request = request_of(options, scene);
+    Progress progress(request.method == Method::warnock ? "windows" : "polygons");
+    request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
+    file.write(encode_image(kernel_named(options.kernel).run(request), options.output));
     file.commit();
     return 0;
 }
