@@ -10,7 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <iterator>
+#include <sstream>
 #include <utility>
 
 namespace vidno {
@@ -33,12 +33,17 @@ gzFile open_to_read(const std::string& name) {
 }  // namespace
 
 std::string read_file(const std::string& name) {
-    if (name == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
-    if (std::filesystem::is_directory(name)) throw Refused(name + ": is a directory");
-    errno = 0;
-    std::ifstream in(name, std::ios::binary);
-    if (!in) refuse(name, "cannot read");
-    return {std::istreambuf_iterator<char>(in), {}};
+    std::ostringstream bytes;
+    if (name == "-") {
+        bytes << std::cin.rdbuf();
+    } else {
+        if (std::filesystem::is_directory(name)) throw Refused(name + ": is a directory");
+        errno = 0;
+        std::ifstream in(name, std::ios::binary);
+        if (!in) refuse(name, "cannot read");
+        bytes << in.rdbuf();
+    }
+    return std::move(bytes).str();
 }
 
 struct OutputFile::Stream {

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "output.h"
+#include "progress.h"
 
 namespace vidno::cli {
 
@@ -54,7 +55,10 @@ void add_camera_options(CLI::App& command, ImportOptions& import) {
 }
 
 int import(const MeshOptions& options) {
+    Progress progress;
+    progress.say("reading " + options.mesh);
     const auto [scene, report] = import_mesh(read_file(options.mesh), options.mesh, options.import);
+    progress.clear();
     for (const auto& line : report) std::cerr << line << '\n';
     OutputFile file(options.output);
     file.write(scene_json(scene) + "\n");

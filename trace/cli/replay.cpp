@@ -64,6 +64,7 @@ int replay(const ReplayOptions& options) {
     if (one_state) file.write(state_json(state));
     if (!all_states && !one_state) file.write(encode_image(state.picture(), options.output));
     file.commit();
+    progress.clear();
     return options.step ? 0 : verdict(reader, state);
 }
 
@@ -77,13 +78,16 @@ int diff(const DiffOptions& options) {
         if (event) std::visit([&](const auto& e) { text.line(line, e); }, *event);
         return event ? line.string() : "(the end)\n";
     };
+    Progress progress("steps");
     for (std::uint64_t step = 1;; ++step) {
+        progress.show(step);
         const auto a = first.next();
         const auto b = second.next();
         if (!a && !b) return 0;
         const std::string line_a = line_of(a, first_text);
         const std::string line_b = line_of(b, second_text);
         if (line_a == line_b) continue;
+        progress.clear();
         std::cout << "the traces part at step " << step << "\n- " << line_a << "+ " << line_b;
         return 1;
     }

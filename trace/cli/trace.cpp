@@ -12,7 +12,10 @@ namespace vidno::cli {
 namespace {
 
 Scene scene_of(const RunOptions& options) {
+    Progress progress;
+    progress.say("reading " + options.scene);
     auto [scene, warnings] = read_scene(read_file(options.scene), options.scene);
+    progress.clear();
     for (const auto& warning : warnings) std::cerr << warning << '\n';
     return scene;
 }
@@ -52,6 +55,7 @@ int trace(const RunOptions& options) {
         writer.finish(kernel_named(options.kernel).run(request));
     } catch (const EventLimitReached&) {
         writer.finish_partial();
+        progress.clear();
         std::cerr << options.output << ": partial: stopped after " << writer.events() << " events (--max-events)\n";
         status = 1;
     }
@@ -60,8 +64,8 @@ int trace(const RunOptions& options) {
 }
 
 int render(const RunOptions& options) {
-    const Scene scene = scene_of(options);
     encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
+    const Scene scene = scene_of(options);
     OutputFile file(options.output);
     RunRequest request = request_of(options, scene);
     Progress progress(request.method == Method::warnock ? "windows" : "polygons");
