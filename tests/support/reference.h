@@ -1,17 +1,30 @@
-/// The picture rule by brute force in exact rationals: independent of kernels and procedures.
+/// The picture rule by brute force in exact integers: independent of kernels and procedures.
 #pragma once
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
+
+#include <algorithm>
+#include <vector>
 
 #include "vidno/picture.h"
 
 namespace vidno::test {
 
+/// All of a scene's x and y, pixel centres too, are whole numbers when multiplied by the largest of their denominators,
+/// which are powers of two; so are its z by another. Whole numbers spare the common divisors that rationals look for.
 class Reference {
 public:
-    using Rational = CGAL::Exact_rational;
-
-    explicit Reference(const Scene& scene) : scene_(scene) {}
+    explicit Reference(const Scene& scene) : scene_(scene) {
+        Integer z_scale = 1;
+        for (const auto& polygon : scene.polygons) {
+            for (const auto& v : polygon.vertices) {
+                xy_scale_ = std::max({xy_scale_, fraction_of(v.x).denominator, fraction_of(v.y).denominator});
+                z_scale = std::max(z_scale, fraction_of(v.z).denominator);
+            }
+        }
+        for (const auto& polygon : scene.polygons) facets_.push_back(facet_of(polygon, z_scale));
+    }
 
     Picture picture() const {
         Picture picture(scene_.area, scene_.background);
@@ -22,55 +35,92 @@ public:
     }
 
     Color color_at(double x, double y) const {
-        const ScenePolygon* nearest = nullptr;
-        Rational depth;
-        for (const auto& polygon : scene_.polygons) {
-            if (!holds(polygon, x, y)) continue;
-            const Rational z = depth_at(polygon, x, y);
-            if (nearest && z <= depth) continue;
-            nearest = &polygon;
+        const Integer whole_x = whole(x, xy_scale_);
+        const Integer whole_y = whole(y, xy_scale_);
+        const Facet* nearest = nullptr;
+        Integer depth;
+        for (const auto& facet : facets_) {
+            if (!facet.holds(whole_x, whole_y)) continue;
+            const Integer z = facet.depth.at(whole_x, whole_y);
+            if (nearest && z * nearest->divisor <= depth * facet.divisor) continue;
+            nearest = &facet;
             depth = z;
         }
         return nearest ? nearest->color : scene_.background;
     }
 
 private:
-    /// The sum of the triangles' areas that the point spans with the edges equals the polygon's own: closed, any way round.
-    static bool holds(const ScenePolygon& polygon, double x, double y) {
-        const auto& v = polygon.vertices;
-        Rational around = 0, own = 0;
+    using Traits = CGAL::Fraction_traits<CGAL::Exact_rational>;
+    using Integer = Traits::Numerator_type;
+
+    struct Fraction {
+        Integer numerator, denominator;
+    };
+    struct Corner {
+        Integer x, y, z;
+    };
+    /// x_factor x + y_factor y + rest.
+    struct Linear {
+        Integer x_factor, y_factor, rest;
+
+        Integer at(const Integer& x, const Integer& y) const { return x_factor * x + y_factor * y + rest; }
+    };
+
+    struct Facet {
+        Color color;
+        std::vector<Linear> doubled_areas;  // of the triangle that a point spans with each edge
+        Integer own_doubled_area;           // 0 if edge-on
+        Linear depth;                       // times the divisor, which is positive
+        Integer divisor;
+
+        /// The triangles' areas add up to the polygon's own: closed, any way round.
+        bool holds(const Integer& x, const Integer& y) const {
+            Integer around = 0;
+            for (const auto& area : doubled_areas) around += absolute(area.at(x, y));
+            return own_doubled_area != 0 && around == own_doubled_area;
+        }
+    };
+
+    static Integer absolute(const Integer& value) { return value < 0 ? Integer(-value) : value; }
+
+    static Fraction fraction_of(const CGAL::Exact_rational& value) {
+        Fraction fraction;
+        Traits::Decompose()(value, fraction.numerator, fraction.denominator);
+        return fraction;
+    }
+
+    static Integer whole(double value, const Integer& scale) {
+        return fraction_of(CGAL::Exact_rational(value) * CGAL::Exact_rational(scale)).numerator;
+    }
+
+    Facet facet_of(const ScenePolygon& polygon, const Integer& z_scale) const {
+        std::vector<Corner> v;
+        for (const auto& at : polygon.vertices) {
+            v.push_back({whole(at.x, xy_scale_), whole(at.y, xy_scale_), whole(at.z, z_scale)});
+        }
+        Facet facet{polygon.color, {}, 0, {}, 0};
+
+        // The normal of the plane through the first vertex: the sum of those of the fan about it. Its z is the doubled area.
+        Corner normal{0, 0, 0};
         for (std::size_t i = 0; i < v.size(); ++i) {
-            const auto& p = v[i];
-            const auto& q = v[(i + 1) % v.size()];
-            const Rational part = doubled_area(p.x, p.y, q.x, q.y, x, y);
-            around += part < 0 ? Rational(-part) : part;
-            own += doubled_area(v[0].x, v[0].y, p.x, p.y, q.x, q.y);
+            const Corner& p = v[i];
+            const Corner& q = v[(i + 1) % v.size()];
+            facet.doubled_areas.push_back({p.y - q.y, q.x - p.x, p.x * q.y - p.y * q.x});
+            const Corner to_p{p.x - v[0].x, p.y - v[0].y, p.z - v[0].z};
+            const Corner to_q{q.x - v[0].x, q.y - v[0].y, q.z - v[0].z};
+            normal.x += to_p.y * to_q.z - to_p.z * to_q.y;
+            normal.y += to_p.z * to_q.x - to_p.x * to_q.z;
+            normal.z += to_p.x * to_q.y - to_p.y * to_q.x;
         }
-        return own != 0 && around == (own < 0 ? Rational(-own) : own);
-    }
-
-    static Rational doubled_area(double ax, double ay, double bx, double by, double cx, double cy) {
-        const Rational ux = Rational(bx) - Rational(ax), uy = Rational(by) - Rational(ay);
-        const Rational vx = Rational(cx) - Rational(ax), vy = Rational(cy) - Rational(ay);
-        return ux * vy - uy * vx;
-    }
-
-    /// On the plane through the first vertex whose normal is the sum of the normals of the fan about it.
-    static Rational depth_at(const ScenePolygon& polygon, double x, double y) {
-        const auto& v = polygon.vertices;
-        Rational nx = 0, ny = 0, nz = 0;
-        for (std::size_t i = 1; i + 1 < v.size(); ++i) {
-            const Rational ux = Rational(v[i].x) - Rational(v[0].x), wx = Rational(v[i + 1].x) - Rational(v[0].x);
-            const Rational uy = Rational(v[i].y) - Rational(v[0].y), wy = Rational(v[i + 1].y) - Rational(v[0].y);
-            const Rational uz = Rational(v[i].z) - Rational(v[0].z), wz = Rational(v[i + 1].z) - Rational(v[0].z);
-            nx += uy * wz - uz * wy;
-            ny += uz * wx - ux * wz;
-            nz += ux * wy - uy * wx;
-        }
-        return Rational(v[0].z) - (nx * (Rational(x) - Rational(v[0].x)) + ny * (Rational(y) - Rational(v[0].y))) / nz;
+        if (normal.z < 0) normal = {-normal.x, -normal.y, -normal.z};
+        facet.own_doubled_area = facet.divisor = normal.z;
+        facet.depth = {-normal.x, -normal.y, v[0].z * normal.z + normal.x * v[0].x + normal.y * v[0].y};
+        return facet;
     }
 
     const Scene& scene_;
+    Integer xy_scale_ = 2;
+    std::vector<Facet> facets_;
 };
 
 }  // namespace vidno::test
