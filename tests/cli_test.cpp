@@ -237,6 +237,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "trace " + scene + " --kernel half" + output,
              "trace " + scene + " --detail all" + output,
              "trace " + scene + " --max-events -1" + output,
+             "trace " + scene + " --kernel filtered --edition printed" + output,
              "trace " + work.file("missing.json") + output,
              "trace " + work.directory.string() + output,
              "trace " + scene + " -o " + work.file("no/such/place.jsonl"),

@@ -1,5 +1,5 @@
-// The picture rule: both corrected methods under `exact` paint what the brute-force rational reference paints, pixel by
-// pixel, on random and on degenerate scenes.
+// The picture rule: both corrected methods under `exact` and `filtered` paint what the brute-force rational reference
+// paints, pixel by pixel, on random and on degenerate scenes.
 
 #include <doctest/doctest.h>
 
@@ -14,15 +14,17 @@ namespace {
 
 void check_picture_rule(const Scene& scene) {
     const Picture expected = Reference(scene).picture();
-    CHECK(different_pixels(render(Method::warnock, scene, Exact{}), expected) == 0);
-    CHECK(different_pixels(render(Method::zbuffer, scene, Exact{}), expected) == 0);
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        CHECK(different_pixels(render(method, scene, Exact{}), expected) == 0);
+        CHECK(different_pixels(render(method, scene, Filtered{}), expected) == 0);
+    }
 }
 
 }  // namespace
 
 TEST_CASE("Random and degenerate scenes") {
     RandomScenes random(20261121);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         CAPTURE(i);
         check_picture_rule(random.scene());
     }

@@ -69,14 +69,14 @@ int rejected_lines(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("X-W1: polygons outside a window are never removed", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-W1: polygons outside a window are never removed", K, VIDNO_PRINTED_KERNELS) {
     const Scene scene = two_squares(true);
     CHECK(windows_of<Corrected, K>(scene) == 149);
     CHECK(windows_of<OnlyXW1, K>(scene) == 261);
     CHECK_MESSAGE((wrong_pixels<OnlyXW1, K>(Method::warnock, scene) == 0), "the picture is the same");
 }
 
-TEST_CASE_TEMPLATE("X-W2: corner depths that start at 0 hide no polygon below", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-W2: corner depths that start at 0 hide no polygon below", K, VIDNO_PRINTED_KERNELS) {
     // Every window is split: 1 + 4 + 16 + 64 + 256 = 341.
     const Scene scene = SceneBuilder(area_16).quad(-1, -1, 17, 17, -.5).quad(-1, -1, 17, 17, -.9).build();
     CHECK(windows_of<Corrected, K>(scene) == 1);
@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("X-W2: corner depths that start at 0 hide no polygon below", 
     CHECK(windows_of<Printed, K>(scene) == 341);
 }
 
-TEST_CASE_TEMPLATE("X-W3: a nearer polygon that does not surround is overlooked", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-W3: a nearer polygon that does not surround is overlooked", K, VIDNO_PRINTED_KERNELS) {
     const Scene scene = two_squares(false);
     CHECK(wrong_pixels<Corrected, K>(Method::warnock, scene) == 0);
     CHECK(wrong_pixels<OnlyXW3, K>(Method::warnock, scene) == 64);
@@ -118,7 +118,7 @@ TEST_CASE("X-W5: halving an area that is no power of two ends inside pixels") {
     CHECK(wrong(10, OnlyXW5{}) == 5);
 }
 
-TEST_CASE_TEMPLATE("X-W6: a plane through collinear vertices is none", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-W6: a plane through collinear vertices is none", K, VIDNO_PRINTED_KERNELS) {
     const Scene scene =
         SceneBuilder({0, 0, 2, 2}).polygon({{0, 0, 0}, {1, 1, .125}, {2, 2, .25}, {0, 2, .875}}).build();
     const auto plane = Stage<K, Printed>(scene).polygon().plane;
@@ -152,7 +152,7 @@ TEST_CASE("X-W8: a polygon exactly edge-on has a computed c that is not 0") {
     CHECK_MESSAGE(std::abs(Printed::depth(stage.run, stage.polygon(), stage.point(0, 0))) > 1e9, "the depth explodes");
 }
 
-TEST_CASE_TEMPLATE("X-W9: one list for all windows", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-W9: one list for all windows", K, VIDNO_PRINTED_KERNELS) {
     const Scene scene = two_squares(false);
     CHECK(windows_of<OnlyXW9, K>(scene) == 13);
     CHECK(wrong_pixels<OnlyXW9, K>(Method::warnock, scene) == 64);
@@ -176,7 +176,7 @@ TEST_CASE_TEMPLATE("X-Z1: edges enter by rounded y and leave by unrounded y", K,
     check_missing_partner<K>(SceneBuilder(area_16).polygon({{2, 1.2, .5}, {12, 5.3, .5}, {3, 9.4, .5}}).build());
 }
 
-TEST_CASE_TEMPLATE("X-Z1: the same with a level top, where no division by zero comes first", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-Z1: the same with a level top, where no division by zero comes first", K, VIDNO_PRINTED_KERNELS) {
     check_missing_partner<K>(
         SceneBuilder(area_16).polygon({{2, 1.2, .5}, {4, 1.2, .5}, {12, 5.3, .5}, {3, 9.4, .5}}).build());
 }
@@ -188,7 +188,7 @@ TEST_CASE("X-Z2: a line beside the area is never rejected") {
     CHECK(rejected_lines<Printed>(scene) == 0);
 }
 
-TEST_CASE_TEMPLATE("X-Z3: the row and the column past the area are painted", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-Z3: the row and the column past the area are painted", K, VIDNO_PRINTED_KERNELS) {
     // y = 0 .. 4 and x = 0 .. 4 of a 4 x 4 area: 25 pixels, 9 of them outside. Row 0 is shown a second time, for the
     // level edge at its top; its fifth pixel is outside once more. On row 4 nothing but the level edge is left.
     const Scene scene = SceneBuilder({0, 0, 4, 4}).quad(0, 0, 4, 4, 0).build();
@@ -224,7 +224,7 @@ TEST_CASE("X-Z4: the span of one point at a triangle's tip divides by zero") {
     CHECK_MESSAGE(slope == 0, "corrected: a span of one point has no slope");
 }
 
-TEST_CASE_TEMPLATE("X-Z5: a span starts at its end, not at a pixel centre", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-Z5: a span starts at its end, not at a pixel centre", K, VIDNO_PRINTED_KERNELS) {
     // x = 1.75 and 2.75 fall into the pixels 1 and 2; of the centres only 2.5 lies between 1.75 and 3.25.
     const Scene scene = SceneBuilder({0, 0, 5, 3}).quad(1.75, .5, 3.25, 1.5, 0).build();
     const Picture printed = render<Printed>(Method::zbuffer, scene, K{});
@@ -243,7 +243,7 @@ TEST_CASE("X-Z6: where doubles are 2 apart, y + 1 is y") {
     CHECK_MESSAGE((faults_of<Printed, Exact>(Method::zbuffer, scene).count == 0), "exact numbers get on");
 }
 
-TEST_CASE_TEMPLATE("X-Z7: the last polygon wins a tie", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-Z7: the last polygon wins a tie", K, VIDNO_PRINTED_KERNELS) {
     const Scene scene = SceneBuilder(area_16).quad(2, 2, 10, 10, 0).quad(6, 6, 14, 14, 0).build();
     const Picture warnock = render(Method::warnock, scene, K{});
     CHECK(render(Method::zbuffer, scene, K{}) == warnock);
@@ -268,7 +268,7 @@ struct LastNext : NoTrace {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("X-Z8: of an empty AEL there is no least element, and the run goes on", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("X-Z8: of an empty AEL there is no least element, and the run goes on", K, VIDNO_PRINTED_KERNELS) {
     const Scene scene = SceneBuilder(area_16).quad(2.25, 2.25, 8.25, 8.25, 0).build();
     bool none = false;
     render<Printed>(Method::zbuffer, scene, K{}, LastNext(none));
@@ -278,7 +278,7 @@ TEST_CASE_TEMPLATE("X-Z8: of an empty AEL there is no least element, and the run
     CHECK(none);
 }
 
-TEST_CASE_TEMPLATE("The printed edition runs to its end on every scene", K, VIDNO_KERNELS) {
+TEST_CASE_TEMPLATE("The printed edition runs to its end on every scene", K, VIDNO_PRINTED_KERNELS) {
     RandomScenes random(7);
     int ended = 0;
     for (int i = 0; i < 60; ++i) {

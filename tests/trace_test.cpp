@@ -33,7 +33,9 @@ std::vector<Choice> all_choices() {
     std::vector<Choice> choices;
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         for (const bool printed : {false, true}) {
-            for (const auto& kernel : kernel_choices) choices.push_back({method, printed, kernel.run, kernel.name});
+            for (const auto& kernel : kernel_choices) {
+                if (!printed || kernel.runs_printed) choices.push_back({method, printed, kernel.run, kernel.name});
+            }
         }
     }
     return choices;
@@ -183,8 +185,8 @@ int check_rebuilt(const Scene& scene, Method method) {
     const Area& area = scene.area;
     for (int y = area.y; y < area.bottom(); ++y) {
         for (int x = area.x; x < area.right(); ++x) {
-            const auto& stored = stage.run.depth_buffer.at(x, y);
-            const bool none = !stage.run.kernel.nearer(stored, stage.run.kernel.farthest());
+            const typename K::Depth stored = stage.run.depth_buffer.at(x, y);
+            const bool none = !stage.run.kernel.nearer(stored, stage.run.kernel.farthest(), Pixel{x, y});
             const Value own = none ? Value::minus_infinite() : value_of<K>(stage.run.kernel.finite(stored));
             different += own == *rebuilt.state.depth(x, y) ? 0 : 1;
         }
@@ -211,7 +213,7 @@ TEST_CASE_TEMPLATE("Sufficient: states rebuilt from the events equal the algorit
         const Scene scene = i == 0 ? small_scene() : random.scene();
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             compared += check_rebuilt<K, Corrected>(scene, method);
-            compared += check_rebuilt<K, Printed>(scene, method);
+            if constexpr (runs_printed<K>) compared += check_rebuilt<K, Printed>(scene, method);
         }
     }
     CHECK(compared > 1000);

@@ -41,20 +41,21 @@ struct ExpectPairs : NoTrace {
 
 TEST_CASE_TEMPLATE("ShowLine: pixel centres between the ends, the depth stepped to the first", K, VIDNO_KERNELS) {
     // From (1.25, 0) to (4.75, 7/8): dz = 1/4. The centres are 1.5, 2.5, 3.5, 4.5, the depths 1/16, 5/16, 9/16, 13/16.
-    Stage<K> stage(SceneBuilder({0, 0, 8, 4}).quad(0, 0, 8, 4, 0).build());
+    Stage<K> stage(
+        SceneBuilder({0, 0, 8, 4}).polygon({{1.25, 2, 0}, {4.75, 2, .875}, {4.75, 3, .875}, {1.25, 3, 0}}).build());
     stage.run.depth_buffer.clear(stage.scene.area, stage.run.kernel.farthest());
-    using Number = typename K::Number;
-    Corrected::show_line(stage.run, 2, SpanEnd<Number>{Number(1.25), Number(0)},
-                         SpanEnd<Number>{Number(4.75), Number(.875)}, stage.polygon());
+    const auto& kernel = stage.run.kernel;
+    Corrected::show_line(stage.run, 2, kernel.vertex({1.25, 2.5, 0}), kernel.vertex({4.75, 2.5, .875}),
+                         stage.polygon());
     for (int x = 0; x < 8; ++x) {
         CAPTURE(x);
         const bool painted = 1 <= x && x <= 4;
         CHECK((stage.picture.at(x, 2) == color_of(0)) == painted);
-        const auto& stored = stage.run.depth_buffer.at(x, 2);
+        const typename K::Depth stored = stage.run.depth_buffer.at(x, 2);
         if (painted) {
-            CHECK(stage.run.kernel.finite(stored) == (4 * x - 3) / 16.0);
+            CHECK(as_double(kernel.finite(stored)) == (4 * x - 3) / 16.0);
         } else {
-            CHECK_FALSE(stage.run.kernel.nearer(stored, stage.run.kernel.farthest()));
+            CHECK_FALSE(kernel.nearer(stored, kernel.farthest(), Pixel{x, 2}));
         }
     }
 }
@@ -62,10 +63,10 @@ TEST_CASE_TEMPLATE("ShowLine: pixel centres between the ends, the depth stepped 
 TEST_CASE_TEMPLATE("ShowLine: both ends on centres are painted, a span of one point too", K, VIDNO_KERNELS) {
     Stage<K> stage(SceneBuilder({0, 0, 8, 4}).quad(0, 0, 8, 4, 0).build());
     stage.run.depth_buffer.clear(stage.scene.area, stage.run.kernel.farthest());
-    using Number = typename K::Number;
+    const auto& kernel = stage.run.kernel;
     const auto show = [&](int row, double x1, double x2) {
-        Corrected::show_line(stage.run, row, SpanEnd<Number>{Number(x1), Number(0)},
-                             SpanEnd<Number>{Number(x2), Number(0)}, stage.polygon());
+        Corrected::show_line(stage.run, row, kernel.vertex({x1, row + .5, 0}), kernel.vertex({x2, row + .5, 0}),
+                             stage.polygon());
     };
     show(0, 1.5, 3.5);
     show(1, 2.5, 2.5);
@@ -83,19 +84,18 @@ TEST_CASE_TEMPLATE("ShowLine: both ends on centres are painted, a span of one po
 }
 
 TEST_CASE_TEMPLATE("ShowLine: a line off the area paints nothing, one across it starts at its side", K, VIDNO_KERNELS) {
-    Stage<K> stage(SceneBuilder({10, 0, 4, 1}).quad(10, 0, 14, 1, 0).build());
+    Stage<K> stage(SceneBuilder({10, 0, 4, 1}).polygon({{2.5, 0, 0}, {18.5, 0, 1}, {18.5, 1, 1}, {2.5, 1, 0}}).build());
     stage.run.depth_buffer.clear(stage.scene.area, stage.run.kernel.farthest());
-    using Number = typename K::Number;
+    const auto& kernel = stage.run.kernel;
     const auto show = [&](double x1, double z1, double x2, double z2) {
-        Corrected::show_line(stage.run, 0, SpanEnd<Number>{Number(x1), Number(z1)},
-                             SpanEnd<Number>{Number(x2), Number(z2)}, stage.polygon());
+        Corrected::show_line(stage.run, 0, kernel.vertex({x1, .5, z1}), kernel.vertex({x2, .5, z2}), stage.polygon());
     };
     show(0, 0, 9, 0);
     show(14, 0, 20, 0);
     CHECK(stage.picture == Picture(stage.scene.area, white));
     show(2.5, 0, 18.5, 1);  // dz = 1/16; at 10.5 the depth is 8/16
     CHECK(stage.picture == Picture(stage.scene.area, color_of(0)));
-    CHECK(stage.run.kernel.finite(stage.run.depth_buffer.at(10, 0)) == .5);
+    CHECK(as_double(kernel.finite(stage.run.depth_buffer.at(10, 0))) == .5);
 }
 
 TEST_CASE_TEMPLATE("ZBuffer: the active edges of a diamond, row by row", K, VIDNO_KERNELS) {

@@ -253,7 +253,7 @@ private:
 
     static PolygonPlace place(const auto& polygon) { return {polygon.index}; }
 
-    static Value value(const typename K::Number& number) {
+    static Value value(const auto& number) {
         if constexpr (K::has_infinity) {
             return {double(number)};
         } else {

@@ -240,7 +240,7 @@ TraceEnd read_end(const json& object) {
 }
 
 std::string read_kernel(const json& value) {
-    constexpr std::array<std::string_view, 3> kernels{"float", "double", "exact"};
+    constexpr std::array<std::string_view, 4> kernels{"float", "double", "filtered", "exact"};
     return std::string(kernels[index_of(value, kernels, "/kernel")]);
 }
 

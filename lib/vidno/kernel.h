@@ -23,9 +23,16 @@ struct Point {
     Number x, y;
 };
 
-template <class Number>
+/// A place on the screen: a pixel's centre.
+struct Pixel {
+    int x, y;
+};
+
+/// x and y may be of another kind than z: coordinates of the scene are given, a depth may have been computed.
+template <class Number, class Depth = Number>
 struct Vertex {
-    Number x, y, z;
+    Number x, y;
+    Depth z;
 };
 
 /// a x + b y + c z + d = 0.
@@ -40,50 +47,78 @@ struct Box {
     Number xmin, ymin, xmax, ymax;
 };
 
+/// The rows first <= row < end.
+struct Rows {
+    int first, end;
+};
+
+/// Where an outline meets a row (left > right if nowhere), and the pixels first <= x < end with their centres there.
 template <class Number>
-struct Crossings {
+struct Columns {
     Number left, right;
+    int first, end;
 };
 
 template <class K>
-concept Kernel = requires(const K& kernel, const typename K::Number& number, const typename K::Depth& depth,
-                          const Point<typename K::Number>& point, const Vertex<typename K::Number>& vertex,
-                          const Plane<typename K::Number>& plane, const Box<typename K::Number>& box,
-                          const Window& window) {
+concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typename K::Coordinate& coordinate,
+                          const typename K::Number& number, const typename K::Interpolated& interpolated,
+                          const typename K::Depth& depth, const Point<typename K::Coordinate>& point,
+                          const Vertex<typename K::Coordinate>& vertex,
+                          const std::vector<Vertex<typename K::Coordinate>>& vertices,
+                          const Plane<typename K::Number>& computed, const typename K::Plane& plane,
+                          const typename K::Outline& outline, typename K::DepthBuffer& depths,
+                          const Box<typename K::Coordinate>& box, const Window& window) {
     { K::name } -> std::convertible_to<std::string_view>;
 
-    // From the scene and the screen.
-    { kernel.vertex(glm::dvec3{}) } -> std::same_as<Vertex<typename K::Number>>;
-    { kernel.point(0.0, 0.0) } -> std::same_as<Point<typename K::Number>>;
-    { kernel.centre(0) } -> std::same_as<typename K::Number>;  // i + 1/2
+    // Before all else.
+    own.see(scene);
 
-    // The sign of a value, and (a - pivot) x (b - pivot): x and y alone count.
-    { kernel.sign(number) } -> std::same_as<Sign>;
-    { kernel.cross(vertex, vertex, point) } -> std::same_as<typename K::Number>;
+    // From the scene and the screen. What is computed from coordinates is a number; both compare.
+    { kernel.vertex(glm::dvec3{}) } -> std::same_as<Vertex<typename K::Coordinate>>;
+    { kernel.point(0.0, 0.0) } -> std::same_as<Point<typename K::Coordinate>>;
+    { kernel.centre(0) } -> std::same_as<typename K::Coordinate>;  // i + 1/2
+    { (coordinate - coordinate) * number / number + number } -> std::convertible_to<typename K::Number>;
 
-    // Where the segment from p to q, whose ends have the cross products cp and cq of opposite sign, meets the line.
-    { kernel.meet(vertex, vertex, number, number) } -> std::same_as<Vertex<typename K::Number>>;
+    // (a - pivot) x (b - pivot), x and y alone count; and its sign.
+    { kernel.sign(kernel.cross(vertex, vertex, point)) } -> std::same_as<Sign>;
 
-    // Depth, and "no polygon yet", which every depth is nearer than.
+    // Of every polygon, before any depth.
+    { own.plane(computed, vertices) } -> std::same_as<typename K::Plane>;
+
+    // Depth, and "no polygon yet", which every depth is nearer than. Two depths are compared where both were taken.
     { kernel.depth(plane, point) } -> std::same_as<typename K::Depth>;
+    { kernel.finite(depth) } -> std::same_as<typename K::Interpolated>;  // of a plane's depth
     { kernel.farthest() } -> std::same_as<typename K::Depth>;
-    { kernel.finite(depth) } -> std::same_as<typename K::Number>;  // of a plane's depth
-    { kernel.nearer(depth, depth) } -> std::same_as<bool>;
+    { kernel.nearer(depth, depth, point) } -> std::same_as<bool>;
+
+    // A depth interpolated between vertices: a plane's at a pixel, stepped along the row, compared with what a cell holds.
+    { kernel.nearer(kernel.to_step(interpolated, plane, Pixel{}), depths.row(0)[0], Pixel{}) } -> std::same_as<bool>;
+    depths.row(0)[0] = kernel.to_step(interpolated, plane, Pixel{});
 
     // A polygon's box against a window: apart, and strictly inside.
     { kernel.outside(box, window) } -> std::same_as<bool>;
     { kernel.inside(box, window) } -> std::same_as<bool>;
 
+    // A polygon while it is clipped. Where the segment from p to q, whose ends have the cross products cp and cq of
+    // opposite sign with a side of the window, meets that side: kernel.meet(p, q, cp, cq).
+    { kernel.outline(vertices) } -> std::same_as<typename K::Outline>;
+    kernel.cross(point, outline.front(), point);
+
     // The first pixel of low <= i < end whose centre is at or after the value (end if there is none), the last
     // whose centre is at or before it (low - 1 if there is none). A NaN gives low and low - 1: nothing.
-    { kernel.first_centre(number, 0, 1) } -> std::same_as<int>;
-    { kernel.last_centre(number, 0, 1) } -> std::same_as<int>;
+    { kernel.first_centre(coordinate, 0, 1) } -> std::same_as<int>;
+    { kernel.last_centre(coordinate, 0, 1) } -> std::same_as<int>;
 
-    // The least and the greatest x where a convex outline meets the line of that y (left > right if nowhere).
-    { kernel.crossings(std::vector{vertex}, number) } -> std::same_as<Crossings<typename K::Number>>;
+    // The rows of low <= row < end with their centres between the ends of a convex outline, and its columns on one.
+    { kernel.rows_of(outline, 0, 1) } -> std::same_as<Rows>;
+    { kernel.columns_of(outline, 0, 0, 1).first } -> std::convertible_to<int>;
+    { kernel.columns_of(vertices, 0, 0, 1).first } -> std::convertible_to<int>;
 
-    // a / b; where the numbers have no infinity, b = 0 throws DivisionByZero.
-    { kernel.divide(number, number) } -> std::same_as<typename K::Number>;
+    // On a row: like first_centre and last_centre, of the end of a span; whether two ends are at one place; and the
+    // order of two active edges, by x and then by dx. An end of a span is an active edge or a vertex.
+    { kernel.first_column(vertex, 0, 0, 1) } -> std::same_as<int>;
+    { kernel.last_column(vertex, 0, 0, 1) } -> std::same_as<int>;
+    { kernel.same_place(vertex, vertex, 0) } -> std::same_as<bool>;
 };
 
 /// Thrown by kernels without infinities; the corrected procedures never divide by zero there.

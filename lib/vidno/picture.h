@@ -34,6 +34,8 @@ public:
 
     Color at(int x, int y) const { return pixels_[index(x, y)]; }
 
+    PixelRow<Color> row(int y) { return row_of(pixels_, area_, y); }
+
     void paint(int x, int y, Color color) { pixels_[index(x, y)] = color; }
 
     void paint(const PixelRun& run, Color color) {

@@ -11,14 +11,14 @@ namespace vidno {
 
 template <Kernel K>
 struct Polygon {
-    using Number = typename K::Number;
+    using Coordinate = typename K::Coordinate;
 
     int index = 0;  // its place in the scene
     Color color;
     bool edge_on = false;
-    std::vector<Vertex<Number>> vertices;
-    Box<Number> box;
-    Plane<Number> plane;
+    std::vector<Vertex<Coordinate>> vertices;
+    Box<Coordinate> box;
+    typename K::Plane plane;
 };
 
 /// The least box around at least one vertex.
@@ -33,7 +33,7 @@ Box<Number> box_around(const std::vector<Vertex<Number>>& vertices) {
 
 /// The window's corners in the order of Corner.
 template <Kernel K>
-std::array<Point<typename K::Number>, 4> corners_of(const K& kernel, const Window& window) {
+std::array<Point<typename K::Coordinate>, 4> corners_of(const K& kernel, const Window& window) {
     return {kernel.point(window.x, window.y), kernel.point(window.x, window.bottom()),
             kernel.point(window.right(), window.y), kernel.point(window.right(), window.bottom())};
 }

@@ -4,11 +4,11 @@
 /// the call tells the trace the result. So a set of one's own is traced as well as ours.
 #pragma once
 
-#include <cassert>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "depth_buffer.h"
 #include "fault.h"
 #include "picture.h"
 #include "polygon.h"
@@ -41,40 +41,16 @@ struct WindowSummary {
     bool insider = false;
 };
 
-/// Z: the depth of what each pixel shows.
-template <Kernel K>
-class DepthBuffer {
-public:
-    void clear(const Area& area, const typename K::Depth& depth) {
-        area_ = area;
-        depths_.assign(std::size_t(area.width) * std::size_t(area.height), depth);
-    }
-
-    typename K::Depth& at(int x, int y) {
-        assert(area_.contains(x, y));
-        return depths_[std::size_t(y - area_.y) * std::size_t(area_.width) + std::size_t(x - area_.x)];
-    }
-
-    const std::vector<typename K::Depth>& depths() const { return depths_; }
-
-private:
-    Area area_;
-    std::vector<typename K::Depth> depths_;
-};
-
-/// One end of a span on a scanline.
-template <class Number>
-struct SpanEnd {
-    Number x, z;
-};
-
 template <class ProcedureSet, Kernel K, class Trace>
 struct Run {
     using Set = ProcedureSet;
     using Arithmetic = K;
     using Number = typename K::Number;
     using Depth = typename K::Depth;
-    using Vertices = std::vector<Vertex<Number>>;
+    using Interpolated = typename K::Interpolated;
+    using Place = Point<typename K::Coordinate>;
+    using Vertices = std::vector<Vertex<typename K::Coordinate>>;
+    using Outline = typename K::Outline;
 
     K kernel;
     Trace trace;
@@ -82,7 +58,7 @@ struct Run {
     Color background;
     Picture& picture;
     std::vector<Polygon<K>> polygons;
-    DepthBuffer<K> depth_buffer;
+    typename K::DepthBuffer depth_buffer;
 
     Run(const Scene& scene, K arithmetic, Trace visitor, Picture& canvas)
         : kernel(std::move(arithmetic)),
@@ -90,6 +66,7 @@ struct Run {
           area(scene.area),
           background(scene.background),
           picture(canvas) {
+        kernel.see(scene);
         polygons.reserve(scene.polygons.size());
         for (const auto& source : scene.polygons) polygons.push_back(initialize_polygon(source));
     }
@@ -101,7 +78,7 @@ struct Run {
         polygon.edge_on = source.edge_on;
         for (const auto& vertex : source.vertices) polygon.vertices.push_back(kernel.vertex(vertex));
         polygon.box = box_around(polygon.vertices);
-        polygon.plane = Set::initialize_polygon(*this, polygon.vertices);
+        polygon.plane = kernel.plane(Set::initialize_polygon(*this, polygon.vertices), polygon.vertices);
         trace.plane(Line::I1, polygon, polygon.plane);
         return polygon;
     }
@@ -113,7 +90,7 @@ struct Run {
         return summary;
     }
 
-    Color point_color(Line at, const Point<Number>& point, const ActivePolygonList<K>& active_polygons) {
+    Color point_color(Line at, const Place& point, const ActivePolygonList<K>& active_polygons) {
         trace.call(at, Procedure::point_color);
         const Color color = Set::point_color(*this, point, active_polygons);
         trace.color(at, point, color);
@@ -126,30 +103,29 @@ struct Run {
         return z;
     }
 
-    bool surround_test(Line at, const Point<Number>& point, const Polygon<K>& polygon) {
+    bool surround_test(Line at, const Place& point, const Polygon<K>& polygon) {
         trace.call(at, Procedure::surround_test);
         const bool inside = Set::surround_test(*this, point, polygon);
         trace.surround(at, polygon, point, inside);
         return inside;
     }
 
-    Vertices polygon_clip(Line at, const Polygon<K>& polygon, const Window& window) {
+    Outline polygon_clip(Line at, const Polygon<K>& polygon, const Window& window) {
         trace.call(at, Procedure::polygon_clip);
-        const Vertices vertices = Set::polygon_clip(*this, polygon, window);
+        const Outline vertices = Set::polygon_clip(*this, polygon, window);
         trace.clip_result(at, polygon, vertices);
         return vertices;
     }
 
-    void fill_polygon(Line at, const Vertices& vertices, const Polygon<K>& polygon) {
+    void fill_polygon(Line at, const auto& vertices, const Polygon<K>& polygon) {
         trace.call(at, Procedure::fill_polygon);
         const std::vector<PixelRun> runs = Set::fill_polygon(*this, vertices);
         for (const auto& run : runs) picture.paint(run, polygon.color);
         trace.draw(at, polygon, runs);
     }
 
-    /// `row` is a row, or in the printed text a y.
-    void show_line(Line at, const auto& row, const SpanEnd<Number>& from, const SpanEnd<Number>& to,
-                   const Polygon<K>& polygon) {
+    /// `row` is a row, or in the printed text a y; an end has an x and a z.
+    void show_line(Line at, const auto& row, const auto& from, const auto& to, const Polygon<K>& polygon) {
         trace.call(at, Procedure::show_line);
         try {
             Set::show_line(*this, row, from, to, polygon);

@@ -4,7 +4,9 @@
 /// square from (i, j) to (i + 1, j + 1); its centre decides its colour.
 #pragma once
 
+#include <cassert>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
@@ -26,6 +28,21 @@ struct Area {
     bool contains(int column, int row) const { return x <= column && column < right() && y <= row && row < bottom(); }
     bool operator==(const Area&) const = default;
 };
+
+/// What an area's pixels of one row have, by their x: a row of a picture or of depths.
+template <class T>
+struct PixelRow {
+    T* first;
+    int first_x;
+
+    T& operator[](int x) const { return first[x - first_x]; }
+};
+
+template <class T>
+PixelRow<T> row_of(std::vector<T>& pixels, const Area& area, int y) {
+    assert(area.y <= y && y < area.bottom());
+    return {pixels.data() + std::size_t(y - area.y) * std::size_t(area.width), area.x};
+}
 
 /// What every scene keeps to; `admit` (admission.h) checks the polygons.
 inline constexpr int largest_side = 16384;

@@ -1,14 +1,17 @@
-// What drawing, recording and exporting cost: ./dev bench
+// What drawing, being right, recording and exporting cost: ./dev bench
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
-#include <limits>
+#include <random>
+#include <vector>
 
 #include "bench/event_object.h"
 #include "bench/overdraw.h"
 #include "event_json.h"
 #include "recorder.h"
 #include "trace_writer.h"
+#include "vidno/kernels/filtered.h"
 #include "vidno/vidno.h"
 
 namespace {
@@ -26,6 +29,81 @@ void draw(benchmark::State& state) {
 }
 BENCHMARK(draw<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+
+double seconds(const auto& work) {
+    using clock = std::chrono::steady_clock;
+    const auto start = clock::now();
+    work();
+    return std::chrono::duration<double>(clock::now() - start).count();
+}
+
+/// How many times the other's time some work takes: the median of runs by turns.
+double times(const auto& other, const auto& work) {
+    std::vector<double> ratios;
+    for (int i = 0; i < 9; ++i) {
+        const double others = seconds(other);
+        ratios.push_back(seconds(work) / others);
+    }
+    std::ranges::nth_element(ratios, ratios.begin() + 4);
+    return ratios[4];
+}
+
+/// The same under `filtered`, which is always right.
+template <Method method>
+void draw_filtered(benchmark::State& state) {
+    const Scene scene = random_triangles(int(state.range(0)), 512, 4);
+    const auto draw_in = [&](auto kernel) { benchmark::DoNotOptimize(render(method, scene, kernel)); };
+    for (auto _ : state) draw_in(Filtered{});
+    state.counters["times double"] = times([&] { draw_in(Double{}); }, [&] { draw_in(Filtered{}); });
+}
+BENCHMARK(draw_filtered<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+BENCHMARK(draw_filtered<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+
+/// Orientation tests of random points, 512 pixels apart at most, under `filtered` and by CGAL's filtered predicate.
+void orient(benchmark::State& state) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<> coordinate(0, 512);
+    Scene scene;
+    scene.area = {0, 0, 512, 512};
+    Filtered filtered;
+    filtered.see(scene);
+    std::vector<glm::dvec3> corners(30000);
+    for (auto& corner : corners) corner = {coordinate(random), coordinate(random), 0};
+
+    const auto orient_in = [&](const auto& kernel) {
+        using Corner = decltype(kernel.vertex(glm::dvec3{}));
+        std::vector<Corner> vertices;
+        for (const auto& corner : corners) vertices.push_back(kernel.vertex(corner));
+        return [&kernel, vertices] {
+            int sum = 0;
+            for (int round = 0; round < 20; ++round) {
+                for (std::size_t i = 2; i < vertices.size(); ++i) {
+                    sum += int(kernel.sign(kernel.cross(vertices[i - 2], vertices[i - 1], vertices[i])));
+                    benchmark::DoNotOptimize(sum);  // one at a time, as the procedures do
+                }
+            }
+        };
+    };
+    using Predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
+    std::vector<Predicates::Point_2> points;
+    for (const auto& corner : corners) points.emplace_back(corner.x, corner.y);
+    const auto by_cgal = [&] {
+        int sum = 0;
+        for (int round = 0; round < 20; ++round) {
+            for (std::size_t i = 2; i < points.size(); ++i) {
+                sum += int(CGAL::orientation(points[i - 2], points[i - 1], points[i]));
+                benchmark::DoNotOptimize(sum);
+            }
+        }
+    };
+    const Double machine;
+    const auto in_double = orient_in(machine);
+    const auto by_bound = orient_in(filtered);
+    for (auto _ : state) by_bound();
+    state.counters["times double"] = times(in_double, by_bound);
+    state.counters["CGAL, times double"] = times(in_double, by_cgal);
+}
+BENCHMARK(orient)->Unit(benchmark::kMillisecond);
 
 template <class Sink>
 void run(Method method, const Scene& scene, Sink& sink) {
@@ -67,17 +145,6 @@ std::vector<Event> events_of(const Scene& scene) {
     return events;
 }
 
-double least_seconds(const auto& work) {
-    using clock = std::chrono::steady_clock;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 5; ++i) {
-        const auto start = clock::now();
-        work();
-        least = std::min(least, std::chrono::duration<double>(clock::now() - start).count());
-    }
-    return least;
-}
-
 /// Events to text as the trace is written; compared with a tree of JSON values built and dumped for each event.
 template <Method method>
 void export_lines(benchmark::State& state) {
@@ -107,7 +174,7 @@ void export_lines(benchmark::State& state) {
     for (auto _ : state) write();
     per_event(state, double(events.size()));
     state.SetBytesProcessed(state.iterations() * std::int64_t(bytes));
-    state.counters["faster than trees"] = least_seconds(build_and_dump) / least_seconds(write);
+    state.counters["faster than trees"] = times(write, build_and_dump);
 }
 BENCHMARK(export_lines<warnock>)->Unit(benchmark::kMillisecond);
 BENCHMARK(export_lines<zbuffer>)->Unit(benchmark::kMillisecond);

@@ -31,6 +31,9 @@ std::size_t place_in(const auto& names, const std::string& name) {
 }
 
 RunRequest request_of(const RunOptions& options, const Scene& scene) {
+    if (options.edition == "printed" && !kernel_named(options.kernel).runs_printed) {
+        throw Refused("--edition printed: not under --kernel " + options.kernel + ", whose decisions are always right");
+    }
     return {Method(place_in(method_names, options.method)), options.edition == "printed", scene,
             Detail(place_in(detail_names, options.detail))};
 }

@@ -1,6 +1,7 @@
 /// NumberKernel: a kernel that computes each formula of the text as it stands, in the numbers it is given.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -8,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "../depth_buffer.h"
 #include "../kernel.h"
 
 namespace vidno {
@@ -15,11 +17,19 @@ namespace vidno {
 template <class T>
 struct NumberKernel {
     using Number = T;
+    using Coordinate = T;
+    using Interpolated = T;
+    using Plane = vidno::Plane<T>;
+    using Outline = std::vector<Vertex<T>>;
 
     static constexpr bool has_infinity = std::numeric_limits<T>::has_infinity;
 
     /// Where the numbers have no infinity, "no polygon yet" is the empty depth: it compares below every other.
     using Depth = std::conditional_t<has_infinity, T, std::optional<T>>;
+
+    using DepthBuffer = vidno::DepthBuffer<Depth>;
+
+    void see(const Scene&) {}
 
     Vertex<T> vertex(const glm::dvec3& v) const { return {T(v.x), T(v.y), T(v.z)}; }
     Point<T> point(double x, double y) const { return {T(x), T(y)}; }
@@ -31,14 +41,20 @@ struct NumberKernel {
         return (a.x - pivot.x) * (b.y - pivot.y) - (a.y - pivot.y) * (b.x - pivot.x);
     }
 
+    Outline outline(const Outline& vertices) const { return vertices; }
+
     Vertex<T> meet(const Vertex<T>& p, const Vertex<T>& q, const T& cp, const T& cq) const {
         const T t = cp / (cp - cq);
         return {p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t, p.z + (q.z - p.z) * t};
     }
 
-    Depth depth(const Plane<T>& plane, const auto& point) const {
+    Plane plane(const Plane& computed, const Outline&) const { return computed; }
+
+    Depth depth(const Plane& plane, const auto& point) const {
         return Depth(T(-(plane.a * point.x + plane.b * point.y + plane.d) / plane.c));
     }
+
+    T to_step(const T& z, const Plane&, Pixel) const { return z; }
 
     Depth farthest() const {
         if constexpr (has_infinity) {
@@ -57,7 +73,7 @@ struct NumberKernel {
         }
     }
 
-    bool nearer(const Depth& z, const Depth& than) const { return z > than; }
+    bool nearer(const auto& z, const Depth& than, const auto& /*at*/) const { return z > than; }
 
     bool outside(const Box<T>& box, const Window& window) const {
         return box.xmax < T(window.x) || box.ymax < T(window.y) || box.xmin > T(window.right()) ||
@@ -87,16 +103,23 @@ struct NumberKernel {
         return pixel;
     }
 
-    Crossings<T> crossings(const std::vector<Vertex<T>>& vertices, const T& y) const {
-        Crossings<T> found{T(1), T(0)};
+    Rows rows_of(const Outline& outline, int low, int end) const {
+        const auto by_y = [](const auto& v, const auto& w) { return v.y < w.y; };
+        const auto [top, bottom] = std::minmax_element(outline.begin(), outline.end(), by_y);
+        return {first_centre(top->y, low, end), last_centre(bottom->y, low, end) + 1};
+    }
+
+    Columns<T> columns_of(const Outline& outline, int row, int low, int end) const {
+        const T y = centre(row);
+        T left(1), right(0);
         bool any = false;
         const auto include = [&](const T& x) {
-            if (!any || x < found.left) found.left = x;
-            if (!any || x > found.right) found.right = x;
+            if (!any || x < left) left = x;
+            if (!any || x > right) right = x;
             any = true;
         };
-        const auto* from = &vertices.back();
-        for (const auto& to : vertices) {
+        const auto* from = &outline.back();
+        for (const auto& to : outline) {
             const auto& upper = from->y < to.y ? *from : to;
             const auto& lower = from->y < to.y ? to : *from;
             if (y == upper.y) include(upper.x);
@@ -106,17 +129,28 @@ struct NumberKernel {
             }
             from = &to;
         }
-        return found;
+        return {left, right, first_centre(left, low, end), last_centre(right, low, end) + 1};
     }
 
+    int first_column(const auto& end_point, int /*row*/, int low, int end) const {
+        return first_centre(end_point.x, low, end);
+    }
+    int last_column(const auto& end_point, int /*row*/, int low, int end) const {
+        return last_centre(end_point.x, low, end);
+    }
+    bool same_place(const auto& a, const auto& b, int /*row*/) const { return a.x == b.x; }
+    bool left_of(const auto& a, const auto& b, int /*row*/) const { return a.x < b.x || (a.x == b.x && a.dx < b.dx); }
+
+    // What only the printed text asks for: division by what may be zero, equality of rounded values, floor(v + 1/2), and
+    // the pixel that holds one.
+
+    /// Where the numbers have no infinity, b = 0 throws DivisionByZero.
     T divide(const T& a, const T& b) const {
         if constexpr (!has_infinity) {
             if (b == 0) throw DivisionByZero{};
         }
         return a / b;
     }
-
-    // What only the printed text asks for: equality of rounded values, floor(v + 1/2), and the pixel that holds one.
 
     Depth depth_of(const T& z) const { return Depth(z); }
 

@@ -12,6 +12,12 @@
 
 namespace vidno::printed {
 
+/// One end of a line.
+template <class Number>
+struct SpanEnd {
+    Number x, z;
+};
+
 struct ShowLine {
     template <class Run>
     static void show_line(Run& run, const typename Run::Number& y, const SpanEnd<typename Run::Number>& from,

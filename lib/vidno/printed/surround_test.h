@@ -10,7 +10,7 @@ namespace vidno::printed {
 
 struct SurroundTest {
     template <class Run>
-    static bool surround_test(Run& run, const Point<typename Run::Number>& point,
+    static bool surround_test(Run& run, const typename Run::Place& point,
                               const Polygon<typename Run::Arithmetic>& polygon) {
         using enum Line;
         auto& trace = run.trace;

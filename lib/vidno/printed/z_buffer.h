@@ -13,6 +13,7 @@
 #include "../fault.h"
 #include "../part.h"
 #include "../run.h"
+#include "show_line.h"
 
 namespace vidno::printed {
 
@@ -83,7 +84,7 @@ private:
                 if (i + 1 == active_edges.size()) throw Fault{Z14, "the last entry of AEL has no partner"};
                 const auto& left = active_edges[i];
                 const auto& right = active_edges[i + 1];
-                run.show_line(Z14, y, {left.x, left.z}, {right.x, right.z}, polygon);
+                run.show_line(Z14, y, SpanEnd<Number>{left.x, left.z}, SpanEnd<Number>{right.x, right.z}, polygon);
             }
             y += 1;
             if (next_end && y >= *next_end) {
@@ -109,7 +110,7 @@ private:
         const auto& [x2, y2, z2] = edge.lower;
         if (run.kernel.same_rounded(y1, y2)) {
             run.trace.horizontal(Line::Z9, edge);
-            run.show_line(Line::Z9, y, {x1, z1}, {x2, z2}, polygon);
+            run.show_line(Line::Z9, y, SpanEnd<Number>{x1, z1}, SpanEnd<Number>{x2, z2}, polygon);
             return;
         }
         const Number height = y2 - y1;

@@ -10,7 +10,7 @@ namespace vidno {
 
 struct PointColor {
     template <class Run>
-    static Color point_color(Run& run, const Point<typename Run::Number>& point,
+    static Color point_color(Run& run, const typename Run::Place& point,
                              const ActivePolygonList<typename Run::Arithmetic>& active_polygons) {
         using enum Line;
         auto& trace = run.trace;
@@ -20,7 +20,7 @@ struct PointColor {
         for (const auto& [polygon, surrounding] : active_polygons) {
             if (!run.surround_test(PC2, point, *polygon)) continue;
             const auto z = run.depth(PC3, *polygon, point);
-            const bool nearer = run.kernel.nearer(z, nearest);
+            const bool nearer = run.kernel.nearer(z, nearest, point);
             trace.compare(PC4, *polygon, z, nearest, nearer);
             if (!nearer) continue;
             nearest = z;

@@ -12,8 +12,8 @@ namespace vidno {
 
 struct PolygonClip {
     template <class Run>
-    static typename Run::Vertices polygon_clip(Run& run, const Polygon<typename Run::Arithmetic>& polygon,
-                                               const Window& window) {
+    static typename Run::Outline polygon_clip(Run& run, const Polygon<typename Run::Arithmetic>& polygon,
+                                              const Window& window) {
         using enum Line;
         using Set = typename Run::Set;
         auto& kernel = run.kernel;
@@ -21,7 +21,7 @@ struct PolygonClip {
 
         const std::array corners{kernel.point(window.x, window.y), kernel.point(window.x, window.bottom()),
                                  kernel.point(window.right(), window.bottom()), kernel.point(window.right(), window.y)};
-        auto vertices = polygon.vertices;
+        auto vertices = kernel.outline(polygon.vertices);
         trace.clip_begin(PL1, polygon, window);
 
         for (int side = 0; side < 4; ++side) {
@@ -29,7 +29,7 @@ struct PolygonClip {
             const auto& before = corners[(side + 3) % 4];  // f0
             trace.clip_side(PL2, side + 1, before, corner);
 
-            typename Run::Vertices clipped;
+            typename Run::Outline clipped;
             auto from = vertices.back();
             auto from_cross = kernel.cross(corner, from, before);
             trace.clip_sign(PL3, from, from_cross, kernel.sign(from_cross));

@@ -41,7 +41,7 @@ struct ProcessWindow {
             int k = 0;
             std::array<bool, 4> nearer;
             for (int i = 0; i < 4; ++i) {
-                nearer[i] = run.kernel.nearer(z[i], nearest[i]);
+                nearer[i] = run.kernel.nearer(z[i], nearest[i], corners[i]);
                 trace.compare_corner(PW6, polygon, i, z[i], nearest[i], nearer[i]);
                 if (!nearer[i]) continue;
                 nearest[i] = z[i];

@@ -13,30 +13,32 @@ namespace vidno {
 /// "The least of nothing": no row comes after it.
 inline constexpr int no_row = std::numeric_limits<int>::max();
 
+/// A vertex with the depth of the plane.
+template <Kernel K>
+using EdgeEnd = Vertex<typename K::Coordinate, typename K::Interpolated>;
+
 /// An edge of a polygon from its upper end to its lower one; a level edge goes from left to right.
-template <class Number>
+template <Kernel K>
 struct PolygonEdge {
     int index;  // from vertex `index` to the next
-    Vertex<Number> upper, lower;
+    EdgeEnd<K> upper, lower;
     int first_row, last_row;  // the rows whose centre it crosses; none if last < first
 
     bool level() const { return upper.y == lower.y; }
 };
 
-/// An entry of AEL: where the edge meets the scanline, and what a row changes.
-template <class Number>
-struct ActiveEdge {
-    int index;
-    Number x, z;
-    int last_row;
-    Number dx, dz;
+/// An entry of AEL: an edge, where it meets the scanline, and what a row changes.
+template <Kernel K>
+struct ActiveEdge : PolygonEdge<K> {
+    typename K::Number x, dx;
+    typename K::Interpolated z, dz;
 };
 
 /// The edge with its rows: those of the area with y1 <= centre < y2. Only at the polygon's lowest point is the end
 /// included, so that the closed outline is painted; elsewhere the next edge takes over.
 template <class Run>
-PolygonEdge<typename Run::Number> edge_between(const Run& run, const Polygon<typename Run::Arithmetic>& polygon,
-                                               int index, auto upper, auto lower) {
+PolygonEdge<typename Run::Arithmetic> edge_between(const Run& run, const Polygon<typename Run::Arithmetic>& polygon,
+                                                   int index, auto upper, auto lower) {
     if (lower.y < upper.y || (lower.y == upper.y && lower.x < upper.x)) std::swap(upper, lower);
     const int top = run.area.y;
     const int bottom = run.area.bottom();
@@ -48,18 +50,16 @@ PolygonEdge<typename Run::Number> edge_between(const Run& run, const Polygon<typ
 
 /// The entry of an edge that is not level, stepped to its first row.
 template <class Run>
-ActiveEdge<typename Run::Number> entry_of(const Run& run, const PolygonEdge<typename Run::Number>& edge) {
+ActiveEdge<typename Run::Arithmetic> entry_of(const Run& run, const PolygonEdge<typename Run::Arithmetic>& edge) {
     using Number = typename Run::Number;
+    using Interpolated = typename Run::Interpolated;
     const auto& [x1, y1, z1] = edge.upper;
     const auto& [x2, y2, z2] = edge.lower;
     const Number dx = (x2 - x1) / (y2 - y1);
-    const Number dz = (z2 - z1) / (y2 - y1);
+    const auto dz = Interpolated((z2 - z1) / (y2 - y1));
     const Number rows = run.kernel.centre(edge.first_row) - y1;
-    return {edge.index, x1 + rows * dx, z1 + rows * dz, edge.last_row, dx, dz};
+    return {edge, x1 + rows * dx, dx, Interpolated(z1 + rows * dz), dz};
 }
-
-/// The order of AEL: by x, and where two edges start at one point by dx.
-inline constexpr auto left_of = [](const auto& a, const auto& b) { return a.x < b.x || (a.x == b.x && a.dx < b.dx); };
 
 /// The first row by which an entry has ended.
 int first_end(const auto& active_edges) {

@@ -36,7 +36,7 @@ private:
         auto edges = sorted_edges(run, polygon);  // S
         trace.extent(Z4, box.ymin, box.ymax);
 
-        std::vector<ActiveEdge<typename Run::Number>> active_edges;  // AEL
+        std::vector<ActiveEdge<typename Run::Arithmetic>> active_edges;  // AEL
         int next_start = row;
         int next_end = no_row;
         while (row <= last_row) {
@@ -51,20 +51,19 @@ private:
                         trace.ael_add(Z8, active_edges.back());
                     } else {
                         trace.horizontal(Z9, *edge);
-                        run.show_line(Z9, row, {edge->upper.x, edge->upper.z}, {edge->lower.x, edge->lower.z}, polygon);
+                        run.show_line(Z9, row, edge->upper, edge->lower, polygon);
                     }
                 }
                 next_start = starting == edges.end() ? no_row : starting->first_row;
                 trace.leave(Z10, Part{edges.begin(), starting}, next_start);
                 edges.erase(edges.begin(), starting);
+                const auto left_of = [&](const auto& a, const auto& b) { return run.kernel.left_of(a, b, row); };
                 std::stable_sort(active_edges.begin(), active_edges.end(), left_of);
                 next_end = first_end(active_edges);
                 trace.ael_sort(Z12, active_edges, next_end);
             }
             for (std::size_t i = 0; i + 1 < active_edges.size(); i += 2) {
-                const auto& left = active_edges[i];
-                const auto& right = active_edges[i + 1];
-                run.show_line(Z14, row, {left.x, left.z}, {right.x, right.z}, polygon);
+                run.show_line(Z14, row, active_edges[i], active_edges[i + 1], polygon);
             }
             ++row;
             if (row >= next_end) {
@@ -86,9 +85,11 @@ private:
     template <class Run>
     static auto sorted_edges(Run& run, const Polygon<typename Run::Arithmetic>& polygon) {
         using enum Line;
-        auto vertices = polygon.vertices;
-        for (auto& vertex : vertices) vertex.z = run.kernel.finite(run.depth(Z3, polygon, vertex));
-        std::vector<PolygonEdge<typename Run::Number>> edges;
+        std::vector<EdgeEnd<typename Run::Arithmetic>> vertices;
+        for (const auto& vertex : polygon.vertices) {
+            vertices.push_back({vertex.x, vertex.y, run.kernel.finite(run.depth(Z3, polygon, vertex))});
+        }
+        std::vector<PolygonEdge<typename Run::Arithmetic>> edges;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             const auto& next = vertices[(i + 1) % vertices.size()];
             edges.push_back(edge_between(run, polygon, int(i), vertices[i], next));

@@ -38,7 +38,7 @@ const header = record(
     format: oneOf('vidno-trace/1'),
     method: oneOf(...(Object.keys(tables) as Method[])),
     edition: oneOf('corrected', 'printed'),
-    kernel: oneOf('float', 'double', 'exact'),
+    kernel: oneOf('float', 'double', 'filtered', 'exact'),
     detail: oneOf(...details),
     scene: sceneFile,
   },

@@ -1,0 +1,528 @@
+/// Filtered: decisions that are always right, at nearly the price of doubles.
+///
+/// The doubles decide where the bound on their error allows it; where it does not, exact arithmetic decides on what they
+/// stand for: a polygon's plane at a point, its edge at a row or at a side of a window. Nothing that was rounded
+/// decides, so nothing drifts. A trace shows the doubles.
+///
+/// Source  On the bound of the cross product: J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust
+///         geometric predicates, Discrete & Computational Geometry 18, 1997. Where it does not decide: CGAL's predicate.
+#pragma once
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "../warnock/initialize_polygon.h"
+#include "bounded.h"
+#include "exact.h"
+
+namespace vidno {
+
+class Filtered {
+public:
+    static constexpr std::string_view name = "filtered";
+    static constexpr bool has_infinity = true;
+
+    using Coordinate = Given;
+    using Number = Bounded;
+    using Interpolated = double;  // to be shown: the plane decides
+
+    /// z = x_slope x + y_slope y + at_origin, wrong by at most the error at any point of the scene.
+    struct Plane {
+        double x_slope = 0, y_slope = 0, at_origin = 0;
+        double error = 0;
+        bool fits_cells = false;            // at its polygon's vertices
+        std::uint32_t number = 0;           // 0: no plane, infinitely far
+        double a = 0, b = 0, c = 0, d = 0;  // as the text has it
+        std::span<const Vertex<Given>> vertices;
+
+        double depth(double x, double y) const { return x_slope * x + (y_slope * y + at_origin); }
+
+        struct Exactly {
+            Rational x_slope, y_slope, at_origin;
+            bool operator==(const Exactly&) const = default;
+        };
+        const Exactly& exactly() const;
+
+    private:
+        mutable std::shared_ptr<const Exactly> exactly_;  // found out when first asked for
+    };
+
+    /// Of a plane, at a point that whoever compares knows.
+    struct Depth {
+        double value;
+        const Plane* plane;
+
+        explicit operator double() const { return value; }
+    };
+
+    /// Which plane each pixel shows, and about how far.
+    class DepthBuffer;
+
+    /// The depth of a plane at one pixel of a row after the other. It is not the sum of the steps, so does not drift.
+    class Stepped {
+    public:
+        Stepped(const Plane& plane, const Point<Given>& first)
+            : plane_(&plane),
+              first_x_(first.x.value),
+              y_(first.y.value),
+              number_(plane.number),
+              x_slope_(float(plane.x_slope)),
+              first_(plane.fits_cells ? float(plane.depth(first_x_, y_)) : not_known),
+              first_below_(first_ - cell_error),
+              first_above_(first_ + cell_error) {}
+
+        double value() const { return plane_->depth(first_x_ + steps_, y_); }
+        const Plane& plane() const { return *plane_; }
+        std::uint32_t number() const { return number_; }
+        float about() const { return steps_ * x_slope_ + first_; }
+        float surely_below() const { return steps_ * x_slope_ + first_below_; }
+        float surely_above() const { return steps_ * x_slope_ + first_above_; }
+
+        void operator+=(double /*step*/) { steps_ += 1; }
+        explicit operator double() const { return value(); }
+
+    private:
+        const Plane* plane_;
+        double first_x_, y_;
+        std::uint32_t number_;
+        float steps_ = 0, x_slope_, first_, first_below_, first_above_;
+    };
+
+    struct Cross {
+        double value;
+        Sign sign;
+
+        explicit operator double() const { return value; }
+    };
+
+    /// A vertex of a clipped polygon: one of its vertices, where an edge meets a side of the window, or the window's corner.
+    /// At least one of x and y is exact then, and the edge gives the other.
+    struct ClippedVertex {
+        Bounded x, y;
+        double z;
+        const Vertex<Given>* from;  // the edge that it is on, or that begins there
+        const Vertex<Given>* to;
+    };
+    using Outline = std::vector<ClippedVertex>;
+
+    /// (a - pivot) x (b - pivot) for the line along a side of a window.
+    struct SideCross : Cross {
+        bool vertical;
+        double at;  // the x of a vertical side, the y of a level one
+    };
+
+    void see(const Scene& scene) {
+        const Window square = covering_square(scene.area);
+        extent_ =
+            std::max({std::abs(square.x), std::abs(square.y), std::abs(square.right()), std::abs(square.bottom())});
+        for (const auto& polygon : scene.polygons) {
+            for (const auto& v : polygon.vertices) extent_ = std::max({extent_, std::abs(v.x), std::abs(v.y)});
+        }
+        // Shewchuk's bound, 3 roundoffs of the sum of the products, each at most (2 extent)^2; and some more.
+        cross_error_ = 16 * extent_ * extent_ * Bounded::unit;
+
+        planes_.reserve(scene.polygons.size() + 1);
+        planes_.emplace_back().at_origin = -infinity;
+    }
+
+    Vertex<Given> vertex(const glm::dvec3& v) const { return {{v.x}, {v.y}, {v.z}}; }
+    Point<Given> point(double x, double y) const { return {{x}, {y}}; }
+    Given centre(int pixel) const { return {pixel + 0.5}; }
+
+    Sign sign(const Cross& cross) const { return cross.sign; }
+
+    Cross cross(const auto& pivot, const auto& a, const auto& b) const {
+        const double left = (a.x.value - pivot.x.value) * (b.y.value - pivot.y.value);
+        const double right = (a.y.value - pivot.y.value) * (b.x.value - pivot.x.value);
+        const double value = left - right;
+        if (std::abs(value) > cross_error_) return {value, sign_of(value)};
+        const double error = 2 * Bounded::unit * (std::abs(left) + std::abs(right)) + Bounded::underflow;
+        if (std::abs(value) > error) return {value, sign_of(value)};
+        return {value, exact_orientation(pivot, a, b)};
+    }
+
+    SideCross cross(const Point<Given>& pivot, const ClippedVertex& a, const Point<Given>& b) const {
+        const double value = (a.x.value - pivot.x.value) * (b.y.value - pivot.y.value) -
+                             (a.y.value - pivot.y.value) * (b.x.value - pivot.x.value);
+        const bool vertical = pivot.x == b.x;
+        const Given at = vertical ? pivot.x : pivot.y;
+        const auto certain = certain_sign((vertical ? a.x : a.y) - at);
+        const Sign beyond = certain ? *certain : exact_sign_beyond(a, vertical, at.value);
+        const bool same_way = vertical ? b.y > pivot.y : b.x < pivot.x;
+        return {{value, same_way ? beyond : -beyond}, vertical, at.value};
+    }
+
+    Plane plane(const vidno::Plane<Bounded>& computed, const std::vector<Vertex<Given>>& vertices) {
+        const Bounded x_slope = -computed.a / computed.c;
+        const Bounded y_slope = -computed.b / computed.c;
+        const Bounded at_origin = -computed.d / computed.c;
+        const Bounded farthest_out(extent_);
+        const auto greatest = [](const Bounded& v) { return Bounded(std::abs(v.value), v.error); };
+        const Bounded depth =
+            greatest(x_slope) * farthest_out + (greatest(y_slope) * farthest_out + greatest(at_origin));
+        Plane plane;
+        plane.x_slope = x_slope.value;
+        plane.y_slope = y_slope.value;
+        plane.at_origin = at_origin.value;
+        plane.error = at_most(depth.error);
+        plane.a = computed.a.value;
+        plane.b = computed.b.value;
+        plane.c = computed.c.value;
+        plane.d = computed.d.value;
+        plane.vertices = vertices;
+        const auto within_cells = [&](const auto& v) { return std::abs(plane.depth(v.x.value, v.y.value)) < 2; };
+        plane.fits_cells = plane.error < cell_error / 16 && std::all_of(vertices.begin(), vertices.end(), within_cells);
+        plane.number = std::uint32_t(planes_.size());
+        return planes_.emplace_back(plane);
+    }
+
+    /// The point lies no farther out than the scene's vertices and windows do.
+    Depth depth(const Plane& plane, const auto& point) const {
+        return {plane.depth(point.x.value, point.y.value), &planes_[plane.number]};
+    }
+    Depth farthest() const { return {-infinity, &planes_[0]}; }
+    double finite(const Depth& z) const { return z.value; }
+
+    bool nearer(const Depth& z, const Depth& than, const auto& at) const {
+        const double difference = z.value - than.value;
+        if (std::abs(difference) > 2 * (z.plane->error + than.plane->error)) return difference > 0;
+        return exactly_nearer(*z.plane, *than.plane, at);
+    }
+
+    Stepped to_step(double, const Plane& plane, Pixel from) const {
+        return {planes_[plane.number], {centre(from.x), centre(from.y)}};
+    }
+    /// By the cell alone if its bound allows it.
+    bool nearer(const Stepped& z, const auto& cell, Pixel at) const {
+        if (z.surely_below() > cell.about()) return true;
+        if (z.surely_above() < cell.about()) return false;
+        return closely_nearer(z.plane(), cell.plane(), at.x, at.y);
+    }
+
+    bool outside(const Box<Given>& box, const Window& window) const {
+        return box.xmax.value < window.x || box.ymax.value < window.y || box.xmin.value > window.right() ||
+               box.ymin.value > window.bottom();
+    }
+    bool inside(const Box<Given>& box, const Window& window) const {
+        return box.xmin.value > window.x && box.ymin.value > window.y && box.xmax.value < window.right() &&
+               box.ymax.value < window.bottom();
+    }
+
+    Outline outline(const std::vector<Vertex<Given>>& vertices) const {
+        Outline outline;
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const auto& v = vertices[i];
+            outline.push_back({v.x, v.y, v.z.value, &v, &vertices[(i + 1) % vertices.size()]});
+        }
+        return outline;
+    }
+
+    /// Two neighbours on an earlier side have its x or y, which one of them got when it was cut there; others are on p's edge.
+    ClippedVertex meet(const ClippedVertex& p, const ClippedVertex& q, const SideCross& cp, const SideCross& cq) const {
+        const double t = cp.value / (cp.value - cq.value);
+        ClippedVertex found{cp.at, cp.at, p.z + (q.z - p.z) * t, p.from, p.to};
+        const auto& a = *p.from;
+        const auto& b = *p.to;
+        if (cp.vertical) {
+            const bool level = same(p.y, q.y, [&] { return exactly(p).y == exactly(q).y; });
+            found.y = level ? exact_one(p.y, q.y) : a.y + (Given{cp.at} - a.x) * (b.y - a.y) / (b.x - a.x);
+        } else {
+            const bool upright = same(p.x, q.x, [&] { return exactly(p).x == exactly(q).x; });
+            found.x = upright ? exact_one(p.x, q.x) : a.x + (Given{cp.at} - a.y) * (b.x - a.x) / (b.y - a.y);
+        }
+        return found;
+    }
+
+    int first_centre(Given value, int low, int end) const { return machine_.first_centre(value.value, low, end); }
+    int last_centre(Given value, int low, int end) const { return machine_.last_centre(value.value, low, end); }
+
+    Rows rows_of(const auto& outline, int low, int end) const {
+        Range top, bottom;
+        for (const auto& v : outline) {
+            top.least(v.y);
+            bottom.greatest(v.y);
+        }
+        const auto first = certain_first(top, low, end);
+        const auto last = certain_last(bottom, low, end);
+        if (first && last) return {*first, *last + 1};
+        return exact_.rows_of(exactly(outline), low, end);
+    }
+
+    Columns<double> columns_of(const auto& outline, int row, int low, int end) const {
+        const Given y = centre(row);
+        Range left, right;
+        bool certain = true;
+        const auto include = [&](const Bounded& x) {
+            left.least(x);
+            right.greatest(x);
+        };
+        const auto* from = &outline.back();
+        auto from_side = certain_sign(from->y - y);
+        for (const auto& to : outline) {
+            const auto to_side = certain_sign(to.y - y);
+            if (to_side && from_side) {
+                if (*to_side == Sign::zero) include(to.x);
+                if (*to_side != Sign::zero && *from_side == -*to_side) {
+                    include(from->x + (y - from->y) * (to.x - from->x) / (to.y - from->y));
+                }
+            } else {
+                certain = false;
+            }
+            from = &to;
+            from_side = to_side;
+        }
+        if (certain && left.empty()) return {1, 0, low, low};
+        const auto first = certain_first(left, low, end);
+        const auto last = certain_last(right, low, end);
+        if (certain && first && last) return {left.value, right.value, *first, *last + 1};
+        const auto exact = exact_.columns_of(exactly(outline), row, low, end);
+        return {CGAL::to_double(exact.left), CGAL::to_double(exact.right), exact.first, exact.end};
+    }
+
+    int first_column(const auto& end_point, int row, int low, int end) const {
+        const auto certain = certain_first(end_point.x, low, end);
+        return certain ? *certain : exact_first_column(end_point, row, low, end);
+    }
+    int last_column(const auto& end_point, int row, int low, int end) const {
+        const auto certain = certain_last(end_point.x, low, end);
+        return certain ? *certain : exact_last_column(end_point, row, low, end);
+    }
+    bool same_place(const auto& a, const auto& b, int row) const {
+        return same(a.x, b.x, [&] { return exactly_same_place(a, b, row); });
+    }
+    bool left_of(const auto& a, const auto& b, int row) const {
+        const auto certain = certain_sign(a.x - b.x);
+        if (certain && *certain != Sign::zero) return *certain == Sign::negative;
+        const Rational ax = exact_x(a, row);
+        const Rational bx = exact_x(b, row);
+        return ax < bx || (ax == bx && exact_slope(a) < exact_slope(b));
+    }
+
+private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /// Two depths of planes that fit cells, farther apart than this as cells have them, differ alike. As a float, stepped by
+    /// at most 4, a depth within [-2, 2] is off by 14 roundoffs of 2^-24, and by its plane's error, a 16th of this.
+    static constexpr float cell_error = 0x1p-18F;
+    /// Of other planes: it compares as neither more nor less.
+    static constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
+
+    // ------------------------------------------------------------------------------------- by the bound
+
+    /// A bound that is not a number bounds nothing.
+    static double at_most(double error) { return std::isnan(error) ? infinity : error; }
+
+    static Sign sign_of(double value) { return Sign{int(value > 0) - int(value < 0)}; }
+
+    static std::optional<Sign> certain_sign(const Bounded& v) {
+        if (sign_is_certain(v)) return sign_of(v.value);
+        if (v.value == 0 && v.error == 0) return Sign::zero;
+        return std::nullopt;
+    }
+
+    /// The least or the greatest of some values: the double to show, and between which it lies.
+    class Range {
+    public:
+        double value = 0;
+
+        void least(const Bounded& v) {
+            include(v, [](double a, double b) { return b < a ? b : a; });
+        }
+        void greatest(const Bounded& v) {
+            include(v, [](double a, double b) { return a < b ? b : a; });
+        }
+        bool empty() const { return !any_; }
+        double low() const { return known_ ? low_ : -infinity; }
+        double high() const { return known_ ? high_ : infinity; }
+
+    private:
+        void include(const Bounded& v, auto&& choose) {
+            known_ = known_ && std::isfinite(v.low()) && std::isfinite(v.high());
+            value = any_ ? choose(value, v.value) : v.value;
+            low_ = any_ ? choose(low_, v.low()) : v.low();
+            high_ = any_ ? choose(high_, v.high()) : v.high();
+            any_ = true;
+        }
+
+        double low_ = 0, high_ = 0;
+        bool any_ = false, known_ = true;
+    };
+
+    /// Certain if the centres on either side of the value lie outside its bounds: never if these are not known.
+    static std::optional<int> certain_first(const auto& v, int low, int end) {
+        const int first = machine_.first_centre(v.value, low, end);
+        const bool certain = (first == low || first - 0.5 < v.low()) && (first == end || v.high() <= first + 0.5);
+        return certain ? std::optional(first) : std::nullopt;
+    }
+    static std::optional<int> certain_last(const auto& v, int low, int end) {
+        const int last = machine_.last_centre(v.value, low, end);
+        const bool certain = (last == low - 1 || last + 0.5 <= v.low()) && (last == end - 1 || v.high() < last + 1.5);
+        return certain ? std::optional(last) : std::nullopt;
+    }
+    static std::optional<int> certain_first(Given v, int low, int end) {
+        return machine_.first_centre(v.value, low, end);
+    }
+    static std::optional<int> certain_last(Given v, int low, int end) {
+        return machine_.last_centre(v.value, low, end);
+    }
+
+    static bool same(const Bounded& a, const Bounded& b, auto&& exactly_so) {
+        if (std::abs(a.value - b.value) > 2 * (a.error + b.error)) return false;
+        return (a.is_exact() && b.is_exact()) || exactly_so();
+    }
+    static Bounded exact_one(const Bounded& a, const Bounded& b) { return a.is_exact() ? a : b; }
+
+    // ------------------------------------------------------------------------------------- exactly
+
+    [[gnu::noinline]] static Sign exact_orientation(const auto& pivot, const auto& a, const auto& b) {
+        using Predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
+        const auto point = [](const auto& p) { return Predicates::Point_2(p.x.value, p.y.value); };
+        return Sign{int(CGAL::orientation(point(pivot), point(a), point(b)))};
+    }
+
+    static Vertex<Rational> exactly(const Vertex<Given>& v) { return {v.x.value, v.y.value, 0}; }
+    static Vertex<Rational> exactly(const ClippedVertex& v) {
+        assert(v.x.is_exact() || v.y.is_exact());
+        Rational x = v.x.value;
+        Rational y = v.y.value;
+        if (!v.x.is_exact()) x = along(v.from->y, v.from->x, v.to->y, v.to->x, y);
+        if (!v.y.is_exact()) y = along(v.from->x, v.from->y, v.to->x, v.to->y, x);
+        return {x, y, 0};
+    }
+    template <class AnyVertex>
+    static std::vector<Vertex<Rational>> exactly(const std::vector<AnyVertex>& outline) {
+        std::vector<Vertex<Rational>> vertices;
+        for (const auto& v : outline) vertices.push_back(exactly(v));
+        return vertices;
+    }
+
+    /// The line from (u1, v1) to (u2, v2) at u.
+    static Rational along(Given u1, Given v1, Given u2, Given v2, const Rational& u) {
+        const Rational start = u1.value;
+        const Rational value = v1.value;
+        return value + (u - start) * (Rational(v2.value) - value) / (Rational(u2.value) - start);
+    }
+
+    [[gnu::noinline]] static Sign exact_sign_beyond(const ClippedVertex& vertex, bool vertical, double at) {
+        const auto v = exactly(vertex);
+        return exact_.sign((vertical ? v.x : v.y) - Rational(at));
+    }
+
+    /// Where the end of a span lies: a vertex, or an active edge on its row.
+    static Rational exact_x(const auto& end_point, int row) {
+        if constexpr (requires { end_point.upper; }) {
+            const auto& [upper, lower] = std::pair(end_point.upper, end_point.lower);
+            return along(upper.y, upper.x, lower.y, lower.x, exact_.centre(row));
+        } else {
+            return Rational(end_point.x.value);
+        }
+    }
+    [[gnu::noinline]] static int exact_first_column(const auto& end_point, int row, int low, int end) {
+        return exact_.first_centre(exact_x(end_point, row), low, end);
+    }
+    [[gnu::noinline]] static int exact_last_column(const auto& end_point, int row, int low, int end) {
+        return exact_.last_centre(exact_x(end_point, row), low, end);
+    }
+    [[gnu::noinline]] static bool exactly_same_place(const auto& a, const auto& b, int row) {
+        return exact_x(a, row) == exact_x(b, row);
+    }
+    static Rational exact_slope(const auto& edge) {
+        return (Rational(edge.lower.x.value) - Rational(edge.upper.x.value)) /
+               (Rational(edge.lower.y.value) - Rational(edge.upper.y.value));
+    }
+
+    // Numbers, so that they stay in registers where this is not called.
+    [[gnu::noinline]] bool closely_nearer(const Plane& plane, const Plane& than, int x, int y) const {
+        const auto z = [&](const Plane& of) { return Depth{of.depth(x + 0.5, y + 0.5), &of}; };
+        return nearer(z(plane), z(than), Pixel{x, y});
+    }
+
+    [[gnu::noinline]] static bool exactly_nearer(const Plane& plane, const Plane& than, Point<Given> at) {
+        return exactly_nearer(plane, than, Rational(at.x.value), Rational(at.y.value));
+    }
+    [[gnu::noinline]] static bool exactly_nearer(const Plane& plane, const Plane& than, Pixel at) {
+        return exactly_nearer(plane, than, exact_.centre(at.x), exact_.centre(at.y));
+    }
+    static bool exactly_nearer(const Plane& plane, const Plane& than, const Rational& x, const Rational& y) {
+        if (plane.number == 0 || than.number == 0) return plane.number != 0;
+        const auto& p = plane.exactly();
+        const auto& q = than.exactly();
+        if (p == q) return false;
+        return (p.x_slope - q.x_slope) * x + (p.y_slope - q.y_slope) * y + (p.at_origin - q.at_origin) > 0;
+    }
+
+    static constexpr NumberKernel<double> machine_{};
+    static constexpr Exact exact_{};
+
+    double extent_ = 0;
+    double cross_error_ = infinity;
+    std::vector<Plane> planes_;  // by number
+};
+
+class Filtered::DepthBuffer {
+public:
+    /// No more memory than a double: its speed is that of the inner loop.
+    struct Shown {
+        float about;
+        std::uint32_t plane;
+    };
+    class Cell {
+    public:
+        Cell(Shown& shown, const Plane* planes, Pixel at) : shown_(shown), planes_(planes), at_(at) {}
+
+        float about() const { return shown_.about; }
+        const Plane& plane() const { return planes_[shown_.plane]; }
+        operator Depth() const { return {plane().depth(at_.x + 0.5, at_.y + 0.5), &plane()}; }
+        explicit operator double() const { return Depth(*this).value; }
+        void operator=(const Stepped& z) { shown_ = {z.about(), z.number()}; }
+
+    private:
+        Shown& shown_;
+        const Plane* planes_;
+        Pixel at_;
+    };
+    struct Row {
+        PixelRow<Shown> shown;
+        const Plane* planes;
+        int y;
+
+        Cell operator[](int x) const { return {shown[x], planes, {x, y}}; }
+    };
+
+    void clear(const Area& area, const Depth& farthest) {
+        shown_.clear(area, {float(farthest.value), farthest.plane->number});
+        planes_ = farthest.plane - farthest.plane->number;
+    }
+    Cell at(int x, int y) { return row(y)[x]; }
+    Row row(int y) { return {shown_.row(y), planes_, y}; }
+
+private:
+    vidno::DepthBuffer<Shown> shown_;
+    const Plane* planes_ = nullptr;
+};
+
+/// The text's plane, in exact numbers.
+inline const Filtered::Plane::Exactly& Filtered::Plane::exactly() const {
+    struct Exactness {
+        using Number = Rational;
+        using Vertices = std::vector<Vertex<Rational>>;
+    } numbers;
+    if (!exactly_) {
+        Exactness::Vertices corners;
+        for (const auto& v : vertices) corners.push_back({v.x.value, v.y.value, v.z.value});
+        const auto p = InitializePolygon::initialize_polygon(numbers, corners);
+        exactly_ = std::make_shared<Exactly>(Exactly{-p.a / p.c, -p.b / p.c, -p.d / p.c});
+    }
+    return *exactly_;
+}
+
+}  // namespace vidno

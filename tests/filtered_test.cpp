@@ -1,0 +1,215 @@
+// The kernel `filtered`: its bounds hold, and where they cannot decide it decides right.
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include "support/reference.h"
+#include "support/scenes.h"
+#include "support/stage.h"
+
+using namespace vidno;
+using namespace vidno::test;
+
+namespace {
+
+/// A double and what it stands for, computed alongside.
+struct Shadowed {
+    Bounded bounded;
+    Rational exact;
+
+    bool holds() const {
+        if (!std::isfinite(bounded.value) || !std::isfinite(bounded.error)) return true;  // nothing is claimed
+        const Rational off = abs(Rational(bounded.value) - exact);
+        return off <= Rational(bounded.error) && Rational(bounded.low()) <= exact && exact <= Rational(bounded.high());
+    }
+    static Rational abs(const Rational& value) { return value < 0 ? Rational(-value) : value; }
+};
+
+Shadowed combine(int operation, const Shadowed& a, const Shadowed& b) {
+    switch (operation) {
+        case 0: return {a.bounded + b.bounded, a.exact + b.exact};
+        case 1: return {a.bounded - b.bounded, a.exact - b.exact};
+        case 2: return {a.bounded * b.bounded, a.exact * b.exact};
+        default: return {a.bounded / b.bounded, b.exact == 0 ? Rational(0) : Rational(a.exact / b.exact)};
+    }
+}
+
+/// Each coordinate moved by up to two ulps: what was a coincidence becomes nearly one.
+bool moved_by_ulps(Scene& scene, RandomScenes& random) {
+    for (auto& polygon : scene.polygons) {
+        for (auto& vertex : polygon.vertices) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const int ulps = random.whole(-2, 2);
+                for (int i = 0; i < std::abs(ulps); ++i) vertex[axis] = std::nextafter(vertex[axis], ulps * 1e9);
+            }
+            vertex.z = std::clamp(vertex.z, -1., 1.);
+        }
+        if (admit(polygon).admission != Admission::admitted) return false;
+    }
+    return true;
+}
+
+int wrong_pixels(Method method, const Scene& scene, auto kernel, const Picture& expected) {
+    return different_pixels(render(method, scene, kernel), expected);
+}
+
+}  // namespace
+
+TEST_CASE("Bounded: the exact result of a formula lies within the bound") {
+    // Chains of random operations; small whole numbers make cancellation and division by next to nothing common.
+    std::mt19937 random(5);
+    const auto any = [&] {
+        const double whole = int(random() % 9) - 4;
+        const double value = random() % 3 == 0 ? whole : std::ldexp(double(random()) + 1, int(random() % 90) - 70);
+        return Shadowed{Bounded(value), Rational(value)};
+    };
+    int inexact = 0;
+    for (int chain = 0; chain < 3000; ++chain) {
+        Shadowed value = any();
+        for (int step = 0; step < 6; ++step) {
+            const int operation = int(random() % 4);
+            const Shadowed other = any();
+            if (operation == 3 && other.exact == 0) continue;
+            value = random() % 2 == 0 || operation == 3 ? combine(operation, value, other)
+                                                        : combine(operation, other, value);
+            REQUIRE(value.holds());
+            inexact += value.bounded.is_exact() ? 0 : 1;
+        }
+    }
+    CHECK(inexact > 10000);
+}
+
+TEST_CASE("Bounded: what may be zero divides into nothing known") {
+    const Bounded tiny(1, 1);
+    CHECK((Bounded(1) / tiny).error == std::numeric_limits<double>::infinity());
+    CHECK_FALSE(sign_is_certain(tiny));
+    CHECK(sign_is_certain(Bounded(1, .5)));
+    CHECK_FALSE(sign_is_certain(Bounded(std::nan(""), 0)));
+}
+
+TEST_CASE("Orientation: right on the published maps, where double is not") {
+    // Kettner, Mehlhorn, Pion, Schirra and Yap, Classroom examples of robustness problems in geometric computations,
+    // CGTA 40(1), 2008, figure 2: p moves by units of 2^-53 over 256 x 256 places beside the line through q and r.
+    struct Figure {
+        glm::dvec3 p, q, r;
+    };
+    const std::vector<Figure> figures{{{.5, .5, 0}, {12, 12, 0}, {24, 24, 0}},
+                                      {{0x1.00000000000e4p-1, 0x1.000000000009ap-1, 0},
+                                       {0x1.14ccccccccccdp+4, 0x1.14ccccccccccdp+4, 0},
+                                       {0x1.800000000000ep+4, 0x1.800000000000fp+4, 0}},
+                                      {{.5, .5, 0},
+                                       {0x1.199999999999ap+3, 0x1.199999999999ap+3, 0},
+                                       {0x1.8333333333333p+3, 0x1.8333333333333p+3, 0}}};
+    for (const auto& figure : figures) {
+        CAPTURE(figure.q.x);
+        Filtered filtered;
+        filtered.see(SceneBuilder({0, 0, 32, 32}).polygon({{0, 0, 0}, {32, 0, 0}, {0, 32, 0}}).build());
+        const auto sign = [&](const auto& kernel, double x, double y) {
+            return kernel.sign(
+                kernel.cross(kernel.vertex({x, y, 0}), kernel.vertex(figure.q), kernel.vertex(figure.r)));
+        };
+        int wrong = 0, wrong_in_double = 0;
+        for (int i = 0; i < 256; ++i) {
+            for (int j = 0; j < 256; ++j) {
+                const double x = figure.p.x + i * 0x1p-53;
+                const double y = figure.p.y + j * 0x1p-53;
+                const Sign truth = sign(Exact{}, x, y);
+                wrong += sign(filtered, x, y) == truth ? 0 : 1;
+                wrong_in_double += sign(Double{}, x, y) == truth ? 0 : 1;
+            }
+        }
+        CHECK(wrong == 0);
+        CHECK(wrong_in_double > 1000);
+    }
+}
+
+TEST_CASE("Depths that tie in doubles are told apart") {
+    // At x = 1 - 2^-5 the one plane is at 1/4, the other lower by 2^-54 * 2^-5: no double near 1/4 shows it.
+    Stage<Filtered> stage(SceneBuilder({0, 0, 1, 1})
+                              .quad(0, 0, 1, 1, .25)
+                              .polygon({{0, 0, .25 - 0x1p-54}, {1, 0, .25}, {1, 1, .25}, {0, 1, .25 - 0x1p-54}})
+                              .build());
+    const auto point = stage.point(1 - 0x1p-5, .5);
+    const auto level = Corrected::depth(stage.run, stage.polygon(0), point);
+    const auto tilted = Corrected::depth(stage.run, stage.polygon(1), point);
+    CHECK(as_double(level) == as_double(tilted));
+    CHECK(stage.run.kernel.nearer(level, tilted, point));
+    CHECK_FALSE(stage.run.kernel.nearer(tilted, level, point));
+    CHECK_FALSE(stage.run.kernel.nearer(level, level, point));
+}
+
+TEST_CASE("Next to coincidences: no wrong pixel, and some under double") {
+    RandomScenes random(31);
+    int wrong_in_double = 0;
+    for (int admitted = 0; admitted < 2000;) {
+        Scene scene = random.scene();
+        if (!moved_by_ulps(scene, random)) continue;
+        ++admitted;
+        CAPTURE(admitted);
+        const Picture expected = Reference(scene).picture();
+        for (const Method method : {Method::warnock, Method::zbuffer}) {
+            CHECK(wrong_pixels(method, scene, Filtered{}, expected) == 0);
+            wrong_in_double += wrong_pixels(method, scene, Double{}, expected);
+        }
+    }
+    CHECK(wrong_in_double > 0);
+}
+
+TEST_CASE("Depths that a cell of the Z-buffer does not tell apart") {
+    // 1/2 and 1/2 + 2^-30 are one float; 1/2 and 1/2 are equal, and the first polygon stays.
+    const Scene scene = SceneBuilder({0, 0, 3, 1})
+                            .quad(0, 0, 3, 1, .5)
+                            .quad(0, 0, 1, 1, .5 + 0x1p-30)
+                            .quad(1, 0, 2, 1, .5)
+                            .quad(2, 0, 3, 1, .5 - 0x1p-30)
+                            .build();
+    const Picture picture = render(Method::zbuffer, scene, Filtered{});
+    CHECK(picture.at(0, 0) == color_of(1));
+    CHECK(picture.at(1, 0) == color_of(0));
+    CHECK(picture.at(2, 0) == color_of(0));
+}
+
+TEST_CASE("A plane that is edge-on but for an ulp: no bound holds, and it is drawn right") {
+    // The triangle is next to nothing but its edge from (0, 0) to (8, 8), which passes through the centres of the diagonal
+    // and rises from -1 to 1: before the quad at 0 from the fifth pixel on.
+    const Scene scene =
+        SceneBuilder({0, 0, 8, 8}).quad(0, 0, 8, 8, 0).polygon({{0, 0, -1}, {8, 8, 1}, {4, 4 + 0x1p-50, .5}}).build();
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        const Picture picture = render(method, scene, Filtered{});
+        for (int y = 0; y < 8; ++y) {
+            for (int x = 0; x < 8; ++x) {
+                CAPTURE(x);
+                CAPTURE(y);
+                CHECK((picture.at(x, y) == color_of(1)) == (x == y && x >= 4));
+            }
+        }
+    }
+}
+
+TEST_CASE("A window's corner that an edge passes through by chance") {
+    // The edge from (8 - 2^-50, -5) to (8 + 2^-49, -14) crosses y = -8 at x = 8, the window's own left side: the vertex that
+    // the top side makes lies on the left side, which no double of it shows.
+    Stage<Filtered> stage(SceneBuilder({8, -8, 2, 2})
+                              .polygon({{8 + 0x1p-49, -14, 0}, {9, -14, 0}, {9, -5, 0}, {8 - 0x1p-50, -5, 0}})
+                              .build());
+    const auto clipped = Corrected::polygon_clip(stage.run, stage.polygon(), Window{8, -8, 2, 2});
+    std::set<std::array<double, 2>> corners;
+    for (const auto& v : clipped) corners.insert({as_double(v.x), as_double(v.y)});
+    CHECK(corners == std::set<std::array<double, 2>>{{8, -8}, {9, -8}, {9, -6}, {8, -6}});
+}
+
+TEST_CASE("Coordinates that overflow are decided all the same") {
+    // The triangle's sides are so long that every product of them is infinite.
+    const double far = 0x1p1000;
+    const Scene scene = SceneBuilder({-2, -2, 4, 4})
+                            .polygon({{-far, -far, 0}, {far, -far, 0}, {far, far, 0}})
+                            .quad(-2, -2, 2, 2, -.5)
+                            .build();
+    const Picture expected = Reference(scene).picture();
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        CHECK(wrong_pixels(method, scene, Filtered{}, expected) == 0);
+    }
+}

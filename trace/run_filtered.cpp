@@ -1,0 +1,8 @@
+#include "run_kernel.h"
+#include "vidno/kernels/filtered.h"
+
+namespace vidno {
+
+Picture run_filtered(const RunRequest& request) { return run_set<Corrected>(request, Filtered{}); }
+
+}  // namespace vidno
