@@ -243,6 +243,8 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "trace " + scene + " -o " + work.file("no/such/place.jsonl"),
              "render " + scene + " -o " + work.file("a.gif"),
              "replay " + scene + " -o " + work.file("a.png"),
+             "check " + scene + " --kernel filtered --edition printed",
+             "check " + work.file("missing.jsonl"),
              "diff " + scene,
              "import " + scene + " -o " + work.file("a.json"),
          }) {
@@ -256,8 +258,34 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
     CHECK_MESSAGE(program("frobnicate").text.find("frobnicate") != std::string::npos, "the wrong word is named");
 }
 
+TEST_CASE("check: a table and the wrong pixels, exit 1 if anything is wrong; of a trace its own run") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const auto right = program("check " + scene);
+    CHECK(right.status == 0);
+    CHECK(right.text.find("ProcessWindow") != std::string::npos);
+    CHECK(right.text.find("wrong pixels: 0 of 2\n") != std::string::npos);
+
+    // As a float the left side of the square is 1/2, and the first pixel's centre lies on it.
+    const std::string drifting = work.write(
+        "drifting.json",
+        R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":1},"polygons":[)"
+        R"({"color":"#ff0000","vertices":[["0x1.0000001p-1",0,0],[2,0,0],[2,1,0],["0x1.0000001p-1",1,0]]}]})");
+    CHECK(program("check " + drifting).status == 0);
+    const auto wrong = program("check " + drifting + " --kernel float");
+    CHECK(wrong.status == 1);
+    CHECK(wrong.text.find("wrong pixels: 1 of 2\n") != std::string::npos);
+
+    const std::string trace = work.file("run.jsonl");
+    REQUIRE(program("trace " + drifting + " --kernel float --check -o " + trace).status == 0);
+    CHECK(work.read("run.jsonl").find(R"("e":"disagree")") != std::string::npos);
+    CHECK(program("check " + trace).text == wrong.text);
+    CHECK(program("check " + trace + " --kernel double").status == 0);
+    CHECK(program("replay " + trace + " -o " + work.file("a.ppm")).status == 0);
+}
+
 TEST_CASE("Help says what there is, exit 0") {
-    for (const std::string call : {"--help", "trace --help", "import --help", "methods", "--version"}) {
+    for (const std::string call : {"--help", "trace --help", "check --help", "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "value.h"
+#include "verdict.h"
 #include "vidno/kernel.h"
 #include "vidno/picture.h"
 #include "vidno/trace.h"
@@ -54,7 +55,27 @@ struct Plane {
     }
 };
 
-/// Of SurroundTest at level `signs` only: below it nothing happens inside.
+/// A decision that exact arithmetic takes otherwise along the same path.
+struct Disagree {
+    static constexpr Kind kind{"disagree", Detail::windows};
+    Line at{};  // of the event before, which tells the decision or is the first to follow it
+    Decision of{};
+    Answer taken, exact;
+    Cause cause{};
+    static void fields(auto& e, auto&& field) {
+        field("of", e.of);
+        field("taken", e.taken);
+        field("exact", e.exact);
+        field("cause", e.cause);
+    }
+};
+
+/// The level from which the calls of a procedure are told: below `signs` nothing happens inside SurroundTest. What a call
+/// came to is the event with that procedure as its `result_of`.
+constexpr Detail calls_from(Procedure procedure) {
+    return procedure == Procedure::surround_test ? Detail::signs : Detail::polygons;
+}
+
 struct Call {
     static constexpr Kind kind{"call", Detail::polygons};
     Line at{};
@@ -149,10 +170,14 @@ struct Box {
     PolygonPlace polygon;
     std::array<Value, 4> box;
     bool outside = false;
+    std::optional<Truth> exact;  // told when checked
+    static constexpr Decision decides = Decision::outside;
+    Answer decision() const { return outside; }
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("box", e.box);
         field("outside", e.outside);
+        field("exact", e.exact);
     }
 };
 
@@ -181,12 +206,16 @@ struct Compare {
     std::optional<Corner> corner;
     Value z, against;
     bool nearer = false;
+    std::optional<Truth> exact;  // told when checked
+    static constexpr Decision decides = Decision::nearer;
+    Answer decision() const { return nearer; }
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("corner", e.corner);
         field("z", e.z);
         field("against", e.against);
         field("nearer", e.nearer);
+        field("exact", e.exact);
     }
 };
 
@@ -233,14 +262,19 @@ struct Insider {
     Line at{};
     PolygonPlace polygon;
     bool inside = false;
+    std::optional<Truth> exact;  // told when checked
+    static constexpr Decision decides = Decision::inside;
+    Answer decision() const { return inside; }
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("inside", e.inside);
+        field("exact", e.exact);
     }
 };
 
 struct Summary {
     static constexpr Kind kind{"summary", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::process_window;
     Line at{};
     int count = 0;
     bool has_surround = false;
@@ -271,6 +305,7 @@ struct Nearest {
 
 struct PointColor {
     static constexpr Kind kind{"color", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::point_color;
     Line at{};
     ValuePoint point;
     Color color;
@@ -282,6 +317,7 @@ struct PointColor {
 
 struct Surround {
     static constexpr Kind kind{"surround", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::surround_test;
     Line at{};
     PolygonPlace polygon;
     ValuePoint point;
@@ -301,12 +337,16 @@ struct Orient {
     ValuePoint point;
     Value value;
     Sign sign{};
+    std::optional<Truth> exact;  // told when checked
+    static constexpr Decision decides = Decision::orientation;
+    Answer decision() const { return int(sign); }
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("edge", e.edge);
         field("point", e.point);
         field("value", e.value);
         field("sign", e.sign);
+        field("exact", e.exact);
     }
 };
 
@@ -341,10 +381,14 @@ struct ClipSign {
     ValueVertex vertex;
     Value value;
     Sign sign{};
+    std::optional<Truth> exact;  // told when checked
+    static constexpr Decision decides = Decision::orientation;
+    Answer decision() const { return int(sign); }
     static void fields(auto& e, auto&& field) {
         field("vertex", e.vertex);
         field("value", e.value);
         field("sign", e.sign);
+        field("exact", e.exact);
     }
 };
 
@@ -378,6 +422,7 @@ struct ClipList {
 
 struct ClipResult {
     static constexpr Kind kind{"clip_result", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::polygon_clip;
     Line at{};
     PolygonPlace polygon;
     std::vector<ValueVertex> vertices;
@@ -393,17 +438,22 @@ struct Row {
     int row = 0;
     Value left, right;
     int first = 0, end = 0;
+    std::optional<Truth> exact;  // told when checked
+    static constexpr Decision decides = Decision::columns;
+    Answer decision() const { return std::pair(first, end); }
     static void fields(auto& e, auto&& field) {
         field("row", e.row);
         field("left", e.left);
         field("right", e.right);
         field("first", e.first);
         field("end", e.end);
+        field("exact", e.exact);
     }
 };
 
 struct Draw {
     static constexpr Kind kind{"draw", Detail::windows};
+    static constexpr Procedure result_of = Procedure::fill_polygon;
     Line at{};
     PolygonPlace polygon;
     Color color;
@@ -571,10 +621,14 @@ struct Columns {
     Line at{};
     int first = 0, end = 0;
     Value z;
+    std::optional<Truth> exact;  // told when checked
+    static constexpr Decision decides = Decision::columns;
+    Answer decision() const { return std::pair(first, end); }
     static void fields(auto& e, auto&& field) {
         field("first", e.first);
         field("end", e.end);
         field("z", e.z);
+        field("exact", e.exact);
     }
 };
 
@@ -584,18 +638,23 @@ struct Pixel {
     int x = 0, y = 0;
     Value z, stored;
     bool shown = false;
+    std::optional<Truth> exact;  // told when checked
+    static constexpr Decision decides = Decision::nearer;
+    Answer decision() const { return shown; }
     static void fields(auto& e, auto&& field) {
         field("x", e.x);
         field("y", e.y);
         field("z", e.z);
         field("stored", e.stored);
         field("shown", e.shown);
+        field("exact", e.exact);
     }
 };
 
 /// The depths are there from level `polygons`.
 struct Span {
     static constexpr Kind kind{"span", Detail::windows};
+    static constexpr Procedure result_of = Procedure::show_line;
     Line at{};
     int row = 0;
     std::vector<ColumnRun> runs;
@@ -609,14 +668,15 @@ struct Span {
 
 }  // namespace event
 
-using Event = std::variant<event::Plane, event::Call, event::Depth, event::Fault, event::Push, event::Skip, event::Pop,
-                           event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count,
-                           event::Compare, event::Nearer, event::Uncover, event::Mark, event::Cover, event::Insider,
-                           event::Summary, event::Nearest, event::PointColor, event::Surround, event::Orient,
-                           event::ClipBegin, event::ClipSide, event::ClipSign, event::ClipCross, event::ClipKeep,
-                           event::ClipDrop, event::ClipList, event::ClipResult, event::Row, event::Draw, event::Clear,
-                           event::Polygon, event::Edge, event::Extent, event::Scanline, event::AelAdd,
-                           event::Horizontal, event::Leave, event::AelSort, event::AelDrop, event::AelStep,
-                           event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel, event::Span>;
+using Event =
+    std::variant<event::Plane, event::Call, event::Disagree, event::Depth, event::Fault, event::Push, event::Skip,
+                 event::Pop, event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count,
+                 event::Compare, event::Nearer, event::Uncover, event::Mark, event::Cover, event::Insider,
+                 event::Summary, event::Nearest, event::PointColor, event::Surround, event::Orient, event::ClipBegin,
+                 event::ClipSide, event::ClipSign, event::ClipCross, event::ClipKeep, event::ClipDrop, event::ClipList,
+                 event::ClipResult, event::Row, event::Draw, event::Clear, event::Polygon, event::Edge, event::Extent,
+                 event::Scanline, event::AelAdd, event::Horizontal, event::Leave, event::AelSort, event::AelDrop,
+                 event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel,
+                 event::Span>;
 
 }  // namespace vidno

@@ -37,6 +37,8 @@ private:
     void add(const Value& v) { v.fraction ? add(*v.fraction) : add(v.number); }
     void add(const std::string& v) { bytes_ += 6 * v.size() + 2; }  // \u0000 for each byte, in quotes
     void add(PolygonPlace v) { bytes_ += names_[std::size_t(v.index)].size(); }
+    void add(const Answer&) { add_all(0, 0); }  // two numbers at most
+    void add(const Truth&) { add_all(0, 0); }
     void add(const ValuePoint& v) { add_all(v.x, v.y); }
     void add(const ValueVertex& v) { add_all(v.x, v.y, v.z); }
     template <class A, class B>
@@ -115,6 +117,18 @@ private:
     void value(Pen& out, Sign v) { append_integer(out, int(v)); }
     void value(Pen& out, Corner v) { name(out, corner_names[std::size_t(v)]); }
     void value(Pen& out, Case v) { name(out, case_names[std::size_t(v)]); }
+    void value(Pen& out, Decision v) { name(out, decision_names[std::size_t(v)]); }
+    void value(Pen& out, Cause v) { name(out, cause_names[std::size_t(v)]); }
+    void value(Pen& out, const Answer& v) {
+        std::visit([&](const auto& answer) { value(out, answer); }, v);
+    }
+    void value(Pen& out, const Truth& v) {
+        if (v.answer) {
+            value(out, *v.answer);
+        } else {
+            out += std::string_view("null");
+        }
+    }
     void value(Pen& out, Procedure v) { name(out, procedure_names[std::size_t(v)]); }
     void value(Pen& out, const ValuePoint& v) { list(out, v.x, v.y); }
     void value(Pen& out, const ValueVertex& v) { list(out, v.x, v.y, v.z); }

@@ -33,7 +33,7 @@ public:
     }
     void call(Line at, Procedure procedure) {
         if (procedure == Procedure::show_line) recording_->span = {};
-        if (procedure == Procedure::surround_test && recording_->detail < Detail::signs) return;
+        if (recording_->detail < event::calls_from(procedure)) return;
         emit<event::Call>([&] { return event::Call{at, procedure}; });
     }
     void depth(Line at, const auto& polygon, const auto& where, const auto& z) {
@@ -79,7 +79,7 @@ public:
     void box(Line at, const auto& polygon, bool outside) {
         emit<event::Box>([&] {
             const auto& [xmin, ymin, xmax, ymax] = polygon.box;
-            return event::Box{at, place(polygon), {value(xmin), value(ymin), value(xmax), value(ymax)}, outside};
+            return event::Box{at, place(polygon), {value(xmin), value(ymin), value(xmax), value(ymax)}, outside, {}};
         });
     }
     void discard(Line at, const auto& polygon) {
@@ -90,7 +90,7 @@ public:
     }
     void compare_corner(Line at, const auto& polygon, int corner, const auto& z, const auto& against, bool nearer) {
         emit<event::Compare>([&] {
-            return event::Compare{at, place(polygon), Corner(corner), depth_value(z), depth_value(against), nearer};
+            return event::Compare{at, place(polygon), Corner(corner), depth_value(z), depth_value(against), nearer, {}};
         });
     }
     void nearer(Line at, const auto& polygon, const std::array<bool, 4>& at_corner, int k) {
@@ -112,7 +112,7 @@ public:
         emit<event::Cover>([&] { return event::Cover{at, place(polygon), polygon.color}; });
     }
     void insider(Line at, const auto& polygon, bool inside) {
-        emit<event::Insider>([&] { return event::Insider{at, place(polygon), inside}; });
+        emit<event::Insider>([&] { return event::Insider{at, place(polygon), inside, {}}; });
     }
     void summary(Line at, const auto& found) {
         emit<event::Summary>([&] {
@@ -123,7 +123,7 @@ public:
 
     void compare(Line at, const auto& polygon, const auto& z, const auto& against, bool nearer) {
         emit<event::Compare>(
-            [&] { return event::Compare{at, place(polygon), {}, depth_value(z), depth_value(against), nearer}; });
+            [&] { return event::Compare{at, place(polygon), {}, depth_value(z), depth_value(against), nearer, {}}; });
     }
     void nearest(Line at, const auto& polygon, const auto& z) {
         emit<event::Nearest>([&] { return event::Nearest{at, place(polygon), depth_value(z), polygon.color}; });
@@ -132,7 +132,8 @@ public:
         emit<event::PointColor>([&] { return event::PointColor{at, point(where), color}; });
     }
     void orient(Line at, const auto& polygon, int edge, const auto& where, const auto& cross, Sign sign) {
-        emit<event::Orient>([&] { return event::Orient{at, place(polygon), edge, point(where), value(cross), sign}; });
+        emit<event::Orient>(
+            [&] { return event::Orient{at, place(polygon), edge, point(where), value(cross), sign, {}}; });
     }
     void surround(Line at, const auto& polygon, const auto& where, bool inside) {
         emit<event::Surround>([&] { return event::Surround{at, place(polygon), point(where), inside}; });
@@ -145,7 +146,7 @@ public:
         emit<event::ClipSide>([&] { return event::ClipSide{at, side, point(from), point(to)}; });
     }
     void clip_sign(Line at, const auto& where, const auto& cross, Sign sign) {
-        emit<event::ClipSign>([&] { return event::ClipSign{at, vertex(where), value(cross), sign}; });
+        emit<event::ClipSign>([&] { return event::ClipSign{at, vertex(where), value(cross), sign, {}}; });
     }
     void clip_cross(Line at, const auto& where) {
         emit<event::ClipCross>([&] { return event::ClipCross{at, vertex(where)}; });
@@ -167,7 +168,7 @@ public:
         });
     }
     void row(Line at, int row, const auto& left, const auto& right, int first, int end) {
-        emit<event::Row>([&] { return event::Row{at, row, value(left), value(right), first, end}; });
+        emit<event::Row>([&] { return event::Row{at, row, value(left), value(right), first, end, {}}; });
     }
     void draw(Line at, const auto& polygon, const std::vector<PixelRun>& runs) {
         emit<event::Draw>([&] { return event::Draw{at, place(polygon), polygon.color, runs}; });
@@ -225,11 +226,11 @@ public:
         emit<event::Slope>([&] { return event::Slope{at, value(dz)}; });
     }
     void columns(Line at, int first, int end, const auto& z) {
-        emit<event::Columns>([&] { return event::Columns{at, first, end, value(z)}; });
+        emit<event::Columns>([&] { return event::Columns{at, first, end, value(z), {}}; });
     }
     void pixel(Line at, int x, int y, const auto& z, const auto& stored, bool shown) {
         if (shown) add_to_span(x, z);
-        emit<event::Pixel>([&] { return event::Pixel{at, x, y, value(z), depth_value(stored), shown}; });
+        emit<event::Pixel>([&] { return event::Pixel{at, x, y, value(z), depth_value(stored), shown, {}}; });
     }
     void span(Line at) {
         recording_->span.at = at;

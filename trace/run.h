@@ -14,7 +14,7 @@ struct RunRequest {
     const Scene& scene;
     Detail detail = Detail::windows;
     TraceWriter* writer = nullptr;           // none: no trace
-    std::function<void()> progress = [] {};  // without a trace, called at each window or polygon
+    std::function<void()> progress = [] {};  // without a trace, called at each window or polygon; checked, at each step
 };
 
 /// Throws EventLimitReached out of the writer.

@@ -18,9 +18,11 @@ State::State(const TraceHeader& header) : header_(&header), picture_(header.scen
 void State::apply(const Event& event) {
     std::visit(
         [this](const auto& e) {
-            if constexpr (requires { e.of; }) calls_.back().at = e.at;
+            using E = std::remove_cvref_t<decltype(e)>;
+            if constexpr (std::same_as<E, event::Call>) calls_.back().at = e.at;
+            if constexpr (requires { E::result_of; }) end_call(E::result_of);
             take(e);
-            if constexpr (!requires { e.of; }) calls_.back().at = e.at;
+            if constexpr (!std::same_as<E, event::Call>) calls_.back().at = e.at;
         },
         event);
     ++step_;
@@ -32,8 +34,8 @@ void State::take(const event::Call& e) {
 }
 
 /// A result closes the frame that its `call` opened; below the level of the call there is none.
-void State::result_of(Procedure procedure, Detail from) {
-    if (header_->detail < from) return;
+void State::end_call(Procedure procedure) {
+    if (header_->detail < event::calls_from(procedure)) return;
     if (calls_.back().of != procedure) throw Impossible{"a result of a procedure that is not running"};
     calls_.pop_back();
 }
@@ -117,19 +119,15 @@ void State::take(const event::Cover& e) {
 }
 
 void State::take(const event::Summary& e) {
-    result_of(Procedure::process_window, Detail::polygons);
     count_ = e.count;
     has_surround_ = e.has_surround;
     color_ = e.color;
     insider_ = e.insider;
 }
 
-void State::take(const event::PointColor& e) {
-    result_of(Procedure::point_color, Detail::polygons);
-    color_ = e.color;
-}
+void State::take(const event::PointColor& e) { color_ = e.color; }
 
-void State::take(const event::Surround&) { result_of(Procedure::surround_test, Detail::signs); }
+void State::take(const event::Surround&) {}
 
 State::Clip& State::clipping() {
     if (!clip_) throw Impossible{"nothing is being clipped"};
@@ -150,10 +148,7 @@ void State::take(const event::ClipList& e) {
     clip.next.clear();
 }
 
-void State::take(const event::ClipResult&) {
-    result_of(Procedure::polygon_clip, Detail::polygons);
-    clip_.reset();
-}
+void State::take(const event::ClipResult&) { clip_.reset(); }
 
 void State::expect_in_area(int row, int first, int end) const {
     const Area& area = picture_.area();
@@ -162,7 +157,6 @@ void State::expect_in_area(int row, int first, int end) const {
 }
 
 void State::take(const event::Draw& e) {
-    result_of(Procedure::fill_polygon, Detail::polygons);
     for (const auto& run : e.runs) {
         expect_in_area(run.row, run.first, run.end);
         picture_.paint(run, e.color);
@@ -218,7 +212,6 @@ void State::take(const event::AelStep& e) {
 }
 
 void State::take(const event::Span& e) {
-    result_of(Procedure::show_line, Detail::polygons);
     if (e.runs.empty()) return;
     if (!polygon_) throw Impossible{"a span of no polygon"};
     std::size_t pixels = 0;

@@ -70,6 +70,7 @@ public:
 private:
     void take(const event::Plane&) {}
     void take(const event::Call&);
+    void take(const event::Disagree&) {}
     void take(const event::Depth&);
     void take(const event::Fault&) {}
     void take(const event::Push&);
@@ -120,7 +121,7 @@ private:
     void take(const event::Pixel&) {}
     void take(const event::Span&);
 
-    void result_of(Procedure procedure, Detail from);
+    void end_call(Procedure procedure);
     Apl& current_apl();
     AplEntry& entry(PolygonPlace polygon);
     Clip& clipping();

@@ -145,6 +145,24 @@ private:
     void value(const json& v, Procedure& target, const std::string& path) const {
         target = Procedure(index_of(v, procedure_names, path));
     }
+    void value(const json& v, Decision& target, const std::string& path) const {
+        target = Decision(index_of(v, decision_names, path));
+    }
+    void value(const json& v, Cause& target, const std::string& path) const {
+        target = Cause(index_of(v, cause_names, path));
+    }
+    void value(const json& v, Answer& target, const std::string& path) const {
+        if (v.is_boolean()) {
+            target = v.get<bool>();
+        } else if (v.is_array()) {
+            value(v, target.emplace<std::pair<int, int>>(), path);
+        } else {
+            target = read_int(v, path);
+        }
+    }
+    void value(const json& v, Truth& target, const std::string& path) const {
+        if (!v.is_null()) value(v, target.answer.emplace(), path);
+    }
     void value(const json& v, ValuePoint& t, const std::string& path) const { list(v, path, t.x, t.y); }
     void value(const json& v, ValueVertex& t, const std::string& path) const { list(v, path, t.x, t.y, t.z); }
     void value(const json& v, Window& t, const std::string& path) const { list(v, path, t.x, t.y, t.width, t.height); }

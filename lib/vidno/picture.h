@@ -74,4 +74,12 @@ private:
     std::vector<Color> pixels_;
 };
 
+/// How many pixels of two pictures of the same area are not alike.
+inline std::size_t different_pixels(const Picture& a, const Picture& b) {
+    assert(a.area() == b.area());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) count += a.pixels()[i] != b.pixels()[i] ? 1 : 0;
+    return count;
+}
+
 }  // namespace vidno

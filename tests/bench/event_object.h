@@ -42,6 +42,12 @@ private:
     json value(Corner v) const { return corner_names[std::size_t(v)]; }
     json value(Case v) const { return case_names[std::size_t(v)]; }
     json value(Procedure v) const { return procedure_names[std::size_t(v)]; }
+    json value(Decision v) const { return decision_names[std::size_t(v)]; }
+    json value(Cause v) const { return cause_names[std::size_t(v)]; }
+    json value(const Answer& v) const {
+        return std::visit([&](const auto& answer) { return value(answer); }, v);
+    }
+    json value(const Truth& v) const { return v.answer ? value(*v.answer) : json(); }
     json value(const ValuePoint& v) const { return list(v.x, v.y); }
     json value(const ValueVertex& v) const { return list(v.x, v.y, v.z); }
     json value(const Window& v) const { return list(v.x, v.y, v.width, v.height); }

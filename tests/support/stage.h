@@ -58,10 +58,4 @@ struct HearFaults : NoTrace {
     void fault(Line at, std::string_view reason, int, int) { fault(at, reason); }
 };
 
-inline int different_pixels(const Picture& a, const Picture& b) {
-    int count = 0;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i) count += a.pixels()[i] != b.pixels()[i] ? 1 : 0;
-    return count;
-}
-
 }  // namespace vidno::test

@@ -2,6 +2,7 @@
 /// and throw Refused for what they do not take.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,6 +20,13 @@ struct RunOptions {
     std::string scene, output;
     std::string method = "warnock", kernel = "double", edition = "corrected", detail = "signs";
     std::uint64_t most_events = TraceWriter::no_limit;
+    bool check = false;
+};
+
+/// A scene, or a trace whose scene is run again; what is not given is the trace's own, or the default.
+struct CheckOptions {
+    std::string input;
+    std::optional<std::string> method, kernel, edition;
 };
 
 struct ReplayOptions {
@@ -38,8 +46,23 @@ struct MeshOptions {
 /// The options of `import` that say who looks at the mesh from where.
 void add_camera_options(CLI::App& command, ImportOptions& import);
 
+/// The kernel of a name that the command line has checked.
+const KernelChoice& kernel_named(const std::string& name);
+
+/// Refuses an edition that the kernel does not run.
+void expect_edition(const std::string& kernel, const std::string& edition);
+
+/// The scene of a file; warnings go to standard error.
+Scene scene_from(const std::string& file);
+
+/// The place of a name that the command line has checked.
+std::size_t place_in(const auto& names, const std::string& name) {
+    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 int trace(const RunOptions& options);
 int render(const RunOptions& options);
+int check(const CheckOptions& options);
 int replay(const ReplayOptions& options);
 int diff(const DiffOptions& options);
 int import(const MeshOptions& options);

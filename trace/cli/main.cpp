@@ -38,6 +38,7 @@ CLI::App& add_trace(CLI::App& app, RunOptions& options) {
     command.add_option("--detail", options.detail, "How much: each level adds events to the one before")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
+    command.add_flag("--check", options.check, "Tell the truth beside each decision, and which are wrong");
     command.add_option("--max-events", options.most_events, "Stop after so many events, keep what was traced")
         ->check(CLI::NonNegativeNumber);
     command.add_option("-o", options.output, "The trace, .jsonl or .jsonl.gz; - for standard output")->required();
@@ -50,6 +51,23 @@ CLI::App& add_render(CLI::App& app, RunOptions& options) {
     add_run_options(command, options);
     command.add_option("-o", options.output, "The picture, .png or .ppm; - writes PPM to standard output")->required();
     command.footer("Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png");
+    return command;
+}
+
+CLI::App& add_check(CLI::App& app, CheckOptions& options) {
+    auto& command = *app.add_subcommand("check", "Run a scene and hold every decision against the truth");
+    command.add_option("SCENE|TRACE", options.input, "A scene file, or a trace (.jsonl, .jsonl.gz) to be run again")
+        ->required();
+    command.add_option("--method", options.method, "Which algorithm [warnock, or the trace's]")
+        ->check(CLI::IsMember(words(method_names)));
+    command.add_option("--kernel", options.kernel, "Which arithmetic decides [double, or the trace's]")
+        ->check(CLI::IsMember(kernel_words()));
+    command.add_option("--edition", options.edition, "corrected or printed [corrected, or the trace's]")
+        ->check(CLI::IsMember({"corrected", "printed"}));
+    command.footer(
+        "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene. The "
+        "step\n"
+        "is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");
     return command;
 }
 
@@ -99,12 +117,14 @@ int main(int argc, char** argv) {
     app.footer("vidno COMMAND --help says more. Exit status: 0 done; 1 done, and something was found; 2 refused.");
 
     RunOptions run;
+    CheckOptions checked;
     ReplayOptions replayed;
     DiffOptions compared;
     MeshOptions mesh;
     int status = 0;
     add_trace(app, run).callback([&] { status = trace(run); });
     add_render(app, run).callback([&] { status = render(run); });
+    add_check(app, checked).callback([&] { status = check(checked); });
     add_replay(app, replayed).callback([&] { status = replay(replayed); });
     add_diff(app, compared).callback([&] { status = diff(compared); });
     add_import(app, mesh).callback([&] { status = import(mesh); });

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "check.h"
 #include "commands.h"
 #include "image.h"
 #include "output.h"
@@ -9,31 +10,29 @@
 
 namespace vidno::cli {
 
-namespace {
-
-Scene scene_of(const RunOptions& options) {
-    Progress progress;
-    progress.say("reading " + options.scene);
-    auto [scene, warnings] = read_scene(read_file(options.scene), options.scene);
-    progress.clear();
-    for (const auto& warning : warnings) std::cerr << warning << '\n';
-    return scene;
-}
-
 const KernelChoice& kernel_named(const std::string& name) {
     return *std::find_if(kernel_choices.begin(), kernel_choices.end(),
                          [&](auto& kernel) { return kernel.name == name; });
 }
 
-/// The place of a name that the command line has checked.
-std::size_t place_in(const auto& names, const std::string& name) {
-    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
+void expect_edition(const std::string& kernel, const std::string& edition) {
+    if (edition == "corrected" || kernel_named(kernel).runs_printed) return;
+    throw Refused("--edition " + edition + ": not under --kernel " + kernel + ", whose decisions are always right");
 }
 
+Scene scene_from(const std::string& file) {
+    Progress progress;
+    progress.say("reading " + file);
+    auto [scene, warnings] = read_scene(read_file(file), file);
+    progress.clear();
+    for (const auto& warning : warnings) std::cerr << warning << '\n';
+    return scene;
+}
+
+namespace {
+
 RunRequest request_of(const RunOptions& options, const Scene& scene) {
-    if (options.edition == "printed" && !kernel_named(options.kernel).runs_printed) {
-        throw Refused("--edition printed: not under --kernel " + options.kernel + ", whose decisions are always right");
-    }
+    expect_edition(options.kernel, options.edition);
     return {Method(place_in(method_names, options.method)), options.edition == "printed", scene,
             Detail(place_in(detail_names, options.detail))};
 }
@@ -41,7 +40,7 @@ RunRequest request_of(const RunOptions& options, const Scene& scene) {
 }  // namespace
 
 int trace(const RunOptions& options) {
-    const Scene scene = scene_of(options);
+    const Scene scene = scene_from(options.scene);
     RunRequest request = request_of(options, scene);
     OutputFile file(options.output);
     Progress progress("events");
@@ -55,7 +54,8 @@ int trace(const RunOptions& options) {
     running = request.writer = &writer;
     int status = 0;
     try {
-        writer.finish(kernel_named(options.kernel).run(request));
+        writer.finish(options.check ? trace_checked(request, options.kernel)
+                                    : kernel_named(options.kernel).run(request));
     } catch (const EventLimitReached&) {
         writer.finish_partial();
         progress.clear();
@@ -68,7 +68,7 @@ int trace(const RunOptions& options) {
 
 int render(const RunOptions& options) {
     encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
-    const Scene scene = scene_of(options);
+    const Scene scene = scene_from(options.scene);
     OutputFile file(options.output);
     RunRequest request = request_of(options, scene);
     Progress progress(request.method == Method::warnock ? "windows" : "polygons");

@@ -12,6 +12,11 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
     { e: 'fault', at: 'L6', reason: 'a write outside the area', x: 16, y: 3 },
     { e: 'fault', at: 'S2', reason: 'the list of edges ends' },
   ],
+  disagree: [
+    { e: 'disagree', at: 'S3', of: 'orientation', taken: -1, exact: 0, cause: 'rounded' },
+    { e: 'disagree', at: 'L6', of: 'nearer', taken: true, exact: false, cause: 'drifted' },
+    { e: 'disagree', at: 'F2', of: 'columns', taken: [8, 8], exact: [7, 9], cause: 'drifted' },
+  ],
   push: [
     { e: 'push', at: 'W3', window: [0, 0, 8, 8], apl: [['A', false]] },
     { e: 'push', at: 'W3', window: [0, 0, 8, 8], apl: [] },
@@ -22,7 +27,7 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   pop: [{ e: 'pop', at: 'W5', window: [4, 0, 4, 4] }],
   corners: [{ e: 'corners', at: 'PW1', z: '-inf' }],
   box: [
-    { e: 'box', at: 'PW3', polygon: 'A', box: [0, 0, 3, 3], outside: true },
+    { e: 'box', at: 'PW3', polygon: 'A', box: [0, 0, 3, 3], outside: true, exact: null },
     { e: 'box', at: 'PW3', polygon: 'A', box: [0, 0, 3, 3], outside: false },
   ],
   discard: [{ e: 'discard', at: 'PW3', polygon: 'A' }],
@@ -92,7 +97,7 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
     { e: 'clip_result', at: 'W12', polygon: 'A', vertices: [[1, 2, 0.5]] },
   ],
   row: [
-    { e: 'row', at: 'F2', row: 3, left: 1.25, right: 4, first: 1, end: 4 },
+    { e: 'row', at: 'F2', row: 3, left: 1.25, right: 4, first: 1, end: 4, exact: [1, 4] },
     { e: 'row', at: 'F2', row: 3, left: 1.25, right: 1.3, first: 1, end: 1 },
   ],
   draw: [{ e: 'draw', at: 'W12', polygon: 'A', color: '#112233', runs: [[0, 1, 3]] }],

@@ -61,6 +61,22 @@ export function list<T>(item: Check<T>): Check<readonly T[]> {
   };
 }
 
+/** What one of the checks takes: the answer to a decision. */
+export function either<const C extends readonly Check<unknown>[]>(
+  ...checks: C
+): Check<Checked<C[number]>> {
+  return (value, path) => {
+    for (const check of checks) {
+      try {
+        return check(value, path) as Checked<C[number]>;
+      } catch (refusal) {
+        if (!(refusal instanceof Refusal)) throw refusal;
+      }
+    }
+    throw new Refusal(path, 'answer', describe(value));
+  };
+}
+
 type Tuple<C extends readonly Check<unknown>[]> = { readonly [I in keyof C]: Checked<C[I]> };
 
 export function tuple<const C extends readonly Check<unknown>[]>(...items: C): Check<Tuple<C>> {

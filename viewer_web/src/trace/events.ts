@@ -1,6 +1,7 @@
 import { between, bool, list, matching, oneOf, record, text, tuple, whole } from './check.js';
 import type { Check, Checked, Obligatory, Optional } from './check.js';
 import {
+  answer,
   box,
   color,
   corner,
@@ -12,6 +13,7 @@ import {
   runs,
   sign,
   triple,
+  truth,
 } from './values.js';
 
 /**
@@ -67,11 +69,36 @@ export const procedures = [
 ] as const;
 export type Procedure = (typeof procedures)[number];
 
+/** What may be decided, as a checked trace names it. */
+export const decisions = [
+  'comparison',
+  'orientation',
+  'nearer',
+  'outside',
+  'inside',
+  'first_centre',
+  'last_centre',
+  'rows',
+  'columns',
+  'same_rounded',
+  'pixel',
+] as const;
+export type Decision = (typeof decisions)[number];
+
+/** Beside a decision in a checked trace. */
+const told = { exact: truth } as const;
+
 export const common = {
   plane: kind(oneOf('I1'), 'p', { polygon: id, plane: tuple(num, num, num, num) }),
   call: kind(anyLine, 'p', { of: oneOf(...procedures) }),
   depth: kind(oneOf('PW5', 'PC3', 'Z3'), 'p', { polygon: id, point: pair, z: num }),
   fault: kind(anyLine, 'w', { reason: text }, { x: whole, y: whole }),
+  disagree: kind(anyLine, 'w', {
+    of: oneOf(...decisions),
+    taken: answer,
+    exact: answer,
+    cause: oneOf('rounded', 'drifted'),
+  }),
 } as const;
 
 export const warnock = {
@@ -84,21 +111,26 @@ export const warnock = {
   skip: kind(oneOf('W13'), 'w', { window: box }),
   pop: kind(oneOf('W5'), 'w', { window: box }),
   corners: kind(oneOf('PW1'), 'p', { z: num }),
-  box: kind(oneOf('PW3'), 's', { polygon: id, box: tuple(num, num, num, num), outside: bool }),
+  box: kind(
+    oneOf('PW3'),
+    's',
+    { polygon: id, box: tuple(num, num, num, num), outside: bool },
+    told,
+  ),
   discard: kind(oneOf('PW3'), 'p', { polygon: id }),
   count: kind(oneOf('PW4'), 'p', { polygon: id, count }),
   compare: kind(
     oneOf('PW6', 'PC4'),
     's',
     { polygon: id, z: num, against: num, nearer: bool },
-    { corner },
+    { corner, ...told },
   ),
   nearer: kind(oneOf('PW6'), 'p', { polygon: id, corners: list(corner), k: between(0, 4) }),
   uncover: kind(oneOf('PW7'), 'p', { polygon: id }),
   surround: kind(oneOf('PW8', 'PC2'), 'p', { polygon: id, point: pair, inside: bool }),
   mark: kind(oneOf('PW8'), 'p', { polygon: id }),
   cover: kind(oneOf('PW9'), 'p', { polygon: id, color }),
-  insider: kind(oneOf('PW10'), 'p', { polygon: id, inside: bool }),
+  insider: kind(oneOf('PW10'), 'p', { polygon: id, inside: bool }, told),
   summary: kind(oneOf('W6'), 'p', { count, hasSurround: bool, insider: bool }, { color }),
   decide: kind(oneOf('W7', 'W8', 'W9', 'W10', 'W13'), 'w', {
     case: oneOf('empty', 'surrounded', 'pixel', 'single', 'split'),
@@ -106,16 +138,26 @@ export const warnock = {
   fill: kind(oneOf('W7', 'W8', 'W9', 'W10'), 'w', { rect: pixels, color }),
   nearest: kind(oneOf('PC4'), 'p', { polygon: id, z: num, color }),
   color: kind(oneOf('W9'), 'p', { point: pair, color }),
-  orient: kind(oneOf('S2', 'S3'), 's', { polygon: id, edge: count, point: pair, value: num, sign }),
+  orient: kind(
+    oneOf('S2', 'S3'),
+    's',
+    { polygon: id, edge: count, point: pair, value: num, sign },
+    told,
+  ),
   clip_begin: kind(oneOf('PL1'), 'p', { polygon: id, window: box }),
   clip_side: kind(oneOf('PL2'), 'p', { side: between(1, 4), from: pair, to: pair }),
-  clip_sign: kind(oneOf('PL3', 'PL4'), 's', { vertex: triple, value: num, sign }),
+  clip_sign: kind(oneOf('PL3', 'PL4'), 's', { vertex: triple, value: num, sign }, told),
   clip_cross: kind(oneOf('PL5'), 'p', { vertex: triple }),
   clip_keep: kind(oneOf('PL6'), 'p', { vertex: triple }),
   clip_drop: kind(oneOf('PL6'), 'p', { vertex: triple }),
   clip_list: kind(oneOf('PL7'), 'p', { count }),
   clip_result: kind(oneOf('W12'), 'p', { polygon: id, vertices: list(triple) }),
-  row: kind(oneOf('F2'), 's', { row: whole, left: num, right: num, first: whole, end: whole }),
+  row: kind(
+    oneOf('F2'),
+    's',
+    { row: whole, left: num, right: num, first: whole, end: whole },
+    told,
+  ),
   draw: kind(oneOf('W11', 'W12'), 'w', { polygon: id, color, runs }),
 } as const;
 
@@ -137,8 +179,8 @@ export const zbuffer = {
   line: kind(oneOf('L1'), 'p', { row: whole, from: pair, to: pair }),
   miss: kind(oneOf('L1', 'L2'), 'p', {}),
   slope: kind(oneOf('L3'), 's', { dz: num }),
-  columns: kind(oneOf('L4'), 's', { first: whole, end: whole, z: num }),
-  pixel: kind(oneOf('L6'), 's', { x: whole, y: whole, z: num, stored: num, shown: bool }),
+  columns: kind(oneOf('L4'), 's', { first: whole, end: whole, z: num }, told),
+  pixel: kind(oneOf('L6'), 's', { x: whole, y: whole, z: num, stored: num, shown: bool }, told),
   span: kind(oneOf('Z9', 'Z14'), 'w', { row: whole, runs: rowRuns }, { depths: list(num) }),
   ael_drop: kind(oneOf('Z16'), 'p', { edges, next: num }),
   ael_step: kind(oneOf('Z17'), 'p', { edge: count, x: num, z: num }),

@@ -3,6 +3,7 @@ export interface Reasons {
   // A value is not what the format says.
   number: [found: string];
   kernelNumber: [found: string];
+  answer: [found: string];
   whole: [found: string];
   between: [least: string, greatest: string, found: string];
   bool: [found: string];

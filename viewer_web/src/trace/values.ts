@@ -1,4 +1,4 @@
-import { finite, list, matching, oneOf, text, tuple, whole } from './check.js';
+import { bool, either, finite, list, matching, oneOf, text, tuple, whole } from './check.js';
 import type { Check, Checked } from './check.js';
 import { Refusal, describe } from './refusal.js';
 
@@ -25,6 +25,16 @@ export const runs = list(tuple(whole, whole, whole));
 export const rowRuns = list(tuple(whole, whole));
 export const sign = oneOf(-1, 0, 1);
 
+/** What a decision came to: yes or no, a sign or a pixel, or the range first <= i < end. */
+export const answer = either(bool, whole, tuple(whole, whole));
+const nothing: Check<null> = (value, path) => {
+  if (value === null) return null;
+  throw new Refusal(path, 'answer', describe(value));
+};
+/** The right answer; null where it is undefined. */
+export const truth = either(nothing, answer);
+
+export type Answer = Checked<typeof answer>;
 export type Color = Checked<typeof color>;
 export type Corner = Checked<typeof corner>;
 export type Pair = Checked<typeof pair>;

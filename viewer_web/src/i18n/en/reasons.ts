@@ -2,6 +2,7 @@ import type { ReasonTexts } from '../texts.js';
 
 export const reasons: ReasonTexts = {
   number: (found) => `a number should stand here, not ${found}`,
+  answer: (found) => `true, false, a whole number or a range should stand here, not ${found}`,
   kernelNumber: (found) => `a number, a fraction, inf or nan should stand here, not ${found}`,
   whole: (found) => `a whole number should stand here, not ${found}`,
   between: (least, greatest, found) =>

@@ -1,3 +1,5 @@
+import type { Decision } from '../../trace/events.js';
+import type { Answer } from '../../trace/values.js';
 import type { Sentences } from '../texts.js';
 import { cells, point, short, windowText } from '../words.js';
 import type { Words } from '../words.js';
@@ -30,6 +32,32 @@ const sides = ['top', 'left', 'bottom', 'right'];
 const when = (next: number | string, before: string): string =>
   next === 'inf' ? '' : `; ${before} ${short(next)}`;
 
+const decided: Readonly<Record<Decision, string>> = {
+  comparison: 'a comparison of two numbers',
+  orientation: 'the side of the line',
+  nearer: 'the comparison of depths',
+  outside: 'whether the box lies outside the window',
+  inside: 'whether the box lies inside the window',
+  first_centre: 'the first pixel',
+  last_centre: 'the last pixel',
+  rows: 'the rows',
+  columns: 'the columns',
+  same_rounded: 'whether two numbers round alike',
+  pixel: 'the pixel of a number',
+};
+
+const causes = {
+  rounded: 'The operation rounded.',
+  drifted: 'It is right for its numbers: they had drifted before.',
+};
+
+const answer = (value: Answer): string => {
+  if (typeof value === 'boolean') return value ? 'yes' : 'no';
+  if (typeof value === 'number') return String(value);
+  const [first, end] = value;
+  return first < end ? `${first} to ${end - 1}` : 'none';
+};
+
 export const sentences: Sentences = {
   plane: ({ polygon, plane }) =>
     `The plane of ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
@@ -40,6 +68,8 @@ export const sentences: Sentences = {
     x === undefined || y === undefined
       ? `The printed text fails here: ${reason}. The run ends.`
       : `The printed text fails here: ${reason}, pixel (${x}, ${y}).`,
+  disagree: ({ of, taken, exact, cause }) =>
+    `Wrong, ${decided[of]}: ${answer(taken)} here, ${answer(exact)} exactly. ${causes[cause]}`,
 
   push: ({ at, window, shared, apl }, words) => {
     if (at === 'W3') {

@@ -2,6 +2,7 @@ import type { ReasonTexts } from '../texts.js';
 
 export const reasons: ReasonTexts = {
   number: (found) => `здесь должно стоять число, а не ${found}`,
+  answer: (found) => `здесь должно стоять true, false, целое число или промежуток, а не ${found}`,
   kernelNumber: (found) => `здесь должно стоять число, дробь, inf или nan, а не ${found}`,
   whole: (found) => `здесь должно стоять целое число, а не ${found}`,
   between: (least, greatest, found) =>

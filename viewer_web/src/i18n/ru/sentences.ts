@@ -1,3 +1,5 @@
+import type { Decision } from '../../trace/events.js';
+import type { Answer } from '../../trace/values.js';
 import type { Sentences } from '../texts.js';
 import { cells, point, short, windowText } from '../words.js';
 import type { Words } from '../words.js';
@@ -37,6 +39,32 @@ const sides = ['верхняя', 'левая', 'нижняя', 'правая'];
 const when = (next: number | string, before: string): string =>
   next === 'inf' ? '' : `; ${before} ${short(next)}`;
 
+const decided: Readonly<Record<Decision, string>> = {
+  comparison: 'сравнение двух чисел',
+  orientation: 'сторона прямой',
+  nearer: 'сравнение глубин',
+  outside: 'лежит ли рамка вне окна',
+  inside: 'лежит ли рамка внутри окна',
+  first_centre: 'первый пиксель',
+  last_centre: 'последний пиксель',
+  rows: 'строки',
+  columns: 'столбцы',
+  same_rounded: 'одинаково ли округляются два числа',
+  pixel: 'пиксель числа',
+};
+
+const causes = {
+  rounded: 'Операция округлила.',
+  drifted: 'Для своих чисел это верно: они сместились раньше.',
+};
+
+const answer = (value: Answer): string => {
+  if (typeof value === 'boolean') return value ? 'да' : 'нет';
+  if (typeof value === 'number') return String(value);
+  const [first, end] = value;
+  return first < end ? `${first}–${end - 1}` : 'нет ни одного';
+};
+
 export const sentences: Sentences = {
   plane: ({ polygon, plane }) =>
     `Плоскость ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
@@ -47,6 +75,8 @@ export const sentences: Sentences = {
     x === undefined || y === undefined
       ? `Напечатанный текст здесь ошибается: ${reason}. Прогон окончен.`
       : `Напечатанный текст здесь ошибается: ${reason}, пиксель (${x}, ${y}).`,
+  disagree: ({ of, taken, exact, cause }) =>
+    `Неверно, ${decided[of]}: здесь ${answer(taken)}, точно ${answer(exact)}. ${causes[cause]}`,
 
   push: ({ at, window, shared, apl }, words) => {
     if (at === 'W3') {

@@ -1,0 +1,40 @@
+/// Check: runs with every decision held against the truth.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "run.h"
+
+namespace vidno {
+
+/// Of one procedure, calls from it not included.
+struct ProcedureVerdicts {
+    Procedure procedure{};
+    std::uint64_t decisions = 0;
+    std::uint64_t wrong_for_operands = 0;  // the operation rounded
+    std::uint64_t wrong_for_scene = 0;     // that, or its operands had drifted
+    std::uint64_t undefined = 0;           // no truth: after a wrong turn
+    std::optional<std::uint64_t>
+        first_wrong;  // the step of level `signs` that tells it, or is the first to follow; from 1
+};
+
+struct CheckReport {
+    std::vector<ProcedureVerdicts> procedures;  // those that decided, in the order of Procedure
+    std::uint64_t intersections = 0;            // computed when clipping, under `float` and `double`
+    double farthest_off = 0;                    // of them, from the exact one, in pixels
+    std::uint64_t wrong_pixels = 0;             // against the picture rule
+
+    /// Whether any decision or pixel is wrong.
+    bool found_something() const;
+};
+
+/// Runs the request's scene under the kernel of that name. Under `filtered` and `exact` the decisions are compared with
+/// those of a run under `exact`, until they part.
+CheckReport check_run(const RunRequest& request, std::string_view kernel);
+
+/// The same run told to the request's writer: each decision with its truth, each wrong one followed by `disagree`.
+Picture trace_checked(const RunRequest& request, std::string_view kernel);
+
+}  // namespace vidno
