@@ -172,7 +172,7 @@ Picture trace_checked(const RunRequest& request, std::string_view kernel) {
     CheckedTrace trace(request);
     const auto judge = [&](const Verdict& verdict) { trace.judge(verdict); };
     const auto hear = [&](const Event& event) { trace.hear(event); };
-    const Picture picture = judged_run(request, kernel, {judge, [](double) {}, hear});
+    Picture picture = judged_run(request, kernel, {judge, [](double) {}, hear});
     trace.tell_wrong_ones();
     return picture;
 }

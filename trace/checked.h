@@ -8,6 +8,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "shadowed.h"
@@ -54,7 +55,7 @@ public:
     Sign sign(const Number& cross) const { return machine_.sign(cross.value); }
 
     Vertex<Number> meet(const Vertex<Number>& p, const Vertex<Number>& q, const Number& cp, const Number& cq) const {
-        const Vertex<Number> found = Base::meet(p, q, cp, cq);
+        Vertex<Number> found = Base::meet(p, q, cp, cq);
         if (found.x.exact && found.y.exact && is_finite(found.x) && is_finite(found.y)) {
             (*surveyor_)(std::hypot(off(found.x), off(found.y)));
         }
@@ -165,20 +166,21 @@ private:
     static constexpr auto is_finite = [](const Number& v) { return std::isfinite(v.value); };
     static constexpr auto is_defined = [](const Number& v) { return v.exact.has_value(); };
 
+    template <class F>
+    using Part = std::invoke_result_t<F, const Number&>;
+
     static auto mapped(const Number& v, auto part) { return part(v); }
-    static auto mapped(const Point<Number>& p, auto part) { return Point{part(p.x), part(p.y)}; }
+    static auto mapped(const Point<Number>& p, auto part) { return Point<Part<decltype(part)>>{part(p.x), part(p.y)}; }
     static auto mapped(const Box<Number>& b, auto part) {
-        return Box{part(b.xmin), part(b.ymin), part(b.xmax), part(b.ymax)};
+        return Box<Part<decltype(part)>>{part(b.xmin), part(b.ymin), part(b.xmax), part(b.ymax)};
     }
     static auto mapped(const Outline& outline, auto part) {
-        using Part = decltype(part(outline[0].x));
-        std::vector<Vertex<Part>> vertices;
+        std::vector<Vertex<Part<decltype(part)>>> vertices;
         for (const auto& v : outline) vertices.push_back({part(v.x), part(v.y), part(v.z)});
         return vertices;
     }
     static auto mapped(const Depth& z, auto part) {
-        using Part = decltype(part(*z.number));
-        if constexpr (std::same_as<Part, T>) {
+        if constexpr (std::same_as<Part<decltype(part)>, T>) {
             return z.number ? part(*z.number) : Machine().farthest();
         } else {
             return z.number ? Exact::Depth(part(*z.number)) : Exact::Depth();

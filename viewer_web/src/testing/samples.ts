@@ -16,6 +16,7 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
     { e: 'disagree', at: 'S3', of: 'orientation', taken: -1, exact: 0, cause: 'rounded' },
     { e: 'disagree', at: 'L6', of: 'nearer', taken: true, exact: false, cause: 'drifted' },
     { e: 'disagree', at: 'F2', of: 'columns', taken: [8, 8], exact: [7, 9], cause: 'drifted' },
+    { e: 'disagree', at: 'F2', of: 'columns', taken: [7, 9], exact: [7, 8], cause: 'drifted' },
   ],
   push: [
     { e: 'push', at: 'W3', window: [0, 0, 8, 8], apl: [['A', false]] },

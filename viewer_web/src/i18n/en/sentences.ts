@@ -55,6 +55,7 @@ const answer = (value: Answer): string => {
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
   if (typeof value === 'number') return String(value);
   const [first, end] = value;
+  if (end - first === 1) return String(first);
   return first < end ? `${first} to ${end - 1}` : 'none';
 };
 

@@ -62,6 +62,7 @@ const answer = (value: Answer): string => {
   if (typeof value === 'boolean') return value ? 'да' : 'нет';
   if (typeof value === 'number') return String(value);
   const [first, end] = value;
+  if (end - first === 1) return String(first);
   return first < end ? `${first}–${end - 1}` : 'нет ни одного';
 };
 
