@@ -59,8 +59,8 @@ Read read_back(const std::string& trace) {
         std::visit(
             [&](auto& e) {
                 if constexpr (requires { e.decides; }) {
-                    read.truths += e.exact ? 1 : 0;
-                    e.exact.reset();
+                    read.truths += e.told.exact ? 1 : 0;
+                    e.told = {};
                 }
                 text.line(lines, e);
             },
@@ -181,6 +181,22 @@ TEST_CASE("Under filtered and exact nothing is wrong") {
                 CHECK_FALSE(checked(scene, method, kernel).found_something());
             }
         }
+    }
+}
+
+TEST_CASE("Under filtered it is counted what decided") {
+    // A square over 8 x 8 centres, none on its outline: each of its depths is nearer than no polygon.
+    const Scene plain = SceneBuilder(area_16).quad(4, 4, 12, 12, .5).build();
+    const auto easy = checked(plain, Method::zbuffer, "filtered").decided_by;
+    CHECK(easy[std::size_t(FilterStage::scene)] == 64);
+    CHECK(easy[std::size_t(FilterStage::exact)] == 0);
+    // The same square again: 64 depths are equal, which no bound tells.
+    const Scene tied = SceneBuilder(area_16).quad(4, 4, 12, 12, .5).quad(4, 4, 12, 12, .5).build();
+    const auto hard = checked(tied, Method::zbuffer, "filtered").decided_by;
+    CHECK(hard[std::size_t(FilterStage::scene)] == 64);
+    CHECK(hard[std::size_t(FilterStage::exact)] == 64);
+    for (const char* kernel : {"float", "double", "exact"}) {
+        CHECK(checked(plain, Method::zbuffer, kernel).decided_by == decltype(easy){});
     }
 }
 

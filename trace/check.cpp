@@ -17,6 +17,7 @@ namespace {
 struct Audience {
     Judge judge;
     Surveyor survey;
+    std::function<void(FilterStage)> count;  // under `filtered`, what decided each comparison
     std::function<void(const Event&)> hear;
 };
 
@@ -25,7 +26,7 @@ Picture told_run(const RunRequest& request, const K& kernel, const std::function
     const auto sink = [&](const auto& event) { hear(event); };
     Recording<const decltype(sink)> recording{Detail::signs, sink};
     const Recorder<K, const decltype(sink)> recorder(recording);
-    if constexpr (std::same_as<K, Filtered>) {
+    if constexpr (std::derived_from<K, FilteredValues>) {
         return render<Corrected>(request.method, request.scene, kernel, recorder);
     } else {
         return request.printed ? render<Printed>(request.method, request.scene, kernel, recorder)
@@ -41,6 +42,11 @@ void if_decision(auto&& event, auto&& take) {
         },
         event);
 }
+
+struct Tally {
+    const Audience* audience;
+    void operator()(FilterStage stage) const { audience->count(stage); }
+};
 
 /// A kernel that should always be right takes the decisions of the exact one, one after the other.
 template <Kernel K>
@@ -67,7 +73,7 @@ Picture judged_run(const RunRequest& request, std::string_view kernel, const Aud
     };
     if (kernel == Float::name) return checked(Float{});
     if (kernel == Double::name) return checked(Double{});
-    if (kernel == Filtered::name) return compared_run(request, Filtered{}, audience);
+    if (kernel == Filtered::name) return compared_run(request, FilteredBy<Tally>({&audience}), audience);
     return compared_run(request, Exact{}, audience);
 }
 
@@ -77,9 +83,11 @@ public:
     explicit CheckedTrace(const RunRequest& request) : request_(request) {}
 
     void judge(const Verdict& verdict) { verdicts_.push_back(verdict); }
+    void count(FilterStage stage) { last_stage_ = std::max(last_stage_.value_or(stage), stage); }
 
     void hear(Event event) {
-        if_decision(event, [&](auto& e) { e.exact = truth_of(e.decides); });
+        if_decision(event, [&](auto& e) { e.told = {truth_of(e.decides), last_stage_}; });
+        last_stage_.reset();
         std::visit([&](auto& e) { write(e); }, event);
         tell_wrong_ones();
     }
@@ -120,7 +128,8 @@ private:
     }
 
     const RunRequest& request_;
-    std::vector<Verdict> verdicts_;  // since the last event
+    std::vector<Verdict> verdicts_;          // since the last event
+    std::optional<FilterStage> last_stage_;  // that was needed since
     Line at_{};
 };
 
@@ -159,7 +168,8 @@ CheckReport check_run(const RunRequest& request, std::string_view kernel) {
             },
             event);
     };
-    const Picture picture = judged_run(request, kernel, {judge, survey, hear});
+    const auto count = [&](FilterStage stage) { ++report.decided_by[std::size_t(stage)]; };
+    const Picture picture = judged_run(request, kernel, {judge, survey, count, hear});
     report.wrong_pixels = different_pixels(picture, render(Method::zbuffer, request.scene, Exact{}));
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
         verdicts[i].procedure = Procedure(i);
@@ -171,8 +181,9 @@ CheckReport check_run(const RunRequest& request, std::string_view kernel) {
 Picture trace_checked(const RunRequest& request, std::string_view kernel) {
     CheckedTrace trace(request);
     const auto judge = [&](const Verdict& verdict) { trace.judge(verdict); };
+    const auto count = [&](FilterStage stage) { trace.count(stage); };
     const auto hear = [&](const Event& event) { trace.hear(event); };
-    Picture picture = judged_run(request, kernel, {judge, [](double) {}, hear});
+    Picture picture = judged_run(request, kernel, {judge, [](double) {}, count, hear});
     trace.tell_wrong_ones();
     return picture;
 }

@@ -1,6 +1,7 @@
 /// Check: runs with every decision held against the truth.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -24,7 +25,8 @@ struct CheckReport {
     std::vector<ProcedureVerdicts> procedures;  // those that decided, in the order of Procedure
     std::uint64_t intersections = 0;            // computed when clipping, under `float` and `double`
     double farthest_off = 0;                    // of them, from the exact one, in pixels
-    std::uint64_t wrong_pixels = 0;             // against the picture rule
+    std::array<std::uint64_t, filter_stage_names.size()> decided_by{};  // under `filtered`: how many at each stage
+    std::uint64_t wrong_pixels = 0;                                     // against the picture rule
 
     /// Whether any decision or pixel is wrong.
     bool found_something() const;

@@ -170,14 +170,15 @@ struct Box {
     PolygonPlace polygon;
     std::array<Value, 4> box;
     bool outside = false;
-    std::optional<Truth> exact;  // told when checked
+    Told told;
     static constexpr Decision decides = Decision::outside;
     Answer decision() const { return outside; }
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("box", e.box);
         field("outside", e.outside);
-        field("exact", e.exact);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
     }
 };
 
@@ -206,7 +207,7 @@ struct Compare {
     std::optional<Corner> corner;
     Value z, against;
     bool nearer = false;
-    std::optional<Truth> exact;  // told when checked
+    Told told;
     static constexpr Decision decides = Decision::nearer;
     Answer decision() const { return nearer; }
     static void fields(auto& e, auto&& field) {
@@ -215,7 +216,8 @@ struct Compare {
         field("z", e.z);
         field("against", e.against);
         field("nearer", e.nearer);
-        field("exact", e.exact);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
     }
 };
 
@@ -262,13 +264,14 @@ struct Insider {
     Line at{};
     PolygonPlace polygon;
     bool inside = false;
-    std::optional<Truth> exact;  // told when checked
+    Told told;
     static constexpr Decision decides = Decision::inside;
     Answer decision() const { return inside; }
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("inside", e.inside);
-        field("exact", e.exact);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
     }
 };
 
@@ -337,7 +340,7 @@ struct Orient {
     ValuePoint point;
     Value value;
     Sign sign{};
-    std::optional<Truth> exact;  // told when checked
+    Told told;
     static constexpr Decision decides = Decision::orientation;
     Answer decision() const { return int(sign); }
     static void fields(auto& e, auto&& field) {
@@ -346,7 +349,8 @@ struct Orient {
         field("point", e.point);
         field("value", e.value);
         field("sign", e.sign);
-        field("exact", e.exact);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
     }
 };
 
@@ -381,14 +385,15 @@ struct ClipSign {
     ValueVertex vertex;
     Value value;
     Sign sign{};
-    std::optional<Truth> exact;  // told when checked
+    Told told;
     static constexpr Decision decides = Decision::orientation;
     Answer decision() const { return int(sign); }
     static void fields(auto& e, auto&& field) {
         field("vertex", e.vertex);
         field("value", e.value);
         field("sign", e.sign);
-        field("exact", e.exact);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
     }
 };
 
@@ -438,7 +443,7 @@ struct Row {
     int row = 0;
     Value left, right;
     int first = 0, end = 0;
-    std::optional<Truth> exact;  // told when checked
+    Told told;
     static constexpr Decision decides = Decision::columns;
     Answer decision() const { return std::pair(first, end); }
     static void fields(auto& e, auto&& field) {
@@ -447,7 +452,8 @@ struct Row {
         field("right", e.right);
         field("first", e.first);
         field("end", e.end);
-        field("exact", e.exact);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
     }
 };
 
@@ -621,14 +627,15 @@ struct Columns {
     Line at{};
     int first = 0, end = 0;
     Value z;
-    std::optional<Truth> exact;  // told when checked
+    Told told;
     static constexpr Decision decides = Decision::columns;
     Answer decision() const { return std::pair(first, end); }
     static void fields(auto& e, auto&& field) {
         field("first", e.first);
         field("end", e.end);
         field("z", e.z);
-        field("exact", e.exact);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
     }
 };
 
@@ -638,7 +645,7 @@ struct Pixel {
     int x = 0, y = 0;
     Value z, stored;
     bool shown = false;
-    std::optional<Truth> exact;  // told when checked
+    Told told;
     static constexpr Decision decides = Decision::nearer;
     Answer decision() const { return shown; }
     static void fields(auto& e, auto&& field) {
@@ -647,7 +654,8 @@ struct Pixel {
         field("z", e.z);
         field("stored", e.stored);
         field("shown", e.shown);
-        field("exact", e.exact);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
     }
 };
 

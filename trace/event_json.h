@@ -118,6 +118,7 @@ private:
     void value(Pen& out, Corner v) { name(out, corner_names[std::size_t(v)]); }
     void value(Pen& out, Case v) { name(out, case_names[std::size_t(v)]); }
     void value(Pen& out, Decision v) { name(out, decision_names[std::size_t(v)]); }
+    void value(Pen& out, FilterStage v) { name(out, filter_stage_names[std::size_t(v)]); }
     void value(Pen& out, Cause v) { name(out, cause_names[std::size_t(v)]); }
     void value(Pen& out, const Answer& v) {
         std::visit([&](const auto& answer) { value(out, answer); }, v);

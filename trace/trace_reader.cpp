@@ -148,6 +148,9 @@ private:
     void value(const json& v, Decision& target, const std::string& path) const {
         target = Decision(index_of(v, decision_names, path));
     }
+    void value(const json& v, FilterStage& target, const std::string& path) const {
+        target = FilterStage(index_of(v, filter_stage_names, path));
+    }
     void value(const json& v, Cause& target, const std::string& path) const {
         target = Cause(index_of(v, cause_names, path));
     }

@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "vidno/kernel.h"
+#include "vidno/kernels/filter_stage.h"
 
 namespace vidno {
 
@@ -37,6 +37,12 @@ using Answer = std::variant<bool, int, std::pair<int, int>>;
 struct Truth {
     std::optional<Answer> answer;
     bool operator==(const Truth&) const = default;
+};
+
+/// What a checked trace tells beside a decision; another trace, nothing.
+struct Told {
+    std::optional<Truth> exact;
+    std::optional<FilterStage> by;  // under `filtered`: what decided
 };
 
 /// Why a decision is wrong: its operation rounded, or it is right for operands that had drifted before.

@@ -43,6 +43,7 @@ private:
     json value(Case v) const { return case_names[std::size_t(v)]; }
     json value(Procedure v) const { return procedure_names[std::size_t(v)]; }
     json value(Decision v) const { return decision_names[std::size_t(v)]; }
+    json value(FilterStage v) const { return filter_stage_names[std::size_t(v)]; }
     json value(Cause v) const { return cause_names[std::size_t(v)]; }
     json value(const Answer& v) const {
         return std::visit([&](const auto& answer) { return value(answer); }, v);

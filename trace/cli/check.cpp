@@ -35,6 +35,11 @@ void print(const CheckReport& report, const Area& area) {
         std::cout << "intersections: " << report.intersections << ", at most " << report.farthest_off
                   << " pixels from the exact ones\n";
     }
+    if (std::any_of(report.decided_by.begin(), report.decided_by.end(), [](auto count) { return count > 0; })) {
+        std::cout << "decided as given: " << report.decided_by[0] << ", by the scene's bound: " << report.decided_by[1]
+                  << ", by the operands' bound: " << report.decided_by[2] << ", exactly: " << report.decided_by[3]
+                  << '\n';
+    }
     std::cout << "wrong pixels: " << report.wrong_pixels << " of " << std::int64_t(area.width) * area.height << '\n';
 }
 

@@ -11,114 +11,29 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
-#include <span>
+#include <string_view>
 #include <vector>
 
-#include "../warnock/initialize_polygon.h"
-#include "bounded.h"
-#include "exact.h"
+#include "filter_stage.h"
+#include "filtered_values.h"
 
 namespace vidno {
 
-class Filtered {
+/// Hears nothing. A tally is passed by value and may hold a pointer.
+struct NoTally {
+    void operator()(FilterStage) const {}
+};
+
+/// `Tally` hears of each comparison what decided it.
+template <class Tally>
+class FilteredBy : public FilteredValues {
 public:
     static constexpr std::string_view name = "filtered";
-    static constexpr bool has_infinity = true;
 
-    using Coordinate = Given;
-    using Number = Bounded;
-    using Interpolated = double;  // to be shown: the plane decides
-
-    /// z = x_slope x + y_slope y + at_origin, wrong by at most the error at any point of the scene.
-    struct Plane {
-        double x_slope = 0, y_slope = 0, at_origin = 0;
-        double error = 0;
-        bool fits_cells = false;            // at its polygon's vertices
-        std::uint32_t number = 0;           // 0: no plane, infinitely far
-        double a = 0, b = 0, c = 0, d = 0;  // as the text has it
-        std::span<const Vertex<Given>> vertices;
-
-        double depth(double x, double y) const { return x_slope * x + (y_slope * y + at_origin); }
-
-        struct Exactly {
-            Rational x_slope, y_slope, at_origin;
-            bool operator==(const Exactly&) const = default;
-        };
-        const Exactly& exactly() const;
-
-    private:
-        mutable std::shared_ptr<const Exactly> exactly_;  // found out when first asked for
-    };
-
-    /// Of a plane, at a point that whoever compares knows.
-    struct Depth {
-        double value;
-        const Plane* plane;
-
-        explicit operator double() const { return value; }
-    };
-
-    /// Which plane each pixel shows, and about how far.
-    class DepthBuffer;
-
-    /// The depth of a plane at one pixel of a row after the other. It is not the sum of the steps, so does not drift.
-    class Stepped {
-    public:
-        Stepped(const Plane& plane, const Point<Given>& first)
-            : plane_(&plane),
-              first_x_(first.x.value),
-              y_(first.y.value),
-              number_(plane.number),
-              x_slope_(float(plane.x_slope)),
-              first_(plane.fits_cells ? float(plane.depth(first_x_, y_)) : not_known),
-              first_below_(first_ - cell_error),
-              first_above_(first_ + cell_error) {}
-
-        double value() const { return plane_->depth(first_x_ + steps_, y_); }
-        const Plane& plane() const { return *plane_; }
-        std::uint32_t number() const { return number_; }
-        float about() const { return steps_ * x_slope_ + first_; }
-        float surely_below() const { return steps_ * x_slope_ + first_below_; }
-        float surely_above() const { return steps_ * x_slope_ + first_above_; }
-
-        void operator+=(double /*step*/) { steps_ += 1; }
-        explicit operator double() const { return value(); }
-
-    private:
-        const Plane* plane_;
-        double first_x_, y_;
-        std::uint32_t number_;
-        float steps_ = 0, x_slope_, first_, first_below_, first_above_;
-    };
-
-    struct Cross {
-        double value;
-        Sign sign;
-
-        explicit operator double() const { return value; }
-    };
-
-    /// A vertex of a clipped polygon: one of its vertices, where an edge meets a side of the window, or the window's corner.
-    /// At least one of x and y is exact then, and the edge gives the other.
-    struct ClippedVertex {
-        Bounded x, y;
-        double z;
-        const Vertex<Given>* from;  // the edge that it is on, or that begins there
-        const Vertex<Given>* to;
-    };
-    using Outline = std::vector<ClippedVertex>;
-
-    /// (a - pivot) x (b - pivot) for the line along a side of a window.
-    struct SideCross : Cross {
-        bool vertical;
-        double at;  // the x of a vertical side, the y of a level one
-    };
+    explicit FilteredBy(Tally tally = {}) : tally_(tally) {}
 
     void see(const Scene& scene) {
         const Window square = covering_square(scene.area);
@@ -144,9 +59,16 @@ public:
         const double left = (a.x.value - pivot.x.value) * (b.y.value - pivot.y.value);
         const double right = (a.y.value - pivot.y.value) * (b.x.value - pivot.x.value);
         const double value = left - right;
-        if (std::abs(value) > cross_error_) return {value, sign_of(value)};
+        if (std::abs(value) > cross_error_) {
+            tally_(FilterStage::scene);
+            return {value, sign_of(value)};
+        }
         const double error = 2 * Bounded::unit * (std::abs(left) + std::abs(right)) + Bounded::underflow;
-        if (std::abs(value) > error) return {value, sign_of(value)};
+        if (std::abs(value) > error) {
+            tally_(FilterStage::operands);
+            return {value, sign_of(value)};
+        }
+        tally_(FilterStage::exact);
         return {value, exact_orientation(pivot, a, b)};
     }
 
@@ -156,6 +78,7 @@ public:
         const bool vertical = pivot.x == b.x;
         const Given at = vertical ? pivot.x : pivot.y;
         const auto certain = certain_sign((vertical ? a.x : a.y) - at);
+        tell(certain.has_value());
         const Sign beyond = certain ? *certain : exact_sign_beyond(a, vertical, at.value);
         const bool same_way = vertical ? b.y > pivot.y : b.x < pivot.x;
         return {{value, same_way ? beyond : -beyond}, vertical, at.value};
@@ -194,8 +117,9 @@ public:
 
     bool nearer(const Depth& z, const Depth& than, const auto& at) const {
         const double difference = z.value - than.value;
-        if (std::abs(difference) > 2 * (z.plane->error + than.plane->error)) return difference > 0;
-        return exactly_nearer(*z.plane, *than.plane, at);
+        const bool certain = std::abs(difference) > 2 * (z.plane->error + than.plane->error);
+        tell(certain);
+        return certain ? difference > 0 : exactly_nearer(*z.plane, *than.plane, at);
     }
 
     Stepped to_step(double, const Plane& plane, Pixel from) const {
@@ -203,16 +127,21 @@ public:
     }
     /// By the cell alone if its bound allows it.
     bool nearer(const Stepped& z, const auto& cell, Pixel at) const {
-        if (z.surely_below() > cell.about()) return true;
-        if (z.surely_above() < cell.about()) return false;
+        const bool surely = z.surely_below() > cell.about();
+        if (surely || z.surely_above() < cell.about()) {
+            tally_(FilterStage::scene);
+            return surely;
+        }
         return closely_nearer(z.plane(), cell.plane(), at.x, at.y);
     }
 
     bool outside(const Box<Given>& box, const Window& window) const {
+        tally_(FilterStage::given);
         return box.xmax.value < window.x || box.ymax.value < window.y || box.xmin.value > window.right() ||
                box.ymin.value > window.bottom();
     }
     bool inside(const Box<Given>& box, const Window& window) const {
+        tally_(FilterStage::given);
         return box.xmin.value > window.x && box.ymin.value > window.y && box.xmax.value < window.right() &&
                box.ymax.value < window.bottom();
     }
@@ -242,8 +171,14 @@ public:
         return found;
     }
 
-    int first_centre(Given value, int low, int end) const { return machine_.first_centre(value.value, low, end); }
-    int last_centre(Given value, int low, int end) const { return machine_.last_centre(value.value, low, end); }
+    int first_centre(Given value, int low, int end) const {
+        tally_(FilterStage::given);
+        return machine_.first_centre(value.value, low, end);
+    }
+    int last_centre(Given value, int low, int end) const {
+        tally_(FilterStage::given);
+        return machine_.last_centre(value.value, low, end);
+    }
 
     Rows rows_of(const auto& outline, int low, int end) const {
         Range top, bottom;
@@ -253,6 +188,7 @@ public:
         }
         const auto first = certain_first(top, low, end);
         const auto last = certain_last(bottom, low, end);
+        tell(first && last);
         if (first && last) return {*first, *last + 1};
         return exact_.rows_of(exactly(outline), low, end);
     }
@@ -280,20 +216,27 @@ public:
             from = &to;
             from_side = to_side;
         }
-        if (certain && left.empty()) return {1, 0, low, low};
+        if (certain && left.empty()) {
+            tell(true);
+            return {1, 0, low, low};
+        }
         const auto first = certain_first(left, low, end);
         const auto last = certain_last(right, low, end);
-        if (certain && first && last) return {left.value, right.value, *first, *last + 1};
+        certain = certain && first && last;
+        tell(certain);
+        if (certain) return {left.value, right.value, *first, *last + 1};
         const auto exact = exact_.columns_of(exactly(outline), row, low, end);
         return {CGAL::to_double(exact.left), CGAL::to_double(exact.right), exact.first, exact.end};
     }
 
     int first_column(const auto& end_point, int row, int low, int end) const {
         const auto certain = certain_first(end_point.x, low, end);
+        tell(certain.has_value());
         return certain ? *certain : exact_first_column(end_point, row, low, end);
     }
     int last_column(const auto& end_point, int row, int low, int end) const {
         const auto certain = certain_last(end_point.x, low, end);
+        tell(certain.has_value());
         return certain ? *certain : exact_last_column(end_point, row, low, end);
     }
     bool same_place(const auto& a, const auto& b, int row) const {
@@ -301,20 +244,17 @@ public:
     }
     bool left_of(const auto& a, const auto& b, int row) const {
         const auto certain = certain_sign(a.x - b.x);
-        if (certain && *certain != Sign::zero) return *certain == Sign::negative;
+        const bool apart = certain && *certain != Sign::zero;
+        tell(apart);
+        if (apart) return *certain == Sign::negative;
         const Rational ax = exact_x(a, row);
         const Rational bx = exact_x(b, row);
         return ax < bx || (ax == bx && exact_slope(a) < exact_slope(b));
     }
 
 private:
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-    /// Two depths of planes that fit cells, farther apart than this as cells have them, differ alike. As a float, stepped by
-    /// at most 4, a depth within [-2, 2] is off by 14 roundoffs of 2^-24, and by its plane's error, a 16th of this.
-    static constexpr float cell_error = 0x1p-18F;
-    /// Of other planes: it compares as neither more nor less.
-    static constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
+    /// The bound of the operands decides, or exact arithmetic does.
+    void tell(bool certain) const { tally_(certain ? FilterStage::operands : FilterStage::exact); }
 
     // ------------------------------------------------------------------------------------- by the bound
 
@@ -375,9 +315,11 @@ private:
         return machine_.last_centre(v.value, low, end);
     }
 
-    static bool same(const Bounded& a, const Bounded& b, auto&& exactly_so) {
-        if (std::abs(a.value - b.value) > 2 * (a.error + b.error)) return false;
-        return (a.is_exact() && b.is_exact()) || exactly_so();
+    bool same(const Bounded& a, const Bounded& b, auto&& exactly_so) const {
+        const bool apart = std::abs(a.value - b.value) > 2 * (a.error + b.error);
+        const bool known = apart || (a.is_exact() && b.is_exact());
+        tell(known);
+        return known ? !apart : exactly_so();
     }
     static Bounded exact_one(const Bounded& a, const Bounded& b) { return a.is_exact() ? a : b; }
 
@@ -466,63 +408,9 @@ private:
     double extent_ = 0;
     double cross_error_ = infinity;
     std::vector<Plane> planes_;  // by number
+    [[no_unique_address]] Tally tally_;
 };
 
-class Filtered::DepthBuffer {
-public:
-    /// No more memory than a double: its speed is that of the inner loop.
-    struct Shown {
-        float about;
-        std::uint32_t plane;
-    };
-    class Cell {
-    public:
-        Cell(Shown& shown, const Plane* planes, Pixel at) : shown_(shown), planes_(planes), at_(at) {}
-
-        float about() const { return shown_.about; }
-        const Plane& plane() const { return planes_[shown_.plane]; }
-        operator Depth() const { return {plane().depth(at_.x + 0.5, at_.y + 0.5), &plane()}; }
-        explicit operator double() const { return Depth(*this).value; }
-        void operator=(const Stepped& z) { shown_ = {z.about(), z.number()}; }
-
-    private:
-        Shown& shown_;
-        const Plane* planes_;
-        Pixel at_;
-    };
-    struct Row {
-        PixelRow<Shown> shown;
-        const Plane* planes;
-        int y;
-
-        Cell operator[](int x) const { return {shown[x], planes, {x, y}}; }
-    };
-
-    void clear(const Area& area, const Depth& farthest) {
-        shown_.clear(area, {float(farthest.value), farthest.plane->number});
-        planes_ = farthest.plane - farthest.plane->number;
-    }
-    Cell at(int x, int y) { return row(y)[x]; }
-    Row row(int y) { return {shown_.row(y), planes_, y}; }
-
-private:
-    vidno::DepthBuffer<Shown> shown_;
-    const Plane* planes_ = nullptr;
-};
-
-/// The text's plane, in exact numbers.
-inline const Filtered::Plane::Exactly& Filtered::Plane::exactly() const {
-    struct Exactness {
-        using Number = Rational;
-        using Vertices = std::vector<Vertex<Rational>>;
-    } numbers;
-    if (!exactly_) {
-        Exactness::Vertices corners;
-        for (const auto& v : vertices) corners.push_back({v.x.value, v.y.value, v.z.value});
-        const auto p = InitializePolygon::initialize_polygon(numbers, corners);
-        exactly_ = std::make_shared<Exactly>(Exactly{-p.a / p.c, -p.b / p.c, -p.d / p.c});
-    }
-    return *exactly_;
-}
+using Filtered = FilteredBy<NoTally>;
 
 }  // namespace vidno

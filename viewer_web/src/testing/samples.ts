@@ -28,7 +28,15 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   pop: [{ e: 'pop', at: 'W5', window: [4, 0, 4, 4] }],
   corners: [{ e: 'corners', at: 'PW1', z: '-inf' }],
   box: [
-    { e: 'box', at: 'PW3', polygon: 'A', box: [0, 0, 3, 3], outside: true, exact: null },
+    {
+      e: 'box',
+      at: 'PW3',
+      polygon: 'A',
+      box: [0, 0, 3, 3],
+      outside: true,
+      exact: null,
+      by: 'given',
+    },
     { e: 'box', at: 'PW3', polygon: 'A', box: [0, 0, 3, 3], outside: false },
   ],
   discard: [{ e: 'discard', at: 'PW3', polygon: 'A' }],

@@ -86,7 +86,7 @@ export const decisions = [
 export type Decision = (typeof decisions)[number];
 
 /** Beside a decision in a checked trace. */
-const told = { exact: truth } as const;
+const told = { exact: truth, by: oneOf('given', 'scene', 'operands', 'exact') } as const;
 
 export const common = {
   plane: kind(oneOf('I1'), 'p', { polygon: id, plane: tuple(num, num, num, num) }),
