@@ -115,8 +115,10 @@ describe('the address', () => {
     const button = first.locator('vidno-lesson-list button').last();
     if ((await button.count()) === 0) return;
     await button.click();
+    await button.and(first.locator('[aria-pressed="true"]')).waitFor(); // read and shown
     await first.keyboard.press('End');
     const before = await shown(first);
+    expect(before.step).toBe(before.length);
     await first.waitForFunction((step) => location.hash.endsWith(`step=${step}`), before.step);
     const { page, faults } = await open(browser, new URL(first.url()).hash);
     await page.locator('.title h2').getByText(/./).waitFor();
