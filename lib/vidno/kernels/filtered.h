@@ -11,8 +11,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>

@@ -1,8 +1,6 @@
 /// FilteredValues: what the kernel `filtered` computes with. Beside each double stands what it is a double of.
 #pragma once
 
-#include <cassert>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
