@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "check.h"
@@ -106,6 +107,13 @@ TEST_CASE("Intersections: how far the computed one lies from the exact one") {
     CHECK(double(found.x) == 11184811 * 0x1p-25);
     CHECK(double(found.y) == 1);
     CHECK(court.off == doctest::Approx(0x1p-25 / 3).epsilon(1e-12));
+}
+
+TEST_CASE("A shadowed number is the number: minus zero too") {
+    const auto negative = -Shadowed<double>(0);
+    CHECK(std::signbit(negative.value));
+    CHECK(*negative.exact == 0);
+    CHECK(1 / negative.value == -std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("After a division by what is exactly zero there is no truth") {

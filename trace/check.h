@@ -14,11 +14,10 @@ namespace vidno {
 struct ProcedureVerdicts {
     Procedure procedure{};
     std::uint64_t decisions = 0;
-    std::uint64_t wrong_for_operands = 0;  // the operation rounded
-    std::uint64_t wrong_for_scene = 0;     // that, or its operands had drifted
-    std::uint64_t undefined = 0;           // no truth: after a wrong turn
-    std::optional<std::uint64_t>
-        first_wrong;  // the step of level `signs` that tells it, or is the first to follow; from 1
+    std::uint64_t wrong_for_operands = 0;      // the operation rounded
+    std::uint64_t wrong_for_scene = 0;         // that, or its operands had drifted
+    std::uint64_t undefined = 0;               // no truth: after a wrong turn
+    std::optional<std::uint64_t> first_wrong;  // the step, from 1, of level `signs` that tells it or follows it
 };
 
 struct CheckReport {

@@ -26,7 +26,12 @@ struct Shadowed {
 
     Shadowed& operator+=(const Shadowed& other) { return *this = *this + other; }
 
-    friend Shadowed operator-(const Shadowed& a) { return 0 - a; }
+    /// Not 0 - a: the run that is shadowed has -0.
+    friend Shadowed operator-(const Shadowed& a) {
+        std::optional<Rational> truth;
+        if (a.exact) truth = Rational(-*a.exact);
+        return {T(-a.value), std::move(truth), a.judge};
+    }
     friend Shadowed operator+(const Shadowed& a, const Shadowed& b) { return computed(a, b, std::plus<>()); }
     friend Shadowed operator-(const Shadowed& a, const Shadowed& b) { return computed(a, b, std::minus<>()); }
     friend Shadowed operator*(const Shadowed& a, const Shadowed& b) { return computed(a, b, std::multiplies<>()); }

@@ -127,8 +127,6 @@ void State::take(const event::Summary& e) {
 
 void State::take(const event::PointColor& e) { color_ = e.color; }
 
-void State::take(const event::Surround&) {}
-
 State::Clip& State::clipping() {
     if (!clip_) throw Impossible{"nothing is being clipped"};
     return *clip_;
@@ -147,8 +145,6 @@ void State::take(const event::ClipList& e) {
     clip.vertices = std::move(clip.next);
     clip.next.clear();
 }
-
-void State::take(const event::ClipResult&) { clip_.reset(); }
 
 void State::expect_in_area(int row, int first, int end) const {
     const Area& area = picture_.area();

@@ -91,7 +91,7 @@ private:
     void take(const event::Summary&);
     void take(const event::Nearest&) {}
     void take(const event::PointColor& e);
-    void take(const event::Surround&);
+    void take(const event::Surround&) {}
     void take(const event::Orient&) {}
     void take(const event::ClipBegin&);
     void take(const event::ClipSide&) { clipping().next.clear(); }
@@ -100,7 +100,7 @@ private:
     void take(const event::ClipKeep& e) { clipping().next.push_back(e.vertex); }
     void take(const event::ClipDrop&) {}
     void take(const event::ClipList&);
-    void take(const event::ClipResult&);
+    void take(const event::ClipResult&) { clip_.reset(); }
     void take(const event::Row&) {}
     void take(const event::Draw&);
     void take(const event::Clear&);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "run.h"
 #include "scene_json.h"
 
 namespace vidno {
@@ -261,8 +262,12 @@ TraceEnd read_end(const json& object) {
 }
 
 std::string read_kernel(const json& value) {
-    constexpr std::array<std::string_view, 4> kernels{"float", "double", "filtered", "exact"};
-    return std::string(kernels[index_of(value, kernels, "/kernel")]);
+    constexpr auto names = [] {
+        std::array<std::string_view, kernel_choices.size()> found;
+        for (std::size_t i = 0; i < found.size(); ++i) found[i] = kernel_choices[i].name;
+        return found;
+    }();
+    return std::string(names[index_of(value, names, "/kernel")]);
 }
 
 TraceHeader read_header(const std::string& line, const std::string& file) {

@@ -65,9 +65,8 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
     command.add_option("--edition", options.edition, "corrected or printed [corrected, or the trace's]")
         ->check(CLI::IsMember({"corrected", "printed"}));
     command.footer(
-        "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene. The "
-        "step\n"
-        "is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");
+        "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"
+        "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");
     return command;
 }
 
