@@ -4,9 +4,8 @@
 #include <array>
 
 #include "checked.h"
+#include "kernels.h"
 #include "recorder.h"
-#include "vidno/kernels/filtered.h"
-#include "vidno/kernels/machine.h"
 #include "vidno/printed.h"
 
 namespace vidno {
@@ -67,14 +66,18 @@ Picture compared_run(const RunRequest& request, const K& kernel, const Audience&
     });
 }
 
-Picture judged_run(const RunRequest& request, std::string_view kernel, const Audience& audience) {
-    const auto checked = [&](auto machine) {
-        return told_run(request, Checked<decltype(machine)>(audience.judge, audience.survey), audience.hear);
+Picture judged_run(const RunRequest& request, const Audience& audience) {
+    const auto judged = [&](auto kernel) {
+        using K = decltype(kernel);
+        if constexpr (std::same_as<K, Filtered>) {
+            return compared_run(request, FilteredBy<Tally>({&audience}), audience);
+        } else if constexpr (std::same_as<K, Exact>) {
+            return compared_run(request, kernel, audience);
+        } else {
+            return told_run(request, Checked<K>(kernel, audience.judge, audience.survey), audience.hear);
+        }
     };
-    if (kernel == Float::name) return checked(Float{});
-    if (kernel == Double::name) return checked(Double{});
-    if (kernel == Filtered::name) return compared_run(request, FilteredBy<Tally>({&audience}), audience);
-    return compared_run(request, Exact{}, audience);
+    return with_kernel(request.kernel, judged);
 }
 
 /// Writes a judged run as a trace.
@@ -140,7 +143,7 @@ bool CheckReport::found_something() const {
            std::any_of(procedures.begin(), procedures.end(), [](const auto& each) { return each.first_wrong; });
 }
 
-CheckReport check_run(const RunRequest& request, std::string_view kernel) {
+CheckReport check_run(const RunRequest& request) {
     std::vector<Procedure> running{request.method == Method::warnock ? Procedure::warnock : Procedure::z_buffer};
     std::array<ProcedureVerdicts, procedure_names.size()> verdicts;
     std::uint64_t steps = 0;
@@ -169,7 +172,7 @@ CheckReport check_run(const RunRequest& request, std::string_view kernel) {
             event);
     };
     const auto count = [&](FilterStage stage) { ++report.decided_by[std::size_t(stage)]; };
-    const Picture picture = judged_run(request, kernel, {judge, survey, count, hear});
+    const Picture picture = judged_run(request, {judge, survey, count, hear});
     report.wrong_pixels = different_pixels(picture, render(Method::zbuffer, request.scene, Exact{}));
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
         verdicts[i].procedure = Procedure(i);
@@ -178,12 +181,12 @@ CheckReport check_run(const RunRequest& request, std::string_view kernel) {
     return report;
 }
 
-Picture trace_checked(const RunRequest& request, std::string_view kernel) {
+Picture trace_checked(const RunRequest& request) {
     CheckedTrace trace(request);
     const auto judge = [&](const Verdict& verdict) { trace.judge(verdict); };
     const auto count = [&](FilterStage stage) { trace.count(stage); };
     const auto hear = [&](const Event& event) { trace.hear(event); };
-    Picture picture = judged_run(request, kernel, {judge, [](double) {}, count, hear});
+    Picture picture = judged_run(request, {judge, [](double) {}, count, hear});
     trace.tell_wrong_ones();
     return picture;
 }

@@ -22,7 +22,7 @@ struct ProcedureVerdicts {
 
 struct CheckReport {
     std::vector<ProcedureVerdicts> procedures;  // those that decided, in the order of Procedure
-    std::uint64_t intersections = 0;            // computed when clipping, under `float` and `double`
+    std::uint64_t intersections = 0;            // computed when clipping, under `float`, `double`, `bits`
     double farthest_off = 0;                    // of them, from the exact one, in pixels
     std::array<std::uint64_t, filter_stage_names.size()> decided_by{};  // under `filtered`: how many at each stage
     std::uint64_t wrong_pixels = 0;                                     // against the picture rule
@@ -31,11 +31,11 @@ struct CheckReport {
     bool found_something() const;
 };
 
-/// Runs the request's scene under the kernel of that name. Under `filtered` and `exact` the decisions are compared with
-/// those of a run under `exact`, until they part.
-CheckReport check_run(const RunRequest& request, std::string_view kernel);
+/// Runs the request's scene. Under `filtered` and `exact` the decisions are compared with those of a run under `exact`,
+/// until they part.
+CheckReport check_run(const RunRequest& request);
 
 /// The same run told to the request's writer: each decision with its truth, each wrong one followed by `disagree`.
-Picture trace_checked(const RunRequest& request, std::string_view kernel);
+Picture trace_checked(const RunRequest& request);
 
 }  // namespace vidno

@@ -18,10 +18,21 @@ namespace vidno {
 /// Hears how far a computed intersection lies from the exact one, in pixels.
 using Surveyor = std::function<void(double)>;
 
+/// How a coordinate becomes a number of the machine with its truth beside it.
 template <class Machine>
-class Checked : public NumberKernel<Shadowed<typename Machine::Number>> {
+struct Judged {
+    Machine machine;
+    const Judge* judge;
+
+    Shadowed<typename Machine::Number> number(double given) const {
+        return {machine.number(given), Rational(given), judge};
+    }
+};
+
+template <class Machine>
+class Checked : public NumberKernel<Shadowed<typename Machine::Number>, Judged<Machine>> {
     using T = typename Machine::Number;
-    using Base = NumberKernel<Shadowed<T>>;
+    using Base = NumberKernel<Shadowed<T>, Judged<Machine>>;
 
 public:
     using Number = Shadowed<T>;
@@ -35,16 +46,13 @@ public:
 
         Depth() = default;
         Depth(const Number& z) : number(z) {}
-        explicit operator double() const { return number ? double(*number) : double(Machine().farthest()); }
+        explicit operator double() const { return number ? double(*number) : -std::numeric_limits<double>::infinity(); }
         friend bool operator<=(const Depth& a, const Depth& b) { return a.number <= b.number; }
     };
     using DepthBuffer = vidno::DepthBuffer<Depth>;
 
-    Checked(const Judge& judge, const Surveyor& surveyor) : judge_(&judge), surveyor_(&surveyor) {}
-
-    Vertex<Number> vertex(const glm::dvec3& v) const { return {judged(v.x), judged(v.y), judged(v.z)}; }
-    Point<Number> point(double x, double y) const { return {judged(x), judged(y)}; }
-    Number centre(int pixel) const { return judged(pixel + 0.5); }
+    Checked(Machine machine, const Judge& judge, const Surveyor& surveyor)
+        : Base(Judged<Machine>{std::move(machine), &judge}), surveyor_(&surveyor) {}
 
     /// The decision is judged where the value is made, once.
     Number cross(const auto& pivot, const auto& a, const auto& b) const {
@@ -52,7 +60,7 @@ public:
         decide(Decision::orientation, side, flat(pivot), flat(a), flat(b));
         return Base::cross(pivot, a, b);
     }
-    Sign sign(const Number& cross) const { return machine_.sign(cross.value); }
+    Sign sign(const Number& cross) const { return machine().sign(cross.value); }
 
     Vertex<Number> meet(const Vertex<Number>& p, const Vertex<Number>& q, const Number& cp, const Number& cq) const {
         Vertex<Number> found = Base::meet(p, q, cp, cq);
@@ -106,8 +114,8 @@ public:
             return std::pair(found.first, found.end);
         };
         const auto [first, last] = decide(Decision::columns, columns, outline);
-        const auto shown = machine_.columns_of(mapped(outline, value_of), row, low, end);
-        return {Number(shown.left, std::nullopt, judge_), Number(shown.right, std::nullopt, judge_), first, last};
+        const auto shown = machine().columns_of(mapped(outline, value_of), row, low, end);
+        return {Number(shown.left, std::nullopt, &judge()), Number(shown.right, std::nullopt, &judge()), first, last};
     }
     int first_column(const auto& end_point, int, int low, int end) const { return first_centre(end_point.x, low, end); }
     int last_column(const auto& end_point, int, int low, int end) const { return last_centre(end_point.x, low, end); }
@@ -127,14 +135,11 @@ public:
     }
 
 private:
-    Number judged(double given) const {
-        Number number(given);
-        number.judge = judge_;
-        return number;
-    }
+    const Machine& machine() const { return Base::machine; }
+    const Judge& judge() const { return *Base::judge; }
 
     auto decide(Decision of, auto decision, const auto&... operands) const {
-        const auto taken = decision(machine_, mapped(operands, value_of)...);
+        const auto taken = decision(machine(), mapped(operands, value_of)...);
         Verdict verdict{of, answer(taken), {}};
         if ((all(operands, is_finite) && ...)) {
             verdict.right_for_operands = taken == decision(exact_, mapped(operands, value_exactly)...);
@@ -142,7 +147,7 @@ private:
         if ((all(operands, is_defined) && ...)) {
             verdict.truth.answer = answer(decision(exact_, mapped(operands, truth_of)...));
         }
-        (*judge_)(verdict);
+        judge()(verdict);
         return taken;
     }
     static Answer answer(Sign sign) { return int(sign); }
@@ -157,13 +162,13 @@ private:
     }
     static Point<Number> flat(const auto& p) { return {p.x, p.y}; }
 
-    static double off(const Number& v) { return CGAL::to_double(Rational(v.value) - *v.exact); }
+    static double off(const Number& v) { return CGAL::to_double(value_exactly(v) - *v.exact); }
 
     // What a decision is taken on, number by number.
     static constexpr auto value_of = [](const Number& v) { return v.value; };
-    static constexpr auto value_exactly = [](const Number& v) { return Rational(v.value); };
+    static constexpr auto value_exactly = [](const Number& v) { return Rational(double(v.value)); };
     static constexpr auto truth_of = [](const Number& v) { return *v.exact; };
-    static constexpr auto is_finite = [](const Number& v) { return std::isfinite(v.value); };
+    static constexpr auto is_finite = [](const Number& v) { return std::isfinite(double(v.value)); };
     static constexpr auto is_defined = [](const Number& v) { return v.exact.has_value(); };
 
     template <class F>
@@ -179,14 +184,14 @@ private:
         for (const auto& v : outline) vertices.push_back({part(v.x), part(v.y), part(v.z)});
         return vertices;
     }
-    static auto mapped(const Depth& z, auto part) {
+    auto mapped(const Depth& z, auto part) const {
         if constexpr (std::same_as<Part<decltype(part)>, T>) {
-            return z.number ? part(*z.number) : Machine().farthest();
+            return z.number ? part(*z.number) : machine().farthest();
         } else {
             return z.number ? Exact::Depth(part(*z.number)) : Exact::Depth();
         }
     }
-    static bool all(const auto& operand, auto holds) {
+    bool all(const auto& operand, auto holds) const {
         bool each = true;
         if constexpr (std::same_as<std::remove_cvref_t<decltype(operand)>, Depth>) {
             return !operand.number || holds(*operand.number);
@@ -199,9 +204,7 @@ private:
         }
     }
 
-    static constexpr Machine machine_{};
     static constexpr Exact exact_{};
-    const Judge* judge_;
     const Surveyor* surveyor_;
 };
 

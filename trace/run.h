@@ -2,14 +2,71 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "trace_writer.h"
+#include "vidno/kernels/bits.h"
 
 namespace vidno {
 
+struct RunRequest;
+
+/// Throws EventLimitReached out of the writer.
+using RunKernel = Picture (*)(const RunRequest&);
+
+Picture run_float(const RunRequest&);
+Picture run_double(const RunRequest&);
+Picture run_bits(const RunRequest&);
+Picture run_filtered(const RunRequest&);  // the corrected edition only
+Picture run_exact(const RunRequest&);
+
+struct KernelChoice {
+    /// A whole number that follows the name: `bits:12`.
+    struct Parameter {
+        char letter;
+        int least, most;
+    };
+
+    std::string_view name;
+    std::string_view rule;
+    RunKernel run;
+    bool runs_printed = true;
+    std::optional<Parameter> parameter{};
+};
+
+inline constexpr std::array kernel_choices{
+    KernelChoice{"float", "IEEE binary32; decisions as they fall", run_float},
+    KernelChoice{"double", "IEEE binary64; decisions as they fall", run_double},
+    KernelChoice{"bits",
+                 "every result rounded to P bits; decisions as they fall",
+                 run_bits,
+                 true,
+                 {{'P', fewest_bits, most_bits}}},
+    KernelChoice{"filtered",
+                 "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
+                 run_filtered, false},
+    KernelChoice{"exact", "exact rationals; every decision is right, the reference", run_exact},
+};
+
+/// A kernel as it is named: `double`, `bits:12`.
+struct NamedKernel {
+    const KernelChoice* choice;
+    int parameter = 0;  // if the choice has one
+
+    std::string name() const;
+};
+
+/// None if no kernel has that name, or its parameter is missing or out of range.
+std::optional<NamedKernel> kernel_named(std::string_view name);
+
+/// The names that there are: "float, double, bits:P (4 <= P <= 24), ...".
+std::string kernel_names();
+
 struct RunRequest {
     Method method;
+    NamedKernel kernel;
     bool printed;  // the edition
     const Scene& scene;
     Detail detail = Detail::windows;
@@ -17,28 +74,6 @@ struct RunRequest {
     std::function<void()> progress = [] {};  // without a trace, called at each window or polygon; checked, at each step
 };
 
-/// Throws EventLimitReached out of the writer.
-using RunKernel = Picture (*)(const RunRequest&);
-
-Picture run_float(const RunRequest&);
-Picture run_double(const RunRequest&);
-Picture run_filtered(const RunRequest&);  // the corrected edition only
-Picture run_exact(const RunRequest&);
-
-struct KernelChoice {
-    std::string_view name;
-    std::string_view rule;
-    RunKernel run;
-    bool runs_printed = true;
-};
-
-inline constexpr std::array kernel_choices{
-    KernelChoice{"float", "IEEE binary32; decisions as they fall", run_float},
-    KernelChoice{"double", "IEEE binary64; decisions as they fall", run_double},
-    KernelChoice{"filtered",
-                 "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
-                 run_filtered, false},
-    KernelChoice{"exact", "exact rationals; every decision is right, the reference", run_exact},
-};
+inline Picture run(const RunRequest& request) { return request.kernel.choice->run(request); }
 
 }  // namespace vidno

@@ -262,12 +262,10 @@ TraceEnd read_end(const json& object) {
 }
 
 std::string read_kernel(const json& value) {
-    constexpr auto names = [] {
-        std::array<std::string_view, kernel_choices.size()> found;
-        for (std::size_t i = 0; i < found.size(); ++i) found[i] = kernel_choices[i].name;
-        return found;
-    }();
-    return std::string(names[index_of(value, names, "/kernel")]);
+    if (!value.is_string() || !kernel_named(value.get<std::string>())) {
+        throw Misfit{"/kernel", "not one of " + kernel_names()};
+    }
+    return value.get<std::string>();
 }
 
 TraceHeader read_header(const std::string& line, const std::string& file) {

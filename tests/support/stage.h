@@ -1,13 +1,22 @@
 /// A run at hand: to call one procedure of it and look at what it gives.
 #pragma once
 
+#include "vidno/kernels/bits.h"
 #include "vidno/kernels/exact.h"
 #include "vidno/kernels/filtered.h"
 #include "vidno/printed.h"
 #include "vidno/vidno.h"
 
+namespace vidno::test {
+
+struct Bits24 : Bits {
+    Bits24() : Bits(24) {}
+};
+
+}  // namespace vidno::test
+
 /// The kernels over which every hand-computed case is run; the printed text is not for a kernel that is always right.
-#define VIDNO_PRINTED_KERNELS ::vidno::Float, ::vidno::Double, ::vidno::Exact
+#define VIDNO_PRINTED_KERNELS ::vidno::Float, ::vidno::Double, ::vidno::test::Bits24, ::vidno::Exact
 #define VIDNO_KERNELS VIDNO_PRINTED_KERNELS, ::vidno::Filtered
 
 namespace vidno::test {

@@ -50,11 +50,12 @@ int check(const CheckOptions& options) {
     if (options.method) run.method = Method(place_in(method_names, *options.method));
     run.kernel = options.kernel.value_or(run.kernel);
     run.edition = options.edition.value_or(run.edition);
-    expect_edition(run.kernel, run.edition);
-    RunRequest request{run.method, run.edition == "printed", run.scene};
+    const NamedKernel kernel = *kernel_named(run.kernel);
+    expect_edition(kernel, run.edition);
+    RunRequest request{run.method, kernel, run.edition == "printed", run.scene};
     Progress progress("steps");
     request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };
-    const CheckReport report = check_run(request, run.kernel);
+    const CheckReport report = check_run(request);
     progress.clear();
     print(report, run.scene.area);
     return report.found_something() ? 1 : 0;

@@ -46,11 +46,8 @@ struct MeshOptions {
 /// The options of `import` that say who looks at the mesh from where.
 void add_camera_options(CLI::App& command, ImportOptions& import);
 
-/// The kernel of a name that the command line has checked.
-const KernelChoice& kernel_named(const std::string& name);
-
 /// Refuses an edition that the kernel does not run.
-void expect_edition(const std::string& kernel, const std::string& edition);
+void expect_edition(const NamedKernel& kernel, const std::string& edition);
 
 /// The scene of a file; warnings go to standard error.
 Scene scene_from(const std::string& file);

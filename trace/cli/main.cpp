@@ -13,20 +13,16 @@ using namespace vidno::cli;
 
 std::vector<std::string> words(const auto& names) { return {names.begin(), names.end()}; }
 
-std::vector<std::string> kernel_words() {
-    std::vector<std::string> names;
-    for (const auto& kernel : kernel_choices) names.emplace_back(kernel.name);
-    return names;
-}
+const CLI::Validator a_kernel(
+    [](const std::string& name) { return kernel_named(name) ? "" : name + " is not one of " + kernel_names(); },
+    kernel_names());
 
 void add_run_options(CLI::App& command, RunOptions& options) {
     command.add_option("SCENE", options.scene, "A scene file, vidno-scene/1; - for standard input")->required();
     command.add_option("--method", options.method, "Which algorithm")
         ->check(CLI::IsMember(words(method_names)))
         ->capture_default_str();
-    command.add_option("--kernel", options.kernel, "Which arithmetic decides")
-        ->check(CLI::IsMember(kernel_words()))
-        ->capture_default_str();
+    command.add_option("--kernel", options.kernel, "Which arithmetic decides")->check(a_kernel)->capture_default_str();
     command.add_option("--edition", options.edition, "The procedures put right, or as the text prints them")
         ->check(CLI::IsMember({"corrected", "printed"}))
         ->capture_default_str();
@@ -61,7 +57,7 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
     command.add_option("--method", options.method, "Which algorithm [warnock, or the trace's]")
         ->check(CLI::IsMember(words(method_names)));
     command.add_option("--kernel", options.kernel, "Which arithmetic decides [double, or the trace's]")
-        ->check(CLI::IsMember(kernel_words()));
+        ->check(a_kernel);
     command.add_option("--edition", options.edition, "corrected or printed [corrected, or the trace's]")
         ->check(CLI::IsMember({"corrected", "printed"}));
     command.footer(

@@ -11,7 +11,9 @@ int methods() {
                  "  zbuffer    scan each polygon with an active edge list; keep the nearest depth at each pixel\n"
                  "kernels    (the arithmetic)\n";
     for (const auto& kernel : kernel_choices) {
-        std::cout << "  " << kernel.name << std::string(11 - kernel.name.size(), ' ') << kernel.rule << '\n';
+        std::string name(kernel.name);
+        if (kernel.parameter) (name += ':') += kernel.parameter->letter;
+        std::cout << "  " << name << std::string(11 - name.size(), ' ') << kernel.rule << '\n';
     }
     std::cout << "editions\n"
                  "  corrected  the procedures with the errors of the printed text put right\n"

@@ -10,14 +10,10 @@
 
 namespace vidno::cli {
 
-const KernelChoice& kernel_named(const std::string& name) {
-    return *std::find_if(kernel_choices.begin(), kernel_choices.end(),
-                         [&](auto& kernel) { return kernel.name == name; });
-}
-
-void expect_edition(const std::string& kernel, const std::string& edition) {
-    if (edition == "corrected" || kernel_named(kernel).runs_printed) return;
-    throw Refused("--edition " + edition + ": not under --kernel " + kernel + ", whose decisions are always right");
+void expect_edition(const NamedKernel& kernel, const std::string& edition) {
+    if (edition == "corrected" || kernel.choice->runs_printed) return;
+    throw Refused("--edition " + edition + ": not under --kernel " + kernel.name() +
+                  ", whose decisions are always right");
 }
 
 Scene scene_from(const std::string& file) {
@@ -32,8 +28,9 @@ Scene scene_from(const std::string& file) {
 namespace {
 
 RunRequest request_of(const RunOptions& options, const Scene& scene) {
-    expect_edition(options.kernel, options.edition);
-    return {Method(place_in(method_names, options.method)), options.edition == "printed", scene,
+    const NamedKernel kernel = *kernel_named(options.kernel);
+    expect_edition(kernel, options.edition);
+    return {Method(place_in(method_names, options.method)), kernel, options.edition == "printed", scene,
             Detail(place_in(detail_names, options.detail))};
 }
 
@@ -54,8 +51,7 @@ int trace(const RunOptions& options) {
     running = request.writer = &writer;
     int status = 0;
     try {
-        writer.finish(options.check ? trace_checked(request, options.kernel)
-                                    : kernel_named(options.kernel).run(request));
+        writer.finish(options.check ? trace_checked(request) : run(request));
     } catch (const EventLimitReached&) {
         writer.finish_partial();
         progress.clear();
@@ -73,7 +69,7 @@ int render(const RunOptions& options) {
     RunRequest request = request_of(options, scene);
     Progress progress(request.method == Method::warnock ? "windows" : "polygons");
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
-    file.write(encode_image(kernel_named(options.kernel).run(request), options.output));
+    file.write(encode_image(run(request), options.output));
     file.commit();
     return 0;
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "../depth_buffer.h"
@@ -14,8 +15,16 @@
 
 namespace vidno {
 
+/// How a coordinate of the scene or the screen becomes a number: as C++ converts it.
 template <class T>
-struct NumberKernel {
+struct Converted {
+    T number(double given) const { return T(given); }
+};
+
+/// `Entry` is where numbers come from; a kernel whose numbers know more than their value has one of its own.
+template <class T, class Entry = Converted<T>>
+struct NumberKernel : Entry {
+    using Entry::number;
     using Number = T;
     using Coordinate = T;
     using Interpolated = T;
@@ -29,11 +38,14 @@ struct NumberKernel {
 
     using DepthBuffer = vidno::DepthBuffer<Depth>;
 
+    NumberKernel() = default;
+    explicit NumberKernel(Entry entry) : Entry(std::move(entry)) {}
+
     void see(const Scene&) {}
 
-    Vertex<T> vertex(const glm::dvec3& v) const { return {T(v.x), T(v.y), T(v.z)}; }
-    Point<T> point(double x, double y) const { return {T(x), T(y)}; }
-    T centre(int pixel) const { return T(pixel + 0.5); }
+    Vertex<T> vertex(const glm::dvec3& v) const { return {number(v.x), number(v.y), number(v.z)}; }
+    Point<T> point(double x, double y) const { return {number(x), number(y)}; }
+    T centre(int pixel) const { return number(pixel + 0.5); }
 
     Sign sign(const T& value) const { return Sign{int(value > 0) - int(value < 0)}; }
 
@@ -76,13 +88,13 @@ struct NumberKernel {
     bool nearer(const auto& z, const Depth& than, const auto& /*at*/) const { return z > than; }
 
     bool outside(const Box<T>& box, const Window& window) const {
-        return box.xmax < T(window.x) || box.ymax < T(window.y) || box.xmin > T(window.right()) ||
-               box.ymin > T(window.bottom());
+        return box.xmax < number(window.x) || box.ymax < number(window.y) || box.xmin > number(window.right()) ||
+               box.ymin > number(window.bottom());
     }
 
     bool inside(const Box<T>& box, const Window& window) const {
-        return box.xmin > T(window.x) && box.ymin > T(window.y) && box.xmax < T(window.right()) &&
-               box.ymax < T(window.bottom());
+        return box.xmin > number(window.x) && box.ymin > number(window.y) && box.xmax < number(window.right()) &&
+               box.ymax < number(window.bottom());
     }
 
     int first_centre(const T& value, int low, int end) const {
@@ -154,7 +166,10 @@ struct NumberKernel {
 
     Depth depth_of(const T& z) const { return Depth(z); }
 
-    bool same_rounded(const T& v, const T& w) const { return std::floor(v + T(0.5)) == std::floor(w + T(0.5)); }
+    bool same_rounded(const T& v, const T& w) const {
+        using std::floor;
+        return floor(v + number(0.5)) == floor(w + number(0.5));
+    }
 
     /// Clamped to the pixels that scenes may have, and one more on either side.
     int pixel_of(const T& value) const {
@@ -169,7 +184,8 @@ private:
     /// The pixel low <= i < end that holds the value, which lies in that range.
     static int nearby_pixel(const T& value, int low, int end) {
         if constexpr (has_infinity) {
-            return int(std::floor(value));
+            using std::floor;
+            return int(double(floor(value)));
         } else {
             while (low + 1 < end) {
                 const int middle = std::midpoint(low, end);

@@ -47,7 +47,10 @@ export function oneOf<const T extends string | number | boolean>(
   };
 }
 
-export function matching(pattern: RegExp, otherwise: 'color' | 'label' | 'hash'): Check<string> {
+export function matching(
+  pattern: RegExp,
+  otherwise: 'color' | 'label' | 'hash' | 'kernel',
+): Check<string> {
   return (value, path) => {
     if (typeof value === 'string' && pattern.test(value)) return value;
     throw new Refusal(path, otherwise, describe(value));

@@ -1,4 +1,4 @@
-import { between, finite, list, oneOf, record, text, tuple, whole } from './check.js';
+import { between, finite, list, matching, oneOf, record, text, tuple, whole } from './check.js';
 import type { Check, Checked } from './check.js';
 import { details, tables } from './events.js';
 import type { Method } from './events.js';
@@ -38,7 +38,7 @@ const header = record(
     format: oneOf('vidno-trace/1'),
     method: oneOf(...(Object.keys(tables) as Method[])),
     edition: oneOf('corrected', 'printed'),
-    kernel: oneOf('float', 'double', 'filtered', 'exact'),
+    kernel: matching(/^(float|double|bits:([4-9]|1\d|2[0-4])|filtered|exact)$/u, 'kernel'),
     detail: oneOf(...details),
     scene: sceneFile,
   },
@@ -47,7 +47,6 @@ const header = record(
 
 export type Area = Checked<typeof area>;
 export type Edition = Checked<typeof header>['edition'];
-export type Kernel = Checked<typeof header>['kernel'];
 
 export interface Polygon {
   readonly id: string;

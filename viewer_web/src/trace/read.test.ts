@@ -62,6 +62,7 @@ const broken: readonly (readonly [string, string | Uint8Array<ArrayBuffer>, numb
   ['bad gzip', new Uint8Array([0x1f, 0x8b, 1, 2, 3, 4]), 1, 'notGzip'],
   ['a list', '[]\n', 1, 'object'],
   ['another format', linesOf({ ...header, format: 'vidno-trace/2' }), 1, 'oneOf'],
+  ['a kernel that there is not', linesOf({ ...header, kernel: 'bits:25' }), 1, 'kernel'],
   ['an unknown key in the header', linesOf({ ...header, author: 1 }), 1, 'unknownKey'],
   ['no scene', linesOf({ ...header, scene: undefined }), 1, 'missing'],
   ['no event', linesOf(header, { e: 'explode', at: 'W1' }), 2, 'noEvent'],

@@ -10,6 +10,7 @@ export interface Reasons {
   text: [found: string];
   color: [found: string];
   label: [found: string];
+  kernel: [found: string];
   hash: [found: string];
   oneOf: [values: string, found: string];
   list: [found: string];

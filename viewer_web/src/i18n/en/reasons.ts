@@ -11,6 +11,7 @@ export const reasons: ReasonTexts = {
   text: (found) => `a text should stand here, not ${found}`,
   color: (found) => `a colour #rrggbb should stand here, not ${found}`,
   label: (found) => `a label of the listing should stand here, not ${found}`,
+  kernel: (found) => `a kernel such as double or bits:12 should stand here, not ${found}`,
   hash: (found) => `sha256: and 64 digits should stand here, not ${found}`,
   oneOf: (values, found) => `${values} may stand here, not ${found}`,
   list: (found) => `a list should stand here, not ${found}`,

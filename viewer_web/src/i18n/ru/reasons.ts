@@ -11,6 +11,7 @@ export const reasons: ReasonTexts = {
   text: (found) => `здесь должен стоять текст, а не ${found}`,
   color: (found) => `здесь должен стоять цвет #rrggbb, а не ${found}`,
   label: (found) => `здесь должна стоять метка строки листинга, а не ${found}`,
+  kernel: (found) => `здесь должно стоять имя чисел, например double или bits:12, а не ${found}`,
   hash: (found) => `здесь должно стоять sha256: и 64 цифры, а не ${found}`,
   oneOf: (values, found) => `здесь может стоять ${values}, но не ${found}`,
   list: (found) => `здесь должен стоять список, а не ${found}`,

@@ -1,0 +1,90 @@
+/// Bits: every result rounded to so many bits, decisions as they fall. The knob that shows accuracy falling.
+///
+/// Rounding is to nearest, ties to even; the exponent is a double's, so that precision alone is what falls.
+///
+/// Source  That rounding a double to P bits is rounding the exact result once, for + - * / and P <= 25: S. A. Figueroa,
+///         When is double rounding innocuous?, SIGNUM Newsletter 30(3), 1995.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <limits>
+
+#include "number_kernel.h"
+
+namespace vidno {
+
+inline constexpr int fewest_bits = 4;
+inline constexpr int most_bits = 24;
+
+/// The nearest double with so many significant bits, of two equally near ones the even one.
+inline double rounded_to(int bits, double value) {
+    if (!std::isfinite(value)) return value;
+    const int surplus = std::numeric_limits<double>::digits - bits;
+    const std::uint64_t half = std::uint64_t{1} << (surplus - 1);
+    auto pattern = std::bit_cast<std::uint64_t>(value);
+    const std::uint64_t odd = pattern >> surplus & 1;
+    pattern += half - 1 + odd;  // a carry out of the significand belongs in the exponent
+    return std::bit_cast<double>(pattern >> surplus << surplus);
+}
+
+/// A double of so many bits. It carries them along, for there is no global to hold them; a constant has none of its own.
+class Rounded {
+public:
+    Rounded(double constant = 0) : value_(constant) {}
+    Rounded(int bits, double value) : value_(rounded_to(bits, value)), bits_(bits) {}
+
+    explicit operator double() const { return value_; }
+
+    Rounded& operator+=(const Rounded& other) { return *this = *this + other; }
+
+    friend Rounded operator-(const Rounded& a) { return result(a, a, -a.value_); }
+    friend Rounded operator+(const Rounded& a, const Rounded& b) { return result(a, b, a.value_ + b.value_); }
+    friend Rounded operator-(const Rounded& a, const Rounded& b) { return result(a, b, a.value_ - b.value_); }
+    friend Rounded operator*(const Rounded& a, const Rounded& b) { return result(a, b, a.value_ * b.value_); }
+    friend Rounded operator/(const Rounded& a, const Rounded& b) { return result(a, b, a.value_ / b.value_); }
+
+    friend Rounded floor(const Rounded& a) { return result(a, a, std::floor(a.value_)); }
+
+    friend bool operator==(const Rounded& a, const Rounded& b) { return a.value_ == b.value_; }
+    friend auto operator<=>(const Rounded& a, const Rounded& b) { return a.value_ <=> b.value_; }
+
+private:
+    static Rounded result(const Rounded& a, const Rounded& b, double value) {
+        const int bits = std::max(a.bits_, b.bits_);
+        return bits > 0 ? Rounded(bits, value) : Rounded(value);
+    }
+
+    double value_;
+    int bits_ = 0;
+};
+
+}  // namespace vidno
+
+template <>
+struct std::numeric_limits<vidno::Rounded> {
+    static constexpr bool is_specialized = true;
+    static constexpr bool has_infinity = true;
+    static vidno::Rounded infinity() { return std::numeric_limits<double>::infinity(); }
+};
+
+namespace vidno {
+
+struct ToBits {
+    int bits;
+
+    Rounded number(double given) const { return {bits, given}; }
+};
+
+struct Bits : NumberKernel<Rounded, ToBits> {
+    static constexpr std::string_view name = "bits";
+
+    /// fewest_bits <= count <= most_bits
+    explicit Bits(int count) : NumberKernel(ToBits{count}) { assert(fewest_bits <= count && count <= most_bits); }
+};
+
+}  // namespace vidno
