@@ -9,6 +9,7 @@
 #include "check.h"
 #include "checked.h"
 #include "output.h"
+#include "snapped_scene.h"
 #include "support/kettner.h"
 #include "support/scenes.h"
 #include "support/stage.h"
@@ -32,7 +33,7 @@ struct Court {
 };
 
 CheckReport checked(const Scene& scene, Method method, std::string_view kernel, bool printed = false) {
-    return check_run({method, *kernel_named(kernel), printed, scene});
+    return check_run({method, *kernel_named(kernel), printed, scene}, scene);
 }
 
 std::uint64_t wrong_decisions(const CheckReport& report) {
@@ -221,9 +222,10 @@ TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
     RandomScenes random(10);
     int truths = 0, disagreements = 0;
     for (int i = 0; i < 12; ++i) {
-        const Scene scene = random.scene();
-        for (const std::string name : {"float", "double", "bits:9", "filtered", "exact"}) {
+        const Scene drawn = random.scene();
+        for (const std::string name : {"float", "double", "bits:9", "filtered", "grid:3", "exact"}) {
             const NamedKernel kernel = *kernel_named(name);
+            const Scene scene = kernel.choice->name == Grid::name ? snapped_scene(drawn, 3).scene : drawn;
             for (const Method method : {Method::warnock, Method::zbuffer}) {
                 for (const bool printed : {false, true}) {
                     if (printed && !kernel.choice->runs_printed) continue;

@@ -36,7 +36,7 @@ std::vector<Choice> all_choices() {
     std::vector<Choice> choices;
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         for (const bool printed : {false, true}) {
-            for (const std::string kernel : {"float", "double", "bits:4", "bits:11", "filtered", "exact"}) {
+            for (const std::string kernel : {"float", "double", "bits:4", "bits:11", "filtered", "grid:1", "exact"}) {
                 if (!printed || kernel_named(kernel)->choice->runs_printed)
                     choices.push_back({method, printed, kernel});
             }
@@ -199,6 +199,7 @@ int check_rebuilt(const Scene& scene, Method method) {
     return rebuilt.compared;
 }
 
+/// On the coarsest grid: every kernel takes it as it is.
 Scene small_scene() {
     return SceneBuilder({-3, 2, 9, 7})
         .polygon({{-4, 1, 0}, {7, 3, .5}, {0, 10, 1}})
@@ -210,16 +211,17 @@ Scene small_scene() {
 }  // namespace
 
 TEST_CASE("Kernels by name: a parameter where there is one, and in range") {
-    for (const std::string name : {"float", "double", "bits:4", "bits:24", "filtered", "exact"}) {
+    for (const std::string name : {"float", "double", "bits:4", "bits:24", "filtered", "grid:1", "grid:20", "exact"}) {
         CAPTURE(name);
         REQUIRE(kernel_named(name).has_value());
         CHECK(kernel_named(name)->name() == name);
     }
-    for (const std::string name :
-         {"", "half", "double:2", "bits", "bits:", "bits:3", "bits:25", "bits:+9", "bits:12 ", "bits:99999999999"}) {
+    for (const std::string name : {"", "half", "double:2", "bits", "bits:", "bits:3", "bits:25", "bits:+9", "bits:12 ",
+                                   "bits:99999999999", "grid:0", "grid:21", "grid:"}) {
         CAPTURE(name);
         CHECK_FALSE(kernel_named(name).has_value());
     }
+    CHECK_MESSAGE(kernel_named("grid")->name() == "grid:8", "the grid of most hardware");
 }
 
 TEST_CASE_TEMPLATE("Sufficient: states rebuilt from the events equal the algorithm's own", K, VIDNO_KERNELS) {
@@ -227,7 +229,7 @@ TEST_CASE_TEMPLATE("Sufficient: states rebuilt from the events equal the algorit
     int compared = 0;
     for (int i = 0; i < 25; ++i) {
         CAPTURE(i);
-        const Scene scene = i == 0 ? small_scene() : random.scene();
+        const Scene scene = scene_for<K>(i == 0 ? small_scene() : random.scene());
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             compared += check_rebuilt<K, Corrected>(scene, method);
             if constexpr (runs_printed<K>) compared += check_rebuilt<K, Printed>(scene, method);

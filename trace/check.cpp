@@ -25,12 +25,10 @@ Picture told_run(const RunRequest& request, const K& kernel, const std::function
     const auto sink = [&](const auto& event) { hear(event); };
     Recording<const decltype(sink)> recording{Detail::signs, sink};
     const Recorder<K, const decltype(sink)> recorder(recording);
-    if constexpr (std::derived_from<K, FilteredValues>) {
-        return render<Corrected>(request.method, request.scene, kernel, recorder);
-    } else {
-        return request.printed ? render<Printed>(request.method, request.scene, kernel, recorder)
-                               : render<Corrected>(request.method, request.scene, kernel, recorder);
+    if constexpr (PrintedKernel<K>) {
+        if (request.printed) return render<Printed>(request.method, request.scene, kernel, recorder);
     }
+    return render<Corrected>(request.method, request.scene, kernel, recorder);
 }
 
 /// Calls `take(event)` if the event tells a decision.
@@ -71,7 +69,7 @@ Picture judged_run(const RunRequest& request, const Audience& audience) {
         using K = decltype(kernel);
         if constexpr (std::same_as<K, Filtered>) {
             return compared_run(request, FilteredBy<Tally>({&audience}), audience);
-        } else if constexpr (std::same_as<K, Exact>) {
+        } else if constexpr (std::same_as<K, Grid> || std::same_as<K, Exact>) {
             return compared_run(request, kernel, audience);
         } else {
             return told_run(request, Checked<K>(kernel, audience.judge, audience.survey), audience.hear);
@@ -143,7 +141,7 @@ bool CheckReport::found_something() const {
            std::any_of(procedures.begin(), procedures.end(), [](const auto& each) { return each.first_wrong; });
 }
 
-CheckReport check_run(const RunRequest& request) {
+CheckReport check_run(const RunRequest& request, const Scene& meant) {
     std::vector<Procedure> running{request.method == Method::warnock ? Procedure::warnock : Procedure::z_buffer};
     std::array<ProcedureVerdicts, procedure_names.size()> verdicts;
     std::uint64_t steps = 0;
@@ -173,7 +171,7 @@ CheckReport check_run(const RunRequest& request) {
     };
     const auto count = [&](FilterStage stage) { ++report.decided_by[std::size_t(stage)]; };
     const Picture picture = judged_run(request, {judge, survey, count, hear});
-    report.wrong_pixels = different_pixels(picture, render(Method::zbuffer, request.scene, Exact{}));
+    report.wrong_pixels = different_pixels(picture, render(Method::zbuffer, meant, Exact{}));
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
         verdicts[i].procedure = Procedure(i);
         if (verdicts[i].decisions > 0) report.procedures.push_back(verdicts[i]);

@@ -31,9 +31,10 @@ struct CheckReport {
     bool found_something() const;
 };
 
-/// Runs the request's scene. Under `filtered` and `exact` the decisions are compared with those of a run under `exact`,
-/// until they part.
-CheckReport check_run(const RunRequest& request);
+/// Runs the request's scene. Under `filtered`, `grid` and `exact` the decisions are compared with those of a run under
+/// `exact`, until they part. The pixels are those that `meant` should show: the same scene, or what it was before it was
+/// snapped.
+CheckReport check_run(const RunRequest& request, const Scene& meant);
 
 /// The same run told to the request's writer: each decision with its truth, each wrong one followed by `disagree`.
 Picture trace_checked(const RunRequest& request);

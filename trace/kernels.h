@@ -15,6 +15,7 @@ auto with_kernel(const NamedKernel& named, auto&& use) {
     if (is(Double::name)) return use(Double{});
     if (is(Bits::name)) return use(Bits(named.parameter));
     if (is(Filtered::name)) return use(Filtered{});
+    if (is(Grid::name)) return use(Grid(named.parameter));
     assert(is(Exact::name));
     return use(Exact{});
 }

@@ -27,10 +27,10 @@ std::optional<NamedKernel> kernel_named(std::string_view name) {
     const auto colon = name.find(':');
     const auto choice = std::find_if(kernel_choices.begin(), kernel_choices.end(),
                                      [&](const auto& each) { return each.name == name.substr(0, colon); });
-    if (choice == kernel_choices.end() || choice->parameter.has_value() != (colon != name.npos)) return std::nullopt;
+    if (choice == kernel_choices.end() || (colon != name.npos && !choice->parameter)) return std::nullopt;
     if (!choice->parameter) return NamedKernel{choice};
-    const auto [letter, least, most] = *choice->parameter;
-    const auto parameter = whole_number(name.substr(colon + 1));
+    const auto [letter, least, most, if_not_said] = *choice->parameter;
+    const auto parameter = colon == name.npos ? if_not_said : whole_number(name.substr(colon + 1));
     if (!parameter || *parameter < least || *parameter > most) return std::nullopt;
     return NamedKernel{choice, *parameter};
 }

@@ -8,6 +8,7 @@
 
 #include "trace_writer.h"
 #include "vidno/kernels/bits.h"
+#include "vidno/kernels/grid.h"
 
 namespace vidno {
 
@@ -20,6 +21,7 @@ Picture run_float(const RunRequest&);
 Picture run_double(const RunRequest&);
 Picture run_bits(const RunRequest&);
 Picture run_filtered(const RunRequest&);  // the corrected edition only
+Picture run_grid(const RunRequest&);      // the corrected edition only, of a snapped scene (snapped_scene.h)
 Picture run_exact(const RunRequest&);
 
 struct KernelChoice {
@@ -27,6 +29,7 @@ struct KernelChoice {
     struct Parameter {
         char letter;
         int least, most;
+        std::optional<int> if_not_said{};
     };
 
     std::string_view name;
@@ -47,10 +50,16 @@ inline constexpr std::array kernel_choices{
     KernelChoice{"filtered",
                  "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
                  run_filtered, false},
+    KernelChoice{
+        "grid",
+        "x and y snapped to 1/2^K pixel, whole numbers from there: right for the snapped scene; corrected only",
+        run_grid,
+        false,
+        {{'K', 1, finest_grid, 8}}},
     KernelChoice{"exact", "exact rationals; every decision is right, the reference", run_exact},
 };
 
-/// A kernel as it is named: `double`, `bits:12`.
+/// A kernel as it is named: `double`, `bits:12`, `grid` for `grid:8`.
 struct NamedKernel {
     const KernelChoice* choice;
     int parameter = 0;  // if the choice has one

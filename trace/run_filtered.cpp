@@ -3,6 +3,6 @@
 
 namespace vidno {
 
-Picture run_filtered(const RunRequest& request) { return run_set<Corrected>(request, Filtered{}); }
+Picture run_filtered(const RunRequest& request) { return run_kernel(request, Filtered{}); }
 
 }  // namespace vidno

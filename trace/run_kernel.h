@@ -24,7 +24,10 @@ Picture run_set(const RunRequest& request, K kernel) {
 
 template <Kernel K>
 Picture run_kernel(const RunRequest& request, K kernel) {
-    return request.printed ? run_set<Printed>(request, kernel) : run_set<Corrected>(request, kernel);
+    if constexpr (PrintedKernel<K>) {
+        if (request.printed) return run_set<Printed>(request, kernel);
+    }
+    return run_set<Corrected>(request, kernel);
 }
 
 }  // namespace vidno

@@ -14,6 +14,15 @@
 
 namespace vidno {
 
+/// A kernel under which the printed text runs: one whose decisions may be wrong, or the reference.
+template <class K>
+concept PrintedKernel = Kernel<K> && requires(const K& kernel, const typename K::Number& number) {
+    kernel.depth_of(number);
+    kernel.divide(number, number);
+    kernel.same_rounded(number, number);
+    kernel.pixel_of(number);
+};
+
 struct Printed : Corrected {
     static constexpr std::string_view name = "printed";
 

@@ -10,6 +10,7 @@
 #include "bench/overdraw.h"
 #include "event_json.h"
 #include "recorder.h"
+#include "snapped_scene.h"
 #include "trace_writer.h"
 #include "vidno/kernels/filtered.h"
 #include "vidno/vidno.h"
@@ -58,6 +59,19 @@ void draw_filtered(benchmark::State& state) {
 }
 BENCHMARK(draw_filtered<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw_filtered<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+
+/// The same under `grid`, of the snapped scene: right for that one.
+template <Method method>
+void draw_grid(benchmark::State& state) {
+    const Scene scene = random_triangles(int(state.range(0)), 512, 4);
+    const Scene snapped = snapped_scene(scene, 8).scene;
+    const auto draw_snapped = [&] { benchmark::DoNotOptimize(render(method, snapped, Grid(8))); };
+    for (auto _ : state) draw_snapped();
+    state.counters["times double"] =
+        times([&] { benchmark::DoNotOptimize(render(method, scene, Double{})); }, draw_snapped);
+}
+BENCHMARK(draw_grid<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+BENCHMARK(draw_grid<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 /// Orientation tests of random points, 512 pixels apart at most, under `filtered` and by CGAL's filtered predicate.
 void orient(benchmark::State& state) {

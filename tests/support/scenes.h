@@ -57,7 +57,7 @@ private:
 };
 
 /// The quad Q over the whole 16 x 16 area and the square N in its middle, before it.
-inline const Corners far_quad{{-1, -1, .1}, {17, -1, .1}, {17, 17, .1}, {-1, 17, .1}};
+inline const Corners far_quad{{-1, -1, .125}, {17, -1, .125}, {17, 17, .125}, {-1, 17, .125}};
 inline const Corners near_square{{4, 4, .5}, {12, 4, .5}, {12, 12, .5}, {4, 12, .5}};
 inline constexpr Area area_16{0, 0, 16, 16};
 

@@ -5,6 +5,7 @@
 #include "vidno/kernels/exact.h"
 #include "vidno/kernels/filtered.h"
 #include "vidno/printed.h"
+#include "vidno/snap.h"
 #include "vidno/vidno.h"
 
 namespace vidno::test {
@@ -17,12 +18,28 @@ struct Bits24 : Bits {
 
 /// The kernels over which every hand-computed case is run; the printed text is not for a kernel that is always right.
 #define VIDNO_PRINTED_KERNELS ::vidno::Float, ::vidno::Double, ::vidno::test::Bits24, ::vidno::Exact
-#define VIDNO_KERNELS VIDNO_PRINTED_KERNELS, ::vidno::Filtered
+#define VIDNO_KERNELS VIDNO_PRINTED_KERNELS, ::vidno::Filtered, ::vidno::test::Grid8
 
 namespace vidno::test {
 
 template <class K>
-inline constexpr bool runs_printed = !std::same_as<K, Filtered>;
+inline constexpr bool runs_printed = PrintedKernel<K>;
+
+struct Grid8 : Grid {
+    Grid8() : Grid(8) {}
+};
+
+/// The scene as a kernel takes it: `grid` on its grid.
+template <class K>
+Scene scene_for(Scene scene) {
+    if constexpr (std::derived_from<K, Grid>) {
+        Snapping snapping;
+        for (auto& polygon : std::exchange(scene.polygons, {})) {
+            for (auto& part : snapped(polygon, 8, snapping)) scene.polygons.push_back(std::move(part));
+        }
+    }
+    return scene;
+}
 
 template <class K, class Set = Corrected, class Trace = NoTrace>
 struct Stage {
@@ -31,7 +48,9 @@ struct Stage {
     Run<Set, K, Trace> run;
 
     explicit Stage(Scene given, Trace trace = {})
-        : scene(std::move(given)), picture(scene.area, scene.background), run(scene, K{}, trace, picture) {}
+        : scene(scene_for<K>(std::move(given))),
+          picture(scene.area, scene.background),
+          run(scene, K{}, trace, picture) {}
 
     const Polygon<K>& polygon(std::size_t index = 0) const { return run.polygons[index]; }
     Point<typename K::Coordinate> point(double x, double y) const { return run.kernel.point(x, y); }

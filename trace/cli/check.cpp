@@ -52,12 +52,13 @@ int check(const CheckOptions& options) {
     run.edition = options.edition.value_or(run.edition);
     const NamedKernel kernel = *kernel_named(run.kernel);
     expect_edition(kernel, run.edition);
-    RunRequest request{run.method, kernel, run.edition == "printed", run.scene};
+    const Scene scene = scene_for(kernel, run.scene, options.input);
+    RunRequest request{run.method, kernel, run.edition == "printed", scene};
     Progress progress("steps");
     request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };
-    const CheckReport report = check_run(request);
+    const CheckReport report = check_run(request, run.scene);
     progress.clear();
-    print(report, run.scene.area);
+    print(report, scene.area);
     return report.found_something() ? 1 : 0;
 }
 

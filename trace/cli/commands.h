@@ -52,6 +52,9 @@ void expect_edition(const NamedKernel& kernel, const std::string& edition);
 /// The scene of a file; warnings go to standard error.
 Scene scene_from(const std::string& file);
 
+/// The scene as the kernel runs it: snapped for `grid`, which is said on standard error; else as it is.
+Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file);
+
 /// The place of a name that the command line has checked.
 std::size_t place_in(const auto& names, const std::string& name) {
     return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());

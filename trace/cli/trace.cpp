@@ -7,6 +7,7 @@
 #include "output.h"
 #include "progress.h"
 #include "scene_json.h"
+#include "snapped_scene.h"
 
 namespace vidno::cli {
 
@@ -25,11 +26,28 @@ Scene scene_from(const std::string& file) {
     return scene;
 }
 
+Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file) {
+    if (kernel.choice->name != Grid::name) return scene;
+    try {
+        SnappedScene snapped = snapped_scene(scene, kernel.parameter);
+        const std::string change = snapped.change();
+        if (!change.empty()) std::cerr << file << ": " << kernel.name() << ' ' << change << '\n';
+        return std::move(snapped.scene);
+    } catch (const Refused& refused) {
+        throw Refused(file + ": " + refused.what());
+    }
+}
+
 namespace {
 
-RunRequest request_of(const RunOptions& options, const Scene& scene) {
+/// The kernel of the options, if it runs their edition.
+NamedKernel kernel_of(const RunOptions& options) {
     const NamedKernel kernel = *kernel_named(options.kernel);
     expect_edition(kernel, options.edition);
+    return kernel;
+}
+
+RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const Scene& scene) {
     return {Method(place_in(method_names, options.method)), kernel, options.edition == "printed", scene,
             Detail(place_in(detail_names, options.detail))};
 }
@@ -37,8 +55,9 @@ RunRequest request_of(const RunOptions& options, const Scene& scene) {
 }  // namespace
 
 int trace(const RunOptions& options) {
-    const Scene scene = scene_from(options.scene);
-    RunRequest request = request_of(options, scene);
+    const NamedKernel kernel = kernel_of(options);
+    const Scene scene = scene_for(kernel, scene_from(options.scene), options.scene);
+    RunRequest request = request_of(options, kernel, scene);
     OutputFile file(options.output);
     Progress progress("events");
     TraceWriter* running = nullptr;
@@ -46,7 +65,7 @@ int trace(const RunOptions& options) {
         file.write(text);
         if (running) progress.show(running->events());
     };
-    TraceWriter writer({request.method, options.edition, options.kernel, request.detail, scene}, write,
+    TraceWriter writer({request.method, options.edition, kernel.name(), request.detail, scene}, write,
                        options.most_events);
     running = request.writer = &writer;
     int status = 0;
@@ -64,9 +83,10 @@ int trace(const RunOptions& options) {
 
 int render(const RunOptions& options) {
     encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
-    const Scene scene = scene_from(options.scene);
+    const NamedKernel kernel = kernel_of(options);
+    const Scene scene = scene_for(kernel, scene_from(options.scene), options.scene);
     OutputFile file(options.output);
-    RunRequest request = request_of(options, scene);
+    RunRequest request = request_of(options, kernel, scene);
     Progress progress(request.method == Method::warnock ? "windows" : "polygons");
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
     file.write(encode_image(run(request), options.output));

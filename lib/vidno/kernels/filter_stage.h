@@ -14,4 +14,9 @@ enum class FilterStage : unsigned char {
 };
 inline constexpr std::array<std::string_view, 4> filter_stage_names{"given", "scene", "operands", "exact"};
 
+/// Hears of each comparison what decided it, and forgets it.
+struct NoTally {
+    void operator()(FilterStage) const {}
+};
+
 }  // namespace vidno

@@ -17,58 +17,53 @@
 #include <string_view>
 #include <vector>
 
-#include "filter_stage.h"
 #include "filtered_values.h"
 
 namespace vidno {
 
-/// Hears nothing. A tally is passed by value and may hold a pointer.
-struct NoTally {
-    void operator()(FilterStage) const {}
-};
-
 /// `Tally` hears of each comparison what decided it.
 template <class Tally>
-class FilteredBy : public FilteredValues {
+class FilteredBy : public PlaneDepths<FilteredPlane, Tally> {
+    using Depths = PlaneDepths<FilteredPlane, Tally>;
+    using Depths::infinity;
+
 public:
+    using Coordinate = Given;
+    using Number = Bounded;
+    using Plane = FilteredPlane;
+    using Outline = std::vector<ClippedVertex>;
+
     static constexpr std::string_view name = "filtered";
 
-    explicit FilteredBy(Tally tally = {}) : tally_(tally) {}
+    explicit FilteredBy(Tally tally = {}) : Depths(tally) {}
 
     void see(const Scene& scene) {
-        const Window square = covering_square(scene.area);
-        extent_ =
-            std::max({std::abs(square.x), std::abs(square.y), std::abs(square.right()), std::abs(square.bottom())});
-        for (const auto& polygon : scene.polygons) {
-            for (const auto& v : polygon.vertices) extent_ = std::max({extent_, std::abs(v.x), std::abs(v.y)});
-        }
+        extent_ = farthest_out(scene);
         // Shewchuk's bound, 3 roundoffs of the sum of the products, each at most (2 extent)^2; and some more.
         cross_error_ = 16 * extent_ * extent_ * Bounded::unit;
-
-        planes_.reserve(scene.polygons.size() + 1);
-        planes_.emplace_back().at_origin = -infinity;
+        Depths::expect_planes(scene.polygons.size());
     }
 
     Vertex<Given> vertex(const glm::dvec3& v) const { return {{v.x}, {v.y}, {v.z}}; }
     Point<Given> point(double x, double y) const { return {{x}, {y}}; }
     Given centre(int pixel) const { return {pixel + 0.5}; }
 
-    Sign sign(const Cross& cross) const { return cross.sign; }
+    Sign sign(const FilteredCross& cross) const { return cross.sign; }
 
-    Cross cross(const auto& pivot, const auto& a, const auto& b) const {
+    FilteredCross cross(const auto& pivot, const auto& a, const auto& b) const {
         const double left = (a.x.value - pivot.x.value) * (b.y.value - pivot.y.value);
         const double right = (a.y.value - pivot.y.value) * (b.x.value - pivot.x.value);
         const double value = left - right;
         if (std::abs(value) > cross_error_) {
-            tally_(FilterStage::scene);
+            tell(FilterStage::scene);
             return {value, sign_of(value)};
         }
         const double error = 2 * Bounded::unit * (std::abs(left) + std::abs(right)) + Bounded::underflow;
         if (std::abs(value) > error) {
-            tally_(FilterStage::operands);
+            tell(FilterStage::operands);
             return {value, sign_of(value)};
         }
-        tally_(FilterStage::exact);
+        tell(FilterStage::exact);
         return {value, exact_orientation(pivot, a, b)};
     }
 
@@ -102,46 +97,16 @@ public:
         plane.c = computed.c.value;
         plane.d = computed.d.value;
         plane.vertices = vertices;
-        const auto within_cells = [&](const auto& v) { return std::abs(plane.depth(v.x.value, v.y.value)) < 2; };
-        plane.fits_cells = plane.error < cell_error / 16 && std::all_of(vertices.begin(), vertices.end(), within_cells);
-        plane.number = std::uint32_t(planes_.size());
-        return planes_.emplace_back(plane);
-    }
-
-    /// The point lies no farther out than the scene's vertices and windows do.
-    Depth depth(const Plane& plane, const auto& point) const {
-        return {plane.depth(point.x.value, point.y.value), &planes_[plane.number]};
-    }
-    Depth farthest() const { return {-infinity, &planes_[0]}; }
-    double finite(const Depth& z) const { return z.value; }
-
-    bool nearer(const Depth& z, const Depth& than, const auto& at) const {
-        const double difference = z.value - than.value;
-        const bool certain = std::abs(difference) > 2 * (z.plane->error + than.plane->error);
-        tell(certain);
-        return certain ? difference > 0 : exactly_nearer(*z.plane, *than.plane, at);
-    }
-
-    Stepped to_step(double, const Plane& plane, Pixel from) const {
-        return {planes_[plane.number], {centre(from.x), centre(from.y)}};
-    }
-    /// By the cell alone if its bound allows it.
-    bool nearer(const Stepped& z, const auto& cell, Pixel at) const {
-        const bool surely = z.surely_below() > cell.about();
-        if (surely || z.surely_above() < cell.about()) {
-            tally_(FilterStage::scene);
-            return surely;
-        }
-        return closely_nearer(z.plane(), cell.plane(), at.x, at.y);
+        return Depths::keep(plane, vertices);
     }
 
     bool outside(const Box<Given>& box, const Window& window) const {
-        tally_(FilterStage::given);
+        tell(FilterStage::given);
         return box.xmax.value < window.x || box.ymax.value < window.y || box.xmin.value > window.right() ||
                box.ymin.value > window.bottom();
     }
     bool inside(const Box<Given>& box, const Window& window) const {
-        tally_(FilterStage::given);
+        tell(FilterStage::given);
         return box.xmin.value > window.x && box.ymin.value > window.y && box.xmax.value < window.right() &&
                box.ymax.value < window.bottom();
     }
@@ -172,11 +137,11 @@ public:
     }
 
     int first_centre(Given value, int low, int end) const {
-        tally_(FilterStage::given);
+        tell(FilterStage::given);
         return machine_.first_centre(value.value, low, end);
     }
     int last_centre(Given value, int low, int end) const {
-        tally_(FilterStage::given);
+        tell(FilterStage::given);
         return machine_.last_centre(value.value, low, end);
     }
 
@@ -254,7 +219,8 @@ public:
 
 private:
     /// The bound of the operands decides, or exact arithmetic does.
-    void tell(bool certain) const { tally_(certain ? FilterStage::operands : FilterStage::exact); }
+    void tell(bool certain) const { tell(certain ? FilterStage::operands : FilterStage::exact); }
+    using Depths::tell;
 
     // ------------------------------------------------------------------------------------- by the bound
 
@@ -382,33 +348,11 @@ private:
                (Rational(edge.lower.y.value) - Rational(edge.upper.y.value));
     }
 
-    // Numbers, so that they stay in registers where this is not called.
-    [[gnu::noinline]] bool closely_nearer(const Plane& plane, const Plane& than, int x, int y) const {
-        const auto z = [&](const Plane& of) { return Depth{of.depth(x + 0.5, y + 0.5), &of}; };
-        return nearer(z(plane), z(than), Pixel{x, y});
-    }
-
-    [[gnu::noinline]] static bool exactly_nearer(const Plane& plane, const Plane& than, Point<Given> at) {
-        return exactly_nearer(plane, than, Rational(at.x.value), Rational(at.y.value));
-    }
-    [[gnu::noinline]] static bool exactly_nearer(const Plane& plane, const Plane& than, Pixel at) {
-        return exactly_nearer(plane, than, exact_.centre(at.x), exact_.centre(at.y));
-    }
-    static bool exactly_nearer(const Plane& plane, const Plane& than, const Rational& x, const Rational& y) {
-        if (plane.number == 0 || than.number == 0) return plane.number != 0;
-        const auto& p = plane.exactly();
-        const auto& q = than.exactly();
-        if (p == q) return false;
-        return (p.x_slope - q.x_slope) * x + (p.y_slope - q.y_slope) * y + (p.at_origin - q.at_origin) > 0;
-    }
-
     static constexpr NumberKernel<double> machine_{};
     static constexpr Exact exact_{};
 
     double extent_ = 0;
     double cross_error_ = infinity;
-    std::vector<Plane> planes_;  // by number
-    [[no_unique_address]] Tally tally_;
 };
 
 using Filtered = FilteredBy<NoTally>;

@@ -6,6 +6,7 @@ import { Refusal } from './refusal.js';
 import { color } from './values.js';
 
 const greatestSide = 16384;
+const kernelName = /^(float|double|bits:([4-9]|1\d|2[0-4])|filtered|grid:([1-9]|1\d|20)|exact)$/u;
 const hexFloat = /^(-?)0x([0-9a-f]+)(?:\.([0-9a-f]*))?(?:p([+-]?\d+))?$/i;
 
 /** A coordinate is a number or a hexadecimal float such as "0x1.8p-3". */
@@ -38,7 +39,7 @@ const header = record(
     format: oneOf('vidno-trace/1'),
     method: oneOf(...(Object.keys(tables) as Method[])),
     edition: oneOf('corrected', 'printed'),
-    kernel: matching(/^(float|double|bits:([4-9]|1\d|2[0-4])|filtered|exact)$/u, 'kernel'),
+    kernel: matching(kernelName, 'kernel'),
     detail: oneOf(...details),
     scene: sceneFile,
   },

@@ -1,0 +1,201 @@
+/// PlaneDepths: depths that know whose they are, for kernels that are always right.
+///
+/// A depth is a double and the plane that it belongs to. Doubles decide which of two is nearer where the bound on their
+/// error allows it; else the planes decide exactly.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "../depth_buffer.h"
+#include "../kernel.h"
+#include "filter_stage.h"
+
+namespace vidno {
+
+/// z = x_slope x + y_slope y + at_origin, wrong by at most the error at any point of the scene.
+struct ApproximatePlane {
+    double x_slope = 0, y_slope = 0, at_origin = 0;
+    double error = 0;
+    bool fits_cells = false;   // at its polygon's vertices
+    std::uint32_t number = 0;  // 0: no plane, infinitely far
+
+    double depth(double x, double y) const { return x_slope * x + (y_slope * y + at_origin); }
+};
+
+/// The greatest |x| or |y| of a scene's vertices and windows.
+inline double farthest_out(const Scene& scene) {
+    const Window square = covering_square(scene.area);
+    double farthest =
+        std::max({std::abs(square.x), std::abs(square.y), std::abs(square.right()), std::abs(square.bottom())});
+    for (const auto& polygon : scene.polygons) {
+        for (const auto& v : polygon.vertices) farthest = std::max({farthest, std::abs(v.x), std::abs(v.y)});
+    }
+    return farthest;
+}
+
+/// `Plane` is an ApproximatePlane that says of another one, exactly, `plane.exactly_nearer(than, x, y)`. `Tally` hears of
+/// each comparison what decided it; it is passed by value and may hold a pointer.
+template <class Plane, class Tally>
+class PlaneDepths {
+public:
+    static constexpr bool has_infinity = true;
+
+    using Interpolated = double;  // to be shown: the plane decides
+
+    /// Of a plane, at a point that whoever compares knows.
+    struct Depth {
+        double value;
+        const Plane* plane;
+
+        explicit operator double() const { return value; }
+    };
+
+    class DepthBuffer;
+
+    /// The depth of a plane at one pixel of a row after the other. It is not the sum of the steps, so does not drift.
+    class Stepped {
+    public:
+        Stepped(const Plane& plane, Pixel first)
+            : plane_(&plane),
+              first_x_(first.x + 0.5),
+              y_(first.y + 0.5),
+              number_(plane.number),
+              x_slope_(float(plane.x_slope)),
+              first_(plane.fits_cells ? float(plane.depth(first_x_, y_)) : not_known) {}
+
+        double value() const { return plane_->depth(first_x_ + steps_, y_); }
+        const Plane& plane() const { return *plane_; }
+        std::uint32_t number() const { return number_; }
+        float about() const { return steps_ * x_slope_ + first_; }
+
+        void operator+=(double /*step*/) { steps_ += 1; }
+        explicit operator double() const { return value(); }
+
+    private:
+        const Plane* plane_;
+        double first_x_, y_;
+        std::uint32_t number_;
+        float steps_ = 0, x_slope_, first_;
+    };
+
+    /// The point lies no farther out than the scene's vertices and windows do.
+    Depth depth(const Plane& plane, const auto& point) const {
+        return {plane.depth(double(point.x), double(point.y)), &plane};
+    }
+    Depth farthest() const { return {-infinity, &planes_[0]}; }
+    double finite(const Depth& z) const { return z.value; }
+
+    bool nearer(const Depth& z, const Depth& than, const auto& at) const {
+        const double difference = z.value - than.value;
+        const bool certain = std::abs(difference) > 2 * (z.plane->error + than.plane->error);
+        tally_(certain ? FilterStage::operands : FilterStage::exact);
+        return certain ? difference > 0 : exactly_nearer(*z.plane, *than.plane, at);
+    }
+
+    Stepped to_step(double, const Plane& plane, Pixel from) const { return {plane, from}; }
+
+    /// By the cell alone if its bound allows it.
+    bool nearer(const Stepped& z, const auto& cell, Pixel at) const {
+        const float difference = z.about() - cell.about();
+        if (std::abs(difference) > cell_error) {
+            tally_(FilterStage::scene);
+            return difference > 0;
+        }
+        return closely_nearer(z.plane(), cell.plane(), at.x, at.y);
+    }
+
+protected:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    explicit PlaneDepths(Tally tally = {}) : tally_(tally) {}
+
+    /// Before all planes: "no polygon yet", and room for so many.
+    void expect_planes(std::size_t count) {
+        planes_.reserve(count + 1);
+        planes_.emplace_back().at_origin = -infinity;
+    }
+
+    /// Gives the plane its number, and keeps a copy.
+    Plane keep(Plane plane, const auto& vertices) {
+        const auto within_cells = [&](const auto& v) { return std::abs(plane.depth(double(v.x), double(v.y))) < 2; };
+        plane.fits_cells = plane.error < cell_error / 16 && std::all_of(vertices.begin(), vertices.end(), within_cells);
+        plane.number = std::uint32_t(planes_.size());
+        return planes_.emplace_back(plane);
+    }
+
+    void tell(FilterStage stage) const { tally_(stage); }
+
+private:
+    // Numbers, so that they stay in registers where this is not called.
+    [[gnu::noinline]] bool closely_nearer(const Plane& plane, const Plane& than, int x, int y) const {
+        const auto z = [&](const Plane& of) { return Depth{of.depth(x + 0.5, y + 0.5), &of}; };
+        return nearer(z(plane), z(than), Pixel{x, y});
+    }
+
+    [[gnu::noinline]] static bool exactly_nearer(const Plane& plane, const Plane& than, const auto& at) {
+        if (plane.number == 0 || than.number == 0) return plane.number != 0;
+        return plane.exactly_nearer(than, double(at.x), double(at.y));
+    }
+    [[gnu::noinline]] static bool exactly_nearer(const Plane& plane, const Plane& than, Pixel at) {
+        return exactly_nearer(plane, than, Point<double>{at.x + 0.5, at.y + 0.5});
+    }
+
+    /// Two depths of planes that fit cells, farther apart than this as cells have them, differ alike. As a float, stepped by
+    /// at most 4, a depth within [-2, 2] is off by 14 roundoffs of 2^-24, and by its plane's error, a 16th of this.
+    static constexpr float cell_error = 0x1p-18F;
+    /// Of other planes: it compares as neither more nor less.
+    static constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
+
+    std::vector<Plane> planes_;  // by number
+    [[no_unique_address]] Tally tally_;
+};
+
+/// Which plane each pixel shows, and about how far.
+template <class Plane, class Tally>
+class PlaneDepths<Plane, Tally>::DepthBuffer {
+public:
+    /// No more memory than a double: its speed is that of the inner loop.
+    struct Shown {
+        float about;
+        std::uint32_t plane;
+    };
+    class Cell {
+    public:
+        Cell(Shown& shown, const Plane* planes, Pixel at) : shown_(shown), planes_(planes), at_(at) {}
+
+        float about() const { return shown_.about; }
+        const Plane& plane() const { return planes_[shown_.plane]; }
+        operator Depth() const { return {plane().depth(at_.x + 0.5, at_.y + 0.5), &plane()}; }
+        explicit operator double() const { return Depth(*this).value; }
+        void operator=(const Stepped& z) { shown_ = {z.about(), z.number()}; }
+
+    private:
+        Shown& shown_;
+        const Plane* planes_;
+        Pixel at_;
+    };
+    struct Row {
+        PixelRow<Shown> shown;
+        const Plane* planes;
+        int y;
+
+        Cell operator[](int x) const { return {shown[x], planes, {x, y}}; }
+    };
+
+    void clear(const Area& area, const Depth& farthest) {
+        shown_.clear(area, {float(farthest.value), farthest.plane->number});
+        planes_ = farthest.plane - farthest.plane->number;
+    }
+    Cell at(int x, int y) { return row(y)[x]; }
+    Row row(int y) { return {shown_.row(y), planes_, y}; }
+
+private:
+    vidno::DepthBuffer<Shown> shown_;
+    const Plane* planes_ = nullptr;
+};
+
+}  // namespace vidno

@@ -1,0 +1,21 @@
+/// The scene that the kernel `grid` runs, and what was changed to make it.
+#pragma once
+
+#include <string>
+
+#include "vidno/snap.h"
+
+namespace vidno {
+
+struct SnappedScene {
+    Scene scene;  // the triangles that a polygon was cut into have its id and a number
+    Snapping snapping;
+
+    /// In words, "moved 5 of 12 vertices, ..."; empty if nothing changed.
+    std::string change() const;
+};
+
+/// Throws Refused if the kernel's numbers would not hold it.
+SnappedScene snapped_scene(const Scene& scene, int bits);
+
+}  // namespace vidno
