@@ -38,21 +38,6 @@ Shadowed combine(int operation, const Shadowed& a, const Shadowed& b) {
     }
 }
 
-/// Each coordinate moved by up to two ulps: what was a coincidence becomes nearly one.
-bool moved_by_ulps(Scene& scene, RandomScenes& random) {
-    for (auto& polygon : scene.polygons) {
-        for (auto& vertex : polygon.vertices) {
-            for (int axis = 0; axis < 3; ++axis) {
-                const int ulps = random.whole(-2, 2);
-                for (int i = 0; i < std::abs(ulps); ++i) vertex[axis] = std::nextafter(vertex[axis], ulps * 1e9);
-            }
-            vertex.z = std::clamp(vertex.z, -1., 1.);
-        }
-        if (admit(polygon).admission != Admission::admitted) return false;
-    }
-    return true;
-}
-
 int wrong_pixels(Method method, const Scene& scene, auto kernel, const Picture& expected) {
     return different_pixels(render(method, scene, kernel), expected);
 }

@@ -1,7 +1,10 @@
 /// Scenes for tests: builders for small polygons, and random and degenerate families from a seed.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -133,5 +136,20 @@ struct RandomScenes {
         return builder.build();
     }
 };
+
+/// Each coordinate moved by up to two ulps: what was a coincidence becomes nearly one. Is the scene still admitted?
+inline bool moved_by_ulps(Scene& scene, RandomScenes& random) {
+    for (auto& polygon : scene.polygons) {
+        for (auto& vertex : polygon.vertices) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const int ulps = random.whole(-2, 2);
+                for (int i = 0; i < std::abs(ulps); ++i) vertex[axis] = std::nextafter(vertex[axis], ulps * 1e9);
+            }
+            vertex.z = std::clamp(vertex.z, -1., 1.);
+        }
+        if (admit(polygon).admission != Admission::admitted) return false;
+    }
+    return true;
+}
 
 }  // namespace vidno::test

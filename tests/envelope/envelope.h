@@ -1,0 +1,80 @@
+/// The picture rule by CGAL's upper envelope: exact, and independent of kernels, procedures and the reference.
+#pragma once
+
+#include <CGAL/Arr_batched_point_location.h>
+#include <CGAL/Env_surface_data_traits_3.h>
+#include <CGAL/Env_triangle_traits_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/envelope_3.h>
+
+#include <algorithm>
+#include <boost/variant/apply_visitor.hpp>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "vidno/picture.h"
+
+namespace vidno::test {
+
+/// The envelope of triangles as a map of the plane: each vertex, edge and face of it has the triangles that are nearest
+/// there, all of them where depths are equal. Outlines are edges of the map, so that triangles are closed.
+class Envelope {
+public:
+    /// All polygons must be triangles.
+    explicit Envelope(const Scene& scene) : scene_(scene) {
+        std::vector<Traits::Surface_3> triangles;
+        for (std::size_t i = 0; i < scene.polygons.size(); ++i) {
+            const auto& polygon = scene.polygons[i];
+            // CGAL would show the upper outline of an edge-on triangle, and may not be given one without area in space.
+            if (polygon.edge_on) continue;
+            const auto corner = [&](std::size_t k) {
+                const auto& v = polygon.vertices[k];
+                return Kernel::Point_3(v.x, v.y, v.z);
+            };
+            triangles.emplace_back(Traits::Base_surface_3(corner(0), corner(1), corner(2)), i);
+        }
+        CGAL::upper_envelope_3(triangles.begin(), triangles.end(), map_);
+    }
+
+    Picture picture() const {
+        const Area& area = scene_.area;
+        std::vector<Kernel::Point_2> centres;
+        for (int y = area.y; y < area.bottom(); ++y) {
+            for (int x = area.x; x < area.right(); ++x) centres.emplace_back(x + 0.5, y + 0.5);
+        }
+        std::vector<std::pair<Kernel::Point_2, Place>> located;
+        CGAL::locate(map_, centres.begin(), centres.end(), std::back_inserter(located));
+
+        Picture picture(area, scene_.background);
+        for (const auto& [centre, place] : located) {
+            picture.paint(pixel_of(centre.x()), pixel_of(centre.y()), color_at(place));
+        }
+        return picture;
+    }
+
+private:
+    using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+    using Traits = CGAL::Env_surface_data_traits_3<CGAL::Env_triangle_traits_3<Kernel>, std::size_t>;
+    using Map = CGAL::Envelope_diagram_2<Traits>;
+    using Place = CGAL::Arr_point_location_result<Map::Arrangement>::Type;  // a vertex, an edge or a face
+
+    /// The map gives equal triangles in any order; the first of the scene wins.
+    Color color_at(const Place& place) const {
+        std::size_t first = scene_.polygons.size();
+        const auto find_first = [&](const auto& at) {
+            for (auto s = at->surfaces_begin(); s != at->surfaces_end(); ++s) first = std::min(first, s->data());
+        };
+        boost::apply_visitor(find_first, place);
+        return first < scene_.polygons.size() ? scene_.polygons[first].color : scene_.background;
+    }
+
+    static int pixel_of(const Kernel::FT& centre) { return int(std::floor(CGAL::to_double(centre))); }
+
+    const Scene& scene_;
+    Map map_;
+};
+
+}  // namespace vidno::test

@@ -1,0 +1,131 @@
+// The picture rule before an independent judge: CGAL's envelope, the brute-force reference and both methods under
+// `exact` and `filtered` give one picture of every scene of triangles.
+
+#include "envelope.h"
+
+#include <doctest/doctest.h>
+
+#include "support/reference.h"
+#include "support/scenes.h"
+#include "vidno/kernels/exact.h"
+#include "vidno/kernels/filtered.h"
+#include "vidno/vidno.h"
+
+using namespace vidno;
+using namespace vidno::test;
+
+namespace {
+
+void check_all_agree(const Scene& scene) {
+    const Picture expected = Envelope(scene).picture();
+    CHECK(different_pixels(Reference(scene).picture(), expected) == 0);
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        CHECK(different_pixels(render(method, scene, Exact{}), expected) == 0);
+        CHECK(different_pixels(render(method, scene, Filtered{}), expected) == 0);
+    }
+}
+
+/// Each polygon as a fan of triangles, each with a colour of its own.
+Scene triangulated(const Scene& scene) {
+    SceneBuilder builder(scene.area);
+    for (const auto& polygon : scene.polygons) {
+        const auto& v = polygon.vertices;
+        for (std::size_t i = 2; i < v.size(); ++i) builder.polygon({v[0], v[i - 1], v[i]});
+    }
+    return builder.build();
+}
+
+}  // namespace
+
+TEST_CASE("The envelope by hand: closed outlines, ties, an edge-on triangle") {
+    // All outlines pass through centres. The first two are one triangle; the third shares its longest edge.
+    const Scene scene = SceneBuilder({0, 0, 4, 4})
+                            .polygon({{.5, .5, 0}, {3.5, .5, 0}, {.5, 3.5, 0}})
+                            .polygon({{.5, 3.5, 0}, {.5, .5, 0}, {3.5, .5, 0}})
+                            .polygon({{3.5, .5, 0}, {3.5, 3.5, 0}, {.5, 3.5, 0}})
+                            .polygon({{.5, .5, 1}, {3.5, 3.5, 1}, {2, 2, .5}})
+                            .build();
+    const Picture picture = Envelope(scene).picture();
+    for (int y = 0; y < 4; ++y) {
+        for (int x = 0; x < 4; ++x) CHECK(picture.at(x, y) == color_of(x + y <= 3 ? 0 : 2));
+    }
+    check_all_agree(scene);
+}
+
+TEST_CASE("The envelope tells apart what `double` does not") {
+    // At the centre (1/2, 1/2) the second triangle is nearer by 2^-56, a quarter of an ulp.
+    const Scene scene = SceneBuilder({0, 0, 1, 1})
+                            .polygon({{0, 0, .25}, {2, 0, .25}, {0, 2, .25}})
+                            .polygon({{0, 0, .25}, {2, 0, .25}, {0, 2, .25 + 0x1p-54}})
+                            .build();
+    CHECK(Envelope(scene).picture().at(0, 0) == color_of(1));
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        CHECK(render(method, scene, Double{}).at(0, 0) == color_of(0));
+    }
+    check_all_agree(scene);
+}
+
+TEST_CASE("Random and degenerate triangles") {
+    RandomScenes random(20261122);
+    for (int i = 0; i < 500; ++i) {
+        CAPTURE(i);
+        check_all_agree(triangulated(random.scene()));
+    }
+}
+
+TEST_CASE("Triangles next to coincidences") {
+    RandomScenes random(32);
+    std::size_t wrong_in_double = 0;
+    for (int i = 0; i < 500; ++i) {
+        CAPTURE(i);
+        Scene scene = triangulated(random.scene());
+        REQUIRE(moved_by_ulps(scene, random));
+        check_all_agree(scene);
+        wrong_in_double += different_pixels(render(Method::zbuffer, scene, Double{}), Envelope(scene).picture());
+    }
+    CHECK(wrong_in_double > 0);
+}
+
+TEST_CASE("A hundred triangles that interpenetrate") {
+    RandomScenes random(7);
+    const Area area{0, 0, 64, 64};
+    SceneBuilder builder(area);
+    for (int i = 0; i < 100; ++i) builder.polygon(random.triangle(area));
+    check_all_agree(builder.build());
+}
+
+TEST_CASE("Interpenetrating triangles") {
+    // The third is level, and passes through the line in which the others meet.
+    check_all_agree(SceneBuilder(area_16)
+                        .polygon({{0, 1, 0}, {16, 8, 1}, {0, 15, 0}})
+                        .polygon({{16, 1, 0}, {0, 8, 1}, {16, 15, 0}})
+                        .polygon({{1, 0, .5}, {15, 0, .5}, {8, 16, .5}})
+                        .build());
+}
+
+TEST_CASE("Cyclic overlap") {
+    // The base of each triangle is before the tip of the last one.
+    check_all_agree(SceneBuilder(area_16)
+                        .polygon({{1, 1, .75}, {1, 6, .75}, {16, 3, .25}})
+                        .polygon({{15, 0, .75}, {9, 0, .75}, {9, 16, .25}})
+                        .polygon({{14, 15, .75}, {6, 15, .75}, {2, 0, .25}})
+                        .build());
+}
+
+TEST_CASE("A fan of triangles that share edges and a vertex") {
+    const glm::dvec3 hub(7.5, 7.5, .5);
+    const Corners rim{{0, 0, 0},   {7.5, -1, 0}, {16, 0, 0}, {17, 7.5, 0},
+                      {16, 16, 0}, {7.5, 17, 0}, {0, 16, 0}, {-1, 7.5, 0}};
+    SceneBuilder builder(area_16);
+    for (std::size_t i = 0; i < rim.size(); ++i) builder.polygon({hub, rim[i], rim[(i + 1) % rim.size()]});
+    check_all_agree(builder.build());
+}
+
+TEST_CASE("Coplanar overlaps") {
+    // All in the plane z = x / 16; outlines cross each other on pixel centres.
+    check_all_agree(SceneBuilder(area_16)
+                        .polygon({{0, 0, 0}, {12, 0, .75}, {0, 12, 0}})
+                        .polygon({{4, 4, .25}, {16, 4, 1}, {4, 16, .25}})
+                        .polygon({{.5, 15.5, .03125}, {15.5, .5, .96875}, {15.5, 15.5, .96875}})
+                        .build());
+}
