@@ -246,6 +246,12 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "check " + scene + " --kernel filtered --edition printed",
              "check " + work.file("missing.jsonl"),
              "diff " + scene,
+             "shrink " + scene + output,
+             "shrink " + scene + " --keep decision" + output,
+             "shrink " + scene + " --at W13" + output,
+             "shrink " + scene + " --keep decision --at Q1" + output,
+             std::string("need"),
+             "choose " + work.file("missing.json"),
              "import " + scene + " -o " + work.file("a.json"),
          }) {
         CAPTURE(call);
@@ -284,8 +290,34 @@ TEST_CASE("check: a table and the wrong pixels, exit 1 if anything is wrong; of 
     CHECK(program("replay " + trace + " -o " + work.file("a.ppm")).status == 0);
 }
 
+TEST_CASE("shrink: a scene that still fails; what does not fail is refused") {
+    const Workplace work;
+    const std::string clipped = VIDNO_ROOT "/lessons/05-polygon-clip/scene.json";
+    const std::string smallest = work.file("smallest.json");
+    CHECK(program("shrink " + clipped + " -o " + smallest).text == clipped + ": 1 of 2 polygons, 3 of 6 vertices\n");
+    CHECK_MESSAGE(program("check " + smallest).status == 1, "it fails");
+    CHECK(program("shrink " + clipped + " --keep decision --at PL5 -o " + smallest).status == 0);
+    REQUIRE(program("trace " + smallest + " -o " + work.file("run.jsonl")).status == 0);
+    CHECK(work.read("run.jsonl").find("\"at\":\"PL5\"") != std::string::npos);
+    CHECK(program("shrink " + clipped + " --kernel filtered -o " + work.file("none.json")).text ==
+          "vidno: " + clipped + ": nothing fails: no decision is wrong, and no pixel\n");
+    CHECK_FALSE(work.has("none.json"));
+}
+
+TEST_CASE("need and choose: a table, and a choice whose picture is right") {
+    const std::string drifting = VIDNO_ROOT "/lessons/08-show-line/scene.json";
+    const auto needed = program("need " + drifting);
+    CHECK(needed.status == 0);
+    CHECK(needed.text.find("bits of arithmetic, zbuffer     more than 53  with double pixel") != std::string::npos);
+    const auto chosen = program("choose " + drifting);
+    CHECK(chosen.status == 0);
+    CHECK_MESSAGE(chosen.text.find("choose zbuffer under double") == std::string::npos, "it has wrong pixels");
+    CHECK(chosen.text.find("agreed with all of its decisions") != std::string::npos);
+}
+
 TEST_CASE("Help says what there is, exit 0") {
-    for (const std::string call : {"--help", "trace --help", "check --help", "import --help", "methods", "--version"}) {
+    for (const std::string call : {"--help", "trace --help", "check --help", "shrink --help", "need --help",
+                                   "choose --help", "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }

@@ -207,6 +207,14 @@ TEST_CASE_TEMPLATE("Warnock: the near square before the far quad", K, VIDNO_KERN
     }
 }
 
+TEST_CASE("Warnock: a smallest window above the pixel gets the colour of its centre") {
+    Stage<Double> stage(SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build());
+    stage.run.smallest_window = 16;
+    Corrected::warnock(stage.run);
+    // The centre (8, 8) of the one window lies in the near square.
+    for (const Color& pixel : stage.picture.pixels()) CHECK(pixel == color_of(0));
+}
+
 TEST_CASE_TEMPLATE("Warnock: one window for a scene without polygons or with one over all", K, VIDNO_KERNELS) {
     int windows = 0;
     CHECK(render(Method::warnock, SceneBuilder(area_16).build(), K{}, CountWindows(windows)) ==

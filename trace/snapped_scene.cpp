@@ -51,7 +51,7 @@ SnappedScene snapped_scene(const Scene& scene, int bits) {
     for (const auto& polygon : scene.polygons) ids.insert(polygon.id);
     PartIds part_ids(std::move(ids));
     for (const auto& polygon : scene.polygons) {
-        auto parts = vidno::snapped(polygon, bits, snapped.snapping);
+        auto parts = vidno::snapped(polygon, {bits}, snapped.snapping);
         part_ids.name(parts);
         std::move(parts.begin(), parts.end(), std::back_inserter(snapped.scene.polygons));
     }

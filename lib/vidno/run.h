@@ -59,6 +59,7 @@ struct Run {
     Picture& picture;
     std::vector<Polygon<K>> polygons;
     typename K::DepthBuffer depth_buffer;
+    double smallest_window = 1;  // its side: it gets one colour (W9); the text's is a pixel
 
     Run(const Scene& scene, K arithmetic, Trace visitor, Picture& canvas)
         : kernel(std::move(arithmetic)),

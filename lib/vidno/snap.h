@@ -29,22 +29,34 @@ struct Snapping {
     std::size_t vanished = 0;             // triangles left without area
 };
 
-inline double snapped(double value, int bits) { return std::ldexp(std::round(std::ldexp(value, bits)), -bits); }
+/// The nearest multiple of 2^-bits.
+inline double snapped(double value, int bits) {
+    const double steps = std::ldexp(value, bits);
+    if (!(std::abs(steps) < 0x1p52)) return value;  // whole already
+    return std::ldexp(std::round(steps), -bits);
+}
 
-inline glm::dvec3 snapped(const glm::dvec3& vertex, int bits) {
-    return {snapped(vertex.x, bits), snapped(vertex.y, bits), snapped(vertex.z, grid_depth_bits)};
+/// A grid: so many binary places.
+struct Resolution {
+    int xy;
+    int z = grid_depth_bits;
+};
+inline constexpr int every_place = 1074;  // of any double: nothing moves
+
+inline glm::dvec3 snapped(const glm::dvec3& vertex, Resolution to) {
+    return {snapped(vertex.x, to.xy), snapped(vertex.y, to.xy), snapped(vertex.z, to.z)};
 }
 
 /// The polygon, or the triangles that it was cut into, all of its id.
-inline std::vector<ScenePolygon> snapped(const ScenePolygon& polygon, int bits, Snapping& snapping) {
-    const auto stays = [&](const glm::dvec3& vertex) { return vertex == snapped(vertex, bits); };
+inline std::vector<ScenePolygon> snapped(const ScenePolygon& polygon, Resolution to, Snapping& snapping) {
+    const auto stays = [&](const glm::dvec3& vertex) { return vertex == snapped(vertex, to); };
     const bool whole =
         polygon.vertices.size() == 3 || std::all_of(polygon.vertices.begin(), polygon.vertices.end(), stays);
     snapping.cut += whole ? 0 : 1;
     std::vector<ScenePolygon> parts = whole ? std::vector{polygon} : cut_into_triangles(polygon);
     for (auto& part : parts) {
         for (auto& vertex : part.vertices) {
-            const glm::dvec3 before = std::exchange(vertex, snapped(vertex, bits));
+            const glm::dvec3 before = std::exchange(vertex, snapped(vertex, to));
             const glm::dvec3 way = glm::abs(vertex - before);
             ++snapping.vertices;
             snapping.moved += vertex == before ? 0 : 1;

@@ -35,7 +35,7 @@ Scene scene_for(Scene scene) {
     if constexpr (std::derived_from<K, Grid>) {
         Snapping snapping;
         for (auto& polygon : std::exchange(scene.polygons, {})) {
-            for (auto& part : snapped(polygon, 8, snapping)) scene.polygons.push_back(std::move(part));
+            for (auto& part : snapped(polygon, {8}, snapping)) scene.polygons.push_back(std::move(part));
         }
     }
     return scene;

@@ -29,6 +29,20 @@ struct CheckOptions {
     std::optional<std::string> method, kernel, edition;
 };
 
+struct ShrinkOptions {
+    RunOptions run;
+    std::string keep = "failure";
+    std::string at;  // the label of a line, for "decision"
+};
+
+struct NeedOptions {
+    std::string scene, output;  // the output may be empty
+};
+
+struct ChooseOptions {
+    std::string scene;
+};
+
 struct ReplayOptions {
     std::string trace, output;
     std::optional<std::uint64_t> step;
@@ -49,6 +63,9 @@ void add_camera_options(CLI::App& command, ImportOptions& import);
 /// Refuses an edition that the kernel does not run.
 void expect_edition(const NamedKernel& kernel, const std::string& edition);
 
+/// The kernel of the options, if it runs their edition.
+NamedKernel kernel_of(const RunOptions& options);
+
 /// The scene of a file; warnings go to standard error.
 Scene scene_from(const std::string& file);
 
@@ -63,6 +80,9 @@ std::size_t place_in(const auto& names, const std::string& name) {
 int trace(const RunOptions& options);
 int render(const RunOptions& options);
 int check(const CheckOptions& options);
+int shrink(const ShrinkOptions& options);
+int need(const NeedOptions& options);
+int choose(const ChooseOptions& options);
 int replay(const ReplayOptions& options);
 int diff(const DiffOptions& options);
 int import(const MeshOptions& options);

@@ -66,6 +66,41 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
     return command;
 }
 
+CLI::App& add_shrink(CLI::App& app, ShrinkOptions& options) {
+    auto& command = *app.add_subcommand("shrink", "Find the smallest scene that still fails, or does as this one does");
+    add_run_options(command, options.run);
+    auto* keep =
+        command.add_option("--keep", options.keep,
+                           "failure: a wrong pixel, or if there is none a wrong decision of the same procedure; "
+                           "picture: the picture that this run paints; decision: a step at the line --at");
+    keep->check(CLI::IsMember({"failure", "picture", "decision"}))->capture_default_str();
+    command.add_option("--at", options.at, "A line of the listing, such as PL5 or W13")
+        ->check(CLI::IsMember(words(line_names)));
+    command.add_option("-o", options.run.output, "The scene, .json; - for standard output")->required();
+    command.footer(
+        "What is left has no polygon, vertex or binary place of a coordinate to spare.\n"
+        "Example: vidno shrink scene.json --kernel float --keep failure -o smallest.json");
+    return command;
+}
+
+CLI::App& add_need(CLI::App& app, NeedOptions& options) {
+    auto& command = *app.add_subcommand("need", "Find out how little of a scene, and of arithmetic, its picture needs");
+    command.add_option("SCENE", options.scene, "A scene file, vidno-scene/1; - for standard input")->required();
+    command.add_option("-o", options.output, "The polygons and vertices that are needed, as a scene");
+    command.footer(
+        "Each line says what one less would change. Polygons and vertices are left out first; the rest is\n"
+        "asked of what remains, each with the others as they are.");
+    return command;
+}
+
+CLI::App& add_choose(CLI::App& app, ChooseOptions& options) {
+    auto& command =
+        *app.add_subcommand("choose", "Find the cheapest method and kernel whose picture is certainly right");
+    command.add_option("SCENE", options.scene, "A scene file, vidno-scene/1; - for standard input")->required();
+    command.footer("Times are medians of five interleaved runs, relative to the fastest.");
+    return command;
+}
+
 CLI::App& add_replay(CLI::App& app, ReplayOptions& options) {
     auto& command = *app.add_subcommand("replay", "Rebuild the picture from the events of a trace alone");
     command.add_option("TRACE", options.trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
@@ -113,6 +148,9 @@ int main(int argc, char** argv) {
 
     RunOptions run;
     CheckOptions checked;
+    ShrinkOptions shrinking;
+    NeedOptions needed;
+    ChooseOptions choosing;
     ReplayOptions replayed;
     DiffOptions compared;
     MeshOptions mesh;
@@ -120,6 +158,9 @@ int main(int argc, char** argv) {
     add_trace(app, run).callback([&] { status = trace(run); });
     add_render(app, run).callback([&] { status = render(run); });
     add_check(app, checked).callback([&] { status = check(checked); });
+    add_shrink(app, shrinking).callback([&] { status = shrink(shrinking); });
+    add_need(app, needed).callback([&] { status = need(needed); });
+    add_choose(app, choosing).callback([&] { status = choose(choosing); });
     add_replay(app, replayed).callback([&] { status = replay(replayed); });
     add_diff(app, compared).callback([&] { status = diff(compared); });
     add_import(app, mesh).callback([&] { status = import(mesh); });

@@ -17,6 +17,12 @@ void expect_edition(const NamedKernel& kernel, const std::string& edition) {
                   ", whose decisions are always right");
 }
 
+NamedKernel kernel_of(const RunOptions& options) {
+    const NamedKernel kernel = *kernel_named(options.kernel);
+    expect_edition(kernel, options.edition);
+    return kernel;
+}
+
 Scene scene_from(const std::string& file) {
     Progress progress;
     progress.say("reading " + file);
@@ -39,13 +45,6 @@ Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file)
 }
 
 namespace {
-
-/// The kernel of the options, if it runs their edition.
-NamedKernel kernel_of(const RunOptions& options) {
-    const NamedKernel kernel = *kernel_named(options.kernel);
-    expect_edition(kernel, options.edition);
-    return kernel;
-}
 
 RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const Scene& scene) {
     return {Method(place_in(method_names, options.method)), kernel, options.edition == "printed", scene,

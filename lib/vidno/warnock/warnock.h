@@ -38,7 +38,7 @@ struct Warnock {
             } else if (found.has_surround) {
                 trace.decide(W8, Case::surrounded);
                 run.fill(W8, window, found.color);
-            } else if (window.width <= 1 && window.height <= 1) {
+            } else if (window.width <= run.smallest_window && window.height <= run.smallest_window) {
                 trace.decide(W9, Case::pixel);
                 const auto centre = run.kernel.point(window.x + window.width / 2, window.y + window.height / 2);
                 run.fill(W9, window, run.point_color(W9, centre, *active_polygons));

@@ -1,0 +1,114 @@
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+
+#include "check.h"
+#include "commands.h"
+#include "progress.h"
+#include "snapped_scene.h"
+
+namespace vidno::cli {
+
+namespace {
+
+struct Candidate {
+    Method method;
+    NamedKernel kernel;
+    Scene scene;  // as the kernel runs it
+    std::size_t wrong_pixels = 0;
+    std::vector<double> seconds;
+
+    RunRequest request() const { return {method, kernel, false, scene}; }
+    double median() const {
+        auto sorted = seconds;
+        std::sort(sorted.begin(), sorted.end());
+        return sorted[sorted.size() / 2];
+    }
+};
+
+/// Both methods under each kernel that is cheaper than exact rationals and takes the scene.
+std::vector<Candidate> candidates_for(const Scene& scene) {
+    std::vector<Candidate> candidates;
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        for (const std::string name : {"float", "double", "filtered"}) {
+            candidates.push_back({method, *kernel_named(name), scene, 0, {}});
+        }
+        const NamedKernel grid = *kernel_named("grid");
+        if (fits_grid(scene, grid.parameter)) {
+            candidates.push_back({method, grid, snapped_scene(scene, grid.parameter).scene, 0, {}});
+        }
+    }
+    return candidates;
+}
+
+/// A picture's time, of enough pictures for the clock.
+double seconds_of(const RunRequest& request) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    std::chrono::duration<double> taken{};
+    int pictures = 0;
+    do {
+        run(request);
+        ++pictures;
+        taken = Clock::now() - start;
+    } while (taken.count() < 0.002);
+    return taken.count() / pictures;
+}
+
+std::string name_of(const Candidate& candidate) {
+    return std::string(method_names[std::size_t(candidate.method)]) + " under " + candidate.kernel.name();
+}
+
+std::uint64_t sum_of(const auto& counts) {
+    std::uint64_t sum = 0;
+    for (const auto count : counts) sum += count;
+    return sum;
+}
+
+/// Why the picture is known to be right: the run under `filtered`, with each decision held against exact arithmetic.
+void print_certificate(const Candidate& chosen, const Scene& scene) {
+    const CheckReport certain = check_run({chosen.method, *kernel_named("filtered"), false, scene}, scene);
+    const auto& by = certain.decided_by;
+    std::cout << "certificate: its picture is that of " << method_names[std::size_t(chosen.method)]
+              << " under filtered, which made " << sum_of(by) << " comparisons;\n  coordinates as given decided "
+              << by[std::size_t(FilterStage::given)] << " of them, an error bound "
+              << by[std::size_t(FilterStage::scene)] + by[std::size_t(FilterStage::operands)]
+              << ", and what no bound could decide, " << by[std::size_t(FilterStage::exact)]
+              << ", exact arithmetic;\n  a run in exact rationals "
+              << (certain.found_something() ? "DISAGREED" : "agreed") << " with all of its decisions\n";
+}
+
+}  // namespace
+
+int choose(const ChooseOptions& options) {
+    const Scene scene = scene_from(options.scene);
+    auto candidates = candidates_for(scene);
+    const Picture right = run({Method::zbuffer, *kernel_named("filtered"), false, scene});
+    Progress progress("runs");
+    unsigned long long runs = 0;
+    for (auto& candidate : candidates) candidate.wrong_pixels = different_pixels(run(candidate.request()), right);
+    for (int round = 0; round < 5; ++round) {
+        for (auto& candidate : candidates) {
+            candidate.seconds.push_back(seconds_of(candidate.request()));
+            progress.show(++runs);
+        }
+    }
+    progress.clear();
+
+    const auto cheaper = [](const auto& a, const auto& b) { return a.median() < b.median(); };
+    std::stable_sort(candidates.begin(), candidates.end(), cheaper);
+    const auto is_right = [](const auto& candidate) { return candidate.wrong_pixels == 0; };
+    const Candidate& chosen = *std::find_if(candidates.begin(), candidates.end(), is_right);  // `filtered` always is
+    std::cout << "method    kernel      time  wrong pixels\n" << std::fixed << std::setprecision(2);
+    for (const auto& candidate : candidates) {
+        std::cout << std::left << std::setw(10) << method_names[std::size_t(candidate.method)] << std::setw(10)
+                  << candidate.kernel.name() << std::right << std::setw(6)
+                  << candidate.median() / candidates.front().median() << std::setw(14) << candidate.wrong_pixels
+                  << '\n';
+    }
+    std::cout << "choose " << name_of(chosen) << '\n';
+    print_certificate(chosen, scene);
+    return 0;
+}
+
+}  // namespace vidno::cli

@@ -1,0 +1,28 @@
+/// Need: how little of a scene gives the same picture.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "vidno/scene.h"
+
+namespace vidno {
+
+/// What the picture needs of one thing, and the pixel that turns wrong with one less of it.
+struct Need {
+    std::string what;       // "polygons"
+    std::string amount;     // "2 of 5"
+    std::string one_lower;  // "without \"B\" pixel (4, 4) is #ffffff, not #1f77b4"; empty if nothing is lower
+};
+
+struct NeedReport {
+    std::vector<Need> needs;
+    Scene least;  // with the polygons and vertices that are needed
+};
+
+/// The picture is that of the picture rule. Polygons and vertices are left out first, and all else is asked of what
+/// remains; each with the others as they are. `progress` is called at each picture.
+NeedReport needs_of(const Scene& scene, const std::function<void()>& progress);
+
+}  // namespace vidno
