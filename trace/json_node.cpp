@@ -1,0 +1,220 @@
+#include "json_node.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <system_error>
+#include <vector>
+
+#include "unique_ids.h"
+
+namespace vidno {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr int deepest_nesting = 16;
+
+/// Text from a file inside a message of one line: no control characters, and not too long.
+std::string printable(std::string_view text) {
+    constexpr std::size_t most = 100;
+    std::string out(first_bytes(text, most));
+    for (char& c : out) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    }
+    if (out.size() < text.size()) out += "...";
+    return out;
+}
+
+/// A key as a step of a JSON pointer (RFC 6901).
+std::string pointer_step(std::string_view key) {
+    std::string step = "/";
+    for (const char c : printable(key)) {
+        if (c == '~') {
+            step += "~0";
+        } else if (c == '/') {
+            step += "~1";
+        } else {
+            step += c;
+        }
+    }
+    return step;
+}
+
+[[noreturn]] void refuse_at(const std::string& pointer, std::string_view reason) {
+    throw Refused((pointer.empty() ? "" : pointer + ": ") + std::string(reason));
+}
+
+std::string line_and_column(std::string_view text, std::size_t position) {
+    const std::string_view before = text.substr(0, position > 0 ? position - 1 : 0);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const std::size_t column = before.size() - (before.rfind('\n') + 1);  // npos + 1 is 0
+    return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
+}
+
+/// Hears the parser, and refuses what a tree would not show any more: text that is not JSON, with its place, nesting
+/// that is too deep, and a key that an object has twice. (A tree's own parser with a callback takes quadratic time.)
+class ParserWatch : public nlohmann::json_sax<json> {
+public:
+    explicit ParserWatch(std::string_view text) : text_(text) {}
+
+    bool null() override { return next(); }
+    bool boolean(bool) override { return next(); }
+    bool number_integer(number_integer_t) override { return next(); }
+    bool number_unsigned(number_unsigned_t) override { return next(); }
+    bool number_float(number_float_t, const string_t&) override { return next(); }
+    bool string(string_t&) override { return next(); }
+    bool binary(binary_t&) override { return next(); }
+    bool start_object(std::size_t) override { return open(true); }
+    bool start_array(std::size_t) override { return open(false); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override {
+        levels_.back().key = name;
+        if (!levels_.back().keys.insert(name).second) refuse_at(pointer(), "the key is there twice");
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string&, const json::exception& error) override {
+        constexpr int number_overflow = 406;
+        if (error.id == number_overflow) refuse_at(pointer(), "the number is beyond the range of doubles");
+        refuse_at(line_and_column(text_, position), "not valid JSON");
+    }
+
+private:
+    struct Level {
+        bool is_object;
+        std::size_t index = 0;
+        std::string key;
+        std::set<std::string> keys;
+    };
+
+    std::string pointer() const {
+        std::string out;
+        for (const Level& level : levels_) {
+            if (level.is_object && level.keys.empty()) break;
+            out += level.is_object ? pointer_step(level.key) : "/" + std::to_string(level.index);
+        }
+        return out;
+    }
+
+    bool open(bool is_object) {
+        if (int(levels_.size()) == deepest_nesting) refuse_at(pointer(), "nested too deeply");
+        levels_.push_back({is_object, 0, {}, {}});
+        return true;
+    }
+
+    bool close() {
+        levels_.pop_back();
+        return next();
+    }
+
+    bool next() {
+        if (!levels_.empty()) ++levels_.back().index;
+        return true;
+    }
+
+    std::string_view text_;
+    std::vector<Level> levels_;
+};
+
+}  // namespace
+
+json parse_json(std::string_view text) {
+    ParserWatch watch(text);
+    json::sax_parse(text, &watch);
+    return json::parse(text);
+}
+
+void JsonNode::refuse(std::string_view reason) const { refuse_at(pointer(), reason); }
+
+void JsonNode::require_keys(std::initializer_list<std::string_view> required,
+                            std::initializer_list<std::string_view> optional) const {
+    if (!value_.is_object()) refuse("not an object");
+    const auto is_in = [](const auto& keys, const std::string& key) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    for (const auto& [key, value] : value_.items()) {
+        if (!is_in(required, key) && !is_in(optional, key)) at(key).refuse("unknown key");
+    }
+    for (const std::string_view key : required) {
+        if (!has(key)) refuse("\"" + std::string(key) + "\" is missing");
+    }
+}
+
+std::size_t JsonNode::size() const {
+    if (!value_.is_array()) refuse("not an array");
+    return value_.size();
+}
+
+const std::string& JsonNode::text() const {
+    if (!value_.is_string()) refuse("not a string");
+    return value_.get_ref<const std::string&>();
+}
+
+int JsonNode::whole_number(int least, int greatest) const {
+    const double number = value_.is_number() ? value_.get<double>() : 0.5;
+    if (number != std::floor(number)) refuse("not a whole number");
+    if (number < least || number > greatest) {
+        refuse("not from " + std::to_string(least) + " to " + std::to_string(greatest));
+    }
+    return int(number);
+}
+
+double JsonNode::number() const {
+    if (value_.is_number()) return value_.get<double>() + 0.0;
+    if (!value_.is_string()) refuse("neither a number nor a hexadecimal one as text, such as \"0x1.8p-3\"");
+    return hexadecimal() + 0.0;
+}
+
+glm::dvec3 JsonNode::triple() const {
+    if (size() != 3) refuse("not three coordinates");
+    return {at(0u).number(), at(1u).number(), at(2u).number()};
+}
+
+Color JsonNode::color() const {
+    const std::string& code = text();
+    std::uint32_t rgb = 0;
+    const char* end = code.data() + code.size();
+    if (code.size() != 7 || code[0] != '#' || std::from_chars(code.data() + 1, end, rgb, 16).ptr != end) {
+        refuse("not a colour of the form \"#rrggbb\"");
+    }
+    return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb)};
+}
+
+Area JsonNode::window() const {
+    require_keys({"x", "y", "width", "height"});
+    return {at("x").whole_number(-farthest_offset, farthest_offset),
+            at("y").whole_number(-farthest_offset, farthest_offset), at("width").whole_number(1, largest_side),
+            at("height").whole_number(1, largest_side)};
+}
+
+std::string JsonNode::pointer() const {
+    if (parent_ == nullptr) return "";
+    const bool in_object = parent_->value_.is_object();
+    return parent_->pointer() + (in_object ? pointer_step(key_) : "/" + std::to_string(index_));
+}
+
+/// [-]0x h+ [. h*] p [+-] d+
+double JsonNode::hexadecimal() const {
+    std::string_view rest = text();
+    const bool negative = rest.starts_with('-');
+    if (negative) rest.remove_prefix(1);
+    const bool prefixed = rest.starts_with("0x") || rest.starts_with("0X");
+    rest.remove_prefix(prefixed ? 2 : 0);
+    constexpr std::string_view digits = "0123456789abcdefABCDEF";
+    const bool well_begun = prefixed && rest.find_first_not_of(digits) > 0 && rest.find_first_of("pP") < rest.size();
+    double value = 0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value, std::chars_format::hex);
+    if (error == std::errc::result_out_of_range) refuse("the number is beyond the range of doubles");
+    if (!well_begun || error != std::errc() || end != rest.data() + rest.size()) {
+        refuse("not a hexadecimal number such as \"0x1.8p-3\"");
+    }
+    return negative ? -value : value;
+}
+
+}  // namespace vidno

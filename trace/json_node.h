@@ -1,0 +1,67 @@
+/// Reading JSON that others wrote: what is wrong is refused with its place in the document, and nothing is passed over.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "refused.h"
+#include "vidno/scene.h"
+
+namespace vidno {
+
+/// The document. Throws Refused for text that is not JSON, nested too deeply, or with a key that an object has twice.
+nlohmann::json parse_json(std::string_view text);
+
+/// A value and where it stands; `refuse` and each reading that fails throw Refused. Only what goes wrong costs the
+/// making of a path.
+class JsonNode {
+public:
+    explicit JsonNode(const nlohmann::json& value) : value_(value) {}
+
+    [[noreturn]] void refuse(std::string_view reason) const;
+
+    /// An object with all of the required keys and none but these and the optional ones.
+    void require_keys(std::initializer_list<std::string_view> required,
+                      std::initializer_list<std::string_view> optional = {}) const;
+
+    bool has(std::string_view key) const { return value_.contains(key); }
+    JsonNode at(std::string_view key) const { return JsonNode(*value_.find(key), this, key, 0); }
+
+    std::size_t size() const;
+    JsonNode at(std::size_t index) const { return JsonNode(value_[index], this, {}, index); }
+
+    const std::string& text() const;
+    int whole_number(int least, int greatest) const;
+    /// A number, or one written as hexadecimal text. -0 becomes 0.
+    double number() const;
+    glm::dvec3 triple() const;
+    Color color() const;
+    Area window() const;
+
+private:
+    JsonNode(const nlohmann::json& value, const JsonNode* parent, std::string_view key, std::size_t index)
+        : value_(value), parent_(parent), key_(key), index_(index) {}
+
+    std::string pointer() const;
+    double hexadecimal() const;
+
+    const nlohmann::json& value_;
+    const JsonNode* parent_ = nullptr;
+    std::string_view key_;
+    std::size_t index_ = 0;
+};
+
+/// What `read` makes of a document, whose file is named in front of each refusal.
+auto read_json(std::string_view text, const std::string& file, auto&& read) {
+    try {
+        const nlohmann::json document = parse_json(text);
+        return read(JsonNode(document));
+    } catch (const Refused& refused) {
+        throw Refused(file + ": " + refused.what());
+    }
+}
+
+}  // namespace vidno
