@@ -171,6 +171,11 @@ double JsonNode::number() const {
     return hexadecimal() + 0.0;
 }
 
+glm::dvec2 JsonNode::pair() const {
+    if (size() != 2) refuse("not two coordinates");
+    return {at(0u).number(), at(1u).number()};
+}
+
 glm::dvec3 JsonNode::triple() const {
     if (size() != 3) refuse("not three coordinates");
     return {at(0u).number(), at(1u).number(), at(2u).number()};

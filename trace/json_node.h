@@ -1,6 +1,7 @@
 /// Reading JSON that others wrote: what is wrong is refused with its place in the document, and nothing is passed over.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
@@ -37,6 +38,7 @@ public:
     int whole_number(int least, int greatest) const;
     /// A number, or one written as hexadecimal text. -0 becomes 0.
     double number() const;
+    glm::dvec2 pair() const;
     glm::dvec3 triple() const;
     Color color() const;
     Area window() const;

@@ -1,0 +1,47 @@
+/// SignMap: what a kernel answers to a question at each place of p, beside the right answer.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "question.h"
+#include "run.h"
+#include "vidno/picture.h"
+
+namespace vidno {
+
+struct SignMap {
+    static constexpr int side = Question::side;
+
+    struct Cell {
+        Sign computed, exact;
+
+        bool differs() const { return computed != exact; }
+    };
+    using Counts = std::array<std::array<int, 3>, 3>;
+
+    std::string name;  // of the question
+    std::string_view decision;
+    AnswerNames answers;
+    std::string kernel;
+    std::vector<Cell> cells;  // the row of p first
+
+    const Cell& at(int x, int y) const { return cells[std::size_t(y) * side + std::size_t(x)]; }
+
+    /// How many cells have each computed answer, the first index, with each exact one.
+    Counts counts() const;
+    int differing() const;
+};
+
+/// The decision is taken as the corrected procedures take it.
+SignMap sign_map(const Question& question, const NamedKernel& kernel);
+
+/// p at the lower left, as in the published maps. The computed answer is the hue; dark where it differs from the exact
+/// one, which changes where black and white pixels run side by side.
+Picture picture_of(const SignMap& map);
+
+std::string map_json(const SignMap& map);
+
+}  // namespace vidno
