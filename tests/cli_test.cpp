@@ -227,6 +227,7 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
 TEST_CASE("Wrong calls are refused in one line, exit 2") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
+    const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
     const std::string output = " -o " + work.file("out.jsonl");
     for (const std::string& call : {
              std::string(""),
@@ -252,6 +253,12 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "shrink " + scene + " --keep decision --at Q1" + output,
              std::string("need"),
              "choose " + work.file("missing.json"),
+             "map " + scene,
+             "map " + work.file("missing.json"),
+             "map " + question + " --kernel half",
+             "map " + question + " -o -",
+             "map " + question + " -o " + work.file("a.gif"),
+             "map " + question + " -o " + work.file("no/such/place.png"),
              "import " + scene + " -o " + work.file("a.json"),
          }) {
         CAPTURE(call);
@@ -315,9 +322,25 @@ TEST_CASE("need and choose: a table, and a choice whose picture is right") {
     CHECK(chosen.text.find("agreed with all of its decisions") != std::string::npos);
 }
 
+TEST_CASE("map: a table, a picture or counts; exit 1 if any place is answered wrongly") {
+    const Workplace work;
+    const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
+    const auto wrong = program("map " + question + " -o " + work.file("a.png"));
+    CHECK(wrong.status == 1);
+    CHECK(wrong.text.find("orientation under double\ncomputed        exactly negative") == 0);
+    CHECK(work.read("a.png").find("PNG") == 1);
+    const auto right = program("map " + question + " --kernel filtered -o " + work.file("b.ppm"));
+    CHECK(right.status == 0);
+    CHECK(right.text.find("\ndiffer: 0 of 65536\n") != std::string::npos);
+    CHECK(work.read("b.ppm").find("P6\n1024 1024\n255\n") == 0);
+    CHECK(program("map " + question + " --kernel exact -o " + work.file("c.json")).status == 0);
+    CHECK(work.read("c.json").find(R"("differ":0)") != std::string::npos);
+    CHECK_MESSAGE(program("map " + question).text == wrong.text, "without a file the table alone");
+}
+
 TEST_CASE("Help says what there is, exit 0") {
     for (const std::string call : {"--help", "trace --help", "check --help", "shrink --help", "need --help",
-                                   "choose --help", "import --help", "methods", "--version"}) {
+                                   "choose --help", "map --help", "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }

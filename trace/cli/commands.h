@@ -43,6 +43,11 @@ struct ChooseOptions {
     std::string scene;
 };
 
+struct MapOptions {
+    std::string question, output;  // no output: the table alone
+    std::string kernel = "double";
+};
+
 struct ReplayOptions {
     std::string trace, output;
     std::optional<std::uint64_t> step;
@@ -83,6 +88,7 @@ int check(const CheckOptions& options);
 int shrink(const ShrinkOptions& options);
 int need(const NeedOptions& options);
 int choose(const ChooseOptions& options);
+int map(const MapOptions& options);
 int replay(const ReplayOptions& options);
 int diff(const DiffOptions& options);
 int import(const MeshOptions& options);

@@ -101,6 +101,21 @@ CLI::App& add_choose(CLI::App& app, ChooseOptions& options) {
     return command;
 }
 
+CLI::App& add_map(CLI::App& app, MapOptions& options) {
+    auto& command =
+        *app.add_subcommand("map", "Ask one decision at 256 x 256 places of a point, and the truth beside it");
+    command.add_option("QUESTION", options.question, "A question file, vidno-question/1; - for standard input")
+        ->required();
+    command.add_option("--kernel", options.kernel, "Which arithmetic decides")->check(a_kernel)->capture_default_str();
+    command.add_option("-o", options.output,
+                       "The map, .png or .ppm; or .json: how often each answer is right and wrong");
+    command.footer(
+        "In the picture orange is negative, blue positive, white or black zero; dark differs from the exact answer.\n"
+        "Example: vidno map lessons/maps/kettner-2a.json -o a.png\n"
+        "Exit status 1: at some place the answer is wrong.");
+    return command;
+}
+
 CLI::App& add_replay(CLI::App& app, ReplayOptions& options) {
     auto& command = *app.add_subcommand("replay", "Rebuild the picture from the events of a trace alone");
     command.add_option("TRACE", options.trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
@@ -151,6 +166,7 @@ int main(int argc, char** argv) {
     ShrinkOptions shrinking;
     NeedOptions needed;
     ChooseOptions choosing;
+    MapOptions mapped;
     ReplayOptions replayed;
     DiffOptions compared;
     MeshOptions mesh;
@@ -161,6 +177,7 @@ int main(int argc, char** argv) {
     add_shrink(app, shrinking).callback([&] { status = shrink(shrinking); });
     add_need(app, needed).callback([&] { status = need(needed); });
     add_choose(app, choosing).callback([&] { status = choose(choosing); });
+    add_map(app, mapped).callback([&] { status = map(mapped); });
     add_replay(app, replayed).callback([&] { status = replay(replayed); });
     add_diff(app, compared).callback([&] { status = diff(compared); });
     add_import(app, mesh).callback([&] { status = import(mesh); });
