@@ -256,6 +256,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "map " + scene,
              "map " + work.file("missing.json"),
              "map " + question + " --kernel half",
+             "map " + question + " --kernel grid:4",
              "map " + question + " -o -",
              "map " + question + " -o " + work.file("a.gif"),
              "map " + question + " -o " + work.file("no/such/place.png"),

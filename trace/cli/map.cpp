@@ -36,8 +36,10 @@ void print(const SignMap& map) {
 int map(const MapOptions& options) {
     const std::string& output = options.output;
     if (output == "-") throw Refused("-: the table goes to standard output, the map to a .png, .ppm or .json file");
+    const NamedKernel kernel = *kernel_named(options.kernel);
+    if (kernel.choice->name == Grid::name) throw Refused("--kernel grid: the places of a map lie on no grid");
     const Question question = read_question(read_file(options.question), options.question);
-    const SignMap drawn = sign_map(question, *kernel_named(options.kernel));
+    const SignMap drawn = sign_map(question, kernel);
     if (!output.empty()) {
         OutputFile file(output);
         file.write(output.ends_with(".json") ? map_json(drawn) : encode_image(picture_of(drawn), output));
