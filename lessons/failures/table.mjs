@@ -1,0 +1,141 @@
+// Writes the tables of the atlas, README.md and README.ru.md: node lessons/failures/table.mjs VIDNO
+// With --check it writes nothing, and exits with 1 if a table is not what it would write.
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+const [program, mode] = process.argv.slice(2);
+const folder = import.meta.dirname ?? new URL('.', import.meta.url).pathname;
+const work = mkdtempSync(join(tmpdir(), 'vidno-failures-'));
+
+const words = {
+  en: {
+    file: 'README.md',
+    title: '# How these methods fail',
+    introduction: `An entry is a file: the smallest scene that we know, the run that fails on it, the run that does not, and what is to be seen.
+\`tests/failures_test.cpp\` holds each to it. The step is that of a trace of level \`signs\`: the first wrong decision, or the
+step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
+    head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
+    wrong: ({ of, taken, exact }) => `${of}: ${taken}, exactly ${exact}`,
+    pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,
+    fault: (reason) => reason,
+    endless: () => 'it does not end by itself',
+    missing: (label) => `${label} is not reached`,
+    present: (label) => `${label} is reached`,
+    windows: ([more, fewer]) => `${more} windows, not ${fewer}`,
+    test: 'a test of its own',
+    also: `The viewport's offset (X-V1) and the floating horizon (X-H1, X-H2) have no run yet. That an empty list has no least
+element (X-Z8) both editions take alike: nothing comes next.`,
+  },
+  ru: {
+    file: 'README.ru.md',
+    title: '# Как ошибаются эти методы',
+    introduction: `Запись это файл: наименьшая известная нам сцена, прогон, который на ней ошибается, прогон, который не ошибается, и что при этом
+видно. \`tests/failures_test.cpp\` проверяет каждую. Шаг это шаг трассы уровня \`signs\`: первое неверное решение или
+шаг, на котором ошибка видна. Таблицы пишет \`table.mjs\`.`,
+    head: ['ошибка', 'как', 'видна при', 'на шаге', 'там', 'средство'],
+    wrong: ({ of, taken, exact }) => `${of}: ${taken}, точно ${exact}`,
+    pixel: ([shown, right]) => `закрашен ${shown ?? 'фон'}, а не ${right ?? 'фон'}`,
+    fault: (reason) => reason,
+    endless: () => 'сам не кончается',
+    missing: (label) => `${label} не достигнута`,
+    present: (label) => `${label} достигнута`,
+    windows: ([more, fewer]) => `окон ${more}, а не ${fewer}`,
+    test: 'отдельный тест',
+    also: `Для сдвига порта вывода (X-V1) и плавающего горизонта (X-H1, X-H2) прогонов пока нет. Что у пустого списка нет
+наименьшего элемента (X-Z8), обе редакции понимают одинаково: дальше ничего нет.`,
+  },
+};
+
+function vidno(...args) {
+  const { status, stderr } = spawnSync(program, args);
+  if (status === 2) throw new Error(String(stderr));
+}
+
+function trace(name, scene, { method, kernel, edition }, ...more) {
+  const file = join(work, `${name}.jsonl`);
+  const run = ['--method', method, '--kernel', kernel, '--edition', edition, ...more];
+  vidno('trace', scene, ...run, '--max-events', '20000', '-o', file); // one of them goes on for millions
+  return readFileSync(file, 'utf8').split('\n').slice(1, -2).map((line) => JSON.parse(line));
+}
+
+const place = (events, label) => events.findIndex(({ e, at }) => at === label && e !== 'call');
+const count = (events, name) => events.filter(({ e }) => e === name).length;
+
+/** Which step painted a pixel last, and which polygon. */
+function painting({ polygons }, events, [x, y]) {
+  const inRuns = (row, runs) => row === y && runs.some(([first, end]) => first <= x && x < end);
+  const inRectangle = ([left, top, width, height]) => left <= x && x < left + width && top <= y && y < top + height;
+  const paints = {
+    fill: ({ rect }) => inRectangle(rect),
+    draw: ({ runs }) => runs.some(([row, ...run]) => inRuns(row, [run])),
+    span: ({ row, runs }) => inRuns(row, runs),
+  };
+  let last = { step: '' };
+  let scanned = '';
+  events.forEach((event, i) => {
+    if (event.e === 'polygon') scanned = event.color;
+    if (!paints[event.e]?.(event)) return;
+    const color = event.color ?? scanned;
+    last = { step: i + 1, id: polygons.find((polygon) => polygon.color === color)?.id };
+  });
+  return last;
+}
+
+/** Where the failure is seen. */
+function seen({ scene, fails, holds, shows }) {
+  const file = join(work, 'scene.json');
+  writeFileSync(file, JSON.stringify(scene));
+  const failing = trace('fails', file, fails);
+  const holding = trace('holds', file, holds);
+  if (shows.fault) {
+    const step = failing.findIndex(({ e, at }) => e === 'fault' && at === shows.fault);
+    return step < 0 ? { there: 'endless' } : { step: step + 1, there: 'fault', value: failing[step].reason };
+  }
+  if (shows.missing) return { step: place(holding, shows.missing) + 1, there: 'missing', value: shows.missing };
+  if (shows.present) return { step: place(failing, shows.present) + 1, there: 'present', value: shows.present };
+  if (shows.more_windows) return { there: 'windows', value: [failing, holding].map((events) => count(events, 'pop')) };
+  const checked = trace('checked', file, fails, '--check');
+  const wrong = checked.findIndex(({ e }) => e === 'disagree');
+  if (fails.edition !== 'printed' && wrong >= 0) return { step: wrong, there: 'wrong', value: checked[wrong] };
+  const painted = painting(scene, failing, shows.pixel);
+  return { step: painted.step, there: 'pixel', value: [painted.id, painting(scene, holding, shows.pixel).id] };
+}
+
+function row(language, { name, entry, found }) {
+  const { title, why, remedy, fails, source } = entry;
+  const text = words[language];
+  const run = fails ? `${fails.method}, ${fails.kernel}${fails.edition === 'printed' ? ', printed' : ''}` : text.test;
+  const there = found ? text[found.there](found.value) : '';
+  const because = why[language] + (source ? ` (${source})` : '');
+  return [`[${title[language]}](${name}.json)`, because, run, found?.step ?? '', there, remedy[language]];
+}
+
+function table(language, entries) {
+  const { title, introduction, head, also } = words[language];
+  const lines = [head, head.map(() => '---'), ...entries.map((each) => row(language, each))];
+  const cells = lines.map((line) => `| ${line.map((cell) => String(cell).replaceAll('|', '\\|')).join(' | ')} |`);
+  return `${title}\n\n${introduction}\n\n${cells.join('\n')}\n\n${also}\n`;
+}
+
+try {
+  const entries = readdirSync(folder)
+    .filter((file) => file.endsWith('.json'))
+    .sort()
+    .map((file) => {
+      const entry = JSON.parse(readFileSync(join(folder, file), 'utf8'));
+      return { name: file.replace(/\.json$/u, ''), entry, found: entry.scene && seen(entry) };
+    });
+  for (const [language, { file }] of Object.entries(words)) {
+    const path = join(folder, file);
+    const written = table(language, entries);
+    if (mode !== '--check') writeFileSync(path, written);
+    else if (readFileSync(path, 'utf8') !== written) {
+      console.error(`${path} is not what table.mjs writes`);
+      process.exitCode = 1;
+    }
+  }
+} finally {
+  rmSync(work, { recursive: true });
+}

@@ -1,0 +1,239 @@
+// The atlas of failures: each entry fails as it says under the weaker kernel or edition, and not under the stronger.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "check.h"
+#include "output.h"
+#include "scene_json.h"
+#include "support/kettner.h"
+#include "support/reference.h"
+#include "support/scenes.h"
+#include "support/stage.h"
+
+using namespace vidno;
+using namespace vidno::test;
+using nlohmann::json;
+
+namespace {
+
+struct Entry {
+    std::string name;
+    json told;
+    std::optional<Scene> scene;  // none: a test of its own shows the failure
+};
+
+std::vector<Entry> atlas() {
+    std::vector<Entry> entries;
+    for (const auto& file : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons/failures")) {
+        if (file.path().extension() != ".json") continue;
+        Entry entry{file.path().stem().string(), json::parse(read_file(file.path().string())), {}};
+        if (entry.told.contains("scene")) entry.scene = read_scene(entry.told["scene"].dump(), entry.name).scene;
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+RunRequest request_of(const json& run, const Scene& scene) {
+    const bool warnock = run.at("method") == "warnock";
+    return {warnock ? Method::warnock : Method::zbuffer, *kernel_named(run.at("kernel").get<std::string>()),
+            run.at("edition") == "printed", scene, Detail::signs};
+}
+
+/// What a run shows of its failure.
+class Shown {
+public:
+    Shown(const json& told, const Scene& scene) : request_(request_of(told, scene)), picture_(run(request_)) {
+        const TraceHeader header{request_.method, told.at("edition"), request_.kernel.name(), Detail::signs, scene};
+        TraceWriter writer(header, [&](std::string_view part) { trace_ += part; });
+        request_.writer = &writer;
+        writer.finish(run(request_));
+    }
+
+    const Picture& picture() const { return picture_; }
+    bool reaches(const std::string& label) const { return has("\"at\":\"" + label + '"'); }
+    bool faults_at(const std::string& label) const { return has(R"("e":"fault","at":")" + label + '"'); }
+    std::size_t windows() const {
+        std::size_t count = 0;
+        for (auto at = trace_.find(R"("e":"pop")"); at != trace_.npos; at = trace_.find(R"("e":"pop")", at + 1))
+            ++count;
+        return count;
+    }
+    /// Does the procedure decide wrongly?
+    bool wrong_in(const std::string& procedure) const {
+        const CheckReport report = check_run(request_, request_.scene);
+        for (const auto& each : report.procedures) {
+            if (procedure_names[std::size_t(each.procedure)] == procedure) return each.wrong_for_scene > 0;
+        }
+        return false;
+    }
+
+private:
+    bool has(const std::string& text) const { return trace_.find(text) != trace_.npos; }
+
+    RunRequest request_;
+    Picture picture_;
+    std::string trace_;
+};
+
+/// One of the forms in which an entry says what is to be seen.
+void check_shown(const std::string& form, const json& told, const Shown& fails, const Shown& holds,
+                 const Picture& right) {
+    if (form == "pixel") {
+        const int x = told[0], y = told[1];
+        CHECK(fails.picture().at(x, y) != right.at(x, y));
+        CHECK(holds.picture() == right);
+    } else if (form == "wrong") {
+        CHECK(fails.wrong_in(told));
+        CHECK_FALSE(holds.wrong_in(told));
+    } else if (form == "fault") {
+        CHECK(fails.faults_at(told));
+        CHECK_FALSE(holds.faults_at(told));
+    } else if (form == "missing") {
+        CHECK_FALSE(fails.reaches(told));
+        CHECK(holds.reaches(told));
+    } else if (form == "present") {
+        CHECK(fails.reaches(told));
+        CHECK_FALSE(holds.reaches(told));
+    } else {
+        REQUIRE(form == "more_windows");
+        CHECK(fails.windows() > holds.windows());
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Failures: each entry of the atlas fails as it says, and its remedy does not") {
+    int scenes = 0;
+    for (const Entry& entry : atlas()) {
+        CAPTURE(entry.name);
+        CHECK(entry.told.at("format") == "vidno-failure/1");
+        for (const std::string text : {"title", "why", "remedy"}) {
+            for (const std::string language : {"en", "ru"}) {
+                CHECK_FALSE(entry.told.at(text).at(language).get<std::string>().empty());
+            }
+        }
+        if (!entry.scene) continue;
+        ++scenes;
+        const Picture right = Reference(*entry.scene).picture();
+        const Shown fails(entry.told.at("fails"), *entry.scene);
+        const Shown holds(entry.told.at("holds"), *entry.scene);
+        REQUIRE_FALSE(entry.told.at("shows").empty());
+        for (const auto& [form, told] : entry.told.at("shows").items()) check_shown(form, told, fails, holds, right);
+    }
+    CHECK(scenes >= 29);
+}
+
+TEST_CASE("Failures: an entry without a scene has a test of its name") {
+    const std::string tests = read_file(VIDNO_ROOT "/tests/failures_test.cpp");
+    for (const Entry& entry : atlas()) {
+        if (entry.scene) continue;
+        CAPTURE(entry.name);
+        CHECK(tests.find("TEST_CASE(\"" + entry.told.at("test").get<std::string>() + "\")") != std::string::npos);
+    }
+}
+
+TEST_CASE("Failures: the pivot of an orientation changes its rounded sign") {
+    int differing = 0, differing_exactly = 0;
+    const auto& [start, q, r] = kettner_maps[0];
+    kettner_maps[0].for_each_place([&](const glm::dvec3& p) {
+        const auto signs_differ = [&](const auto& kernel) {
+            const auto of = [&](const auto& pivot, const auto& a, const auto& b) {
+                return kernel.sign(kernel.cross(kernel.vertex(pivot), kernel.vertex(a), kernel.vertex(b)));
+            };
+            return of(p, q, r) != of(q, r, p);
+        };
+        differing += signs_differ(Double{}) ? 1 : 0;
+        differing_exactly += signs_differ(Exact{}) ? 1 : 0;
+    });
+    CHECK(differing > 0);
+    CHECK(differing_exactly == 0);
+}
+
+TEST_CASE("Failures: a fused multiply-add changes the sign of an orientation") {
+    const double ax = .1, ay = .1, bx = .3, by = .3;
+    CHECK(ax * by - ay * bx == 0);
+    CHECK(Rational(ax) * Rational(by) - Rational(ay) * Rational(bx) == 0);
+    CHECK(std::fma(ax, by, -(ay * bx)) != 0);
+}
+
+TEST_CASE("Failures: clipping a clipped polygon changes it") {
+    // The triangle of the entry clip-pixel, by each window of 1 x 1, and what is left by the same window again.
+    const Scene scene = SceneBuilder(area_16).polygon({{-3, 4, 0}, {18, 1, 0}, {7, 12, 0}}).build();
+    const auto changed = [&]<class K>(K) {
+        Stage<K> stage(scene);
+        int count = 0;
+        for (double y = 0; y < 16; ++y) {
+            for (double x = 0; x < 16; ++x) {
+                Polygon<K> once = stage.polygon();
+                once.vertices = Corrected::polygon_clip(stage.run, stage.polygon(), Window{x, y, 1, 1});
+                if (once.vertices.empty()) continue;
+                const auto twice = Corrected::polygon_clip(stage.run, once, Window{x, y, 1, 1});
+                const auto same = [](const auto& v, const auto& w) { return v.x == w.x && v.y == w.y; };
+                count +=
+                    std::equal(twice.begin(), twice.end(), once.vertices.begin(), once.vertices.end(), same) ? 0 : 1;
+            }
+        }
+        return count;
+    };
+    CHECK(changed(Double{}) > 0);
+    CHECK(changed(Exact{}) == 0);
+}
+
+TEST_CASE("Failures: halving a window stalls where there are no halves") {
+    const float x = 0x1p24F, width = 1;
+    CHECK(x + width / 2 == x);
+    Window window = covering_square({farthest_offset, farthest_offset, largest_side, largest_side});
+    while (window.width > 1) {
+        const Window last = parts_of(window).back();
+        CHECK(last.x > window.x);
+        CHECK(last.width == window.width / 2);
+        window = last;
+    }
+}
+
+TEST_CASE("Failures: windows along the line where two planes meet") {
+    // z = x / 16 and z = (11 - x) / 16 meet at x = 5 1/2. At each level the windows across that line are split into four:
+    // 1 + 4 (1 + 2 + 4 + 8) = 61 on 16 x 16 pixels; on 32 x 32 with the planes drawn twice as large, 61 + 4 * 16 = 125.
+    const auto windows = [](int side) {
+        const double s = side;
+        const auto plane = [&](double left, double right) {
+            return Corners{{0, 0, left}, {s, 0, right}, {s, s, right}, {0, s, left}};
+        };
+        const double at = side / 2 - 2.5;  // where they meet
+        int count = 0;
+        render<Corrected>(
+            Method::warnock,
+            SceneBuilder({0, 0, side, side}).polygon(plane(0, 1)).polygon(plane(2 * at / s, 2 * at / s - 1)).build(),
+            Exact{}, CountWindows(count));
+        return count;
+    };
+    CHECK(windows(16) == 61);
+    CHECK(windows(32) == 125);
+}
+
+TEST_CASE("Failures: no order of painting resolves a cyclic overlap") {
+    const std::string file = VIDNO_ROOT "/lessons/09-cyclic-overlap/scene.json";
+    const Scene scene = read_scene(read_file(file), file).scene;
+    const Picture right = Reference(scene).picture();
+    std::vector<std::size_t> order(scene.polygons.size());
+    std::iota(order.begin(), order.end(), 0);
+    do {
+        Picture painted(scene.area, scene.background);
+        for (const std::size_t index : order) {
+            Scene alone = scene;
+            alone.polygons = {scene.polygons[index]};
+            const Picture one = Reference(alone).picture();
+            for (int y = scene.area.y; y < scene.area.bottom(); ++y) {
+                for (int x = scene.area.x; x < scene.area.right(); ++x) {
+                    if (one.at(x, y) != scene.background) painted.paint(x, y, one.at(x, y));
+                }
+            }
+        }
+        CHECK(painted != right);
+    } while (std::next_permutation(order.begin(), order.end()));
+}
