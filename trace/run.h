@@ -65,6 +65,8 @@ struct NamedKernel {
     int parameter = 0;  // if the choice has one
 
     std::string name() const;
+    /// Whether a wrong decision or pixel would be an error of the program.
+    bool is_always_right() const { return choice->run == run_exact || !choice->runs_printed; }
 };
 
 /// None if no kernel has that name, or its parameter is missing or out of range.

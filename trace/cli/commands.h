@@ -9,6 +9,7 @@
 
 #include "import.h"
 #include "run.h"
+#include "stability.h"
 
 namespace CLI {
 class App;
@@ -62,6 +63,15 @@ struct MeshOptions {
     ImportOptions import;
 };
 
+struct StabilityOptions {
+    Campaign campaign;
+    std::string shard = "1/1", output;
+    std::vector<std::string> merged;
+};
+
+/// What there is for a campaign, for the help.
+std::string stability_footer();
+
 /// The options of `import` that say who looks at the mesh from where.
 void add_camera_options(CLI::App& command, ImportOptions& import);
 
@@ -92,6 +102,7 @@ int map(const MapOptions& options);
 int replay(const ReplayOptions& options);
 int diff(const DiffOptions& options);
 int import(const MeshOptions& options);
+int stability(const StabilityOptions& options);
 int methods();
 
 }  // namespace vidno::cli

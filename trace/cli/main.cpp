@@ -145,6 +145,31 @@ CLI::App& add_import(CLI::App& app, MeshOptions& options) {
     return command;
 }
 
+CLI::App& add_stability(CLI::App& app, StabilityOptions& options) {
+    auto& command = *app.add_subcommand("stability", "Run thousands of random scenes and count what is wrong");
+    auto& campaign = options.campaign;
+    command.add_option("--family", campaign.families, "Scenes of which kind [all]: see below")->take_all();
+    command.add_option("--kernel", campaign.kernels, "Which arithmetic decides [float, double, filtered]")
+        ->check(a_kernel)
+        ->take_all();
+    command.add_option("--method", campaign.methods, "Which algorithm [both]")
+        ->check(CLI::IsMember(words(method_names)))
+        ->take_all();
+    command.add_option("--count", campaign.count, "Trials of each experiment in each family; fewer of dear ones")
+        ->check(CLI::Range(std::uint64_t{1}, most_trials))
+        ->capture_default_str();
+    command.add_option("--seed", campaign.seed, "Another one, other scenes")->capture_default_str();
+    command.add_option("--shard", options.shard, "K/N: of all blocks of trials only each N-th, from the K-th");
+    auto* merge = command.add_option("--merge", options.merged, "Run nothing: put files of results together");
+    command.add_option("-o", options.output,
+                       "Keep the results, .jsonl; a run that was killed goes on where it stopped");
+    for (const char* of_run : {"--family", "--kernel", "--method", "--count", "--seed", "--shard"}) {
+        merge->excludes(of_run);
+    }
+    command.footer(stability_footer());
+    return command;
+}
+
 /// Help is printed as CLI11 has it; every error is one line and status 2.
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
@@ -170,6 +195,7 @@ int main(int argc, char** argv) {
     ReplayOptions replayed;
     DiffOptions compared;
     MeshOptions mesh;
+    StabilityOptions campaign;
     int status = 0;
     add_trace(app, run).callback([&] { status = trace(run); });
     add_render(app, run).callback([&] { status = render(run); });
@@ -181,6 +207,7 @@ int main(int argc, char** argv) {
     add_replay(app, replayed).callback([&] { status = replay(replayed); });
     add_diff(app, compared).callback([&] { status = diff(compared); });
     add_import(app, mesh).callback([&] { status = import(mesh); });
+    add_stability(app, campaign).callback([&] { status = stability(campaign); });
     app.add_subcommand("methods", "What there is: methods, kernels, editions, levels")->callback([&] {
         status = methods();
     });

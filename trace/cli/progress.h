@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -30,18 +31,33 @@ public:
     }
 
     void show(unsigned long long count) {
-        if (!on_) return;
-        const auto now = std::chrono::steady_clock::now();
-        if (now - last_ < std::chrono::milliseconds(200)) return;
-        last_ = now;
-        say(std::to_string(count) + " " + what_);
+        if (on_ && is_time()) say(std::to_string(count) + " " + what_);
+    }
+
+    /// So many of so many, and how long the rest takes if it goes on like that.
+    void show(unsigned long long count, unsigned long long all) {
+        if (!on_ || count == 0 || !is_time()) return;
+        const std::chrono::duration<double, std::ratio<60>> minutes = last_ - start_;
+        const double left = minutes.count() / double(count) * double(all - count);
+        const std::string rest = left < 1 ? "less than a minute" : std::to_string(std::lround(left)) + " min";
+        say(std::to_string(count) + " of " + std::to_string(all) + " " + what_ + ", " + rest + " left");
     }
 
 private:
+    using Clock = std::chrono::steady_clock;
+
+    bool is_time() {
+        const auto now = Clock::now();
+        if (now - last_ < std::chrono::milliseconds(200)) return false;
+        last_ = now;
+        return true;
+    }
+
     std::string what_;
     bool on_;
     bool shown_ = false;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_ = start_;
 };
 
 }  // namespace vidno::cli

@@ -1,0 +1,192 @@
+#include "stability.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+#include "commands.h"
+#include "journal.h"
+#include "output.h"
+#include "progress.h"
+
+namespace vidno::cli {
+
+namespace {
+
+/// Of all blocks every so manieth.
+struct Shard {
+    std::uint64_t number, of;  // from 1
+
+    bool has(const Block& block) const { return block.number % of == number - 1; }
+};
+
+Shard shard_from(const std::string& text) {
+    std::istringstream in(text);
+    Shard shard{};
+    char slash = 0;
+    in >> shard.number >> slash >> shard.of;
+    if (!in || !in.eof() || slash != '/' || shard.number < 1 || shard.number > shard.of) {
+        throw Refused("--shard " + text + ": not K/N, where 1 <= K <= N");
+    }
+    return shard;
+}
+
+Campaign with_defaults(Campaign campaign) {
+    if (campaign.families.empty()) {
+        for (const auto& family : families) campaign.families.emplace_back(family.name);
+    }
+    if (campaign.kernels.empty()) campaign.kernels = {"float", "double", "filtered"};
+    for (auto& kernel : campaign.kernels) kernel = kernel_named(kernel)->name();
+    if (campaign.methods.empty()) campaign.methods.assign(method_names.begin(), method_names.end());
+    return campaign;
+}
+
+// ------------------------------------------------------------------------------------- tables
+
+std::string shortened(const char* format, double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
+std::string per_cent(std::uint64_t part, std::uint64_t whole) {
+    return whole == 0 ? "-" : shortened("%.2g", 100 * double(part) / double(whole));
+}
+
+/// And how many times as many as before.
+std::string windows_of(const Tally& tally, const Tally* before) {
+    if (tally.runs == 0) return "-";
+    const auto of_a_run = [](const Tally& each) { return double(each.windows) / double(each.runs); };
+    std::string text = shortened("%.0f", of_a_run(tally));
+    if (before) text += shortened(" x%.1f", of_a_run(tally) / of_a_run(*before));
+    return text;
+}
+
+/// A column for each experiment of a kind, a row for each family, kernel and method. A cell shows a tally, given that to
+/// the left of it.
+void print(const Results& results, Experiment::Kind kind, const std::string& title, auto&& cell) {
+    const auto row = [](const std::string& family, const std::string& kernel, const std::string& method) {
+        std::cout << std::left << std::setw(18) << family << std::setw(10) << kernel << std::setw(8) << method
+                  << std::right;
+    };
+    std::vector<const Experiment*> columns;
+    const auto show = [&](std::size_t column, const auto& text) {
+        std::cout << std::setw(int(std::max<std::size_t>(columns[column]->how.size(), 10) + 1)) << text;
+    };
+
+    std::cout << '\n' << title << '\n';
+    row("family", "kernel", "method");
+    for (const auto& experiment : experiments) {
+        if (experiment.kind != kind) continue;
+        columns.push_back(&experiment);
+        show(columns.size() - 1, experiment.how);
+    }
+    std::cout << '\n';
+    const Campaign& campaign = results.campaign();
+    for (const auto& family : campaign.families) {
+        std::vector<Tallies> sums;
+        for (const auto* experiment : columns) sums.push_back(results.sum(family, *experiment));
+        std::size_t place = 0;
+        for (const auto& kernel : campaign.kernels) {
+            for (const auto& method : campaign.methods) {
+                row(family, kernel, method);
+                for (std::size_t i = 0; i < columns.size(); ++i) {
+                    show(i, cell(sums[i][place], i > 0 ? &sums[i - 1][place] : nullptr));
+                }
+                std::cout << '\n';
+                ++place;
+            }
+        }
+    }
+}
+
+void print(const Results& results) {
+    using enum Experiment::Kind;
+    const auto rate = [](std::uint64_t Tally::*part, std::uint64_t Tally::*whole) {
+        return [=](const Tally& tally, const Tally*) { return per_cent(tally.*part, tally.*whole); };
+    };
+    print(results, moved, "wrong decisions in per cent, coordinates moved by up to so many ulps",
+          rate(&Tally::wrong_decisions, &Tally::decisions));
+    print(results, moved, "wrong pixels in per cent", rate(&Tally::wrong_pixels, &Tally::pixels));
+    print(results, moved, "pictures with a wrong pixel in per cent", rate(&Tally::wrong_runs, &Tally::runs));
+    print(results, swept, "flicker in per cent, a polygon swept over 256 steps",
+          rate(&Tally::flickers, &Tally::steady));
+    print(results, changed, "pixels in per cent that are not invariant", rate(&Tally::flickers, &Tally::steady));
+    print(results, grown, "windows of Warnock's algorithm, area and scene grown to so many pixels a side", windows_of);
+}
+
+int verdict(const Results& results) {
+    if (results.as_promised()) return 0;
+    std::cerr << "a kernel that is always right was wrong\n";
+    return 1;
+}
+
+int merge(const StabilityOptions& options) {
+    const Results results = Results::merged(options.merged);
+    if (!options.output.empty()) {
+        OutputFile file(options.output);
+        file.write(results.text());
+        file.commit();
+    }
+    print(results);
+    const int status = verdict(results);
+    if (results.missing() == 0) return status;
+    std::cerr << results.missing() << " of " << results.blocks().size() << " blocks are missing\n";
+    return 1;
+}
+
+}  // namespace
+
+std::string stability_footer() {
+    std::ostringstream text;
+    text << "Families, in an area of " << family_side << " x " << family_side << " pixels:\n";
+    for (const auto& family : families) {
+        text << "  " << std::left << std::setw(18) << family.name << family.shows << '\n';
+    }
+    text << R"(Experiments:
+  moved             each coordinate by up to 0, 1, 2, 4, 16, 2^8, 2^16, 2^32 ulps: how many decisions and pixels are
+                    wrong, held against exact arithmetic (the kernel grid: on the snapped scene)
+  swept             the last polygon goes to the right in 256 steps, of an ulp or of 1/256 pixel: how many pixels
+                    change from a step to the next, of those that do not in the exact picture
+  changed           vertices begun at another one or reversed, polygons reordered, all shifted by whole pixels or
+                    doubled: how many pixels change, of those that do not in the exact picture
+  grown             scene and area, from 8 to 256 pixels a side: how many windows, and how many times those of half the
+                    side: 2 is the growth of a length, 4 that of an area
+Exit status 1: filtered, grid or exact was wrong, or blocks are missing from --merge. What the others have wrong is
+what is looked for.
+Examples:
+  vidno stability --count 1000 -o all.jsonl
+  parallel vidno stability --count 1000 --shard {}/8 -o part{}.jsonl ::: 1 2 3 4 5 6 7 8
+  vidno stability --merge part?.jsonl -o all.jsonl)";
+    return text.str();
+}
+
+int stability(const StabilityOptions& options) {
+    if (!options.merged.empty()) return merge(options);
+    const Shard shard = shard_from(options.shard);
+    Results results(with_defaults(options.campaign));
+    std::optional<Journal> journal;
+    if (!options.output.empty()) {
+        journal.emplace(options.output, results.header());
+        results.add(journal->text(), options.output);
+    }
+    std::vector<Block> blocks;
+    for (const auto& block : results.blocks()) {
+        if (shard.has(block) && !results.has(block)) blocks.push_back(block);
+    }
+    Progress progress("blocks");
+    for (std::size_t done = 0; done < blocks.size(); ++done) {
+        progress.show(done, blocks.size());
+        results.add(blocks[done], run_block(results.campaign(), blocks[done]));
+        if (journal) journal->append(results.line(blocks[done]));
+    }
+    progress.clear();
+    print(results);
+    return verdict(results);
+}
+
+}  // namespace vidno::cli

@@ -1,0 +1,29 @@
+/// Journal: a file that grows by whole lines, whenever it is killed.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace vidno {
+
+class Journal {
+public:
+    /// Begins a file with its first line, or goes on with one that has it: half a line at its end, from a run that was
+    /// killed, is dropped. Throws Refused, without a change, if the file begins otherwise or somebody else writes it.
+    Journal(const std::string& name, std::string_view first_line);
+    ~Journal();
+    Journal(const Journal&) = delete;
+    Journal& operator=(const Journal&) = delete;
+
+    /// The whole lines that it had from the start, the first included.
+    const std::string& text() const { return text_; }
+
+    void append(std::string_view line);
+
+private:
+    std::string name_;
+    int file_;
+    std::string text_;
+};
+
+}  // namespace vidno
