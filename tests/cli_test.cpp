@@ -261,6 +261,14 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "map " + question + " -o " + work.file("a.gif"),
              "map " + question + " -o " + work.file("no/such/place.png"),
              "import " + scene + " -o " + work.file("a.json"),
+             std::string("stability --family cubes"),
+             std::string("stability --kernel half"),
+             std::string("stability --count 0"),
+             std::string("stability --shard 3/2"),
+             std::string("stability --shard 1/-1"),
+             "stability --merge " + scene,
+             "stability --merge " + scene + " --count 2",
+             "stability -o " + scene,
          }) {
         CAPTURE(call);
         const auto refused = program(call);
@@ -341,11 +349,42 @@ TEST_CASE("map: a table, a picture or counts; exit 1 if any place is answered wr
 
 TEST_CASE("Help says what there is, exit 0") {
     for (const std::string call : {"--help", "trace --help", "check --help", "shrink --help", "need --help",
-                                   "choose --help", "map --help", "import --help", "methods", "--version"}) {
+                                   "choose --help", "map --help", "stability --help", "import --help", "methods",
+                                   "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }
     CHECK(program("methods").text.find("nearest polygon at each pixel centre") != std::string::npos);
+}
+
+TEST_CASE("stability: shards put together and a run taken up are the run in one go, byte for byte") {
+    const Workplace work;
+    const std::string campaign = "stability --family slivers --kernel double --method zbuffer --count 2 ";
+    const auto whole = program(campaign + "-o " + work.file("whole.jsonl"));
+    CHECK(whole.status == 0);
+    CHECK(whole.text.find("wrong pixels in per cent") != std::string::npos);
+    const std::string expected = work.read("whole.jsonl");
+
+    CHECK(program(campaign + "--shard 1/2 -o " + work.file("1.jsonl")).status == 0);
+    const auto half = program("stability --merge " + work.file("1.jsonl"));
+    CHECK(half.status == 1);
+    CHECK(half.text.find("10 of 21 blocks are missing") != std::string::npos);
+    CHECK(program(campaign + "--shard 2/2 -o " + work.file("2.jsonl")).status == 0);
+    const auto merged = program("stability --merge " + work.file("2.jsonl") + " " + work.file("1.jsonl") + " -o " +
+                                work.file("merged.jsonl"));
+    CHECK(merged.status == 0);
+    CHECK(merged.text == whole.text);
+    CHECK(work.read("merged.jsonl") == expected);
+
+    const std::string cut = work.write("cut.jsonl", expected.substr(0, expected.size() / 2));
+    CHECK(program(campaign + "-o " + cut).text == whole.text);
+    CHECK(work.read("cut.jsonl") == expected);
+
+    const auto other = program(campaign + "--seed 2 -o " + cut);
+    CHECK(other.status == 2);
+    CHECK(other.text.find("of another campaign") != std::string::npos);
+    CHECK(other.text.find('\n') == other.text.size() - 1);
+    CHECK(work.read("cut.jsonl") == expected);
 }
 
 TEST_CASE("import, then both methods paint the same picture of the mesh") {

@@ -90,7 +90,7 @@ Series shifted(const Family& family, RandomPolygons& random, std::int64_t) {
 
 void grow(Scene& scene, int times) {
     move(scene, [&](const glm::dvec3& v) { return glm::dvec3(times * v.x, times * v.y, v.z); });
-    auto& [x, y, width, height] = scene.area;
+    const auto [x, y, width, height] = scene.area;
     scene.area = {times * x, times * y, times * width, times * height};
 }
 

@@ -16,11 +16,16 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& name) { throw Refused(name + ": cannot write: " + std::strerror(errno)); }
 
+int opened(const std::string& name) {
+    if (name == "-") throw Refused("-: results are kept in a file, for a run that is killed");
+    const int file = open(name.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (file < 0) refuse(name);
+    return file;
+}
+
 }  // namespace
 
-Journal::Journal(const std::string& name, std::string_view first_line)
-    : name_(name), file_(open(name.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
-    if (file_ < 0) refuse(name);
+Journal::Journal(const std::string& name, std::string_view first_line) : name_(name), file_(opened(name)) {
     try {
         if (flock(file_, LOCK_EX | LOCK_NB) != 0) throw Refused(name + ": another run writes it");
         text_ = read_file(name);

@@ -17,9 +17,9 @@ namespace vidno::cli {
 
 namespace {
 
-/// Of all blocks every so manieth.
+/// Of so many shards the one of that number, from 1: it takes every so manieth block.
 struct Shard {
-    std::uint64_t number, of;  // from 1
+    std::uint64_t number, of;
 
     bool has(const Block& block) const { return block.number % of == number - 1; }
 };
@@ -29,7 +29,8 @@ Shard shard_from(const std::string& text) {
     Shard shard{};
     char slash = 0;
     in >> shard.number >> slash >> shard.of;
-    if (!in || !in.eof() || slash != '/' || shard.number < 1 || shard.number > shard.of) {
+    const bool two_numbers = text.find_first_not_of("0123456789/") == std::string::npos && in && in.eof();
+    if (!two_numbers || slash != '/' || shard.number < 1 || shard.number > shard.of) {
         throw Refused("--shard " + text + ": not K/N, where 1 <= K <= N");
     }
     return shard;
@@ -62,12 +63,12 @@ std::string windows_of(const Tally& tally, const Tally* before) {
     if (tally.runs == 0) return "-";
     const auto of_a_run = [](const Tally& each) { return double(each.windows) / double(each.runs); };
     std::string text = shortened("%.0f", of_a_run(tally));
-    if (before) text += shortened(" x%.1f", of_a_run(tally) / of_a_run(*before));
+    if (before && before->runs > 0) text += shortened(" x%.1f", of_a_run(tally) / of_a_run(*before));
     return text;
 }
 
-/// A column for each experiment of a kind, a row for each family, kernel and method. A cell shows a tally, given that to
-/// the left of it.
+/// A column for each experiment of a kind; a row for each family, kernel and method, if it had runs. A cell shows a tally,
+/// given the one to the left of it.
 void print(const Results& results, Experiment::Kind kind, const std::string& title, auto&& cell) {
     const auto row = [](const std::string& family, const std::string& kernel, const std::string& method) {
         std::cout << std::left << std::setw(18) << family << std::setw(10) << kernel << std::setw(8) << method
@@ -90,16 +91,14 @@ void print(const Results& results, Experiment::Kind kind, const std::string& tit
     for (const auto& family : campaign.families) {
         std::vector<Tallies> sums;
         for (const auto* experiment : columns) sums.push_back(results.sum(family, *experiment));
-        std::size_t place = 0;
-        for (const auto& kernel : campaign.kernels) {
-            for (const auto& method : campaign.methods) {
-                row(family, kernel, method);
-                for (std::size_t i = 0; i < columns.size(); ++i) {
-                    show(i, cell(sums[i][place], i > 0 ? &sums[i - 1][place] : nullptr));
-                }
-                std::cout << '\n';
-                ++place;
+        for (std::size_t i = 0; i < sums.front().size(); ++i) {
+            const auto ran = [&](const Tallies& sum) { return sum[i].runs > 0; };
+            if (std::none_of(sums.begin(), sums.end(), ran)) continue;
+            row(family, campaign.kernels[i / campaign.methods.size()], campaign.methods[i % campaign.methods.size()]);
+            for (std::size_t column = 0; column < columns.size(); ++column) {
+                show(column, cell(sums[column][i], column > 0 ? &sums[column - 1][i] : nullptr));
             }
+            std::cout << '\n';
         }
     }
 }
