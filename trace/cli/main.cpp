@@ -148,19 +148,17 @@ CLI::App& add_import(CLI::App& app, MeshOptions& options) {
 CLI::App& add_stability(CLI::App& app, StabilityOptions& options) {
     auto& command = *app.add_subcommand("stability", "Run thousands of random scenes and count what is wrong");
     auto& campaign = options.campaign;
-    command.add_option("--family", campaign.families, "Scenes of which kind [all]: see below")->take_all();
+    command.add_option("--family", campaign.families, "Scenes of which kind [all]: see below");
     command.add_option("--kernel", campaign.kernels, "Which arithmetic decides [float, double, filtered]")
-        ->check(a_kernel)
-        ->take_all();
+        ->check(a_kernel);
     command.add_option("--method", campaign.methods, "Which algorithm [both]")
-        ->check(CLI::IsMember(words(method_names)))
-        ->take_all();
+        ->check(CLI::IsMember(words(method_names)));
     command.add_option("--count", campaign.count, "Trials of each experiment in each family; fewer of dear ones")
         ->check(CLI::Range(std::uint64_t{1}, most_trials))
         ->capture_default_str();
     command.add_option("--seed", campaign.seed, "Another one, other scenes")->capture_default_str();
-    command.add_option("--shard", options.shard, "K/N: of all blocks of trials only each N-th, from the K-th");
-    auto* merge = command.add_option("--merge", options.merged, "Run nothing: put files of results together");
+    command.add_option("--shard", options.shard, "K/N: of the blocks of trials only each N-th, from the K-th");
+    auto* merge = command.add_option("--merge", options.merged, "Run nothing: put these files of results together");
     command.add_option("-o", options.output,
                        "Keep the results, .jsonl; a run that was killed goes on where it stopped");
     for (const char* of_run : {"--family", "--kernel", "--method", "--count", "--seed", "--shard"}) {
