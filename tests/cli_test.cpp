@@ -348,9 +348,9 @@ TEST_CASE("map: a table, a picture or counts; exit 1 if any place is answered wr
 }
 
 TEST_CASE("Help says what there is, exit 0") {
-    for (const std::string call : {"--help", "trace --help", "check --help", "shrink --help", "need --help",
-                                   "choose --help", "map --help", "stability --help", "import --help", "methods",
-                                   "--version"}) {
+    for (const std::string call :
+         {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "map --help",
+          "stability --help", "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }
