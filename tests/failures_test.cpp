@@ -139,13 +139,13 @@ TEST_CASE("Failures: an entry without a scene has a test of its name") {
 
 TEST_CASE("Failures: the pivot of an orientation changes its rounded sign") {
     int differing = 0, differing_exactly = 0;
-    const auto& [start, q, r] = kettner_maps[0];
-    kettner_maps[0].for_each_place([&](const glm::dvec3& p) {
+    const KettnerMap& map = kettner_maps[0];
+    map.for_each_place([&](const glm::dvec3& p) {
         const auto signs_differ = [&](const auto& kernel) {
             const auto of = [&](const auto& pivot, const auto& a, const auto& b) {
                 return kernel.sign(kernel.cross(kernel.vertex(pivot), kernel.vertex(a), kernel.vertex(b)));
             };
-            return of(p, q, r) != of(q, r, p);
+            return of(p, map.q, map.r) != of(map.q, map.r, p);
         };
         differing += signs_differ(Double{}) ? 1 : 0;
         differing_exactly += signs_differ(Exact{}) ? 1 : 0;
