@@ -65,8 +65,9 @@ std::uint64_t sum_of(const auto& counts) {
     return sum;
 }
 
-/// Why the picture is known to be right: the run under `filtered`, with each decision held against exact arithmetic.
-void print_certificate(const Candidate& chosen, const Scene& scene) {
+/// Why the picture is known to be right: the run under `filtered`, with each decision held against exact arithmetic. False
+/// if one was not confirmed.
+bool print_certificate(const Candidate& chosen, const Scene& scene) {
     const CheckReport certain = check_run({chosen.method, *kernel_named("filtered"), false, scene}, scene);
     const auto& by = certain.decided_by;
     std::cout << "certificate: its picture is that of " << method_names[std::size_t(chosen.method)]
@@ -75,7 +76,8 @@ void print_certificate(const Candidate& chosen, const Scene& scene) {
               << by[std::size_t(FilterStage::scene)] + by[std::size_t(FilterStage::operands)]
               << ", and what no bound could decide, " << by[std::size_t(FilterStage::exact)]
               << ", exact arithmetic;\n  a run in exact rationals "
-              << (certain.found_something() ? "DISAGREED" : "agreed") << " with all of its decisions\n";
+              << (certain.found_something() ? "did not agree" : "agreed") << " with all of its decisions\n";
+    return !certain.found_something();
 }
 
 }  // namespace
@@ -107,8 +109,7 @@ int choose(const ChooseOptions& options) {
                   << '\n';
     }
     std::cout << "choose " << name_of(chosen) << '\n';
-    print_certificate(chosen, scene);
-    return 0;
+    return print_certificate(chosen, scene) ? 0 : 1;
 }
 
 }  // namespace vidno::cli
