@@ -63,7 +63,7 @@ Property property_of(const ShrinkOptions& options, const Trial& trial, const Sce
         return [&trial, right = trial.picture(scene)](const Scene& smaller) { return trial.picture(smaller) == right; };
     }
     if (options.keep == "decision") {
-        const Property reaches = [&](const Scene& smaller) { return trial.reaches(options.at, smaller); };
+        Property reaches = [&](const Scene& smaller) { return trial.reaches(options.at, smaller); };
         if (reaches(scene)) return reaches;
         throw Refused(options.run.scene + ": the run has no step at " + options.at);
     }
