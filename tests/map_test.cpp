@@ -171,7 +171,7 @@ TEST_CASE("SurroundTest: outside of a triangle's tip, and held by double") {
     // the edge from C to A has the cross product (A - C) x (p - C) = d d - 23.5 d = -32 u d < 0, the others more than 0:
     // p is outside. As doubles, 2^-43 apart here, both products are 23.5 * 23.5 - 2^-43: no side, and that edge is passed.
     const Question question = lesson("surround");
-    const auto& cell = map_of(question, "double").at(0, 32);
+    const SignMap::Cell cell = map_of(question, "double").at(0, 32);
     CHECK(cell.computed == Sign::positive);
     CHECK(cell.exact == Sign::negative);
     CHECK_FALSE(map_of(question, "filtered").at(0, 32).differs());
