@@ -53,12 +53,6 @@ std::string with(const std::string& fewer, const std::string& wrong) {
     return wrong.empty() ? "" : "with " + fewer + " " + wrong;
 }
 
-std::size_t vertices_of(const Scene& scene) {
-    std::size_t count = 0;
-    for (const auto& polygon : scene.polygons) count += polygon.vertices.size();
-    return count;
-}
-
 class Needs {
 public:
     Needs(const Scene& scene, const std::function<void()>& progress)

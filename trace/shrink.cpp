@@ -59,23 +59,28 @@ Scene with_fewest_vertices(Scene scene, const Property& keeps) {
     return scene;
 }
 
+/// The scene with one coordinate rounded to fewer places, to as few as it may have; or as it is.
+Scene with_shorter_coordinate(Scene scene, std::size_t polygon, std::size_t vertex, int axis, const Property& keeps) {
+    const auto& vertices = scene.polygons[polygon].vertices;
+    const double value = vertices[vertex][axis];
+    const int most = binary_places(value);
+    for (int places = 0; places < most; ++places) {
+        auto rounded = vertices;
+        rounded[vertex][axis] = snapped(value, places);
+        const auto candidate = with_vertices(scene, polygon, std::move(rounded));
+        // Admission may drop a vertex: the number of them is another step's affair.
+        if (!candidate || candidate->polygons[polygon].vertices.size() != vertices.size()) continue;
+        if (keeps(*candidate)) return *candidate;
+    }
+    return scene;
+}
+
 /// Each coordinate with as few binary places as it may have, one after the other.
 Scene with_fewest_places(Scene scene, const Property& keeps) {
     for (std::size_t polygon = 0; polygon < scene.polygons.size(); ++polygon) {
         for (std::size_t vertex = 0; vertex < scene.polygons[polygon].vertices.size(); ++vertex) {
             for (int axis = 0; axis < 3; ++axis) {
-                const auto& vertices = scene.polygons[polygon].vertices;
-                const double value = vertices[vertex][axis];
-                for (int places = 0; places < binary_places(value); ++places) {
-                    auto rounded = vertices;
-                    rounded[vertex][axis] = snapped(value, places);
-                    const auto candidate = with_vertices(scene, polygon, std::move(rounded));
-                    // Admission may drop a vertex: the number of them is another step's affair.
-                    if (!candidate || candidate->polygons[polygon].vertices.size() != vertices.size()) continue;
-                    if (!keeps(*candidate)) continue;
-                    scene = *candidate;
-                    break;
-                }
+                scene = with_shorter_coordinate(std::move(scene), polygon, vertex, axis, keeps);
             }
         }
     }
@@ -83,6 +88,12 @@ Scene with_fewest_places(Scene scene, const Property& keeps) {
 }
 
 }  // namespace
+
+std::size_t vertices_of(const Scene& scene) {
+    std::size_t count = 0;
+    for (const auto& polygon : scene.polygons) count += polygon.vertices.size();
+    return count;
+}
 
 int binary_places(double value) {
     int places = 0;

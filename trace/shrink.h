@@ -29,6 +29,9 @@ Scene without_polygon(Scene scene, std::size_t index);
 /// The scene without a vertex, if what is left of the polygon is one.
 std::optional<Scene> without_vertex(Scene scene, std::size_t polygon, std::size_t vertex);
 
+/// How many vertices its polygons have together.
+std::size_t vertices_of(const Scene& scene);
+
 /// The least k >= 0 such that the value is a multiple of 2^-k.
 int binary_places(double value);
 

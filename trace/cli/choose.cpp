@@ -28,15 +28,15 @@ struct Candidate {
 
 /// Both methods under each kernel that is cheaper than exact rationals and takes the scene.
 std::vector<Candidate> candidates_for(const Scene& scene) {
+    const NamedKernel grid = *kernel_named("grid");
+    std::optional<Scene> on_grid;
+    if (fits_grid(scene, grid.parameter)) on_grid = snapped_scene(scene, grid.parameter).scene;
     std::vector<Candidate> candidates;
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         for (const std::string name : {"float", "double", "filtered"}) {
             candidates.push_back({method, *kernel_named(name), scene, 0, {}});
         }
-        const NamedKernel grid = *kernel_named("grid");
-        if (fits_grid(scene, grid.parameter)) {
-            candidates.push_back({method, grid, snapped_scene(scene, grid.parameter).scene, 0, {}});
-        }
+        if (on_grid) candidates.push_back({method, grid, *on_grid, 0, {}});
     }
     return candidates;
 }

@@ -74,12 +74,6 @@ Property property_of(const ShrinkOptions& options, const Trial& trial, const Sce
     throw Refused(options.run.scene + ": nothing fails: no decision is wrong, and no pixel");
 }
 
-std::size_t vertices_of(const Scene& scene) {
-    std::size_t count = 0;
-    for (const auto& polygon : scene.polygons) count += polygon.vertices.size();
-    return count;
-}
-
 }  // namespace
 
 int shrink(const ShrinkOptions& options) {
