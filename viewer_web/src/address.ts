@@ -1,5 +1,5 @@
-import { isLanguage } from './i18n/index.js';
-import type { Language } from './i18n/index.js';
+import { isLanguage } from './i18n/language.js';
+import type { Language } from './i18n/language.js';
 
 /** What the page's address holds behind `#`: language, embedded trace and step. */
 export interface Address {

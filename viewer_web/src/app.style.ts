@@ -10,29 +10,6 @@ export const appStyle = css`
     grid-template: 'header header' 3.25rem 'nav main' minmax(0, 1fr) / 14rem minmax(0, 1fr);
     background: var(--paper);
   }
-  header {
-    grid-area: header;
-    display: flex;
-    gap: 0.9rem;
-    align-items: center;
-  }
-  h1 {
-    margin: 0;
-    font: 700 1.375rem var(--mono);
-    letter-spacing: -0.03em;
-    color: var(--accent);
-  }
-  .tagline {
-    color: var(--soft);
-    white-space: nowrap;
-    overflow: hidden;
-    text-overflow: ellipsis;
-  }
-  .tools {
-    display: flex;
-    gap: 0.75rem;
-    margin-left: auto;
-  }
   .tools button {
     padding: 0 0.7rem;
     white-space: nowrap;
@@ -40,21 +17,6 @@ export const appStyle = css`
   kbd {
     font: 0.8125rem var(--mono);
     color: var(--soft);
-  }
-  .languages {
-    display: flex;
-  }
-  .languages button:first-child {
-    border-radius: 6px 0 0 6px;
-  }
-  .languages button:last-child {
-    border-radius: 0 6px 6px 0;
-    border-left: 0;
-  }
-  .languages button[aria-pressed='true'] {
-    background: var(--accent);
-    border-color: var(--accent);
-    color: var(--on-accent);
   }
   nav {
     grid-area: nav;
@@ -128,9 +90,6 @@ export const appStyle = css`
     }
     nav {
       padding: 0.75rem 0 0;
-    }
-    .tagline {
-      display: none;
     }
   }
 `;

@@ -4,14 +4,17 @@ import { customElement, query, state } from 'lit/decorators.js';
 import { formatAddress, parseAddress } from './address.js';
 import { appStyle } from './app.style.js';
 import './components/file-drop.js';
+import { headerStyle } from './components/header.style.js';
+import './components/languages.js';
 import './components/lesson-list.js';
 import './components/notice.js';
 import type { Notice } from './components/notice.js';
 import './components/player.js';
 import type { PlayerElement } from './components/player.js';
 import { base, tokens } from './components/theme.js';
-import { languages, texts } from './i18n/index.js';
-import type { Language } from './i18n/index.js';
+import { texts } from './i18n/index.js';
+import { preferredLanguage } from './i18n/language.js';
+import type { Language } from './i18n/language.js';
 import { embeddedFile, embeddedLessons, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
 import { readTrace } from './trace/read.js';
@@ -26,7 +29,7 @@ function shortened(trace: Trace | null): Notice | null {
 /** The page: lessons, files of one's own, and the player. */
 @customElement('vidno-app')
 export class AppElement extends LitElement {
-  static override styles = [tokens, base, appStyle];
+  static override styles = [tokens, base, headerStyle, appStyle];
 
   @state() private language: Language = 'en';
   @state() private trace: Trace | null = null;
@@ -42,7 +45,7 @@ export class AppElement extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.language = navigator.language.startsWith('ru') ? 'ru' : 'en';
+    this.language = preferredLanguage();
     this.followAddress();
     window.addEventListener('hashchange', this.followAddress);
     window.addEventListener('keydown', this.onKey);
@@ -128,9 +131,10 @@ export class AppElement extends LitElement {
           <button @click=${() => this.player.showKeys()} ?disabled=${this.trace === null}>
             ${page.keys} <kbd>?</kbd>
           </button>
-          <div class="languages" role="group">
-            ${languages.map((each) => this.languageButton(each))}
-          </div>
+          <vidno-languages
+            .chosen=${this.language}
+            @choose=${({ detail }: CustomEvent<Language>) => this.chooseLanguage(detail)}
+          ></vidno-languages>
         </div>
       </header>
       <nav>
@@ -157,17 +161,6 @@ export class AppElement extends LitElement {
         ${this.trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
       </main>
     `;
-  }
-
-  private languageButton(language: Language): TemplateResult {
-    return html`<button
-      lang=${language}
-      title=${texts[language].page.language}
-      aria-pressed=${language === this.language ? 'true' : 'false'}
-      @click=${() => this.chooseLanguage(language)}
-    >
-      ${language.toUpperCase()}
-    </button>`;
   }
 
   private get name(): string {

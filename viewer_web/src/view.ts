@@ -1,5 +1,5 @@
 import { sentence, texts } from './i18n/index.js';
-import type { Language } from './i18n/index.js';
+import type { Language } from './i18n/language.js';
 import type { PageTexts } from './i18n/texts.js';
 import type { Screen } from './state/screen.js';
 import type { Values } from './state/state.js';

@@ -1,7 +1,7 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
-import type { PageTexts } from '../i18n/texts.js';
+import type { FileTexts } from '../i18n/texts.js';
 import { base } from './theme.js';
 
 /** Takes a file of one's own, chosen or dropped anywhere on the page. */
@@ -39,7 +39,8 @@ export class FileDropElement extends LitElement {
     `,
   ];
 
-  @property({ attribute: false }) texts!: PageTexts;
+  @property({ attribute: false }) texts!: FileTexts;
+  @property() accept = '.jsonl,.gz,.json';
   @property({ type: Boolean, reflect: true }) over = false;
   @state() private depth = 0;
   @query('input') private input!: HTMLInputElement;
@@ -85,11 +86,11 @@ export class FileDropElement extends LitElement {
   override render(): TemplateResult {
     const { texts } = this;
     return html`
-      <h2>${texts.ownTrace}</h2>
+      <h2>${texts.ownFile}</h2>
       <button @click=${() => this.input.click()}>${texts.openFile}</button>
       <input
         type="file"
-        accept=".jsonl,.gz,.json"
+        accept=${this.accept}
         @change=${this.onChoose}
         aria-label=${texts.openFile}
       />

@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
-import type { Language } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
 import { idOf } from '../lessons.js';
 import type { Lesson, LessonTrace } from '../lessons.js';
 import { base } from './theme.js';

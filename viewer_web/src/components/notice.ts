@@ -1,10 +1,11 @@
-import { LitElement, css, html, nothing } from 'lit';
+import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { complaint, texts } from '../i18n/index.js';
-import type { Language } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
 import { Unreadable } from '../trace/read.js';
 import type { Shortened } from '../trace/read.js';
+import { noticeStyle } from './notice.style.js';
 import { base } from './theme.js';
 
 /** What the page has to say about a file. */
@@ -16,30 +17,7 @@ export type Notice =
 /** One line about the file that is being read, was refused, or is not whole. */
 @customElement('vidno-notice')
 export class NoticeElement extends LitElement {
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: block;
-      }
-      p {
-        margin-top: 0.3rem;
-        padding: 0.45rem 0.7rem;
-        border-radius: 6px;
-        background: var(--accent-wash);
-        font-size: 0.875rem;
-        overflow-wrap: anywhere;
-      }
-      .failed {
-        background: var(--bad-wash);
-        color: var(--bad);
-      }
-      .shortened {
-        background: var(--warn-wash);
-        color: var(--warn);
-      }
-    `,
-  ];
+  static override styles = [base, noticeStyle];
 
   @property({ attribute: false }) notice: Notice | null = null;
   @property({ attribute: false }) language: Language = 'en';

@@ -1,8 +1,8 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
-import { isLanguage } from '../i18n/index.js';
-import type { Language } from '../i18n/index.js';
+import { isLanguage } from '../i18n/language.js';
+import type { Language } from '../i18n/language.js';
 import { canonical } from '../state/canonical.js';
 import type { Trace } from '../trace/read.js';
 import { viewOf } from '../view.js';

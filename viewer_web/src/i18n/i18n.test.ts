@@ -8,8 +8,9 @@ import type { Event } from '../trace/events.js';
 import { parseHeader } from '../trace/header.js';
 import { Unreadable } from '../trace/read.js';
 import { Refusal } from '../trace/refusal.js';
-import { complaint, languages, sentence, texts } from './index.js';
-import type { Language } from './index.js';
+import { complaint, sentence, texts } from './index.js';
+import { languages } from './language.js';
+import type { Language } from './language.js';
 import { short, toNumber } from './words.js';
 
 const { scene } = parseHeader(headerOf('warnock'));

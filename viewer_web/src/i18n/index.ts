@@ -3,12 +3,10 @@ import type { Event } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
 import type { Unreadable } from '../trace/read.js';
 import * as en from './en/index.js';
+import type { Language } from './language.js';
 import * as ru from './ru/index.js';
 import type { Texts } from './texts.js';
 import { Words } from './words.js';
-
-export const languages = ['en', 'ru'] as const;
-export type Language = (typeof languages)[number];
 
 export const texts: Readonly<Record<Language, Texts>> = { en: en.texts, ru: ru.texts };
 
@@ -16,10 +14,6 @@ const rules: Readonly<Record<Language, Intl.PluralRules>> = {
   en: new Intl.PluralRules('en'),
   ru: new Intl.PluralRules('ru'),
 };
-
-export function isLanguage(value: unknown): value is Language {
-  return languages.includes(value as Language);
-}
 
 /** What a step did, in one sentence. */
 export function sentence(

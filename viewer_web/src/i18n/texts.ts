@@ -23,14 +23,17 @@ export interface Texts {
   readonly reasons: ReasonTexts;
 }
 
-export interface PageTexts {
-  readonly language: string;
+/** What is said where a file may be opened. */
+export interface FileTexts {
+  readonly ownFile: string;
+  readonly openFile: string;
+  readonly dropHere: string;
+}
+
+export interface PageTexts extends FileTexts {
   readonly tagline: string;
   readonly lessons: string;
   readonly noLessons: string;
-  readonly ownTrace: string;
-  readonly openFile: string;
-  readonly dropHere: string;
   readonly reading: (name: string) => string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
   readonly broken: (name: string) => string;

@@ -1,5 +1,5 @@
 import listings from '../../../trace/listings/listings.json' with { type: 'json' };
-import type { Language } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
 import type { Method } from '../trace/events.js';
 import type { Edition } from '../trace/header.js';
 

@@ -1,11 +1,10 @@
 import type { PageTexts, Texts } from '../texts.js';
 
 export const page: PageTexts = {
-  language: 'English',
   tagline: 'why a pixel has its colour',
   lessons: 'Lessons',
   noLessons: 'This page was built without lessons.',
-  ownTrace: 'Your own trace',
+  ownFile: 'Your own trace',
   openFile: 'Open a file…',
   dropHere: 'or drop it here: .jsonl, .jsonl.gz',
   reading: (name) => `Reading ${name}…`,

@@ -1,11 +1,10 @@
 import type { PageTexts, Texts } from '../texts.js';
 
 export const page: PageTexts = {
-  language: 'Русский',
   tagline: 'почему у пикселя такой цвет',
   lessons: 'Уроки',
   noLessons: 'Эта страница собрана без уроков.',
-  ownTrace: 'Своя трасса',
+  ownFile: 'Своя трасса',
   openFile: 'Открыть файл…',
   dropHere: 'или перетащите его сюда: .jsonl, .jsonl.gz',
   reading: (name) => `Чтение ${name}…`,

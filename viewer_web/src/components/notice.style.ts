@@ -1,0 +1,24 @@
+import { css } from 'lit';
+
+/** One line about a file. */
+export const noticeStyle = css`
+  :host {
+    display: block;
+  }
+  p {
+    margin-top: 0.3rem;
+    padding: 0.45rem 0.7rem;
+    border-radius: 6px;
+    background: var(--accent-wash);
+    font-size: 0.875rem;
+    overflow-wrap: anywhere;
+  }
+  .failed {
+    background: var(--bad-wash);
+    color: var(--bad);
+  }
+  .shortened {
+    background: var(--warn-wash);
+    color: var(--warn);
+  }
+`;

@@ -1,0 +1,17 @@
+export const languages = ['en', 'ru'] as const;
+export type Language = (typeof languages)[number];
+
+/** Each language by its own name. */
+export const languageNames: Readonly<Record<Language, string>> = {
+  en: 'English',
+  ru: 'Русский',
+};
+
+export function isLanguage(value: unknown): value is Language {
+  return languages.includes(value as Language);
+}
+
+/** The reader's own language, if the page speaks it. */
+export function preferredLanguage(): Language {
+  return navigator.language.startsWith('ru') ? 'ru' : 'en';
+}
