@@ -2,6 +2,7 @@
 export interface Reasons {
   // A value is not what the format says.
   number: [found: string];
+  notNegative: [found: string];
   kernelNumber: [found: string];
   answer: [found: string];
   whole: [found: string];
@@ -29,6 +30,7 @@ export interface Reasons {
   notUtf8: [];
   longLine: [];
   notGzip: [];
+  tooLarge: [];
   // An event that cannot happen here.
   noSuchPolygon: [id: string];
   outsideArea: [];

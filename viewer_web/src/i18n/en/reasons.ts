@@ -2,6 +2,7 @@ import type { ReasonTexts } from '../texts.js';
 
 export const reasons: ReasonTexts = {
   number: (found) => `a number should stand here, not ${found}`,
+  notNegative: (found) => `a number that is not negative should stand here, not ${found}`,
   answer: (found) => `true, false, a whole number or a range should stand here, not ${found}`,
   kernelNumber: (found) => `a number, a fraction, inf or nan should stand here, not ${found}`,
   whole: (found) => `a whole number should stand here, not ${found}`,
@@ -29,6 +30,7 @@ export const reasons: ReasonTexts = {
   notUtf8: () => 'the text is not UTF-8',
   longLine: () => 'the line is too long',
   notGzip: () => 'the file is broken gzip',
+  tooLarge: () => 'the file is too large for this page',
   noSuchPolygon: (id) => `the scene has no polygon ${id}`,
   outsideArea: () => 'pixels outside the area would be painted',
   resultOf: (procedure, frame) => `the result of ${procedure} comes while ${frame} runs`,

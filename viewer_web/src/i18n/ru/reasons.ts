@@ -2,6 +2,7 @@ import type { ReasonTexts } from '../texts.js';
 
 export const reasons: ReasonTexts = {
   number: (found) => `здесь должно стоять число, а не ${found}`,
+  notNegative: (found) => `здесь должно стоять неотрицательное число, а не ${found}`,
   answer: (found) => `здесь должно стоять true, false, целое число или промежуток, а не ${found}`,
   kernelNumber: (found) => `здесь должно стоять число, дробь, inf или nan, а не ${found}`,
   whole: (found) => `здесь должно стоять целое число, а не ${found}`,
@@ -29,6 +30,7 @@ export const reasons: ReasonTexts = {
   notUtf8: () => 'текст не в кодировке UTF-8',
   longLine: () => 'строка слишком длинная',
   notGzip: () => 'архив gzip повреждён',
+  tooLarge: () => 'файл слишком велик для этой страницы',
   noSuchPolygon: (id) => `в сцене нет многоугольника ${id}`,
   outsideArea: () => 'закрашиваются пиксели вне области',
   resultOf: (procedure, frame) => `результат ${procedure} приходит, когда идёт ${frame}`,
