@@ -6,7 +6,7 @@ import { singleFile } from './plugins/single-file.js';
 const traces = process.env['VIDNO_TRACES'] ?? '../build/lessons';
 
 export default defineConfig({
-  plugins: [lessons(resolve(traces)), singleFile()],
+  plugins: [lessons(resolve(traces)), singleFile('index.html')],
   server: { fs: { allow: ['..'] } },
   build: {
     target: 'es2022',

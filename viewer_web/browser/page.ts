@@ -39,6 +39,16 @@ export async function open(
   hash = '',
   options: BrowserContextOptions = {},
 ): Promise<Opened> {
+  const opened = await openUrl(browser, pathToFileURL(built).href + hash, options);
+  await opened.page.locator('vidno-app header').waitFor();
+  return opened;
+}
+
+export async function openUrl(
+  browser: Browser,
+  url: string,
+  options: BrowserContextOptions,
+): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
   const faults: string[] = [];
@@ -49,8 +59,7 @@ export async function open(
   page.on('request', (request) => {
     if (!request.url().startsWith('file:')) faults.push(request.url());
   });
-  await page.goto(pathToFileURL(built).href + hash);
-  await page.locator('vidno-app header').waitFor();
+  await page.goto(url);
   return { page, faults };
 }
 

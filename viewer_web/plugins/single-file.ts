@@ -43,13 +43,13 @@ function takeChunk(bundle: Rollup.OutputBundle): string {
 }
 
 /** Makes the page one file that opens from disk, under a security policy that names its script by hash. */
-export function singleFile(): Plugin {
+export function singleFile(file: string): Plugin {
   return {
     name: 'vidno-single-file',
     enforce: 'post',
     generateBundle(_options, bundle): void {
-      const page = bundle['index.html'];
-      if (page?.type !== 'asset') throw new Error('The build has no index.html.');
+      const page = bundle[file];
+      if (page?.type !== 'asset') throw new Error(`The build has no ${file}.`);
       page.source = inlined(String(page.source), takeChunk(bundle));
     },
   };

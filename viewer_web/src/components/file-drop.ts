@@ -22,6 +22,14 @@ export class FileDropElement extends LitElement {
         border-color: var(--accent);
         background: var(--accent-wash);
       }
+      :host([compact]) {
+        padding: 0;
+        border: 0;
+        background: none;
+      }
+      :host([compact]) :is(h2, p) {
+        display: none;
+      }
       h2 {
         margin-bottom: 0.4rem;
       }
@@ -87,7 +95,7 @@ export class FileDropElement extends LitElement {
     const { texts } = this;
     return html`
       <h2>${texts.ownFile}</h2>
-      <button @click=${() => this.input.click()}>${texts.openFile}</button>
+      <button title=${texts.dropHere} @click=${() => this.input.click()}>${texts.openFile}</button>
       <input
         type="file"
         accept=${this.accept}

@@ -2,10 +2,7 @@ import { css } from 'lit';
 
 /** One line about a file. */
 export const noticeStyle = css`
-  :host {
-    display: block;
-  }
-  p {
+  p:is(.reading, .failed, .shortened) {
     margin-top: 0.3rem;
     padding: 0.45rem 0.7rem;
     border-radius: 6px;
@@ -13,11 +10,11 @@ export const noticeStyle = css`
     font-size: 0.875rem;
     overflow-wrap: anywhere;
   }
-  .failed {
+  p.failed {
     background: var(--bad-wash);
     color: var(--bad);
   }
-  .shortened {
+  p.shortened {
     background: var(--warn-wash);
     color: var(--warn);
   }

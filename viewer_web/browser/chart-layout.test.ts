@@ -1,0 +1,60 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { openChart, sampleText } from './chart.js';
+import { launch } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+describe('the layout of the chart', () => {
+  const sizes = [390, 1280, 1920].flatMap((width) =>
+    (['en', 'ru'] as const).map((language) => ({ width, language })),
+  );
+
+  it.each(sizes)('at $width px in $language is never too wide', async ({ width, language }) => {
+    const viewport = { width, height: width < 500 ? 800 : 1080 };
+    const { page, faults } = await openChart(browser, `lang=${language}`, sampleText, { viewport });
+    for (const view of ['ordinary', 'ordinary/Two walls', 'degenerate/Slivers']) {
+      await page.locator('select').selectOption(view);
+      for (const error of ['wrongPixels', 'area', 'wrongDecisions', 'depthUlps']) {
+        await page.locator(`input[value=${error}]`).check();
+        expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+        expect(await outside(page)).toEqual([]);
+      }
+    }
+    expect(faults).toEqual([]);
+  });
+});
+
+/** Texts that do not lie within the plot; their boxes are a little larger than they are. */
+const outside = (page: Page): Promise<readonly string[]> =>
+  page.locator('vidno-plot svg').evaluate((svg) => {
+    const frame = svg.getBoundingClientRect();
+    const slack = 4;
+    return [...svg.querySelectorAll('text')]
+      .filter((text) => {
+        const { left, right, top, bottom } = text.getBoundingClientRect();
+        const across = left < frame.left - slack || right > frame.right + slack;
+        return across || top < frame.top - slack || bottom > frame.bottom + slack;
+      })
+      .map(({ textContent }) => textContent);
+  });
+
+describe('everyone', () => {
+  it.each([
+    ['light', sampleText],
+    ['dark', sampleText],
+    ['light', 'null'],
+    ['dark', '{}'],
+  ] as const)('can use the chart (WCAG 2.2 AA, %s, %#)', async (colorScheme, json) => {
+    const { page } = await openChart(browser, 'lang=ru', json, { colorScheme });
+    if (json === sampleText) await page.locator('vidno-front button').first().focus();
+    expect(await violations(page)).toEqual([]);
+  });
+});

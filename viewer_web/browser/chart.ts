@@ -1,0 +1,60 @@
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import type { Chart } from '../src/chart/format.js';
+import { openUrl } from './page.js';
+import type { Opened } from './page.js';
+
+const template = readFileSync(
+  fileURLToPath(new URL('../dist/chart.html', import.meta.url)),
+  'utf8',
+);
+export const sampleText = readFileSync(
+  fileURLToPath(new URL('../test-data/chart.json', import.meta.url)),
+  'utf8',
+);
+export const sample = JSON.parse(sampleText) as Chart;
+
+/** As the program writes it. */
+function filled(json: string): string {
+  const tag = '<script type="application/json" id="vidno-chart">';
+  const [before, after, ...others] = template.split(tag);
+  if (before === undefined || after === undefined || others.length > 0) {
+    throw new Error('The block of data must stand in the page once.');
+  }
+  const harmless = json.replaceAll('<', '\\u003c');
+  return before + tag + harmless + after.slice(after.indexOf('</script>'));
+}
+
+/** The page with a chart in it, from disk, gone once it is open. */
+export async function openChart(
+  browser: Browser,
+  hash: string,
+  json = sampleText,
+  options: BrowserContextOptions = {},
+): Promise<Opened> {
+  const directory = mkdtempSync(join(tmpdir(), 'vidno-'));
+  const file = join(directory, 'chart.html');
+  writeFileSync(file, filled(json));
+  const opened = await openUrl(browser, `${pathToFileURL(file).href}#${hash}`, options);
+  await opened.page.locator('vidno-chart header').waitFor();
+  rmSync(directory, { recursive: true });
+  return opened;
+}
+
+export const plot = (page: Page): ReturnType<Page['locator']> => page.locator('vidno-plot svg');
+
+/** The table of the front, by cells, in the order of the rows. */
+export const rows = (page: Page): Promise<readonly (readonly string[])[]> =>
+  page
+    .locator('vidno-front tbody tr')
+    .evaluateAll((all) =>
+      all.map((row) => [
+        row.querySelector('button')?.textContent.trim() ?? '',
+        ...[...row.querySelectorAll('td')].map(
+          (cell) => cell.firstChild?.parentElement?.innerText.split('\n')[0]?.trim() ?? '',
+        ),
+      ]),
+    );

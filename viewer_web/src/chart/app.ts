@@ -1,0 +1,190 @@
+import { LitElement, html, nothing } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, state } from 'lit/decorators.js';
+import '../components/file-drop.js';
+import { headerStyle } from '../components/header.style.js';
+import '../components/languages.js';
+import { noticeStyle } from '../components/notice.style.js';
+import { base, tokens } from '../components/theme.js';
+import { chartComplaint, chartTexts } from '../i18n/chart.js';
+import { preferredLanguage } from '../i18n/language.js';
+import type { Language } from '../i18n/language.js';
+import { isRefusal } from '../trace/refusal.js';
+import { formatChoice, parseChoice } from './choice.js';
+import type { Choice } from './choice.js';
+import { chartStyle } from './chart.style.js';
+import './components/choices.js';
+import { colors } from './components/colors.style.js';
+import './components/front.js';
+import './components/plot.js';
+import './components/series.js';
+import type { Chart } from './format.js';
+import { whole } from './numbers.js';
+import type { Point } from './points.js';
+import { embeddedChart, readChart } from './read.js';
+import { shownOf } from './shown.js';
+import type { Shown } from './shown.js';
+import { explanation, missingText } from './words.js';
+
+/** A file that could not be shown. */
+interface Failure {
+  readonly name: string;
+  readonly error: unknown;
+}
+
+/** The page: a chart of what each way to a picture costs, and how wrong it is. */
+@customElement('vidno-chart')
+export class ChartElement extends LitElement {
+  static override styles = [tokens, base, noticeStyle, headerStyle, colors, chartStyle];
+
+  @state() private language: Language = 'en';
+  @state() private chart: Chart | null = null;
+  @state() private choice: Choice = parseChoice('');
+  @state() private chosen: Point | null = null;
+  @state() private failure: Failure | null = null;
+  private shown: Shown | null = null;
+  private opening = 0;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.language = preferredLanguage();
+    this.followAddress();
+    window.addEventListener('hashchange', this.followAddress);
+    try {
+      this.chart = embeddedChart(document);
+    } catch (error) {
+      this.failure = { name: location.pathname.split('/').at(-1) ?? '', error };
+    }
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.removeEventListener('hashchange', this.followAddress);
+  }
+
+  private readonly followAddress = (): void => {
+    this.choice = parseChoice(location.hash);
+    this.language = this.choice.language ?? this.language;
+  };
+
+  private async open(file: File): Promise<void> {
+    const turn = ++this.opening;
+    try {
+      const chart = await readChart(file);
+      if (turn !== this.opening) return;
+      this.chart = chart;
+      this.failure = null;
+    } catch (error) {
+      if (turn === this.opening) this.failure = { name: file.name, error };
+    }
+  }
+
+  private choose(choice: Partial<Choice>): void {
+    this.choice = { ...this.choice, language: this.language, ...choice };
+    this.language = this.choice.language ?? this.language;
+    history.replaceState(null, '', formatChoice(this.choice));
+  }
+
+  override willUpdate(changed: PropertyValues): void {
+    if (!['chart', 'choice', 'language'].some((key) => changed.has(key))) return;
+    this.shown = this.chart && shownOf(this.chart, this.choice, this.language);
+    this.chosen = null;
+  }
+
+  override updated(): void {
+    document.documentElement.lang = this.language;
+    document.title = `${chartTexts[this.language].tagline} · vidno`;
+  }
+
+  override render(): TemplateResult {
+    const texts = chartTexts[this.language];
+    return html`
+      <header>
+        <h1>vidno</h1>
+        <p class="tagline">${texts.tagline}</p>
+        <div class="tools">
+          ${this.shown === null ? nothing : this.drop(true)}
+          <vidno-languages
+            .chosen=${this.language}
+            @choose=${({ detail }: CustomEvent<Language>) => this.choose({ language: detail })}
+          ></vidno-languages>
+        </div>
+      </header>
+      ${this.shown === null ? this.nothingOpen() : this.page(this.shown)}
+    `;
+  }
+
+  private page(shown: Shown): TemplateResult {
+    const choose = ({ detail }: CustomEvent<Partial<Choice>>): void => this.choose(detail);
+    const point = ({ detail }: CustomEvent<Point | null>): void => {
+      this.chosen = detail;
+    };
+    return html`
+      <vidno-choices .shown=${shown} @choose=${choose}></vidno-choices>
+      <main>
+        ${this.notice()}
+        <div class="panel plot">
+          <vidno-plot .shown=${shown} .chosen=${this.chosen} @point=${point}></vidno-plot>
+        </div>
+        <div class="about">${about(shown)}</div>
+      </main>
+      <aside>
+        <vidno-series class="panel" .shown=${shown} @choose=${choose}></vidno-series>
+        <div class="panel front">
+          <vidno-front .shown=${shown} .chosen=${this.chosen} @point=${point}></vidno-front>
+        </div>
+      </aside>
+    `;
+  }
+
+  private nothingOpen(): TemplateResult {
+    const { empty, howTo } = chartTexts[this.language];
+    return html`<main class="alone">
+      ${this.notice()}
+      <div class="empty">
+        <div class="panel">
+          <p>${empty} ${howTo}</p>
+          <code>vidno chart SCENE... -o chart.html</code>
+        </div>
+        ${this.drop(false)}
+      </div>
+    </main>`;
+  }
+
+  private drop(compact: boolean): TemplateResult {
+    return html`<vidno-file-drop
+      accept=".json"
+      ?compact=${compact}
+      .texts=${chartTexts[this.language]}
+      @file=${({ detail }: CustomEvent<File>) => this.open(detail)}
+    ></vidno-file-drop>`;
+  }
+
+  private notice(): TemplateResult | typeof nothing {
+    const { failure, language } = this;
+    if (failure === null) return nothing;
+    const { name, error } = failure;
+    return html`<div class="notice">
+      <p class="failed" role="alert">
+        ${isRefusal(error) ? chartComplaint(name, error, language) : chartTexts[language].broken(name)}
+      </p>
+    </div>`;
+  }
+}
+
+function about(shown: Shown): TemplateResult {
+  const { view, texts, language } = shown;
+  const [scene] = view.scenes;
+  const counts = [scene?.pixels, scene?.polygons, scene?.unsteady] as const;
+  const [pixels, polygons, unsteady] = counts.map((n) => whole(n ?? 0, language));
+  const missing = missingText(shown);
+  return html`
+    <p>${explanation(shown)}</p>
+    ${missing === null ? nothing : html`<p>${missing}</p>`}
+    ${
+      view.name === null
+        ? nothing
+        : html`<p>${texts.aboutScene(pixels ?? '', polygons ?? '', unsteady ?? '')}</p>`
+    }
+  `;
+}

@@ -1,0 +1,40 @@
+import { isLanguage } from '../i18n/language.js';
+import type { Language } from '../i18n/language.js';
+import { costs, errors } from './format.js';
+import type { Cost, ErrorMeasure } from './format.js';
+import { allSeries, printed } from './series.js';
+
+/** What the page's address holds behind `#`: all that was chosen. */
+export interface Choice {
+  readonly language: Language | null;
+  /** Of a scene or of all of a kind; one that there is not means the first that there is. */
+  readonly view: string | null;
+  readonly cost: Cost;
+  readonly error: ErrorMeasure;
+  readonly hidden: ReadonlySet<string>;
+}
+
+const toggles: readonly string[] = [...allSeries.map(({ id }) => id), printed];
+
+export function parseChoice(hash: string): Choice {
+  const fields = new URLSearchParams(hash.replace(/^#/, ''));
+  const language = fields.get('lang');
+  const hidden = (fields.get('hide') ?? '').split(' ');
+  return {
+    language: isLanguage(language) ? language : null,
+    view: fields.get('view'),
+    cost: costs.find((cost) => cost === fields.get('cost')) ?? 'time',
+    error: errors.find((error) => error === fields.get('error')) ?? 'wrongPixels',
+    hidden: new Set(toggles.filter((id) => hidden.includes(id))),
+  };
+}
+
+export function formatChoice({ language, view, cost, error, hidden }: Choice): string {
+  const fields = new URLSearchParams();
+  if (language !== null) fields.set('lang', language);
+  if (view !== null) fields.set('view', view);
+  fields.set('cost', cost);
+  fields.set('error', error);
+  if (hidden.size > 0) fields.set('hide', toggles.filter((id) => hidden.has(id)).join(' '));
+  return `#${fields.toString()}`;
+}

@@ -1,0 +1,36 @@
+import { css } from 'lit';
+
+/**
+ * Colours of the series after Okabe and Ito, a little darker on white: cool ones for Warnock's algorithm, warm ones for
+ * the Z-buffer.
+ */
+export const colors = css`
+  :host {
+    --band: #eef1f5;
+    --front: #171b24;
+    --warnock-bits: #0072b2;
+    --warnock-depth: #56606f;
+    --warnock-grid: #00825f;
+    --warnock-window: #2f97d6;
+    --warnock-fixed: var(--ink);
+    --zbuffer-bits: #d55e00;
+    --zbuffer-depth: #bd7b00;
+    --zbuffer-grid: #b4568c;
+    --zbuffer-window: #56606f;
+    --zbuffer-fixed: var(--ink);
+  }
+  @media (prefers-color-scheme: dark) {
+    :host {
+      --band: #222833;
+      --front: #ffffff;
+      --warnock-bits: #3d9be0;
+      --warnock-depth: #9aa5b5;
+      --warnock-grid: #19b98c;
+      --warnock-window: #8fd0f5;
+      --zbuffer-bits: #f07a22;
+      --zbuffer-depth: #e69f00;
+      --zbuffer-grid: #dd8fbb;
+      --zbuffer-window: #9aa5b5;
+    }
+  }
+`;

@@ -1,0 +1,109 @@
+/** A text to stand beside a point. */
+export interface Label {
+  readonly text: string;
+  readonly x: number;
+  readonly y: number;
+}
+
+export interface Placed {
+  readonly text: string;
+  /** The middle of the text. */
+  readonly x: number;
+  readonly y: number;
+}
+
+export interface Bounds {
+  readonly width: number;
+  readonly height: number;
+  readonly font: number;
+  /** How far a point's symbol reaches. */
+  readonly radius: number;
+}
+
+interface Box {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+/** About as wide as the page's fonts are, in ems. */
+export function widthOf(text: string): number {
+  const narrow = text.match(/[ ,.:filjt\u00a0]/gu)?.length ?? 0;
+  const wide = text.match(/[%×∞]/gu)?.length ?? 0;
+  return narrow * 0.34 + wide * 0.95 + (text.length - narrow - wide) * 0.63;
+}
+
+const overlap = (a: Box, b: Box): boolean =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+function around(x: number, y: number, width: number, height: number): Box {
+  return {
+    left: x - width / 2,
+    right: x + width / 2,
+    top: y - height / 2,
+    bottom: y + height / 2,
+  };
+}
+
+/** Where a text of this size may stand: to the right, to the left, above, below, across the corners. */
+function spots(
+  { x, y }: Label,
+  width: number,
+  height: number,
+  radius: number,
+): readonly (readonly [number, number])[] {
+  const aside = width / 2 + radius * 1.7;
+  const apart = height / 2 + radius * 1.3;
+  const slant = width / 2 + radius * 0.8;
+  return [
+    [x + aside, y],
+    [x - aside, y],
+    [x, y - apart],
+    [x, y + apart],
+    [x + slant, y - apart],
+    [x - slant, y - apart],
+    [x + slant, y + apart],
+    [x - slant, y + apart],
+  ];
+}
+
+/** Points that cannot be told apart have one label with all their texts. */
+export function joined(labels: readonly Label[]): readonly Label[] {
+  const found = new Map<string, Label>();
+  for (const label of labels) {
+    const place = `${Math.round(label.x)} ${Math.round(label.y)}`;
+    const other = found.get(place);
+    const text = other === undefined ? label.text : `${other.text}, ${label.text}`;
+    found.set(place, { ...(other ?? label), text });
+  }
+  return [...found.values()];
+}
+
+/**
+ * Places texts, the more important first, where they cover neither a point nor another text, those `reserved` that stand
+ * already included; one that has no such place is left out.
+ */
+export function placeLabels(
+  labels: readonly Label[],
+  points: readonly Pick<Label, 'x' | 'y'>[],
+  { width, height, font, radius }: Bounds,
+  reserved: readonly Placed[] = [],
+): readonly Placed[] {
+  const taken = points.map(({ x, y }) => around(x, y, radius * 2, radius * 2));
+  const placed = [...reserved];
+  for (const { text, x, y } of reserved) taken.push(around(x, y, widthOf(text) * font, font));
+  for (const label of labels) {
+    const long = widthOf(label.text) * font;
+    const spot = spots(label, long, font, radius).find(([x, y]) => {
+      const box = around(x, y, long, font);
+      const inside = box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height;
+      return inside && !taken.some((other) => overlap(box, other));
+    });
+    if (spot === undefined) continue;
+    const [x, y] = spot;
+    taken.push(around(x, y, long, font));
+    placed.push({ text: label.text, x, y });
+  }
+  return placed;
+}

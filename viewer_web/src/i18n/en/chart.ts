@@ -1,0 +1,106 @@
+import type { ChartTexts } from '../chart.js';
+
+export const chart: ChartTexts = {
+  tagline: 'what a right picture costs',
+  ownFile: 'Your own chart',
+  openFile: 'Open a file…',
+  dropHere: 'or drop it here: .json',
+  show: 'Scene',
+  kinds: { ordinary: 'Ordinary', degenerate: 'Degenerate' },
+  allOf: {
+    ordinary: (count) => `All ordinary scenes (${count})`,
+    degenerate: (count) => `All degenerate scenes (${count})`,
+  },
+  aboutScene: (pixels, polygons, unsteady) =>
+    `pixels: ${pixels} · polygons: ${polygons} · pixels that an ulp may change: ${unsteady}`,
+  cost: 'Cost',
+  error: 'Error',
+  series: 'Shown',
+  methods: { warnock: 'Warnock', zbuffer: 'Z-buffer' },
+  knobs: { bits: 'bits', depth: 'depth bits', grid: 'grid', window: 'window' },
+  turned: {
+    bits: (value) => `arithmetic of ${value} bits`,
+    depth: (value) => `Z-buffer of ${value} bits`,
+    grid: (value) => `sub-pixel grid of ${value} bits`,
+    window: (value) => `smallest window: ${value} px`,
+  },
+  fixed: 'float, double…',
+  editions: { corrected: 'corrected', printed: 'as printed' },
+  fault: 'ended by a fault',
+  printed: 'text as printed',
+  printedLabel: (kernel) => `${kernel}, printed`,
+  costs: {
+    time: {
+      name: 'Time',
+      axis: 'time, relative to the fastest run',
+      ratioAxis: 'time, relative to the fastest run',
+      sentence: (rounds) =>
+        `Time is that of a picture without a trace, the median of ${rounds} rounds, relative to the scene’s fastest run.`,
+      ratioSentence:
+        'Time is relative to the fastest run of each scene: the geometric mean over the scenes.',
+    },
+    operations: {
+      name: 'Operations',
+      axis: 'operations',
+      ratioAxis: 'operations, relative to the fewest',
+      sentence: () => 'Operations are the elementary steps of the listings.',
+      ratioSentence:
+        'Operations are relative to the fewest of each scene: the geometric mean over the scenes.',
+    },
+    bits: {
+      name: 'Bits',
+      axis: 'operations × bits',
+      ratioAxis: 'operations × bits, relative to the fewest',
+      sentence: () =>
+        'Bits are the operations times the bits of the numbers that they are made on.',
+      ratioSentence:
+        'Bits, operations times the bits of their numbers, are relative to the fewest of each scene: the geometric mean over the scenes.',
+    },
+  },
+  errors: {
+    wrongPixels: {
+      name: 'Wrong pixels',
+      axis: 'wrong pixels, of all',
+      sentence: 'Wrong pixels differ from the picture rule.',
+      meanSentence: 'Wrong pixels differ from the picture rule: the mean share over the scenes.',
+    },
+    area: {
+      name: 'Area',
+      axis: 'area of difference, of all',
+      sentence: 'The area is that by which the picture differs from the visible regions.',
+      meanSentence:
+        'The area is that by which the picture differs from the visible regions: the mean share over the scenes.',
+    },
+    wrongDecisions: {
+      name: 'Wrong decisions',
+      axis: 'wrong decisions, of all',
+      sentence: 'Wrong decisions differ from exact arithmetic.',
+      meanSentence: 'Wrong decisions differ from exact arithmetic: the mean share over the scenes.',
+    },
+    depthUlps: {
+      name: 'Depth',
+      axis: 'farthest depth, ulps',
+      sentence: 'Depth is how far a computed one is from the polygon’s plane at most, in ulps.',
+      meanSentence:
+        'Depth is how far a computed one is from the polygon’s plane at most, in ulps: the farthest in any of the scenes.',
+    },
+  },
+  counted: (part, all) => `${part} of ${all}`,
+  ulps: (count) => `${count} ulps`,
+  reading:
+    'Farther left is cheaper, farther down is better. In the bands marked 0 and ∞ all are equally right or wrong: there the series only stand apart.',
+  missing: (kernels) => `Not shown, for their numbers have no one width: ${kernels}.`,
+  missingSomewhere: (kernels) =>
+    `Not shown, for not every scene has a number for them: ${kernels}.`,
+  rightPicture: (share) => `the right picture itself: ${share}`,
+  plot: (cost, error) => `${error} against ${cost}`,
+  keys: 'Keys: ← → by cost, ↑ ↓ by error, Home, End; Esc closes.',
+  front: 'The front: no other run is as cheap and as right',
+  frontMark: 'the front',
+  run: 'Run',
+  empty: 'No chart is open.',
+  howTo: 'This writes one, of each way to run these scenes:',
+  unreadable: (name, where, reason) =>
+    `${name} is not a chart that can be read. ${where === '' ? '' : `${where}: `}${reason}.`,
+  broken: (name) => `${name} could not be read.`,
+};

@@ -1,0 +1,14 @@
+import { defineConfig } from 'vite';
+import { singleFile } from './plugins/single-file.js';
+
+/** The page of cost against error, beside the other one: a file cannot share its script with another. */
+export default defineConfig({
+  plugins: [singleFile('chart.html')],
+  build: {
+    target: 'es2022',
+    modulePreload: false,
+    chunkSizeWarningLimit: 2000,
+    emptyOutDir: false,
+    rollupOptions: { input: 'chart.html' },
+  },
+});
