@@ -1,7 +1,7 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Run, Scene } from '../src/chart/format.js';
-import { openChart, plot, rows, sample, sampleText } from './chart.js';
+import { openChart, plot, rows, sample, sampleText, template } from './chart.js';
 import { launch, openFile } from './page.js';
 
 let browser: Browser;
@@ -181,6 +181,12 @@ describe('a file of one’s own', () => {
     await openFile(page, 'chart.json', sampleText);
     await page.locator('p.failed').waitFor({ state: 'detached' });
     expect(faults).toEqual([]);
+  });
+
+  it('is shown by a page that names all that it contains, and their licences', () => {
+    for (const name of ['lit-html', '@observablehq/plot', 'd3-scale', 'ColorBrewer', 'Karney']) {
+      expect(template.slice(template.lastIndexOf('<!--'))).toContain(name);
+    }
   });
 
   it('shows markup as text, and numbers however large', async () => {

@@ -7,7 +7,8 @@ import type { Chart } from '../src/chart/format.js';
 import { openUrl } from './page.js';
 import type { Opened } from './page.js';
 
-const template = readFileSync(
+/** The page as it was built. */
+export const template = readFileSync(
   fileURLToPath(new URL('../dist/chart.html', import.meta.url)),
   'utf8',
 );

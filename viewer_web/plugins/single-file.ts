@@ -1,5 +1,6 @@
 import { createHash } from 'node:crypto';
 import type { Plugin, Rollup } from 'vite';
+import { licences } from './licences.js';
 
 const entryTag = /<script type="module"[^>]*src="[^"]*"[^>]*><\/script>/;
 
@@ -33,13 +34,13 @@ function inlined(html: string, code: string): string {
   return whole.replace('<meta charset="utf-8" />', (charset) => `${charset}\n    ${meta}`);
 }
 
-function takeChunk(bundle: Rollup.OutputBundle): string {
+function takeChunk(bundle: Rollup.OutputBundle): Rollup.OutputChunk {
   const chunks = Object.values(bundle).filter((output) => output.type === 'chunk');
   const [chunk] = chunks;
   if (chunk === undefined || chunks.length > 1) throw new Error('The page must be one script.');
   // eslint-disable-next-line @typescript-eslint/no-dynamic-delete -- this is how a bundle loses a file
   delete bundle[chunk.fileName];
-  return chunk.code;
+  return chunk;
 }
 
 /** Makes the page one file that opens from disk, under a security policy that names its script by hash. */
@@ -50,7 +51,8 @@ export function singleFile(file: string): Plugin {
     generateBundle(_options, bundle): void {
       const page = bundle[file];
       if (page?.type !== 'asset') throw new Error(`The build has no ${file}.`);
-      page.source = inlined(String(page.source), takeChunk(bundle));
+      const chunk = takeChunk(bundle);
+      page.source = inlined(String(page.source), chunk.code) + licences(chunk);
     },
   };
 }

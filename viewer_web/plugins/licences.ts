@@ -1,0 +1,40 @@
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Rollup } from 'vite';
+
+const ofPackage = /^.*\/node_modules\/(?:@[^/]+\/)?[^/]+/;
+
+interface Manifest {
+  readonly name: string;
+  readonly version: string;
+  readonly license: string;
+}
+
+function licenceIn(directory: string): string {
+  const file = readdirSync(directory).find((name) => /^licen[cs]e/i.test(name));
+  if (file === undefined) throw new Error(`${directory} has no licence.`);
+  return readFileSync(join(directory, file), 'utf8').replace(/\s+$/, '');
+}
+
+function nameIn(directory: string): string {
+  const json = readFileSync(join(directory, 'package.json'), 'utf8');
+  const { name, version, license } = JSON.parse(json) as Manifest;
+  return `${name} ${version} (${license})`;
+}
+
+/** The packages whose code is in the page. */
+function packagesOf({ modules }: Rollup.OutputChunk): readonly string[] {
+  const used = Object.keys(modules).filter((id) => (modules[id]?.renderedLength ?? 0) > 0);
+  return [...new Set(used.flatMap((id) => ofPackage.exec(id)?.[0] ?? []))].sort();
+}
+
+/** Names and licences of all that the page contains, a text that several share once, as a comment. */
+export function licences(chunk: Rollup.OutputChunk): string {
+  const names = new Map<string, string[]>();
+  for (const directory of packagesOf(chunk)) {
+    const text = licenceIn(directory);
+    names.set(text, [...(names.get(text) ?? []), nameIn(directory)]);
+  }
+  const texts = [...names].map(([text, owners]) => `${owners.join(', ')}:\n\n${text}`);
+  return `<!--\nThis page contains:\n\n${texts.join('\n\n').replaceAll('--', '- -')}\n-->\n`;
+}
