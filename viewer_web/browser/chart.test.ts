@@ -1,8 +1,11 @@
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import type { Run, Scene } from '../src/chart/format.js';
+import type { Chart, Run, Scene } from '../src/chart/format.js';
 import { openChart, plot, rows, sample, sampleText, template } from './chart.js';
-import { launch, openFile } from './page.js';
+import { launch, openFile, openUrl } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -39,6 +42,26 @@ async function tabTo(page: Page, what: string | RegExp): Promise<void> {
   }
   throw new Error(`Tab never comes to ${String(what)}.`);
 }
+
+/** What the program itself wrote, if it was asked to. */
+const written = join(process.env['VIDNO_STATES'] ?? '', 'chart.html');
+
+describe.runIf(existsSync(written))('a page that the program wrote', () => {
+  it('has tables that agree with the data in it', async () => {
+    const html = readFileSync(written, 'utf8');
+    const [, json] = /id="vidno-chart">(.*?)<\/script>/s.exec(html) ?? [];
+    const { scenes } = JSON.parse(json ?? '') as Chart;
+    const { page, faults } = await openUrl(browser, `${pathToFileURL(written).href}#lang=en`);
+    for (const scene of scenes) {
+      await page.locator('select').selectOption(`${scene.kind}/${scene.name}`);
+      await page.locator('input[value=operations]').check();
+      await page.locator('input[value=area]').check();
+      const costs = (await rows(page)).map(([, cost]) => cost);
+      expect(costs).toEqual(expected(scene).map(([, cost]) => cost));
+    }
+    expect(faults).toEqual([]);
+  });
+});
 
 describe('the chart', () => {
   it('is chosen by keyboard, scene, cost and error, and kept in the address', async () => {

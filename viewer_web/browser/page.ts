@@ -47,7 +47,7 @@ export async function open(
 export async function openUrl(
   browser: Browser,
   url: string,
-  options: BrowserContextOptions,
+  options: BrowserContextOptions = {},
 ): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
