@@ -33,7 +33,7 @@ struct Court {
 };
 
 CheckReport checked(const Scene& scene, Method method, std::string_view kernel, bool printed = false) {
-    return check_run({method, *kernel_named(kernel), printed, scene}, scene);
+    return check_run({method, *kernel_named(kernel), printed, scene}, right_picture(scene));
 }
 
 std::uint64_t wrong_decisions(const CheckReport& report) {
@@ -223,12 +223,12 @@ TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
     int truths = 0, disagreements = 0;
     for (int i = 0; i < 12; ++i) {
         const Scene drawn = random.scene();
-        for (const std::string name : {"float", "double", "bits:9", "filtered", "grid:3", "exact"}) {
+        for (const std::string name : {"float", "double", "bits:9", "depth:5", "filtered", "grid:3", "exact"}) {
             const NamedKernel kernel = *kernel_named(name);
-            const Scene scene = kernel.choice->name == Grid::name ? snapped_scene(drawn, 3).scene : drawn;
+            const Scene scene = kernel.snaps() ? snapped_scene(drawn, 3).scene : drawn;
             for (const Method method : {Method::warnock, Method::zbuffer}) {
                 for (const bool printed : {false, true}) {
-                    if (printed && !kernel.choice->runs_printed) continue;
+                    if (!kernel.choice->runs(method, printed)) continue;
                     for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
                         CAPTURE(i);
                         CAPTURE(name);

@@ -227,6 +227,8 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
 TEST_CASE("Wrong calls are refused in one line, exit 2") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
+    const std::string wide = work.write(
+        "wide.json", R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":513,"height":1},"polygons":[]})");
     const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
     const std::string output = " -o " + work.file("out.jsonl");
     for (const std::string& call : {
@@ -239,12 +241,14 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "trace " + scene + " --detail all" + output,
              "trace " + scene + " --max-events -1" + output,
              "trace " + scene + " --kernel filtered --edition printed" + output,
+             "trace " + scene + " --kernel depth:16 --method warnock" + output,
              "trace " + work.file("missing.json") + output,
              "trace " + work.directory.string() + output,
              "trace " + scene + " -o " + work.file("no/such/place.jsonl"),
              "render " + scene + " -o " + work.file("a.gif"),
              "replay " + scene + " -o " + work.file("a.png"),
              "check " + scene + " --kernel filtered --edition printed",
+             "check " + scene + " --kernel depth:16",
              "check " + work.file("missing.jsonl"),
              "diff " + scene,
              "shrink " + scene + output,
@@ -253,6 +257,12 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "shrink " + scene + " --keep decision --at Q1" + output,
              std::string("need"),
              "choose " + work.file("missing.json"),
+             "chart " + scene,
+             "chart -o " + work.file("a.json"),
+             "chart " + scene + " -o " + work.file("a.png"),
+             "chart " + wide + " -o " + work.file("a.json"),
+             "chart " + scene + " --cost money -o " + work.file("a.svg"),
+             "chart " + work.file("missing.json") + " -o " + work.file("a.json"),
              "map " + scene,
              "map " + work.file("missing.json"),
              "map " + question + " --kernel half",
@@ -263,6 +273,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "import " + scene + " -o " + work.file("a.json"),
              std::string("stability --family cubes"),
              std::string("stability --kernel half"),
+             std::string("stability --kernel depth:16"),
              std::string("stability --count 0"),
              std::string("stability --shard 3/2"),
              std::string("stability --shard 1/-1"),
@@ -276,7 +287,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
         CHECK(refused.text.rfind("vidno: ", 0) == 0);
         CHECK(refused.text.find('\n') == refused.text.size() - 1);
     }
-    CHECK(work.files() == 1);
+    CHECK(work.files() == 2);
     CHECK_MESSAGE(program("frobnicate").text.find("frobnicate") != std::string::npos, "the wrong word is named");
 }
 
@@ -331,6 +342,20 @@ TEST_CASE("need and choose: a table, and a choice whose picture is right") {
     CHECK(chosen.text.find("agreed with all of its decisions") != std::string::npos);
 }
 
+TEST_CASE("chart: the name decides what is written") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    REQUIRE(program("chart " + scene + " -o " + work.file("a.json")).status == 0);
+    CHECK(work.read("a.json").rfind("{\"format\":\"vidno-chart/1\"", 0) == 0);
+    REQUIRE(program("chart " + scene + " " + scene + " -o " + work.file("a.csv")).status == 0);
+    CHECK(work.read("a.csv").rfind("scene.name,", 0) == 0);
+    REQUIRE(program("chart " + scene + " --cost bits --error depthUlps -o " + work.file("a.svg")).status == 0);
+    const std::string figure = work.read("a.svg");
+    CHECK(figure.find("<svg ") != std::string::npos);
+    CHECK(figure.find("depth error, ulps") != std::string::npos);
+    CHECK(figure.find("operations times bits") != std::string::npos);
+}
+
 TEST_CASE("map: a table, a picture or counts; exit 1 if any place is answered wrongly") {
     const Workplace work;
     const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
@@ -349,8 +374,8 @@ TEST_CASE("map: a table, a picture or counts; exit 1 if any place is answered wr
 
 TEST_CASE("Help says what there is, exit 0") {
     for (const std::string call :
-         {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "map --help",
-          "stability --help", "import --help", "methods", "--version"}) {
+         {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "chart --help",
+          "map --help", "stability --help", "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }

@@ -65,7 +65,7 @@ public:
     }
     /// Does the procedure decide wrongly?
     bool wrong_in(const std::string& procedure) const {
-        const CheckReport report = check_run(request_, request_.scene);
+        const CheckReport report = check_run(request_, right_picture(request_.scene));
         for (const auto& each : report.procedures) {
             if (procedure_names[std::size_t(each.procedure)] == procedure) return each.wrong_for_scene > 0;
         }

@@ -35,7 +35,8 @@ TEST_CASE("Snapping: what lies on the grid stays whole, another polygon becomes 
                             .quad(1, 1, 6.5, 6, .5)
                             .polygon({{1, 1, 0}, {7, 1.125, 0}, {7, 7, 0}, {1, 7, 0}})
                             .build();
-    const auto [halves, to_halves] = snapped_scene(scene, 1);
+    const auto [halves, sources, to_halves] = snapped_scene(scene, 1);
+    CHECK(sources == std::vector<std::size_t>{0, 1, 1});
     REQUIRE(halves.polygons.size() == 3);
     CHECK(halves.polygons[0] == scene.polygons[0]);
     CHECK(halves.polygons[1].id == "B.1");

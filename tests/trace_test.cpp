@@ -36,9 +36,9 @@ std::vector<Choice> all_choices() {
     std::vector<Choice> choices;
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         for (const bool printed : {false, true}) {
-            for (const std::string kernel : {"float", "double", "bits:4", "bits:11", "filtered", "grid:1", "exact"}) {
-                if (!printed || kernel_named(kernel)->choice->runs_printed)
-                    choices.push_back({method, printed, kernel});
+            for (const std::string kernel :
+                 {"float", "double", "bits:4", "bits:11", "depth:6", "filtered", "grid:1", "exact"}) {
+                if (kernel_named(kernel)->choice->runs(method, printed)) choices.push_back({method, printed, kernel});
             }
         }
     }
@@ -211,13 +211,14 @@ Scene small_scene() {
 }  // namespace
 
 TEST_CASE("Kernels by name: a parameter where there is one, and in range") {
-    for (const std::string name : {"float", "double", "bits:4", "bits:24", "filtered", "grid:1", "grid:20", "exact"}) {
+    for (const std::string name :
+         {"float", "double", "bits:4", "bits:24", "depth:2", "depth:32", "filtered", "grid:1", "grid:20", "exact"}) {
         CAPTURE(name);
         REQUIRE(kernel_named(name).has_value());
         CHECK(kernel_named(name)->name() == name);
     }
     for (const std::string name : {"", "half", "double:2", "bits", "bits:", "bits:3", "bits:25", "bits:+9", "bits:12 ",
-                                   "bits:99999999999", "grid:0", "grid:21", "grid:"}) {
+                                   "bits:99999999999", "depth", "depth:1", "depth:33", "grid:0", "grid:21", "grid:"}) {
         CAPTURE(name);
         CHECK_FALSE(kernel_named(name).has_value());
     }

@@ -26,9 +26,11 @@ Picture told_run(const RunRequest& request, const K& kernel, const std::function
     Recording<const decltype(sink)> recording{Detail::signs, sink};
     const Recorder<K, const decltype(sink)> recorder(recording);
     if constexpr (PrintedKernel<K>) {
-        if (request.printed) return render<Printed>(request.method, request.scene, kernel, recorder);
+        if (request.printed) {
+            return render<Printed>(request.method, request.scene, kernel, recorder, request.smallest_window);
+        }
     }
-    return render<Corrected>(request.method, request.scene, kernel, recorder);
+    return render<Corrected>(request.method, request.scene, kernel, recorder, request.smallest_window);
 }
 
 /// Calls `take(event)` if the event tells a decision.
@@ -141,11 +143,13 @@ bool CheckReport::found_something() const {
            std::any_of(procedures.begin(), procedures.end(), [](const auto& each) { return each.first_wrong; });
 }
 
-CheckReport check_run(const RunRequest& request, const Scene& meant) {
+Picture right_picture(const Scene& scene) { return render(Method::zbuffer, scene, Exact{}); }
+
+CheckReport check_run(const RunRequest& request, const Picture& right, const std::function<void(const Event&)>& hear) {
     std::vector<Procedure> running{request.method == Method::warnock ? Procedure::warnock : Procedure::z_buffer};
     std::array<ProcedureVerdicts, procedure_names.size()> verdicts;
     std::uint64_t steps = 0;
-    CheckReport report;
+    CheckReport report{Picture(request.scene.area, request.scene.background)};
 
     const auto judge = [&](const Verdict& verdict) {
         auto& own = verdicts[std::size_t(running.back())];
@@ -159,9 +163,10 @@ CheckReport check_run(const RunRequest& request, const Scene& meant) {
         ++report.intersections;
         report.farthest_off = std::max(report.farthest_off, pixels);
     };
-    const auto hear = [&](const Event& event) {
+    const auto follow = [&](const Event& event) {
         ++steps;
         request.progress();
+        hear(event);
         std::visit(
             [&]<class E>(const E& e) {
                 if constexpr (std::same_as<E, event::Call>) running.push_back(e.of);
@@ -170,8 +175,8 @@ CheckReport check_run(const RunRequest& request, const Scene& meant) {
             event);
     };
     const auto count = [&](FilterStage stage) { ++report.decided_by[std::size_t(stage)]; };
-    const Picture picture = judged_run(request, {judge, survey, count, hear});
-    report.wrong_pixels = different_pixels(picture, render(Method::zbuffer, meant, Exact{}));
+    report.picture = judged_run(request, {judge, survey, count, follow});
+    report.wrong_pixels = different_pixels(report.picture, right);
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
         verdicts[i].procedure = Procedure(i);
         if (verdicts[i].decisions > 0) report.procedures.push_back(verdicts[i]);

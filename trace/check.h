@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "event.h"
 #include "run.h"
 
 namespace vidno {
@@ -21,9 +22,10 @@ struct ProcedureVerdicts {
 };
 
 struct CheckReport {
-    std::vector<ProcedureVerdicts> procedures;  // those that decided, in the order of Procedure
-    std::uint64_t intersections = 0;            // computed when clipping, under `float`, `double`, `bits`
-    double farthest_off = 0;                    // of them, from the exact one, in pixels
+    Picture picture;
+    std::vector<ProcedureVerdicts> procedures{};  // those that decided, in the order of Procedure
+    std::uint64_t intersections = 0;              // computed when clipping, under `float`, `double`, `bits`
+    double farthest_off = 0;                      // of them, from the exact one, in pixels
     std::array<std::uint64_t, filter_stage_names.size()> decided_by{};  // under `filtered`: how many at each stage
     std::uint64_t wrong_pixels = 0;                                     // against the picture rule
 
@@ -31,10 +33,15 @@ struct CheckReport {
     bool found_something() const;
 };
 
+/// What the scene should show.
+Picture right_picture(const Scene& scene);
+
 /// Runs the request's scene. Under `filtered`, `grid` and `exact` the decisions are compared with those of a run under
-/// `exact`, until they part. The pixels are those that `meant` should show: the same scene, or what it was before it was
-/// snapped.
-CheckReport check_run(const RunRequest& request, const Scene& meant);
+/// `exact`, until they part. The pixels are held against the right picture: of the same scene, or of what it was before it
+/// was snapped. `hear` is told every step.
+CheckReport check_run(
+    const RunRequest& request, const Picture& right,
+    const std::function<void(const Event&)>& hear = [](const auto&) {});
 
 /// The same run told to the request's writer: each decision with its truth, each wrong one followed by `disagree`.
 Picture trace_checked(const RunRequest& request);

@@ -70,6 +70,8 @@ public:
         return found;
     }
 
+    Number to_store(const Number& z) const { return {machine().to_store(z.value), z.exact, z.judge}; }
+
     Depth depth(const typename Base::Plane& plane, const auto& point) const { return *Base::depth(plane, point); }
     Depth depth_of(const Number& z) const { return z; }
     Depth farthest() const { return {}; }

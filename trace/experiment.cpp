@@ -119,7 +119,7 @@ Tally with_pixels(Tally tally, std::size_t pixels, std::size_t wrong_pixels) {
 }
 
 Tally look_at_decisions(const RunRequest& request) {
-    const CheckReport report = check_run(request, request.scene);
+    const CheckReport report = check_run(request, right_picture(request.scene));
     const Area& area = request.scene.area;
     Tally tally = with_pixels({}, std::size_t(area.width) * std::size_t(area.height), report.wrong_pixels);
     for (const auto& each : report.procedures) {
@@ -220,7 +220,7 @@ Tallies try_out(const Experiment& experiment, const Series& series, const std::v
     const Pictures right = right_of(series);
     Tallies tallies;
     for (const auto& kernel : kernels) {
-        const bool snaps = kernel.choice->name == Grid::name;
+        const bool snaps = kernel.snaps();
         const Series own = snaps ? snapped(series, kernel.parameter) : series;
         const Pictures own_right = snaps ? right_of(own) : right;
         for (const Method method : methods) {

@@ -3,6 +3,7 @@
 
 #include "run.h"
 #include "vidno/kernels/bits.h"
+#include "vidno/kernels/depth_bits.h"
 #include "vidno/kernels/filtered.h"
 #include "vidno/kernels/machine.h"
 
@@ -14,6 +15,7 @@ auto with_kernel(const NamedKernel& named, auto&& use) {
     if (is(Float::name)) return use(Float{});
     if (is(Double::name)) return use(Double{});
     if (is(Bits::name)) return use(Bits(named.parameter));
+    if (is(DepthBits::name)) return use(DepthBits(named.parameter));
     if (is(Filtered::name)) return use(Filtered{});
     if (is(Grid::name)) return use(Grid(named.parameter));
     assert(is(Exact::name));

@@ -154,11 +154,7 @@ private:
         const int most = std::countr_zero(unsigned(covering_square(scene_.area).width));
         const auto picture_at = [&](int level) {
             progress_();
-            Picture picture(least_.area, least_.background);
-            Run<Corrected, Filtered, NoTrace> run(least_, Filtered{}, {}, picture);
-            run.smallest_window = std::ldexp(1, most - level);
-            Corrected::warnock(run);
-            return picture;
+            return render(Method::warnock, least_, Filtered{}, NoTrace{}, std::ldexp(1, most - level));
         };
         const Knob knob = turned_down(most, 0, picture_at, right_);
         tell("levels of subdivision", of(std::size_t(knob.needed), std::size_t(most)),

@@ -8,6 +8,7 @@
 
 #include "trace_writer.h"
 #include "vidno/kernels/bits.h"
+#include "vidno/kernels/depth_bits.h"
 #include "vidno/kernels/grid.h"
 
 namespace vidno {
@@ -20,6 +21,7 @@ using RunKernel = Picture (*)(const RunRequest&);
 Picture run_float(const RunRequest&);
 Picture run_double(const RunRequest&);
 Picture run_bits(const RunRequest&);
+Picture run_depth(const RunRequest&);     // zbuffer only
 Picture run_filtered(const RunRequest&);  // the corrected edition only
 Picture run_grid(const RunRequest&);      // the corrected edition only, of a snapped scene (snapped_scene.h)
 Picture run_exact(const RunRequest&);
@@ -37,6 +39,11 @@ struct KernelChoice {
     RunKernel run;
     bool runs_printed = true;
     std::optional<Parameter> parameter{};
+    bool runs_warnock = true;
+
+    bool runs(Method method, bool printed) const {
+        return (runs_warnock || method != Method::warnock) && (runs_printed || !printed);
+    }
 };
 
 inline constexpr std::array kernel_choices{
@@ -47,6 +54,12 @@ inline constexpr std::array kernel_choices{
                  run_bits,
                  true,
                  {{'P', fewest_bits, most_bits}}},
+    KernelChoice{"depth",
+                 "binary64, and a Z-buffer of B bits; zbuffer only",
+                 run_depth,
+                 true,
+                 {{'B', fewest_depth_bits, most_depth_bits}},
+                 false},
     KernelChoice{"filtered",
                  "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
                  run_filtered, false},
@@ -65,6 +78,7 @@ struct NamedKernel {
     int parameter = 0;  // if the choice has one
 
     std::string name() const;
+    bool snaps() const { return choice->run == run_grid; }  // takes a scene that was snapped
     /// Whether a wrong decision or pixel would be an error of the program.
     bool is_always_right() const { return choice->run == run_exact || !choice->runs_printed; }
 };
@@ -82,6 +96,7 @@ struct RunRequest {
     const Scene& scene;
     Detail detail = Detail::windows;
     TraceWriter* writer = nullptr;           // none: no trace
+    double smallest_window = 1;              // of Warnock's algorithm, the side; a trace does not say it
     std::function<void()> progress = [] {};  // without a trace, called at each window or polygon; checked, at each step
 };
 

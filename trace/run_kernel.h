@@ -17,9 +17,12 @@ struct Pacer : NoTrace {
 
 template <class Set, Kernel K>
 Picture run_set(const RunRequest& request, K kernel) {
-    if (!request.writer) return render<Set>(request.method, request.scene, kernel, Pacer{{}, request.progress});
+    const auto told_to = [&](auto trace) {
+        return render<Set>(request.method, request.scene, kernel, trace, request.smallest_window);
+    };
+    if (!request.writer) return told_to(Pacer{{}, request.progress});
     Recording<TraceWriter> recording{request.detail, *request.writer};
-    return render<Set>(request.method, request.scene, kernel, Recorder<K, TraceWriter>(recording));
+    return told_to(Recorder<K, TraceWriter>(recording));
 }
 
 template <Kernel K>

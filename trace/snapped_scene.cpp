@@ -45,14 +45,15 @@ SnappedScene snapped_scene(const Scene& scene, int bits) {
         throw Refused("the scene is too wide for a grid of 1/2^" + std::to_string(bits) + " pixel; " +
                       (finest > 0 ? "grid:" + std::to_string(finest) + " is the finest that fits" : "none fits"));
     }
-    SnappedScene snapped{scene, {}};
+    SnappedScene snapped{scene, {}, {}};
     snapped.scene.polygons.clear();
     std::unordered_set<std::string> ids;
     for (const auto& polygon : scene.polygons) ids.insert(polygon.id);
     PartIds part_ids(std::move(ids));
-    for (const auto& polygon : scene.polygons) {
-        auto parts = vidno::snapped(polygon, {bits}, snapped.snapping);
+    for (std::size_t i = 0; i < scene.polygons.size(); ++i) {
+        auto parts = vidno::snapped(scene.polygons[i], {bits}, snapped.snapping);
         part_ids.name(parts);
+        snapped.sources.insert(snapped.sources.end(), parts.size(), i);
         std::move(parts.begin(), parts.end(), std::back_inserter(snapped.scene.polygons));
     }
     if (snapped.scene.polygons.size() > most_polygons) throw Refused("more than 2^20 polygons, cut for the grid");

@@ -8,7 +8,8 @@
 namespace vidno {
 
 struct SnappedScene {
-    Scene scene;  // the triangles that a polygon was cut into have its id and a number
+    Scene scene;                       // the triangles that a polygon was cut into have its id and a number
+    std::vector<std::size_t> sources;  // of each polygon, which it was
     Snapping snapping;
 
     /// In words, "moved 5 of 12 vertices, ..."; empty if nothing changed.

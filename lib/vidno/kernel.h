@@ -91,9 +91,13 @@ concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typ
     { kernel.farthest() } -> std::same_as<typename K::Depth>;
     { kernel.nearer(depth, depth, point) } -> std::same_as<bool>;
 
-    // A depth interpolated between vertices: a plane's at a pixel, stepped along the row, compared with what a cell holds.
-    { kernel.nearer(kernel.to_step(interpolated, plane, Pixel{}), depths.row(0)[0], Pixel{}) } -> std::same_as<bool>;
-    depths.row(0)[0] = kernel.to_step(interpolated, plane, Pixel{});
+    // A depth interpolated between vertices: a plane's at a pixel, stepped along the row; and as a cell of the Z-buffer
+    // holds it, which is compared.
+    requires requires(decltype(kernel.to_step(interpolated, plane, Pixel{})) stepped) {
+        { kernel.nearer(kernel.to_store(stepped), depths.row(0)[0], Pixel{}) } -> std::same_as<bool>;
+        depths.row(0)[0] = kernel.to_store(stepped);
+        stepped += interpolated;
+    };
 
     // A polygon's box against a window: apart, and strictly inside.
     { kernel.outside(box, window) } -> std::same_as<bool>;

@@ -51,12 +51,12 @@ int check(const CheckOptions& options) {
     run.kernel = options.kernel.value_or(run.kernel);
     run.edition = options.edition.value_or(run.edition);
     const NamedKernel kernel = *kernel_named(run.kernel);
-    expect_edition(kernel, run.edition);
+    expect_run(kernel, std::string(method_names[std::size_t(run.method)]), run.edition);
     const Scene scene = scene_for(kernel, run.scene, options.input);
     RunRequest request{run.method, kernel, run.edition == "printed", scene};
     Progress progress("steps");
     request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };
-    const CheckReport report = check_run(request, run.scene);
+    const CheckReport report = check_run(request, right_picture(run.scene));
     progress.clear();
     print(report, scene.area);
     return report.found_something() ? 1 : 0;

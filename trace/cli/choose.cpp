@@ -1,4 +1,4 @@
-#include <chrono>
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 
@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "progress.h"
 #include "snapped_scene.h"
+#include "timing.h"
 
 namespace vidno::cli {
 
@@ -16,14 +17,9 @@ struct Candidate {
     NamedKernel kernel;
     Scene scene;  // as the kernel runs it
     std::size_t wrong_pixels = 0;
-    std::vector<double> seconds;
+    double seconds = 0;
 
     RunRequest request() const { return {method, kernel, false, scene}; }
-    double median() const {
-        auto sorted = seconds;
-        std::sort(sorted.begin(), sorted.end());
-        return sorted[sorted.size() / 2];
-    }
 };
 
 /// Both methods under each kernel that is cheaper than exact rationals and takes the scene.
@@ -34,25 +30,11 @@ std::vector<Candidate> candidates_for(const Scene& scene) {
     std::vector<Candidate> candidates;
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         for (const std::string name : {"float", "double", "filtered"}) {
-            candidates.push_back({method, *kernel_named(name), scene, 0, {}});
+            candidates.push_back({method, *kernel_named(name), scene});
         }
-        if (on_grid) candidates.push_back({method, grid, *on_grid, 0, {}});
+        if (on_grid) candidates.push_back({method, grid, *on_grid});
     }
     return candidates;
-}
-
-/// A picture's time, of enough pictures for the clock.
-double seconds_of(const RunRequest& request) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
-    std::chrono::duration<double> taken{};
-    int pictures = 0;
-    do {
-        run(request);
-        ++pictures;
-        taken = Clock::now() - start;
-    } while (taken.count() < 0.002);
-    return taken.count() / pictures;
 }
 
 std::string name_of(const Candidate& candidate) {
@@ -68,7 +50,8 @@ std::uint64_t sum_of(const auto& counts) {
 /// Why the picture is known to be right: the run under `filtered`, with each decision held against exact arithmetic. False
 /// if one was not confirmed.
 bool print_certificate(const Candidate& chosen, const Scene& scene) {
-    const CheckReport certain = check_run({chosen.method, *kernel_named("filtered"), false, scene}, scene);
+    const RunRequest filtered{chosen.method, *kernel_named("filtered"), false, scene};
+    const CheckReport certain = check_run(filtered, right_picture(scene));
     const auto& by = certain.decided_by;
     std::cout << "certificate: its picture is that of " << method_names[std::size_t(chosen.method)]
               << " under filtered, which made " << sum_of(by) << " comparisons;\n  coordinates as given decided "
@@ -86,18 +69,17 @@ int choose(const ChooseOptions& options) {
     const Scene scene = scene_from(options.scene);
     auto candidates = candidates_for(scene);
     const Picture right = run({Method::zbuffer, *kernel_named("filtered"), false, scene});
-    Progress progress("runs");
-    unsigned long long runs = 0;
-    for (auto& candidate : candidates) candidate.wrong_pixels = different_pixels(run(candidate.request()), right);
-    for (int round = 0; round < 5; ++round) {
-        for (auto& candidate : candidates) {
-            candidate.seconds.push_back(seconds_of(candidate.request()));
-            progress.show(++runs);
-        }
+    std::vector<RunRequest> requests;
+    for (auto& candidate : candidates) {
+        candidate.wrong_pixels = different_pixels(run(candidate.request()), right);
+        requests.push_back(candidate.request());
     }
+    Progress progress("runs");
+    const auto seconds = median_seconds(requests, 5, [&, runs = 0ULL]() mutable { progress.show(++runs); });
     progress.clear();
+    for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].seconds = seconds[i];
 
-    const auto cheaper = [](const auto& a, const auto& b) { return a.median() < b.median(); };
+    const auto cheaper = [](const auto& a, const auto& b) { return a.seconds < b.seconds; };
     std::stable_sort(candidates.begin(), candidates.end(), cheaper);
     const auto is_right = [](const auto& candidate) { return candidate.wrong_pixels == 0; };
     const Candidate& chosen = *std::find_if(candidates.begin(), candidates.end(), is_right);  // `filtered` always is
@@ -105,8 +87,7 @@ int choose(const ChooseOptions& options) {
     for (const auto& candidate : candidates) {
         std::cout << std::left << std::setw(10) << method_names[std::size_t(candidate.method)] << std::setw(10)
                   << candidate.kernel.name() << std::right << std::setw(6)
-                  << candidate.median() / candidates.front().median() << std::setw(14) << candidate.wrong_pixels
-                  << '\n';
+                  << candidate.seconds / candidates.front().seconds << std::setw(14) << candidate.wrong_pixels << '\n';
     }
     std::cout << "choose " << name_of(chosen) << '\n';
     return print_certificate(chosen, scene) ? 0 : 1;

@@ -49,6 +49,12 @@ struct MapOptions {
     std::string kernel = "double";
 };
 
+struct ChartOptions {
+    std::vector<std::string> scenes;
+    std::string output;
+    std::string cost = "time", error = "wrongPixels";  // of the figure
+};
+
 struct ReplayOptions {
     std::string trace, output;
     std::optional<std::uint64_t> step;
@@ -75,10 +81,10 @@ std::string stability_footer();
 /// The options of `import` that say who looks at the mesh from where.
 void add_camera_options(CLI::App& command, ImportOptions& import);
 
-/// Refuses an edition that the kernel does not run.
-void expect_edition(const NamedKernel& kernel, const std::string& edition);
+/// Refuses a method or an edition that the kernel does not run.
+void expect_run(const NamedKernel& kernel, const std::string& method, const std::string& edition);
 
-/// The kernel of the options, if it runs their edition.
+/// The kernel of the options, if it runs their method and edition.
 NamedKernel kernel_of(const RunOptions& options);
 
 /// The scene of a file; warnings go to standard error.
@@ -99,6 +105,7 @@ int shrink(const ShrinkOptions& options);
 int need(const NeedOptions& options);
 int choose(const ChooseOptions& options);
 int map(const MapOptions& options);
+int chart(const ChartOptions& options);
 int replay(const ReplayOptions& options);
 int diff(const DiffOptions& options);
 int import(const MeshOptions& options);

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "chart.h"
 #include "commands.h"
 #include "refused.h"
 
@@ -12,6 +13,12 @@ using namespace vidno;
 using namespace vidno::cli;
 
 std::vector<std::string> words(const auto& names) { return {names.begin(), names.end()}; }
+
+std::vector<std::string> names_of(const auto& axes) {
+    std::vector<std::string> names;
+    for (const auto& axis : axes) names.emplace_back(axis.name);
+    return names;
+}
 
 const CLI::Validator a_kernel(
     [](const std::string& name) { return kernel_named(name) ? "" : name + " is not one of " + kernel_names(); },
@@ -116,6 +123,25 @@ CLI::App& add_map(CLI::App& app, MapOptions& options) {
     return command;
 }
 
+CLI::App& add_chart(CLI::App& app, ChartOptions& options) {
+    auto& command =
+        *app.add_subcommand("chart", "Chart what accuracy costs: every method, kernel and edition, and knobs");
+    command.add_option("SCENE", options.scenes, "Scene files, vidno-scene/1")->required();
+    command.add_option("--cost", options.cost, "What .svg has from left to right")
+        ->check(CLI::IsMember(names_of(cost_axes)))
+        ->capture_default_str();
+    command.add_option("--error", options.error, "And from below")
+        ->check(CLI::IsMember(names_of(error_axes)))
+        ->capture_default_str();
+    command.add_option("-o", options.output, "The chart, .json, .csv, .svg (by gnuplot) or .html (a page)")->required();
+    command.footer(
+        "Knobs: bits of arithmetic, bits of the Z-buffer, bits of the grid, smallest window. Times are medians of "
+        "five\n"
+        "interleaved runs, relative to the fastest; operations repeat exactly.\n"
+        "Example: vidno chart lessons/charts/*.json -o chart.html");
+    return command;
+}
+
 CLI::App& add_replay(CLI::App& app, ReplayOptions& options) {
     auto& command = *app.add_subcommand("replay", "Rebuild the picture from the events of a trace alone");
     command.add_option("TRACE", options.trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
@@ -190,6 +216,7 @@ int main(int argc, char** argv) {
     NeedOptions needed;
     ChooseOptions choosing;
     MapOptions mapped;
+    ChartOptions charted;
     ReplayOptions replayed;
     DiffOptions compared;
     MeshOptions mesh;
@@ -202,6 +229,7 @@ int main(int argc, char** argv) {
     add_need(app, needed).callback([&] { status = need(needed); });
     add_choose(app, choosing).callback([&] { status = choose(choosing); });
     add_map(app, mapped).callback([&] { status = map(mapped); });
+    add_chart(app, charted).callback([&] { status = chart(charted); });
     add_replay(app, replayed).callback([&] { status = replay(replayed); });
     add_diff(app, compared).callback([&] { status = diff(compared); });
     add_import(app, mesh).callback([&] { status = import(mesh); });

@@ -37,7 +37,7 @@ int map(const MapOptions& options) {
     const std::string& output = options.output;
     if (output == "-") throw Refused("-: the table goes to standard output, the map to a .png, .ppm or .json file");
     const NamedKernel kernel = *kernel_named(options.kernel);
-    if (kernel.choice->name == Grid::name) throw Refused("--kernel grid: the places of a map lie on no grid");
+    if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
     const Question question = read_question(read_file(options.question), options.question);
     const SignMap drawn = sign_map(question, kernel);
     if (!output.empty()) {

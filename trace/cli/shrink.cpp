@@ -24,7 +24,7 @@ public:
 
     RunRequest request(const Scene& scene) const { return {method_, kernel_, printed_, scene, Detail::signs}; }
     Picture picture(const Scene& scene) const { return run(request(scene)); }
-    CheckReport check(const Scene& scene) const { return check_run(request(scene), scene); }
+    CheckReport check(const Scene& scene) const { return check_run(request(scene), right_picture(scene)); }
 
     bool wrong_picture(const Scene& scene) const {
         return picture(scene) != run({Method::zbuffer, *kernel_named("filtered"), false, scene});

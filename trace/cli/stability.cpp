@@ -41,8 +41,12 @@ Campaign with_defaults(Campaign campaign) {
         for (const auto& family : families) campaign.families.emplace_back(family.name);
     }
     if (campaign.kernels.empty()) campaign.kernels = {"float", "double", "filtered"};
-    for (auto& kernel : campaign.kernels) kernel = kernel_named(kernel)->name();
     if (campaign.methods.empty()) campaign.methods.assign(method_names.begin(), method_names.end());
+    for (auto& kernel : campaign.kernels) {
+        const NamedKernel named = *kernel_named(kernel);
+        for (const auto& method : campaign.methods) expect_run(named, method, "corrected");
+        kernel = named.name();
+    }
     return campaign;
 }
 

@@ -11,15 +11,18 @@
 
 namespace vidno::cli {
 
-void expect_edition(const NamedKernel& kernel, const std::string& edition) {
-    if (edition == "corrected" || kernel.choice->runs_printed) return;
-    throw Refused("--edition " + edition + ": not under --kernel " + kernel.name() +
-                  ", whose decisions are always right");
+void expect_run(const NamedKernel& kernel, const std::string& method, const std::string& edition) {
+    if (method == "warnock" && !kernel.choice->runs_warnock) {
+        throw Refused("--method warnock: not under --kernel " + kernel.name() + ", for it has no Z-buffer");
+    }
+    if (edition == "printed" && !kernel.choice->runs_printed) {
+        throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
+    }
 }
 
 NamedKernel kernel_of(const RunOptions& options) {
     const NamedKernel kernel = *kernel_named(options.kernel);
-    expect_edition(kernel, options.edition);
+    expect_run(kernel, options.method, options.edition);
     return kernel;
 }
 
@@ -33,7 +36,7 @@ Scene scene_from(const std::string& file) {
 }
 
 Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file) {
-    if (kernel.choice->name != Grid::name) return scene;
+    if (!kernel.snaps()) return scene;
     try {
         SnappedScene snapped = snapped_scene(scene, kernel.parameter);
         const std::string change = snapped.change();

@@ -67,6 +67,7 @@ struct NumberKernel : Entry {
     }
 
     T to_step(const T& z, const Plane&, Pixel) const { return z; }
+    const T& to_store(const T& z) const { return z; }
 
     Depth farthest() const {
         if constexpr (has_infinity) {

@@ -97,6 +97,7 @@ public:
     }
 
     Stepped to_step(double, const Plane& plane, Pixel from) const { return {plane, from}; }
+    const Stepped& to_store(const Stepped& z) const { return z; }
 
     /// By the cell alone if its bound allows it.
     bool nearer(const Stepped& z, const auto& cell, Pixel at) const {

@@ -69,9 +69,10 @@ private:
             return;
         }
         auto& stored = run.depth_buffer.at(x, y);
-        const auto depth = run.kernel.depth_of(z);
+        const auto kept = run.kernel.to_store(z);
+        const auto depth = run.kernel.depth_of(kept);
         const bool shown = stored <= depth && z <= 1;
-        run.trace.pixel(Line::L6, x, y, z, stored, shown);
+        run.trace.pixel(Line::L6, x, y, kept, stored, shown);
         if (!shown) return;
         stored = depth;
         run.picture.paint(x, y, color);

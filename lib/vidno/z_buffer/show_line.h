@@ -36,10 +36,11 @@ struct ShowLine {
         const Color color = polygon.color;
         for (; x < end; ++x, z += dz) {
             auto&& stored = depths[x];
-            const bool nearer = kernel.nearer(z, stored, Pixel{x, row});
-            trace.pixel(L6, x, row, z, stored, nearer);
+            const auto& depth = kernel.to_store(z);
+            const bool nearer = kernel.nearer(depth, stored, Pixel{x, row});
+            trace.pixel(L6, x, row, depth, stored, nearer);
             if (!nearer) continue;
-            stored = z;
+            stored = depth;
             pixels[x] = color;
         }
     }

@@ -120,7 +120,7 @@ function marks(shown: Shown, layout: Layout): readonly Markish[] {
       fontSize: font * 0.9,
       fill: 'var(--ink)',
       stroke: 'var(--panel)',
-      strokeWidth: 4,
+      strokeWidth: 7,
     }),
   ];
 }

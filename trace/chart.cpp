@@ -1,0 +1,183 @@
+#include "chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "snapped_scene.h"
+#include "timing.h"
+#include "vidno/kernels/depth_bits.h"
+#include "vidno/kernels/machine.h"
+
+namespace vidno {
+
+const std::array<CostAxis, 3> cost_axes{{
+    {"time", [](const ChartRun& run) { return std::optional(run.cost.time); }},
+    {"operations", [](const ChartRun& run) { return std::optional(run.cost.operations); }},
+    {"bits", [](const ChartRun& run) { return run.cost.bits; }},
+}};
+
+const std::array<ErrorAxis, 4> error_axes{{
+    {"wrongPixels", [](const ChartRun& run) { return double(run.found.wrong_pixels); }},
+    {"area", [](const ChartRun& run) { return run.found.area; }},
+    {"wrongDecisions",
+     [](const ChartRun& run) {
+         return run.found.decisions == 0 ? 0 : double(run.found.wrong_decisions) / double(run.found.decisions);
+     }},
+    {"depthUlps", [](const ChartRun& run) { return run.found.depth_ulps; }},
+}};
+
+namespace {
+
+// ------------------------------------------------------------------------------------- ways
+
+std::vector<Way> fixed_ways(Method method) {
+    std::vector<Way> ways;
+    for (const auto& choice : kernel_choices) {
+        if (choice.parameter) continue;
+        for (const bool printed : {false, true}) {
+            if (choice.runs(method, printed)) ways.push_back({method, {&choice}, printed});
+        }
+    }
+    return ways;
+}
+
+/// A kernel's parameter from the least on.
+std::vector<Way> turned(Method method, Knob knob, std::string_view kernel, int most) {
+    std::vector<Way> ways;
+    const auto& choice = *std::find_if(kernel_choices.begin(), kernel_choices.end(),
+                                       [&](const auto& each) { return each.name == kernel; });
+    for (int value = choice.parameter->least; value <= most; ++value) {
+        ways.push_back({method, {&choice, value}, false, 1, knob, value});
+    }
+    return ways;
+}
+
+std::vector<Way> larger_windows(const Scene& scene) {
+    std::vector<Way> ways;
+    const auto largest = int(covering_square(scene.area).width);
+    for (int side = 2; side <= largest; side *= 2) {
+        ways.push_back({Method::warnock, *kernel_named("double"), false, side, Knob::window, side});
+    }
+    return ways;
+}
+
+int finest_grid_of(const Scene& scene) {
+    int bits = finest_grid;
+    while (bits > 0 && !fits_grid(scene, bits)) --bits;
+    return bits;
+}
+
+// ------------------------------------------------------------------------------------- cost
+
+/// The bits of a kernel's numbers, if they have one width; x and y of a grid are whole numbers.
+std::optional<int> bits_of(const NamedKernel& kernel, const Scene& scene) {
+    const auto name = kernel.choice->name;
+    if (name == Float::name) return std::numeric_limits<float>::digits;
+    if (name == Double::name || name == DepthBits::name) return std::numeric_limits<double>::digits;
+    if (name == Bits::name) return kernel.parameter;
+    if (kernel.snaps()) return std::ilogb(std::ldexp(farthest_out(scene), kernel.parameter)) + 1;
+    return std::nullopt;
+}
+
+Cost cost_of(const Way& way, const Scene& scene, const OperationCounts& counts) {
+    Cost cost;
+    cost.operations = double(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+    if (const auto bits = bits_of(way.kernel, scene)) {
+        const auto comparisons = double(counts[std::size_t(Operation::comparisons)]);
+        const int stored = way.knob == Knob::depth ? way.value : *bits;
+        cost.bits = (cost.operations - comparisons) * *bits + comparisons * stored;
+    }
+    return cost;
+}
+
+// ------------------------------------------------------------------------------------- fronts
+
+/// The runs to which none is preferred: one that is better in one of both and as good in the other, or an equal one that
+/// comes before. A run that a fault ended paints no picture that could be.
+void mark_front(std::vector<ChartRun>& runs, std::size_t cost, std::size_t error) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (runs[i].found.complete && cost_axes[cost].of(runs[i])) order.push_back(i);
+    }
+    const auto place = [&](std::size_t i) {
+        return std::tuple(*cost_axes[cost].of(runs[i]), error_axes[error].of(runs[i]), i);
+    };
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return place(i) < place(j); });
+    std::optional<double> least_error;
+    for (const std::size_t i : order) {
+        const double own_error = error_axes[error].of(runs[i]);
+        if (least_error && own_error >= *least_error) continue;
+        least_error = own_error;
+        runs[i].on_front[cost][error] = true;
+    }
+}
+
+// ------------------------------------------------------------------------------------- scenes
+
+/// A scene as the kernels run it.
+class Stage {
+public:
+    explicit Stage(const Scene& scene) : as_it_is_{scene, std::vector<std::size_t>(scene.polygons.size()), {}} {
+        std::iota(as_it_is_.sources.begin(), as_it_is_.sources.end(), std::size_t{0});
+    }
+
+    const SnappedScene& scene_for(const NamedKernel& kernel) {
+        if (!kernel.snaps()) return as_it_is_;
+        const auto known = snapped_.find(kernel.parameter);
+        if (known != snapped_.end()) return known->second;
+        return snapped_.emplace(kernel.parameter, snapped_scene(as_it_is_.scene, kernel.parameter)).first->second;
+    }
+
+private:
+    SnappedScene as_it_is_;
+    std::map<int, SnappedScene> snapped_;  // by the bits of the grid
+};
+
+}  // namespace
+
+std::vector<Way> ways_to_draw(const Scene& scene) {
+    std::vector<Way> ways;
+    const auto add = [&](const std::vector<Way>& more) { ways.insert(ways.end(), more.begin(), more.end()); };
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        add(fixed_ways(method));
+        add(turned(method, Knob::bits, Bits::name, most_bits));
+        add(turned(method, Knob::grid, Grid::name, finest_grid_of(scene)));
+    }
+    add(turned(Method::zbuffer, Knob::depth, DepthBits::name, most_depth_bits));
+    add(larger_windows(scene));
+    return ways;
+}
+
+std::size_t turns_of(const Scene& scene) { return ways_to_draw(scene).size() * (1 + chart_rounds); }
+
+SceneChart chart_of(const Scene& scene, const std::function<void()>& progress) {
+    Stage stage(scene);
+    const Examiner examiner(scene);
+    SceneChart chart{scene.name, examiner.unsteady_pixels(), examiner.pixels(), scene.polygons.size(),
+                     examiner.area_of_pixels()};
+    std::vector<RunRequest> requests;
+    for (const Way& way : ways_to_draw(scene)) {
+        const SnappedScene& as_run = stage.scene_for(way.kernel);
+        RunRequest request{way.method, way.kernel, way.printed, as_run.scene};
+        request.smallest_window = way.smallest_window;
+        const Findings found = examiner.examine(request, as_run.sources);
+        chart.runs.push_back({way, cost_of(way, scene, found.operations), found});
+        requests.push_back(std::move(request));
+        progress();
+    }
+    const auto seconds = median_seconds(requests, chart_rounds, progress);
+    const double fastest = *std::min_element(seconds.begin(), seconds.end());
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+        chart.runs[i].cost.seconds = seconds[i];
+        chart.runs[i].cost.time = seconds[i] / fastest;
+    }
+    for (std::size_t cost = 0; cost < cost_axes.size(); ++cost) {
+        for (std::size_t error = 0; error < error_axes.size(); ++error) mark_front(chart.runs, cost, error);
+    }
+    return chart;
+}
+
+}  // namespace vidno

@@ -1,0 +1,79 @@
+/// Chart: what each way to draw a scene costs, and how wrong it is. CHART.md says what the numbers mean.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "examiner.h"
+
+namespace vidno {
+
+/// What is turned down in a run; in one of a kernel and an edition as they are, nothing.
+enum class Knob : unsigned char { bits, depth, grid, window };
+inline constexpr std::array<std::string_view, 4> knob_names{"bits", "depth", "grid", "window"};
+
+/// A way to draw a scene.
+struct Way {
+    Method method;
+    NamedKernel kernel;
+    bool printed = false;
+    int smallest_window = 1;
+    std::optional<Knob> knob{};
+    int value = 0;  // how far it is turned
+};
+
+struct Cost {
+    double seconds = 0;  // of a picture without a trace
+    double time = 0;     // relative to the scene's fastest run
+    double operations = 0;
+    std::optional<double> bits{};  // operations by the bits of their numbers
+};
+
+struct ChartRun {
+    Way way;
+    Cost cost;
+    Findings found;
+    std::array<std::array<bool, 4>, 3> on_front{};  // by the places of cost_axes and error_axes
+};
+
+/// By the names under which they are written.
+struct CostAxis {
+    std::string_view name;
+    std::optional<double> (*of)(const ChartRun&);
+};
+struct ErrorAxis {
+    std::string_view name;
+    double (*of)(const ChartRun&);  // of decisions the share: not every run takes as many
+};
+extern const std::array<CostAxis, 3> cost_axes;
+extern const std::array<ErrorAxis, 4> error_axes;
+
+struct SceneChart {
+    std::string name;
+    std::size_t unsteady = 0;  // pixels that an ulp can change
+    std::size_t pixels = 0, polygons = 0;
+    double area = 0;  // by which the right picture differs from the visible regions, in pixels
+    std::vector<ChartRun> runs{};
+
+    bool degenerate() const { return unsteady > 0; }
+};
+
+/// Each method under each kernel in each edition, and each knob at each place.
+std::vector<Way> ways_to_draw(const Scene& scene);
+
+inline constexpr int chart_rounds = 5;
+inline constexpr int largest_charted_side = 512;  // of an area; the samples of a larger one would fill gigabytes
+
+/// How often a chart of the scene calls its `progress`.
+std::size_t turns_of(const Scene& scene);
+
+SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
+
+std::string chart_json(const std::vector<SceneChart>& scenes);
+std::string chart_csv(const std::vector<SceneChart>& scenes);
+
+/// The program by which gnuplot draws a panel a scene, ordinary ones first, as SVG. The axes are given by their places.
+std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error);
+
+}  // namespace vidno

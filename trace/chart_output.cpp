@@ -1,0 +1,133 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "chart.h"
+
+namespace vidno {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_infinite(double value) { return std::isfinite(value) ? Json(value) : Json("inf"); }
+
+Json counts_of(const OperationCounts& operations) {
+    Json counts = Json::object();
+    for (std::size_t i = 0; i < operations.size(); ++i) counts[std::string(operation_names[i])] = operations[i];
+    return counts;
+}
+
+Json fronts_of(const ChartRun& run) {
+    Json fronts = Json::object();
+    for (std::size_t cost = 0; cost < cost_axes.size(); ++cost) {
+        Json& errors = fronts[std::string(cost_axes[cost].name)] = Json::array();
+        for (std::size_t error = 0; error < error_axes.size(); ++error) {
+            if (run.on_front[cost][error]) errors.push_back(error_axes[error].name);
+        }
+    }
+    return fronts;
+}
+
+Json json_of(const ChartRun& run) {
+    const auto& [way, cost, found, on_front] = run;
+    return {{"method", method_names[std::size_t(way.method)]},
+            {"kernel", way.kernel.name()},
+            {"edition", way.printed ? "printed" : "corrected"},
+            {"window", way.smallest_window},
+            {"knob", way.knob ? Json(knob_names[std::size_t(*way.knob)]) : Json()},
+            {"value", way.knob ? Json(way.value) : Json()},
+            {"complete", found.complete},
+            {"seconds", cost.seconds},
+            {"time", cost.time},
+            {"operations", std::uint64_t(cost.operations)},
+            {"bits", cost.bits ? Json(std::uint64_t(*cost.bits)) : Json()},
+            {"counts", counts_of(found.operations)},
+            {"wrongPixels", found.wrong_pixels},
+            {"area", found.area},
+            {"decisions", found.decisions},
+            {"wrongDecisions", found.wrong_decisions},
+            {"depthUlps", number_or_infinite(found.depth_ulps)},
+            {"front", fronts_of(run)}};
+}
+
+Json head_of(const SceneChart& scene) {
+    return {{"name", scene.name},         {"kind", scene.degenerate() ? "degenerate" : "ordinary"},
+            {"unsteady", scene.unsteady}, {"pixels", scene.pixels},
+            {"polygons", scene.polygons}, {"area", scene.area}};
+}
+
+/// Items on lines of their own, in brackets.
+std::string listed(const auto& items, const auto& text_of) {
+    std::string text;
+    for (const auto& item : items) text += (text.empty() ? "\n" : ",\n") + text_of(item);
+    return "[" + text + "]";
+}
+
+/// As the value of a key that is added last.
+std::string with(Json object, const std::string& key, const std::string& value) {
+    std::string text = object.dump();
+    text.back() = ',';
+    return text + Json(key).dump() + ":" + value + "}";
+}
+
+// ------------------------------------------------------------------------------------- CSV, RFC 4180
+
+std::string in_quotes(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string cell_of(const Json& value) {
+    if (value.is_null()) return "";
+    if (value.is_string()) return in_quotes(value.get<std::string>());
+    if (!value.is_array()) return value.dump();
+    std::string words;
+    for (const auto& word : value) words += (words.empty() ? "" : " ") + word.get<std::string>();
+    return in_quotes(words);
+}
+
+/// A run as flat columns: what is an object, as `key.inner`.
+std::vector<std::pair<std::string, std::string>> cells_of(const Json& object, const std::string& prefix = {}) {
+    std::vector<std::pair<std::string, std::string>> cells;
+    for (const auto& [key, value] : object.items()) {
+        if (value.is_object()) {
+            for (auto& inner : cells_of(value, prefix + key + ".")) cells.push_back(std::move(inner));
+        } else {
+            cells.emplace_back(prefix + key, cell_of(value));
+        }
+    }
+    return cells;
+}
+
+}  // namespace
+
+std::string chart_json(const std::vector<SceneChart>& scenes) {
+    const auto run_text = [](const ChartRun& run) { return json_of(run).dump(); };
+    const auto scene_text = [&](const SceneChart& scene) {
+        return with(head_of(scene), "runs", listed(scene.runs, run_text));
+    };
+    const Json head{{"format", "vidno-chart/1"}, {"rounds", chart_rounds}};
+    return with(head, "scenes", listed(scenes, scene_text)) + "\n";
+}
+
+std::string chart_csv(const std::vector<SceneChart>& scenes) {
+    std::string text;
+    for (const auto& scene : scenes) {
+        for (const auto& run : scene.runs) {
+            Json row;
+            row["scene"] = head_of(scene);
+            row.update(json_of(run));
+            std::string names, values;
+            for (const auto& [name, value] : cells_of(row)) {
+                names += (names.empty() ? "" : ",") + name;
+                values += (values.empty() ? "" : ",") + value;
+            }
+            if (text.empty()) text = names + "\r\n";
+            text += values + "\r\n";
+        }
+    }
+    return text;
+}
+
+}  // namespace vidno

@@ -1,0 +1,140 @@
+#include "examiner.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "families.h"
+#include "vidno/kernels/filtered.h"
+#include "vidno/vidno.h"
+
+namespace vidno {
+
+/// The depths of a scene's planes, exactly.
+class Examiner::Depths {
+public:
+    explicit Depths(const Scene& scene) : run_(scene, Exact{}, {}, not_painted_) {}
+
+    /// How far off a depth is, in ulps of a double of its size, but no finer than those of 1.
+    double ulps_off(std::size_t polygon, double x, double y, double z) const {
+        const Polygon<Exact>& of = run_.polygons[polygon];
+        if (of.edge_on) return 0;  // it has no depth
+        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return infinity;
+        const Rational right = *run_.kernel.depth(of.plane, Point<Rational>{x, y});
+        const double size = std::max(1.0, std::abs(CGAL::to_double(right)));
+        const double ulp = std::ldexp(std::numeric_limits<double>::epsilon(), std::ilogb(size));
+        return std::abs(CGAL::to_double(Rational(Rational(z) - right))) / ulp;
+    }
+
+private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    Picture not_painted_{{}, {}};
+    Run<Corrected, Exact, NoTrace> run_;
+};
+
+namespace {
+
+constexpr int samples_a_side = 8;  // of a pixel
+
+/// The colours of the samples: the picture of the scene made so many times as large.
+Picture samples_of(const Scene& scene) {
+    Scene large = scene;
+    for (int* length : {&large.area.x, &large.area.y, &large.area.width, &large.area.height}) *length *= samples_a_side;
+    for (auto& polygon : large.polygons) {
+        for (auto& vertex : polygon.vertices) {
+            vertex.x *= samples_a_side;
+            vertex.y *= samples_a_side;
+        }
+    }
+    return render(Method::zbuffer, large, Filtered{});
+}
+
+/// Which operation an event tells; of most, none.
+struct OperationOf {
+    using enum Operation;
+    using Found = std::optional<Operation>;
+
+    Found operator()(const event::Pop&) const { return windows; }
+    Found operator()(const event::Box&) const { return boxes; }
+    Found operator()(const event::Insider&) const { return boxes; }
+    Found operator()(const event::Depth&) const { return depths; }
+    Found operator()(const event::Orient&) const { return orientations; }
+    Found operator()(const event::ClipSign&) const { return orientations; }
+    Found operator()(const event::Compare&) const { return comparisons; }
+    Found operator()(const event::Pixel&) const { return comparisons; }
+    Found operator()(const event::ClipCross&) const { return intersections; }
+    Found operator()(const event::Row&) const { return rows; }
+    Found operator()(const event::ShownLine&) const { return rows; }
+    Found operator()(const event::AelAdd&) const { return edges; }
+    Found operator()(const event::AelStep&) const { return edges; }
+    Found operator()(const auto&) const { return std::nullopt; }
+};
+
+}  // namespace
+
+Examiner::Examiner(const Scene& scene)
+    : scene_(scene),
+      right_(right_picture(scene)),
+      samples_(samples_of(scene)),
+      depths_(std::make_unique<const Depths>(scene)) {}
+
+Examiner::~Examiner() = default;
+
+Findings Examiner::examine(const RunRequest& request, const std::vector<std::size_t>& sources) const {
+    Findings found;
+    PolygonPlace scanned;
+    const auto look_at_depth = [&](PolygonPlace polygon, const Value& x, const Value& y, const Value& z) {
+        if (z.fraction) return;  // exact
+        const auto source = sources[std::size_t(polygon.index)];
+        found.depth_ulps = std::max(found.depth_ulps, depths_->ulps_off(source, x.number, y.number, z.number));
+    };
+    const auto hear = [&](const Event& event) {
+        if (const auto operation = std::visit(OperationOf{}, event)) ++found.operations[std::size_t(*operation)];
+        if (const auto* fault = std::get_if<event::Fault>(&event)) found.complete = found.complete && fault->x;
+        if (const auto* polygon = std::get_if<event::Polygon>(&event)) scanned = polygon->polygon;
+        if (const auto* depth = std::get_if<event::Depth>(&event)) {
+            look_at_depth(depth->polygon, depth->point.x, depth->point.y, depth->z);
+        }
+        if (const auto* pixel = std::get_if<event::Pixel>(&event)) {
+            look_at_depth(scanned, pixel->x + 0.5, pixel->y + 0.5, pixel->z);
+        }
+    };
+    const CheckReport report = check_run(request, right_, hear);
+    found.wrong_pixels = report.wrong_pixels;
+    found.area = area_off(report.picture);
+    for (const auto& each : report.procedures) {
+        found.decisions += each.decisions - each.undefined;
+        found.wrong_decisions += each.wrong_for_scene;
+    }
+    return found;
+}
+
+double Examiner::area_off(const Picture& picture) const {
+    const Area& area = samples_.area();
+    std::size_t differing = 0;
+    for (int y = area.y; y < area.bottom(); ++y) {
+        for (int x = area.x; x < area.right(); ++x) {
+            const auto pixel_of = [](int sample) { return sample >> std::countr_zero(unsigned(samples_a_side)); };
+            differing += samples_.at(x, y) == picture.at(pixel_of(x), pixel_of(y)) ? 0 : 1;
+        }
+    }
+    return double(differing) / (samples_a_side * samples_a_side);
+}
+
+std::size_t Examiner::unsteady_pixels() const {
+    constexpr int trials = 16;
+    RandomPolygons random(std::mt19937(1));
+    std::vector<bool> changed(right_.pixels().size());
+    for (int trial = 0; trial < trials; ++trial) {
+        const Picture moved = render(Method::zbuffer, moved_by_ulps(scene_, 1, random), Filtered{});
+        for (std::size_t i = 0; i < changed.size(); ++i) {
+            changed[i] = changed[i] || moved.pixels()[i] != right_.pixels()[i];
+        }
+    }
+    return std::size_t(std::count(changed.begin(), changed.end(), true));
+}
+
+}  // namespace vidno
