@@ -185,9 +185,9 @@ private:
                     labels.push_back(mark);
                 }
             }
-            const std::string offset = series.method == Method::warnock ? "0,0.9" : "0,-0.9";
+            const std::string offset = series.method == Method::warnock ? "-0.6,0.9" : "-0.6,-0.9";
             for (const auto& [x, y, name] : labels) {
-                text += "set label " + in_quotes(name) + " at " + number(x) + "," + number(y) + " center offset " +
+                text += "set label " + in_quotes(name) + " at " + number(x) + "," + number(y) + " left offset " +
                         offset + " font ',13'\n";
             }
         }

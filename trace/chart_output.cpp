@@ -64,7 +64,7 @@ std::string listed(const auto& items, const auto& text_of) {
 }
 
 /// As the value of a key that is added last.
-std::string with(Json object, const std::string& key, const std::string& value) {
+std::string with(const Json& object, const std::string& key, const std::string& value) {
     std::string text = object.dump();
     text.back() = ',';
     return text + Json(key).dump() + ":" + value + "}";

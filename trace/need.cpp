@@ -108,23 +108,13 @@ private:
             }
         }
         const auto tell_places = [&](const std::string& what, int most, const auto& resolution) {
-            const auto picture_at = [&](int value) { return right_picture(on_grid(resolution(value))); };
+            const auto picture_at = [&](int value) { return right_picture(snapped(least_, resolution(value))); };
             const Knob knob = turned_down(most, 0, picture_at, right_);
             tell(what, of(std::size_t(knob.needed), std::size_t(most)),
                  with(std::to_string(knob.needed - 1), knob.one_lower));
         };
         tell_places("binary places of x and y", finest.xy, [](int value) { return Resolution{value, every_place}; });
         tell_places("binary places of z", finest.z, [](int value) { return Resolution{every_place, value}; });
-    }
-
-    Scene on_grid(Resolution resolution) const {
-        Scene scene = least_;
-        scene.polygons.clear();
-        Snapping snapping;
-        for (const auto& polygon : least_.polygons) {
-            for (auto& part : snapped(polygon, resolution, snapping)) scene.polygons.push_back(std::move(part));
-        }
-        return scene;
     }
 
     /// Of the significand: `bits:P`, or where 24 are not enough the 53 of `double`.

@@ -69,6 +69,15 @@ inline std::vector<ScenePolygon> snapped(const ScenePolygon& polygon, Resolution
     return parts;
 }
 
+/// Each polygon of the scene, or its triangles.
+inline Scene snapped(Scene scene, Resolution to) {
+    Snapping snapping;
+    for (const auto& polygon : std::exchange(scene.polygons, {})) {
+        for (auto& part : snapped(polygon, to, snapping)) scene.polygons.push_back(std::move(part));
+    }
+    return scene;
+}
+
 /// Is the scene, snapped, less than grid_width steps across? Wider ones the kernel's whole numbers do not hold.
 inline bool fits_grid(const Scene& scene, int bits) {
     const Window square = covering_square(scene.area);

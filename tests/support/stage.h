@@ -32,12 +32,7 @@ struct Grid8 : Grid {
 /// The scene as a kernel takes it: `grid` on its grid.
 template <class K>
 Scene scene_for(Scene scene) {
-    if constexpr (std::derived_from<K, Grid>) {
-        Snapping snapping;
-        for (auto& polygon : std::exchange(scene.polygons, {})) {
-            for (auto& part : snapped(polygon, {8}, snapping)) scene.polygons.push_back(std::move(part));
-        }
-    }
+    if constexpr (std::derived_from<K, Grid>) return snapped(std::move(scene), Resolution{8});
     return scene;
 }
 

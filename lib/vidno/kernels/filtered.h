@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -194,15 +195,26 @@ public:
         return {CGAL::to_double(exact.left), CGAL::to_double(exact.right), exact.first, exact.end};
     }
 
-    int first_column(const auto& end_point, int row, int low, int end) const {
-        const auto certain = certain_first(end_point.x, low, end);
-        tell(certain.has_value());
-        return certain ? *certain : exact_first_column(end_point, row, low, end);
+    /// A vertex of the scene is where it is; an active edge's x was computed.
+    template <class Z>
+    int first_column(const Vertex<Given, Z>& end_point, int, int low, int end) const {
+        tell(true);
+        return machine_.first_centre(end_point.x.value, low, end);
     }
-    int last_column(const auto& end_point, int row, int low, int end) const {
-        const auto certain = certain_last(end_point.x, low, end);
+    template <class Z>
+    int last_column(const Vertex<Given, Z>& end_point, int, int low, int end) const {
+        tell(true);
+        return machine_.last_centre(end_point.x.value, low, end);
+    }
+    int first_column(const auto& edge, int row, int low, int end) const {
+        const auto certain = certain_first(edge.x, low, end);
         tell(certain.has_value());
-        return certain ? *certain : exact_last_column(end_point, row, low, end);
+        return certain ? *certain : exact_first_column(edge, row, low, end);
+    }
+    int last_column(const auto& edge, int row, int low, int end) const {
+        const auto certain = certain_last(edge.x, low, end);
+        tell(certain.has_value());
+        return certain ? *certain : exact_last_column(edge, row, low, end);
     }
     bool same_place(const auto& a, const auto& b, int row) const {
         return same(a.x, b.x, [&] { return exactly_same_place(a, b, row); });
@@ -263,6 +275,14 @@ private:
         bool any_ = false, known_ = true;
     };
 
+    struct Interval {
+        double low, high;
+    };
+    static Interval interval_of(const Bounded& v) {
+        const bool known = std::isfinite(v.low()) && std::isfinite(v.high());
+        return known ? Interval{v.low(), v.high()} : Interval{-infinity, infinity};
+    }
+
     /// Certain if the centres on either side of the value lie outside its bounds: never if these are not known.
     static std::optional<int> certain_first(const auto& v, int low, int end) {
         const int first = machine_.first_centre(v.value, low, end);
@@ -273,12 +293,6 @@ private:
         const int last = machine_.last_centre(v.value, low, end);
         const bool certain = (last == low - 1 || last + 0.5 <= v.low()) && (last == end - 1 || v.high() < last + 1.5);
         return certain ? std::optional(last) : std::nullopt;
-    }
-    static std::optional<int> certain_first(Given v, int low, int end) {
-        return machine_.first_centre(v.value, low, end);
-    }
-    static std::optional<int> certain_last(Given v, int low, int end) {
-        return machine_.last_centre(v.value, low, end);
     }
 
     bool same(const Bounded& a, const Bounded& b, auto&& exactly_so) const {
@@ -334,11 +348,33 @@ private:
             return Rational(end_point.x.value);
         }
     }
-    [[gnu::noinline]] static int exact_first_column(const auto& end_point, int row, int low, int end) {
-        return exact_.first_centre(exact_x(end_point, row), low, end);
+    /// Where an active edge passes a pixel's centre, on its row: negative on the left.
+    static Sign exact_side(const auto& edge, int x, int row) {
+        return exact_orientation(edge.upper, edge.lower, Point<Given>{{x + 0.5}, {row + 0.5}});
     }
-    [[gnu::noinline]] static int exact_last_column(const auto& end_point, int row, int low, int end) {
-        return exact_.last_centre(exact_x(end_point, row), low, end);
+    /// By the side of one centre: no more lie between the bounds, if these are known.
+    [[gnu::noinline]] static int exact_first_column(const auto& edge, int row, int low, int end) {
+        const auto [left, right] = interval_of(edge.x);
+        return first_not([&](int x) { return exact_side(edge, x, row) == Sign::positive; },
+                         machine_.first_centre(left, low, end), machine_.first_centre(right, low, end));
+    }
+    [[gnu::noinline]] static int exact_last_column(const auto& edge, int row, int low, int end) {
+        const auto [left, right] = interval_of(edge.x);
+        return first_not([&](int x) { return exact_side(edge, x, row) != Sign::negative; },
+                         machine_.last_centre(left, low, end) + 1, machine_.last_centre(right, low, end) + 1) -
+               1;
+    }
+    /// The first of low <= i < end for which that does not hold, `end` if there is none; it holds for all before.
+    static int first_not(const auto& holds, int low, int end) {
+        while (low < end) {
+            const int middle = std::midpoint(low, end);
+            if (holds(middle)) {
+                low = middle + 1;
+            } else {
+                end = middle;
+            }
+        }
+        return low;
     }
     [[gnu::noinline]] static bool exactly_same_place(const auto& a, const auto& b, int row) {
         return exact_x(a, row) == exact_x(b, row);

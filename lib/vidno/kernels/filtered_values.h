@@ -17,11 +17,16 @@ struct FilteredPlane : ApproximatePlane {
     double a = 0, b = 0, c = 0, d = 0;  // as the text has it
     std::span<const Vertex<Given>> vertices;
 
-    bool exactly_nearer(const FilteredPlane& than, const Rational& x, const Rational& y) const {
+    bool exactly_nearer(const FilteredPlane& than, double x, double y) const {
         const auto& p = exactly();
         const auto& q = than.exactly();
-        if (p == q) return false;
-        return (p.x_slope - q.x_slope) * x + (p.y_slope - q.y_slope) * y + (p.at_origin - q.at_origin) > 0;
+        if (&p == &q) return false;
+        if (p == q) {  // shared from now on: where polygons of one plane overlap, each pixel asks
+            than.exactly_ = exactly_;
+            return false;
+        }
+        return (p.x_slope - q.x_slope) * Rational(x) + (p.y_slope - q.y_slope) * Rational(y) >
+               q.at_origin - p.at_origin;
     }
 
 private:

@@ -96,7 +96,8 @@ public:
         return certain ? difference > 0 : exactly_nearer(*z.plane, *than.plane, at);
     }
 
-    Stepped to_step(double, const Plane& plane, Pixel from) const { return {plane, from}; }
+    /// Of the plane that is kept, as cells have it: what it finds out of itself when asked, it finds out once.
+    Stepped to_step(double, const Plane& plane, Pixel from) const { return {planes_[plane.number], from}; }
     const Stepped& to_store(const Stepped& z) const { return z; }
 
     /// By the cell alone if its bound allows it.
