@@ -44,13 +44,11 @@ std::vector<Way> fixed_ways(Method method) {
     return ways;
 }
 
-/// A kernel's parameter from the least on.
-std::vector<Way> turned(Method method, Knob knob, std::string_view kernel, int most) {
+std::vector<Way> turned(Method method, Knob knob, std::string_view kernel, int least, int most) {
     std::vector<Way> ways;
-    const auto& choice = *std::find_if(kernel_choices.begin(), kernel_choices.end(),
-                                       [&](const auto& each) { return each.name == kernel; });
-    for (int value = choice.parameter->least; value <= most; ++value) {
-        ways.push_back({method, {&choice, value}, false, 1, knob, value});
+    for (int value = least; value <= most; ++value) {
+        const std::string name = std::string(kernel) + ":" + std::to_string(value);
+        ways.push_back({method, *kernel_named(name), false, 1, knob, value});
     }
     return ways;
 }
@@ -62,12 +60,6 @@ std::vector<Way> larger_windows(const Scene& scene) {
         ways.push_back({Method::warnock, *kernel_named("double"), false, side, Knob::window, side});
     }
     return ways;
-}
-
-int finest_grid_of(const Scene& scene) {
-    int bits = finest_grid;
-    while (bits > 0 && !fits_grid(scene, bits)) --bits;
-    return bits;
 }
 
 // ------------------------------------------------------------------------------------- cost
@@ -96,7 +88,7 @@ Cost cost_of(const Way& way, const Scene& scene, const OperationCounts& counts) 
 // ------------------------------------------------------------------------------------- fronts
 
 /// The runs to which none is preferred: one that is better in one of both and as good in the other, or an equal one that
-/// comes before. A run that a fault ended paints no picture that could be.
+/// comes before. A run that a fault ended is not among them.
 void mark_front(std::vector<ChartRun>& runs, std::size_t cost, std::size_t error) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -143,10 +135,10 @@ std::vector<Way> ways_to_draw(const Scene& scene) {
     const auto add = [&](const std::vector<Way>& more) { ways.insert(ways.end(), more.begin(), more.end()); };
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         add(fixed_ways(method));
-        add(turned(method, Knob::bits, Bits::name, most_bits));
-        add(turned(method, Knob::grid, Grid::name, finest_grid_of(scene)));
+        add(turned(method, Knob::bits, Bits::name, fewest_bits, most_bits));
+        add(turned(method, Knob::grid, Grid::name, 1, finest_grid_of(scene)));
     }
-    add(turned(Method::zbuffer, Knob::depth, DepthBits::name, most_depth_bits));
+    add(turned(Method::zbuffer, Knob::depth, DepthBits::name, fewest_depth_bits, most_depth_bits));
     add(larger_windows(scene));
     return ways;
 }

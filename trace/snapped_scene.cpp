@@ -14,13 +14,13 @@ std::string counted(std::size_t count, const std::string& one, const std::string
     return std::to_string(count) + " " + (count == 1 ? one : more);
 }
 
-int finest_that_fits(const Scene& scene) {
+}  // namespace
+
+int finest_grid_of(const Scene& scene) {
     int bits = finest_grid;
     while (bits > 0 && !fits_grid(scene, bits)) --bits;
     return bits;
 }
-
-}  // namespace
 
 std::string SnappedScene::change() const {
     std::vector<std::string> changes;
@@ -41,7 +41,7 @@ std::string SnappedScene::change() const {
 
 SnappedScene snapped_scene(const Scene& scene, int bits) {
     if (!fits_grid(scene, bits)) {
-        const int finest = finest_that_fits(scene);
+        const int finest = finest_grid_of(scene);
         throw Refused("the scene is too wide for a grid of 1/2^" + std::to_string(bits) + " pixel; " +
                       (finest > 0 ? "grid:" + std::to_string(finest) + " is the finest that fits" : "none fits"));
     }

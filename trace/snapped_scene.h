@@ -16,6 +16,9 @@ struct SnappedScene {
     std::string change() const;
 };
 
+/// The most bits of a grid that the kernel's numbers would hold; 0: none do.
+int finest_grid_of(const Scene& scene);
+
 /// Throws Refused if the kernel's numbers would not hold it.
 SnappedScene snapped_scene(const Scene& scene, int bits);
 
