@@ -243,14 +243,13 @@ TEST_CASE("The scenes of charts: ordinary and degenerate ones, and on each accur
         std::string name;
         bool degenerate;
     };
-    for (const auto& [name, degenerate] :
-         {Example{"close-walls", false}, Example{"crossing", false}, Example{"far-away", false}, Example{"mesh", true},
-          Example{"one-plane", true}}) {
-        CAPTURE(name);
-        const std::string file = VIDNO_ROOT "/lessons/charts/" + name + ".json";
+    for (const Example& example : {Example{"close-walls", false}, Example{"crossing", false},
+                                   Example{"far-away", false}, Example{"mesh", true}, Example{"one-plane", true}}) {
+        CAPTURE(example.name);
+        const std::string file = VIDNO_ROOT "/lessons/charts/" + example.name + ".json";
         const Scene scene = read_scene(read_file(file), file).scene;
         const Examiner examiner(scene);
-        CHECK((examiner.unsteady_pixels() > 0) == degenerate);
+        CHECK((examiner.unsteady_pixels() > 0) == example.degenerate);
         std::uint64_t fewer_operations = 0;
         std::uint64_t more_wrong = std::numeric_limits<std::uint64_t>::max();
         for (const int smallest_window : {32, 16, 8, 4}) {
