@@ -50,6 +50,16 @@ describe('sentences', () => {
     expect(say(nearer, 'ru')).toBe('B ближе в 2 из 4 углов (левый верхний, левый нижний).');
   });
 
+  it('name the only polygon where the trace tells which it is', () => {
+    const decide: Event = { e: 'decide', at: 'W10', case: 'single' };
+    expect(say(decide, 'en')).toBe('Only A is in the window: background first, then A.');
+    const both = { entries: [...apl.entries, ['B', false]] as const };
+    const coarse = { ...values, warnock: { ...emptyWarnock, apl: both } };
+    expect(sentence(decide, coarse, coarse, scene, 'en')).toBe(
+      'Only one polygon is in the window: background first, then the polygon.',
+    );
+  });
+
   it('count as the language does', () => {
     const fill = (n: number): Event => ({
       e: 'fill',

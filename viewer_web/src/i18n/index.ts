@@ -1,4 +1,3 @@
-import type { Values } from '../state/state.js';
 import type { Event } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
 import type { Unreadable } from '../trace/read.js';
@@ -7,6 +6,7 @@ import type { Language } from './language.js';
 import * as ru from './ru/index.js';
 import type { Texts } from './texts.js';
 import { Words } from './words.js';
+import type { Known } from './words.js';
 
 export const texts: Readonly<Record<Language, Texts>> = { en: en.texts, ru: ru.texts };
 
@@ -18,8 +18,8 @@ const rules: Readonly<Record<Language, Intl.PluralRules>> = {
 /** What a step did, in one sentence. */
 export function sentence(
   event: Event,
-  before: Values,
-  after: Values,
+  before: Known,
+  after: Known,
   scene: Scene,
   language: Language,
 ): string {

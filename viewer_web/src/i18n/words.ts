@@ -1,4 +1,5 @@
-import type { Values } from '../state/state.js';
+import type { Warnock } from '../state/warnock.js';
+import type { ZBuffer } from '../state/zbuffer.js';
 import type { Scene } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
 import type { Texts } from './texts.js';
@@ -67,11 +68,17 @@ export interface PluralForms {
   readonly other: string;
 }
 
+/** What of a state the sentences use. */
+export interface Known {
+  readonly warnock: Pick<Warnock, 'window' | 'apl' | 'hasSurround'> | null;
+  readonly zbuffer: Pick<ZBuffer, 'polygon'> | null;
+}
+
 /** What the sentences of a step need beside its event. */
 export class Words {
   constructor(
-    readonly before: Values,
-    readonly after: Values,
+    readonly before: Known,
+    readonly after: Known,
     readonly scene: Scene,
     private readonly texts: Pick<Texts, 'places'>,
     private readonly rules: Intl.PluralRules,
@@ -113,4 +120,10 @@ export class Words {
 
 export function cells(runs: readonly (readonly number[])[]): number {
   return runs.reduce((sum, run) => sum + (run.at(-1) ?? 0) - (run.at(-2) ?? 0), 0);
+}
+
+/** The one polygon of the current list; null if the trace is too coarse to say which. */
+export function onlyOf({ warnock }: Known): string | null {
+  const [first, ...others] = warnock?.apl?.entries ?? [];
+  return first !== undefined && others.length === 0 ? first[0] : null;
 }

@@ -1,7 +1,7 @@
 import type { Decision } from '../../trace/events.js';
 import type { Answer } from '../../trace/values.js';
 import type { Sentences } from '../texts.js';
-import { cells, point, short, windowText } from '../words.js';
+import { cells, onlyOf, point, short, windowText } from '../words.js';
 import type { Words } from '../words.js';
 import { purposes } from './page.js';
 
@@ -119,12 +119,12 @@ export const sentences: Sentences = {
     return `${found} in the window; ${hasSurround ? 'one hides all others' : 'none is known to hide the others'}.`;
   },
   decide: (event, { after }) => {
-    const only = after.warnock?.apl?.entries[0]?.[0] ?? '';
+    const only = onlyOf(after);
     return {
       empty: 'No polygon is left in the window: it takes the background.',
       surrounded: 'One polygon hides everything: the window takes its colour.',
       pixel: 'The window is no larger than a pixel: the point at its centre decides.',
-      single: `Only ${only} is in the window: background first, then ${only}.`,
+      single: `Only ${only ?? 'one polygon'} is in the window: background first, then ${only ?? 'the polygon'}.`,
       split: 'None of the simple cases: the window is split.',
     }[event.case];
   },

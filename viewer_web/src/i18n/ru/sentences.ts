@@ -1,7 +1,7 @@
 import type { Decision } from '../../trace/events.js';
 import type { Answer } from '../../trace/values.js';
 import type { Sentences } from '../texts.js';
-import { cells, point, short, windowText } from '../words.js';
+import { cells, onlyOf, point, short, windowText } from '../words.js';
 import type { Words } from '../words.js';
 import { purposes } from './page.js';
 
@@ -133,12 +133,12 @@ export const sentences: Sentences = {
     return `В окне ${found}; ${hasSurround ? 'один из них закрывает остальные' : 'неизвестно, закрывает ли один остальные'}.`;
   },
   decide: (event, { after }) => {
-    const only = after.warnock?.apl?.entries[0]?.[0] ?? '';
+    const only = onlyOf(after);
     return {
       empty: 'В окне не осталось многоугольников: оно получает цвет фона.',
       surrounded: 'Один многоугольник закрывает всё: окно получает его цвет.',
       pixel: 'Окно не больше пикселя: решает точка в его центре.',
-      single: `В окне только ${only}: сначала фон, затем ${only}.`,
+      single: `В окне только ${only ?? 'один многоугольник'}: сначала фон, затем ${only ?? 'он сам'}.`,
       split: 'Ни один из простых случаев: окно делится.',
     }[event.case];
   },
