@@ -1,11 +1,18 @@
 import { isLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
+import type { Pixel } from './picture/pixel.js';
 
-/** What the page's address holds behind `#`: language, embedded trace and step. */
+/** What the page's address holds behind `#`: language, embedded trace, step and chosen pixel. */
 export interface Address {
   readonly language: Language | null;
   readonly trace: string | null;
   readonly step: number;
+  readonly pixel: Pixel | null;
+}
+
+function parsePixel(written: string | null): Pixel | null {
+  const [, x, y] = /^(-?\d{1,9}),(-?\d{1,9})$/.exec(written ?? '') ?? [];
+  return x === undefined || y === undefined ? null : [Number(x), Number(y)];
 }
 
 export function parseAddress(hash: string): Address {
@@ -16,14 +23,16 @@ export function parseAddress(hash: string): Address {
     language: isLanguage(language) ? language : null,
     trace: fields.get('trace'),
     step: Number.isSafeInteger(step) && step > 0 ? step : 0,
+    pixel: parsePixel(fields.get('pixel')),
   };
 }
 
-export function formatAddress({ language, trace, step }: Address): string {
+export function formatAddress({ language, trace, step, pixel }: Address): string {
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (trace !== null) {
     fields.set('trace', trace);
+    if (pixel !== null) fields.set('pixel', pixel.join());
     fields.set('step', String(step));
   }
   return `#${fields.toString()}`;

@@ -2,6 +2,7 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { formatAddress, parseAddress } from './address.js';
+import type { Address } from './address.js';
 import { appStyle } from './app.style.js';
 import './components/file-drop.js';
 import { headerStyle } from './components/header.style.js';
@@ -17,8 +18,13 @@ import { preferredLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
 import { embeddedFile, embeddedLessons, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
+import type { Pixel } from './picture/pixel.js';
 import { readTrace } from './trace/read.js';
 import type { Trace } from './trace/read.js';
+
+/** Where in a trace the page is. */
+type Place = Pick<Address, 'step' | 'pixel'>;
+const beginning: Place = { step: 0, pixel: null };
 
 /** What is to be said about a trace that is shown. */
 function shortened(trace: Trace | null): Notice | null {
@@ -36,6 +42,7 @@ export class AppElement extends LitElement {
   @state() private traceName = '';
   @state() private lesson: string | null = null;
   @state() private step = 0;
+  @state() private pixel: Pixel | null = null;
   @state() private notice: Notice | null = null;
   @query('vidno-player') private player!: PlayerElement;
 
@@ -58,37 +65,43 @@ export class AppElement extends LitElement {
   }
 
   private readonly followAddress = (): void => {
-    const { language, trace, step } = parseAddress(location.hash);
+    const { language, trace, step, pixel } = parseAddress(location.hash);
     this.language = language ?? this.language;
     const all = this.lessons.flatMap((lesson) => lesson.traces);
     const chosen =
       all.find((each) => idOf(each) === trace) ?? (trace === null ? all[0] : undefined);
     if (chosen === undefined) return;
-    if (idOf(chosen) === this.lesson) this.step = step;
-    else void this.openLesson(chosen, step);
+    if (idOf(chosen) === this.lesson) [this.step, this.pixel] = [step, pixel];
+    else void this.openLesson(chosen, { step, pixel });
   };
 
-  private async openLesson(chosen: LessonTrace, step: number): Promise<void> {
+  private async openLesson(chosen: LessonTrace, place = beginning): Promise<void> {
     const file = embeddedFile(document, chosen);
-    if (file !== null) await this.open(file, chosen.file, idOf(chosen), step);
+    if (file !== null) await this.open(file, chosen.file, idOf(chosen), place);
   }
 
-  private async open(file: Blob, name: string, lesson: string | null, step: number): Promise<void> {
+  private async open(
+    file: Blob,
+    name: string,
+    lesson: string | null,
+    place = beginning,
+  ): Promise<void> {
     const turn = ++this.opening;
     this.notice = { kind: 'reading', name };
     try {
       const trace = await readTrace(file);
-      if (turn === this.opening) this.show(trace, name, lesson, step);
+      if (turn === this.opening) this.show(trace, name, lesson, place);
     } catch (error) {
       if (turn === this.opening) this.notice = { kind: 'failed', name, error };
     }
   }
 
-  private show(trace: Trace, name: string, lesson: string | null, step: number): void {
+  private show(trace: Trace, name: string, lesson: string | null, { step, pixel }: Place): void {
     this.trace = trace;
     this.traceName = name;
     this.lesson = lesson;
     this.step = step;
+    this.pixel = pixel;
     this.notice = null;
     this.writeAddress();
   }
@@ -102,12 +115,17 @@ export class AppElement extends LitElement {
     this.writeAddress();
   }
 
+  private onPixel({ detail }: CustomEvent<Pixel | null>): void {
+    this.pixel = detail;
+    this.writeAddress();
+  }
+
   /** Later, since browsers limit how often an address may change. */
   private writeAddress(): void {
     clearTimeout(this.addressTimer);
     this.addressTimer = window.setTimeout(() => {
-      const { language, lesson, step } = this;
-      history.replaceState(null, '', formatAddress({ language, trace: lesson, step }));
+      const { language, lesson, step, pixel } = this;
+      history.replaceState(null, '', formatAddress({ language, trace: lesson, step, pixel }));
     }, 250);
   }
 
@@ -142,11 +160,11 @@ export class AppElement extends LitElement {
           .lessons=${this.lessons}
           .chosen=${this.lesson}
           .language=${this.language}
-          @choose=${({ detail }: CustomEvent<LessonTrace>) => this.openLesson(detail, 0)}
+          @choose=${({ detail }: CustomEvent<LessonTrace>) => this.openLesson(detail)}
         ></vidno-lesson-list>
         <vidno-file-drop
           .texts=${page}
-          @file=${({ detail }: CustomEvent<File>) => this.open(detail, detail.name, null, 0)}
+          @file=${({ detail }: CustomEvent<File>) => this.open(detail, detail.name, null)}
         ></vidno-file-drop>
       </nav>
       <main>
@@ -156,7 +174,9 @@ export class AppElement extends LitElement {
           .step=${this.step}
           .lang=${this.language}
           ?hidden=${this.trace === null}
+          .pixel=${this.pixel}
           @vidno-step=${this.onStep}
+          @vidno-pixel=${this.onPixel}
         ></vidno-player>
         ${this.trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
       </main>

@@ -1,6 +1,7 @@
 import { sentence, texts } from './i18n/index.js';
 import type { Language } from './i18n/language.js';
 import type { PageTexts } from './i18n/texts.js';
+import type { Pixel } from './picture/pixel.js';
 import type { Screen } from './state/screen.js';
 import type { Values } from './state/state.js';
 import type { Event } from './trace/events.js';
@@ -19,9 +20,16 @@ export interface View {
   readonly language: Language;
   readonly texts: PageTexts;
   readonly sentence: string;
+  /** The pixel whose history is asked for. */
+  readonly pixel: Pixel | null;
 }
 
-export function viewOf({ header, timeline }: Trace, step: number, language: Language): View {
+export function viewOf(
+  { header, timeline }: Trace,
+  step: number,
+  language: Language,
+  pixel: Pixel | null,
+): View {
   const before = timeline.seek(Math.max(0, step - 1)).values;
   const { values: after, screen } = timeline.seek(step);
   const event = timeline.event(step);
@@ -36,6 +44,7 @@ export function viewOf({ header, timeline }: Trace, step: number, language: Lang
     screen,
     language,
     texts: page,
+    pixel,
     sentence: event ? sentence(event, before, after, header.scene, language) : page.start,
   };
 }

@@ -10,6 +10,8 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['ends', ['Home', 'End']],
   ['play', ['Space']],
   ['speed', ['−', '+']],
+  ['pixel', ['P']],
+  ['cursor', ['← ↑ ↓ →', 'Enter', 'Esc']],
   ['map', ['?']],
 ];
 

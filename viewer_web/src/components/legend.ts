@@ -8,8 +8,8 @@ import { marksStyle } from './picture.style.js';
 import { base } from './theme.js';
 
 const entries: Readonly<Record<Method, readonly LegendEntry[]>> = {
-  warnock: ['window', 'stacked', 'active', 'touched', 'yes', 'no'],
-  zbuffer: ['scanline', 'edge', 'active', 'touched'],
+  warnock: ['window', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
+  zbuffer: ['scanline', 'edge', 'active', 'touched', 'chosen'],
 };
 
 const dots: readonly LegendEntry[] = ['yes', 'no', 'edge'];
@@ -62,6 +62,9 @@ export class LegendElement extends LitElement {
 }
 
 function icon(entry: LegendEntry): SVGTemplateResult {
+  if (entry === 'chosen') {
+    return svg`<path class="chosen" d="M6 3.5h8v7h-8ZM10 1v2.5M10 10.5v2.5M3 7h3M14 7h3" />`;
+  }
   if (dots.includes(entry)) return svg`<circle class="dot ${entry}" cx="10" cy="7" r="4.5" />`;
   if (entry !== 'active') return svg`<rect class=${entry} x="3" y="3" width="14" height="8" />`;
   return svg`<path class="casing active" d="M3 11L17 3" />

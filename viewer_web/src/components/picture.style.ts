@@ -15,6 +15,13 @@ export const pictureStyle = css`
     width: 100%;
     height: 100%;
   }
+  svg {
+    cursor: crosshair;
+    touch-action: manipulation;
+  }
+  svg:focus-visible {
+    outline-offset: -4px;
+  }
   .grid {
     stroke: #7c8798;
     stroke-opacity: 0.28;
@@ -58,6 +65,7 @@ export const pictureStyle = css`
 export const marksStyle = css`
   :host {
     --mark: #c2006b;
+    --chosen: #5a1fc4;
   }
   svg * {
     vector-effect: non-scaling-stroke;
@@ -134,6 +142,22 @@ export const marksStyle = css`
     stroke: #ffffff;
     stroke-width: 5;
     stroke-dasharray: none;
+  }
+  .chosen,
+  .cursor {
+    stroke: var(--chosen);
+    stroke-width: 2.5;
+    stroke-linecap: butt;
+  }
+  .cursor {
+    stroke-width: 1.5;
+  }
+  .casing.chosen,
+  .casing.cursor {
+    stroke: #ffffff;
+    stroke-width: 5.5;
+    stroke-dasharray: none;
+    stroke-opacity: 1;
   }
   .casing.active {
     stroke: #10131c;

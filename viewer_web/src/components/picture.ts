@@ -2,11 +2,17 @@ import { LitElement, html, nothing, svg } from 'lit';
 import type { PropertyValues, SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
-import { marksOf } from '../picture/marks.js';
-import type { Mark } from '../picture/marks.js';
+import { texts as allTexts } from '../i18n/index.js';
+import { Frame } from '../picture/frame.js';
+import type { Size } from '../picture/frame.js';
+import { marksOf, target } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
+import { isIn, moved, nearestIn } from '../picture/pixel.js';
+import type { Pixel } from '../picture/pixel.js';
+import { outline, shapeOf } from '../picture/shapes.js';
 import type { Polygon } from '../trace/header.js';
 import type { View } from '../view.js';
+import { hiddenStyle } from './hidden.style.js';
 import { marksStyle, pictureStyle } from './picture.style.js';
 import { base } from './theme.js';
 
@@ -15,19 +21,19 @@ const mostOutlines = 3000;
 const many = 40;
 const gridFrom = 7;
 
-interface Size {
-  readonly width: number;
-  readonly height: number;
-}
-
-/** The picture so far, and over it what the step is about. */
+/** The picture so far, and over it what the step is about. A pixel of it may be chosen, by mouse or keyboard. */
 @customElement('vidno-picture')
 export class PictureElement extends LitElement {
-  static override styles = [base, marksStyle, pictureStyle];
+  static override styles = [base, hiddenStyle, marksStyle, pictureStyle];
 
   @property({ attribute: false }) view!: View;
   @state() private size: Size = { width: 0, height: 0 };
+  /** Where the keyboard is about to choose, while it does. */
+  @state() private cursor: Pixel | null = null;
+  @query('svg') private stage!: SVGSVGElement;
   @query('canvas') private canvas!: HTMLCanvasElement;
+
+  private left: Pixel | null = null;
 
   private readonly observer = new ResizeObserver(([entry]) => {
     if (entry) this.size = { width: entry.contentRect.width, height: entry.contentRect.height };
@@ -43,17 +49,13 @@ export class PictureElement extends LitElement {
     this.observer.disconnect();
   }
 
-  /** What of the plane is shown: the area and a margin around it. */
-  private get shown(): readonly [number, number, number, number] {
-    const { x, y, width, height } = this.view.header.scene.area;
-    const margin = Math.max(width, height) * 0.07;
-    return [x - margin, y - margin, width + 2 * margin, height + 2 * margin];
+  private get frame(): Frame {
+    return new Frame(this.view.header.scene.area, this.size);
   }
 
-  /** CSS pixels per unit of the plane. */
-  private get scale(): number {
-    const [, , width, height] = this.shown;
-    return Math.max(Math.min(this.size.width / width, this.size.height / height), 1e-6);
+  /** Gives the keyboard to the choice of a pixel. */
+  startChoosing(): void {
+    this.stage.focus();
   }
 
   override updated(changed: PropertyValues<this>): void {
@@ -62,35 +64,77 @@ export class PictureElement extends LitElement {
   }
 
   private paint(): void {
-    const [x, y, width, height] = this.shown;
-    const { area } = this.view.header.scene;
     const ratio = window.devicePixelRatio;
-    const { canvas, size, scale } = this;
+    const { canvas, size } = this;
     canvas.width = Math.round(size.width * ratio);
     canvas.height = Math.round(size.height * ratio);
-    const left = (size.width - width * scale) / 2;
-    const top = (size.height - height * scale) / 2;
-    paint(canvas, this.view.screen.picture, {
-      x: Math.round((left + (area.x - x) * scale) * ratio),
-      y: Math.round((top + (area.y - y) * scale) * ratio),
-      width: Math.round(area.width * scale * ratio),
-      height: Math.round(area.height * scale * ratio),
-    });
+    paint(canvas, this.view.screen.picture, this.frame.place(ratio));
+  }
+
+  /** A press of the mouse must not take the focus: arrow keys would no longer be steps. */
+  private readonly keepFocus = (event: Event): void => event.preventDefault();
+
+  private onClick({ clientX, clientY }: MouseEvent): void {
+    const { left, top } = this.getBoundingClientRect();
+    const pixel = this.frame.pixelAt(clientX - left, clientY - top);
+    if (isIn(pixel, this.view.header.scene.area)) this.choose(pixel);
+  }
+
+  private onFocus(): void {
+    const { area } = this.view.header.scene;
+    const { x, y, width, height } = area;
+    const middle: Pixel = [x + (width >> 1), y + (height >> 1)];
+    this.cursor = nearestIn(this.view.pixel ?? this.left ?? middle, area);
+  }
+
+  private onBlur(): void {
+    this.left = this.cursor;
+    this.cursor = null;
+  }
+
+  /** While the picture has the focus, arrow keys move the cursor. */
+  private onKey(event: KeyboardEvent): void {
+    const { cursor } = this;
+    if (cursor === null || event.ctrlKey || event.metaKey || event.altKey) return;
+    const next = moved(cursor, event.key, event.shiftKey, this.view.header.scene.area);
+    if (next !== null) this.cursor = next;
+    else if (event.key === 'Enter') this.choose(cursor);
+    else if (event.key === 'Escape') this.stage.blur();
+    else return;
+    event.preventDefault();
+  }
+
+  private choose(pixel: Pixel): void {
+    this.dispatchEvent(new CustomEvent<Pixel>('pixel', { detail: pixel }));
   }
 
   override render(): TemplateResult {
     const { header, texts, language } = this.view;
+    const { history } = allTexts[language];
+    const { shown, scale } = this.frame;
     return html`
       <canvas aria-hidden="true"></canvas>
       <svg
-        viewBox=${this.shown.join(' ')}
-        role="img"
+        viewBox=${shown.join(' ')}
+        role="application"
+        tabindex="0"
         aria-label="${texts.picture}: ${header.scene.name}"
+        aria-describedby="how"
+        @mousedown=${this.keepFocus}
+        @click=${this.onClick}
+        @focus=${this.onFocus}
+        @blur=${this.onBlur}
+        @keydown=${this.onKey}
       >
-        ${guard([header, this.scale, language], () => this.still())}
-        ${marksOf(this.view).map((mark) => this.mark(mark))}
-        ${guard([header, this.scale], () => this.labels())}
+        ${guard([header, scale, language], () => this.still())}
+        ${marksOf(this.view).map((mark) => shapeOf(mark, scale))}
+        ${guard([header, scale], () => this.labels())}
+        ${this.cursor === null ? nothing : shapeOf(target('cursor', this.cursor), scale)}
       </svg>
+      <p class="heard" id="how">${history.how}</p>
+      <p class="heard" aria-live="polite">
+        ${this.cursor === null ? '' : history.at(...this.cursor)}
+      </p>
     `;
   }
 
@@ -99,7 +143,7 @@ export class PictureElement extends LitElement {
     const { area, polygons } = this.view.header.scene;
     const { x, y, width, height } = area;
     return svg`
-      ${this.scale >= gridFrom ? this.grid() : nothing}
+      ${this.frame.scale >= gridFrom ? this.grid() : nothing}
       <rect class="area" x=${x} y=${y} width=${width} height=${height} />
       <g class=${polygons.length > many ? 'many' : nothing}>
         ${polygons.slice(0, mostOutlines).map((polygon) => outline(polygon))}
@@ -120,34 +164,9 @@ export class PictureElement extends LitElement {
   }
 
   private label({ id, vertices }: Polygon): SVGTemplateResult {
-    const [x, y] = labelSpot(vertices, this.shown);
-    return svg`<text class="label" x=${x} y=${y} font-size=${13 / this.scale}>${id}</text>`;
+    const [x, y] = labelSpot(vertices, this.frame.shown);
+    return svg`<text class="label" x=${x} y=${y} font-size=${13 / this.frame.scale}>${id}</text>`;
   }
-
-  private mark(mark: Mark): SVGTemplateResult {
-    if (mark.kind === 'box') {
-      const [x, y, width, height] = mark.box;
-      return svg`<rect class="casing ${mark.role}" x=${x} y=${y} width=${width} height=${height} />
-        <rect class=${mark.role} x=${x} y=${y} width=${width} height=${height} />`;
-    }
-    if (mark.kind === 'point') {
-      const [x, y] = mark.at;
-      return svg`<circle class="dot ${mark.role}" cx=${x} cy=${y} r=${5 / this.scale} />`;
-    }
-    const d = pathData(mark.points, mark.closed);
-    return svg`<path class="casing ${mark.role}" d=${d} />
-      <path class=${mark.role} d=${d} stroke=${mark.color ?? nothing} />`;
-  }
-}
-
-function pathData(points: readonly (readonly number[])[], closed: boolean): string {
-  if (points.length === 0) return '';
-  return `M${points.map(([x = 0, y = 0]) => `${x} ${y}`).join('L')}${closed ? 'Z' : ''}`;
-}
-
-function outline({ vertices, color }: Polygon): SVGTemplateResult {
-  const d = pathData(vertices, true);
-  return svg`<path class="outline-casing" d=${d} /><path class="outline" d=${d} stroke=${color} />`;
 }
 
 /** A little inward from the first vertex: the middles of polygons often coincide. */
@@ -163,4 +182,10 @@ function labelSpot(
     return (along[0] ?? 0) * 0.8 + middle * 0.2;
   };
   return [within(spot(0), x, width), within(spot(1), y, height)];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-picture': PictureElement;
+  }
 }

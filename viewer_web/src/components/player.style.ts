@@ -90,10 +90,19 @@ export const playerStyle = css`
   @container (max-width: 620px) {
     .panels {
       grid-template-columns: minmax(0, 1fr);
-      grid-template-rows: 92cqw 19rem auto;
+      grid-template-rows: none;
+    }
+    .picture {
+      order: -2;
+      height: 92cqw;
     }
     .listing {
       grid-row: auto;
+      height: 19rem;
+    }
+    .side.pixel {
+      order: -1;
+      height: 22rem;
     }
     .sentence {
       height: 4.2rem;

@@ -1,8 +1,12 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
+import { historyOf } from '../history/history.js';
+import type { History } from '../history/history.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
+import { samePixel } from '../picture/pixel.js';
+import type { Pixel } from '../picture/pixel.js';
 import { canonical } from '../state/canonical.js';
 import type { Trace } from '../trace/read.js';
 import { viewOf } from '../view.js';
@@ -12,18 +16,21 @@ import './keys.js';
 import type { KeysElement } from './keys.js';
 import './legend.js';
 import './listing.js';
+import type { PictureElement } from './picture.js';
 import './picture.js';
 import { playerStyle } from './player.style.js';
+import './side.js';
+import type { Side } from './side.js';
 import { base, tokens } from './theme.js';
 import './transport.js';
 import { speeds } from './transport.js';
 import type { Command } from './transport.js';
-import './warnock-panel.js';
-import './zbuffer-panel.js';
+
+const mostPerFrame = 60;
 
 /**
- * Replays a trace. Set `trace`; `step` and `lang` may be set and change with the controls. Each step that is
- * shown is told by an event `vidno-step`.
+ * Replays a trace. Set `trace`; `step`, `pixel` and `lang` may be set and change with the controls. Each step that
+ * is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`.
  */
 @customElement('vidno-player')
 export class PlayerElement extends LitElement {
@@ -31,11 +38,19 @@ export class PlayerElement extends LitElement {
 
   @property({ attribute: false }) trace: Trace | null = null;
   @property({ type: Number }) step = 0;
+  @property({
+    attribute: false,
+    hasChanged: (a, b) => !samePixel(a as Pixel | null, b as Pixel | null),
+  })
+  pixel: Pixel | null = null;
   @property() override lang = 'en';
   @state() private playing = false;
   @state() private speed = 5;
+  @state() private side: Side = 'state';
   @query('vidno-keys') private keys!: KeysElement;
+  @query('vidno-picture') private picture!: PictureElement;
   private view: View | null = null;
+  private history: History | null = null;
   private clock = { frame: 0, last: 0, due: 0 };
 
   /** Shows the state after the first `step` events. */
@@ -100,7 +115,28 @@ export class PlayerElement extends LitElement {
     if (changed.has('trace')) this.pause();
     this.step = this.clamped(this.step);
     const language: Language = isLanguage(this.lang) ? this.lang : 'en';
-    this.view = this.trace && viewOf(this.trace, this.step, language);
+    if (changed.has('trace') || changed.has('pixel')) this.openHistory();
+    this.readHistory();
+    const pixel = this.history?.pixel ?? null;
+    this.view = this.trace && viewOf(this.trace, this.step, language, pixel);
+  }
+
+  private openHistory(): void {
+    this.history = historyOf(this.trace, this.pixel);
+    this.side = this.history === null ? 'state' : 'pixel';
+  }
+
+  /** Goes on with the history of the pixel, for as long as a frame allows. */
+  private readHistory(): void {
+    if (this.history === null || this.history.complete) return;
+    if (this.history.read(mostPerFrame)) return;
+    requestAnimationFrame(() => this.requestUpdate());
+  }
+
+  private choosePixel(pixel: Pixel | null): void {
+    this.pixel = pixel;
+    this.side = pixel === null ? 'state' : 'pixel';
+    this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
   }
 
   override updated(changed: PropertyValues<this>): void {
@@ -112,22 +148,28 @@ export class PlayerElement extends LitElement {
   override render(): TemplateResult | typeof nothing {
     const { view } = this;
     if (view === null) return nothing;
-    const { texts, header } = view;
+    const { texts } = view;
     return html`
       <div class="panels">
         <section class="picture" aria-label=${texts.picture}>
-          <vidno-picture .view=${view}></vidno-picture>
+          <vidno-picture
+            .view=${view}
+            @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
+          ></vidno-picture>
           <vidno-legend .view=${view}></vidno-legend>
         </section>
         <section class="listing" aria-label=${texts.listing}>
           <vidno-listing .view=${view}></vidno-listing>
         </section>
-        <section class="state" aria-label=${texts.state}>
-          ${
-            header.method === 'warnock'
-              ? html`<vidno-warnock .view=${view}></vidno-warnock>`
-              : html`<vidno-zbuffer .view=${view}></vidno-zbuffer>`
-          }
+        <section class="side ${this.side}" aria-label=${texts.state}>
+          <vidno-side
+            .view=${view}
+            .history=${this.history}
+            .side=${this.side}
+            @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
+            @command=${this.onCommand}
+            @forget=${() => this.choosePixel(null)}
+          ></vidno-side>
         </section>
       </div>
       <div class="dock">
@@ -172,7 +214,7 @@ export class PlayerElement extends LitElement {
     act();
   }
 
-  private actionOf({ key, shiftKey }: KeyboardEvent): (() => void) | null {
+  private actionOf({ key, code, shiftKey }: KeyboardEvent): (() => void) | null {
     const by = shiftKey ? 10 : 1;
     const actions: Readonly<Record<string, () => void>> = {
       ArrowRight: () => this.moveTo(this.step + by),
@@ -184,8 +226,9 @@ export class PlayerElement extends LitElement {
       '=': () => this.changeSpeed(1),
       '-': () => this.changeSpeed(-1),
       '?': () => this.showKeys(),
+      KeyP: () => this.picture.startChoosing(),
     };
-    return actions[key] ?? null;
+    return actions[key] ?? actions[code] ?? null;
   }
 
   private changeSpeed(by: number): void {

@@ -18,6 +18,7 @@ export const tokens = css`
     --changed: #ffe9a3;
     --warn: #8a4b00;
     --warn-wash: #fff1dc;
+    --good: #17733a;
     --bad: #a3122b;
     --bad-wash: #fde8eb;
     --mono: ui-monospace, 'SF Mono', 'Cascadia Code', 'DejaVu Sans Mono', Menlo, monospace;
@@ -44,6 +45,7 @@ export const tokens = css`
       --changed: #57450d;
       --warn: #f3c27a;
       --warn-wash: #33260f;
+      --good: #7bd69a;
       --bad: #ff9aa8;
       --bad-wash: #3a151c;
       color-scheme: dark;

@@ -1,3 +1,5 @@
+import type { Outcome } from '../history/entry.js';
+import type { Why } from '../history/why.js';
 import type { Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Edition } from '../trace/header.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
@@ -21,6 +23,28 @@ export interface Texts {
   readonly purposes: Readonly<Record<Procedure, string>>;
   readonly sentences: Sentences;
   readonly reasons: ReasonTexts;
+  readonly history: HistoryTexts;
+}
+
+/** What is said of a pixel and of all that concerned it. */
+export interface HistoryTexts {
+  readonly pixel: string;
+  readonly at: (x: number, y: number) => string;
+  readonly hint: string;
+  readonly how: string;
+  readonly forget: string;
+  readonly entries: string;
+  readonly outcomes: Readonly<Record<Outcome, string>>;
+  readonly painted: (step: number) => string;
+  readonly unpainted: string;
+  readonly reading: string;
+  readonly earlier: (n: number) => string;
+  readonly later: (n: number) => string;
+  readonly missed: (polygon: string) => string;
+  readonly kept: (polygon: string) => string;
+  readonly because: string;
+  readonly why: Readonly<Record<Why, (polygon: string) => string>>;
+  readonly whyBackground: string;
 }
 
 /** What is said where a file may be opened. */
@@ -85,6 +109,6 @@ export interface PageTexts extends FileTexts {
 
 /** The marks on the picture that the legend explains. */
 export type LegendEntry =
-  'window' | 'stacked' | 'active' | 'touched' | 'yes' | 'no' | 'scanline' | 'edge';
+  'window' | 'stacked' | 'active' | 'touched' | 'yes' | 'no' | 'scanline' | 'edge' | 'chosen';
 
-export type KeyUse = 'step' | 'ten' | 'ends' | 'play' | 'speed' | 'map';
+export type KeyUse = 'step' | 'ten' | 'ends' | 'play' | 'speed' | 'pixel' | 'cursor' | 'map';

@@ -2,6 +2,7 @@ import type { View } from '../view.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import { toNumber } from '../i18n/words.js';
+import type { Pixel } from './pixel.js';
 import type { Box, Corner, N, Pair, Triple } from '../trace/values.js';
 
 /** What a mark is about; the style sheet of the picture gives each role its look. */
@@ -19,7 +20,9 @@ export type Role =
   | 'side'
   | 'yes'
   | 'no'
-  | 'point';
+  | 'point'
+  | 'chosen'
+  | 'cursor';
 
 interface PathMark {
   readonly kind: 'path';
@@ -33,9 +36,17 @@ interface PathMark {
 export type Mark =
   | PathMark
   | { readonly kind: 'box'; readonly role: Role; readonly box: Box }
-  | { readonly kind: 'point'; readonly role: Role; readonly at: Spot };
+  | { readonly kind: 'point'; readonly role: Role; readonly at: Spot }
+  /** A pixel, to be found even where pixels are small. */
+  | { readonly kind: 'target'; readonly role: 'chosen' | 'cursor'; readonly at: Pixel };
 
 type Spot = readonly [number, number];
+
+export const target = (role: 'chosen' | 'cursor', at: Pixel): Mark => ({
+  kind: 'target',
+  role,
+  at,
+});
 
 const box = (role: Role, of: Box): Mark => ({ kind: 'box', role, box: of });
 
@@ -155,7 +166,7 @@ function eventMarks(event: Event, view: View): readonly Mark[] {
 }
 
 function isFinite(mark: Mark): boolean {
-  if (mark.kind === 'box') return true;
+  if (mark.kind === 'box' || mark.kind === 'target') return true;
   const spots = mark.kind === 'point' ? [mark.at] : mark.points;
   return spots.every(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
 }
@@ -170,5 +181,6 @@ function polygonMark(view: View): readonly Mark[] {
 /** All marks of a step, those above later. */
 export function marksOf(view: View): readonly Mark[] {
   const ofEvent = view.event ? eventMarks(view.event, view) : [];
-  return [...polygonMark(view), ...stateMarks(view), ...ofEvent].filter(isFinite);
+  const chosen = view.pixel === null ? [] : [target('chosen', view.pixel)];
+  return [...polygonMark(view), ...stateMarks(view), ...ofEvent, ...chosen].filter(isFinite);
 }

@@ -1,3 +1,4 @@
+import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { State } from './state.js';
@@ -13,6 +14,7 @@ const mostKeyframes = 512;
 export class Timeline {
   readonly state: State;
   private readonly events: Event[] = [];
+  private readonly numbers: number[] = [];
   private keyframes: Keyframe[];
   private every = 64;
   /** A large picture may be copied with each keyframe: keep fewer. */
@@ -33,10 +35,16 @@ export class Timeline {
     return this.events[step - 1] ?? null;
   }
 
+  /** The numbers of the events' names, that of step n at n - 1: to go through a long run without its events. */
+  get names(): readonly number[] {
+    return this.numbers;
+  }
+
   /** The next event of the trace; the state must be at its end. */
   append(event: Event): void {
     this.state.apply(event);
     this.events.push(event);
+    this.numbers.push(numberOf.get(event.e) ?? 0);
     if (this.events.length % this.every === 0) this.keep();
   }
 

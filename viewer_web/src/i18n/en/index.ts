@@ -1,6 +1,7 @@
 import type { Texts } from '../texts.js';
+import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { reasons } from './reasons.js';
 import { sentences } from './sentences.js';
 
-export const texts: Texts = { page, places, purposes, sentences, reasons };
+export const texts: Texts = { page, places, purposes, sentences, reasons, history };

@@ -1,0 +1,78 @@
+import { readFileSync } from 'node:fs';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { launch, open, opened, small } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+const zbuffer = readFileSync(
+  new URL('../test-data/small.zbuffer.signs.jsonl', import.meta.url),
+  'utf8',
+);
+
+/** The events of a trace again and again, until there are so many: no pixel of a real run has as long a history. */
+function repeated(text: string, from: RegExp, length: number): string {
+  const [header = '', ...lines] = text.trim().split('\n');
+  const start = lines.findIndex((line) => from.test(line));
+  const body = lines.slice(start, -1);
+  const times = Math.ceil(length / body.length);
+  const events = start + times * body.length;
+  const end = { end: { events, picture: `sha256:${'0'.repeat(64)}` } };
+  const all = Array.from({ length: times }, () => body).flat();
+  return [header, ...lines.slice(0, start), ...all, JSON.stringify(end), ''].join('\n');
+}
+
+/** Tells, for each click, how long it took until the history was whole and on the page. */
+const watch = (page: Page): Promise<void> =>
+  page.evaluate(() => {
+    const times: number[] = [];
+    Object.assign(window, { times });
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    const answer = (): Element | null | undefined =>
+      player?.shadowRoot
+        ?.querySelector('vidno-side')
+        ?.shadowRoot?.querySelector('vidno-history')
+        ?.shadowRoot?.querySelector('.entries[aria-busy=false] .why');
+    const onClick = (): void => {
+      const start = performance.now();
+      const look = (): void => {
+        if (answer()) times.push(Math.round(performance.now() - start));
+        else requestAnimationFrame(look);
+      };
+      requestAnimationFrame(look);
+    };
+    window.addEventListener('click', onClick, { capture: true });
+  });
+
+const timesOf = (page: Page): Promise<readonly number[]> =>
+  page.evaluate(() => (window as unknown as { times: number[] }).times);
+
+describe('a trace of 300 000 events', () => {
+  it.each([
+    ['warnock', repeated(small, /"at":"W3"/, 300_000)],
+    ['zbuffer', repeated(zbuffer, /"e":"polygon"/, 300_000)],
+  ])('%s gives the history of a pixel soon after the click', async (name, text) => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, `${name}.jsonl`, text);
+    const area = await page.locator('vidno-picture .area').boundingBox();
+    if (area === null) throw new Error('no picture');
+    await watch(page);
+    const clicks = 5;
+    for (let i = 1; i <= clicks; i++) {
+      await page.mouse.click(area.x + (area.width * i) / (clicks + 1), area.y + area.height / 3);
+      await page.waitForFunction(
+        (n) => (window as unknown as { times: number[] }).times.length === n,
+        i,
+      );
+    }
+    const times = [...(await timesOf(page))].sort((a, b) => a - b);
+    console.log(`${name}: ${times.join(', ')} ms from click to history`);
+    expect(times[0]).toBeLessThan(100); // the one that other programs disturbed least
+  });
+});

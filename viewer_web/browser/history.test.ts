@@ -1,0 +1,194 @@
+import { readFileSync } from 'node:fs';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { goTo, launch, open, opened, shown, small } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+const zbuffer = readFileSync(
+  new URL('../test-data/small.zbuffer.signs.jsonl', import.meta.url),
+  'utf8',
+);
+
+/** The middle of a pixel of the small scenes' picture, on the page: x from 2, y from -1, 5 x 4 pixels. */
+async function spotOf(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
+  const area = await page.locator('vidno-picture .area').boundingBox();
+  if (area === null) throw new Error('no picture');
+  return {
+    x: area.x + ((x - 2 + 0.5) * area.width) / 5,
+    y: area.y + ((y + 1 + 0.5) * area.height) / 4,
+  };
+}
+
+async function click(page: Page, x: number, y: number): Promise<void> {
+  const spot = await spotOf(page, x, y);
+  await page.mouse.click(spot.x, spot.y);
+  await page.locator('vidno-history .entries').waitFor();
+}
+
+const stepsIn = (page: Page): Promise<readonly number[]> =>
+  page
+    .locator('vidno-history li')
+    .evaluateAll((items) => items.map((item) => Number((item as HTMLElement).dataset['step'])));
+
+/** Whether the entry of a step can be seen in its list. */
+const inSight = (page: Page, step: number): Promise<boolean> =>
+  page.locator(`vidno-history li[data-step="${step}"]`).evaluate((item) => {
+    const box = item.closest('.entries')?.getBoundingClientRect();
+    const { top, bottom } = item.getBoundingClientRect();
+    return box !== undefined && top >= box.top && bottom <= box.bottom + 1;
+  });
+
+describe('the history of a pixel', () => {
+  it('is opened by a click, with the reason for its colour in sight', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await opened(page, 'zbuffer.jsonl', zbuffer);
+    await click(page, 4, 0);
+    expect(await stepsIn(page)).toEqual([3, 32, 33, 36, 39, 89, 90, 92, 94]);
+    expect(await page.locator('vidno-history .why').textContent()).toContain('B is nearer here');
+    expect(await inSight(page, 94)).toBe(true);
+    expect(await page.locator('vidno-picture path.chosen:not(.casing)').count()).toBe(1);
+    await page.keyboard.press('ArrowRight');
+    expect((await shown(page)).step).toBe(1); // the click did not take the keyboard
+    expect(faults).toEqual([]);
+  });
+
+  it('leads to its steps, and follows them', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    await click(page, 4, 0);
+    const steps = await stepsIn(page);
+    const entry = page.locator('vidno-history li button');
+    await entry.nth(5).click();
+    expect((await shown(page)).step).toBe(steps[5]);
+    for (const step of [steps[20], steps[60], steps[2], steps.at(-1)]) {
+      await goTo(page, step ?? 0);
+      const now = page.locator('vidno-history li.now');
+      expect(await now.getAttribute('data-step')).toBe(String(step));
+      expect(await now.locator('[aria-current=step]').count()).toBe(1);
+      expect(await inSight(page, step ?? 0)).toBe(true);
+    }
+  });
+
+  it('is chosen and walked through by keyboard alone', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await opened(page, 'zbuffer.jsonl', zbuffer);
+    await page.keyboard.press('p'); // in the middle, (4, 1)
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('Enter');
+    expect(await page.locator('vidno-side button[aria-pressed=true]').textContent()).toContain(
+      'Pixel (5, 0)',
+    );
+    expect((await shown(page)).step).toBe(0);
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('ArrowRight');
+    expect((await shown(page)).step).toBe(1);
+    await page.locator('vidno-history .last').focus();
+    await page.keyboard.press('Enter');
+    expect((await shown(page)).step).toBe(94);
+    await page.locator('vidno-history li button[tabindex="0"]').focus();
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('Enter');
+    expect((await shown(page)).step).toBe(93);
+    await page.locator('vidno-history .forget').focus();
+    await page.keyboard.press('Enter');
+    await page.locator('vidno-zbuffer').waitFor();
+    expect(await page.locator('vidno-picture path.chosen').count()).toBe(0);
+    expect(faults).toEqual([]);
+  });
+
+  it('is kept in the address', async () => {
+    const { page: first } = await open(browser, '#lang=en');
+    const lesson = first.locator('vidno-lesson-list button').last();
+    if ((await lesson.count()) === 0) return;
+    await lesson.click();
+    await lesson.and(first.locator('[aria-pressed="true"]')).waitFor();
+    const area = await first.locator('vidno-picture .area').boundingBox();
+    if (area === null) throw new Error('no picture');
+    await first.mouse.click(area.x + area.width / 3, area.y + area.height / 2);
+    await first.waitForFunction(() => location.hash.includes('pixel='));
+    const name = await first.locator('vidno-side button[aria-pressed=true]').textContent();
+    const { page } = await open(browser, new URL(first.url()).hash);
+    await page.locator('vidno-history .entries').waitFor();
+    expect(await page.locator('vidno-side button[aria-pressed=true]').textContent()).toBe(name);
+  });
+
+  it('has something to say of every lesson', async () => {
+    const { page, faults } = await open(browser, '#lang=ru');
+    for (const lesson of await page.locator('vidno-lesson-list button').all()) {
+      await lesson.click();
+      await lesson.and(page.locator('[aria-pressed="true"]')).waitFor();
+      await page.keyboard.press('p');
+      await page.keyboard.press('Enter');
+      await page.locator('vidno-history .why, vidno-history .last:disabled').waitFor();
+      await page.keyboard.press('Escape');
+      expect(await page.locator('vidno-history .entries').innerText()).not.toMatch(
+        /undefined|null|NaN|\[object/,
+      );
+    }
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('with the history of a pixel', () => {
+  it.each(['light', 'dark'] as const)('all can use the page (%s)', async (colorScheme) => {
+    for (const [name, text] of [
+      ['small.jsonl', small],
+      ['zbuffer.jsonl', zbuffer],
+    ] as const) {
+      const { page } = await open(browser, '#lang=ru', { colorScheme });
+      await opened(page, name, text);
+      await click(page, 4, 0);
+      await goTo(page, 60);
+      await page.keyboard.press('Tab');
+      expect(await violations(page)).toEqual([]);
+    }
+  });
+
+  it.each([390, 768, 1280, 1920])('nothing is clipped or moves at %i px', async (width) => {
+    const viewport = { width, height: width < 500 ? 844 : 1080 };
+    const { page } = await open(browser, '#lang=ru', { viewport });
+    await opened(page, 'small.jsonl', small);
+    await click(page, 4, 0);
+    const places = new Set<string>();
+    for (const step of [0, 1, 60, 900, 1400]) {
+      await goTo(page, step);
+      const parts = page.locator('vidno-history .head, vidno-history .entries, .dock, .listing');
+      const boxes = await parts.evaluateAll((all) =>
+        all.map((part) => {
+          const { x, y, width: wide, height } = part.getBoundingClientRect();
+          return [x, y + scrollY, wide, height].map(Math.round).join();
+        }),
+      );
+      places.add(boxes.join(' '));
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+      const wide = await page
+        .locator('vidno-history .entries')
+        .evaluate((list) => list.scrollWidth - list.clientWidth);
+      expect(wide).toBe(0);
+    }
+    expect([...places]).toHaveLength(1);
+  });
+
+  it('every target is large enough', async () => {
+    const { page } = await open(browser, '#lang=en', { viewport: { width: 390, height: 844 } });
+    await opened(page, 'small.jsonl', small);
+    await click(page, 4, 0);
+    const sizes = await page
+      .locator('vidno-side button')
+      .evaluateAll((all) =>
+        all.map((each) => each.getBoundingClientRect()).map((r) => [r.width, r.height]),
+      );
+    for (const [width = 0, height = 0] of sizes)
+      expect(Math.min(width, height)).toBeGreaterThan(24);
+  });
+});

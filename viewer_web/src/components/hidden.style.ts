@@ -1,0 +1,14 @@
+import { css } from 'lit';
+
+/** For those who listen to the page instead of looking at it. */
+export const hiddenStyle = css`
+  .heard {
+    position: absolute;
+    width: 1px;
+    height: 1px;
+    margin: -1px;
+    overflow: hidden;
+    clip-path: inset(50%);
+    white-space: nowrap;
+  }
+`;

@@ -1,0 +1,37 @@
+import type { Known } from '../i18n/words.js';
+import { eventNames } from '../trace/events.js';
+import type { Event, EventName } from '../trace/events.js';
+
+/** What a step came to for the pixel: a test passed or failed, a colour written, a wrong decision, or neither. */
+export type Outcome = 'pass' | 'fail' | 'paint' | 'wrong' | 'note';
+
+/** A step that concerned the pixel, with what its sentence needs to know. */
+export interface Entry {
+  readonly step: number;
+  readonly event: Event;
+  readonly outcome: Outcome;
+  readonly known: Known;
+}
+
+/** For each number of an event's name whether a watch wants to see it. */
+export type Wanted = readonly boolean[];
+
+/** Sees the events of a run in turn, those that it wants, and says which concern its pixel. */
+export interface Watch {
+  readonly wanted: Wanted;
+  see(event: Event, step: number): Outcome | null;
+  /** What was known when the event happened; asked for after `see`. */
+  readonly known: Known;
+}
+
+export const all: Wanted = eventNames.map(() => true);
+
+export function only(...names: readonly EventName[]): Wanted {
+  return eventNames.map((name) => names.includes(name));
+}
+
+export const test = (passed: boolean): Outcome => (passed ? 'pass' : 'fail');
+
+export function covers(runs: readonly (readonly [number, number])[], x: number): boolean {
+  return runs.some(([first, end]) => first <= x && x < end);
+}

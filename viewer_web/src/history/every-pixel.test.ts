@@ -1,0 +1,50 @@
+import { describe, expect, it } from 'vitest';
+import { languages } from '../i18n/language.js';
+import type { Pixel } from '../picture/pixel.js';
+import { textOf, traceNames, traceOf } from '../testing/traces.js';
+import type { Trace } from '../trace/read.js';
+import { viewOf } from '../view.js';
+import { History } from './history.js';
+import { sayEntry } from './say.js';
+
+function pixelsOf({ header }: Trace): readonly Pixel[] {
+  const { x, y, width, height } = header.scene.area;
+  return Array.from({ length: width * height }, (_, i) => [
+    x + (i % width),
+    y + Math.floor(i / width),
+  ]);
+}
+
+describe.each(traceNames)('every pixel of %s', (name) => {
+  it('says of a step what the player says of it', async () => {
+    const trace = await traceOf(textOf(name));
+    for (const pixel of pixelsOf(trace)) {
+      const history = new History(trace, pixel);
+      history.read();
+      for (const entry of history.entries) {
+        const missed = entry.outcome === 'fail' && ['draw', 'span'].includes(entry.event.e);
+        if (missed) continue;
+        for (const language of languages) {
+          const { sentence } = viewOf(trace, entry.step, language, null);
+          expect(sayEntry(entry, trace.header.scene, language)).toBe(sentence);
+        }
+      }
+    }
+  });
+
+  it('is painted last with the colour that it ends with', async () => {
+    const trace = await traceOf(textOf(name));
+    const { picture } = trace.timeline.seek(trace.timeline.length).screen;
+    const { area } = trace.header.scene;
+    for (const [x, y] of pixelsOf(trace)) {
+      const history = new History(trace, [x, y]);
+      history.read();
+      const { painter } = history;
+      const before = trace.timeline.seek((painter?.step ?? 1) - 1).values.step;
+      const { screen } = trace.timeline.seek(before + 1);
+      const then = screen.picture.row(y - area.y)[x - area.x];
+      trace.timeline.seek(trace.timeline.length);
+      expect(then).toBe(picture.row(y - area.y)[x - area.x]);
+    }
+  });
+});

@@ -1,0 +1,30 @@
+import type { Box } from '../trace/values.js';
+import type { Entry } from './entry.js';
+
+/** Entries in a row that stand under the same heading: a window, or a polygon. */
+export interface Group {
+  readonly under: Box | string | null;
+  readonly entries: readonly Entry[];
+}
+
+const headingOf = ({ known }: Entry): Box | string | null =>
+  known.warnock?.window ?? known.zbuffer?.polygon ?? null;
+
+export function grouped(entries: readonly Entry[]): readonly Group[] {
+  const groups: { under: Box | string | null; entries: Entry[] }[] = [];
+  for (const entry of entries) {
+    const under = headingOf(entry);
+    const last = groups.at(-1);
+    if (last?.under === under) last.entries.push(entry);
+    else groups.push({ under, entries: [entry] });
+  }
+  return groups;
+}
+
+const page = 40;
+
+/** The part of so many entries that is shown around one of them; it stays while one goes about in it. */
+export function shownAround(index: number, length: number): readonly [first: number, end: number] {
+  const first = Math.max(0, (Math.floor(index / page) - 1) * page);
+  return [first, Math.min(length, first + 3 * page)];
+}

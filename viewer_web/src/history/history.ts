@@ -1,0 +1,84 @@
+import { isIn } from '../picture/pixel.js';
+import type { Pixel } from '../picture/pixel.js';
+import type { Trace } from '../trace/read.js';
+import type { Entry, Watch } from './entry.js';
+import { WarnockWatch } from './warnock.js';
+import { ZBufferWatch } from './zbuffer.js';
+
+const atOnce = 16384;
+
+/**
+ * All that concerned a pixel, in order. It is gathered in one pass over the events, which a page may spread
+ * over several frames: nothing is kept for the pixels that nobody asks for.
+ */
+export class History {
+  private readonly found: Entry[] = [];
+  private readonly watch: Watch;
+  private seen = 0;
+  private last: Entry | null = null;
+
+  constructor(
+    readonly trace: Trace,
+    readonly pixel: Pixel,
+  ) {
+    const { method, detail } = trace.header;
+    this.watch = method === 'warnock' ? new WarnockWatch(pixel, detail) : new ZBufferWatch(pixel);
+  }
+
+  get entries(): readonly Entry[] {
+    return this.found;
+  }
+
+  /** The entry that painted the pixel last. */
+  get painter(): Entry | null {
+    return this.last;
+  }
+
+  get complete(): boolean {
+    return this.seen >= this.trace.timeline.length;
+  }
+
+  /** Goes on through the events for about so long; says whether all were seen. */
+  read(milliseconds = Infinity): boolean {
+    const end = performance.now() + milliseconds;
+    do this.readSome();
+    while (!this.complete && performance.now() < end);
+    return this.complete;
+  }
+
+  private readSome(): void {
+    const { timeline } = this.trace;
+    const end = Math.min(this.seen + atOnce, timeline.length);
+    const { names } = timeline;
+    for (; this.seen < end; this.seen++) {
+      if (this.watch.wanted[names[this.seen] ?? 0] === true) this.see(this.seen + 1);
+    }
+  }
+
+  private see(step: number): void {
+    const event = this.trace.timeline.event(step);
+    const outcome = event && this.watch.see(event, step);
+    if (event === null || outcome === null) return;
+    const entry = { step, event, outcome, known: this.watch.known };
+    this.found.push(entry);
+    if (outcome === 'paint') this.last = entry;
+  }
+
+  /** The index of the last entry at a step or before it, or -1. */
+  indexAt(step: number): number {
+    let from = 0;
+    let end = this.found.length;
+    while (from < end) {
+      const middle = (from + end) >> 1;
+      if ((this.found[middle]?.step ?? Infinity) <= step) from = middle + 1;
+      else end = middle;
+    }
+    return from - 1;
+  }
+}
+
+/** The history of a pixel of a trace; none for a pixel that the picture does not have. */
+export function historyOf(trace: Trace | null, pixel: Pixel | null): History | null {
+  if (trace === null || pixel === null || !isIn(pixel, trace.header.scene.area)) return null;
+  return new History(trace, pixel);
+}

@@ -1,0 +1,31 @@
+import type { HistoryTexts } from '../texts.js';
+
+export const history: HistoryTexts = {
+  pixel: 'Pixel',
+  at: (x, y) => `Pixel (${x}, ${y})`,
+  hint: 'Click a pixel of the picture, or press P, to see everything that concerned it and why it has its colour.',
+  how: 'Arrow keys move to another pixel, with Shift by ten. Enter shows the history of the pixel. Escape leaves.',
+  forget: 'Forget the pixel',
+  entries: 'All that concerned the pixel',
+  outcomes: { pass: 'yes', fail: 'no', paint: 'painted', wrong: 'wrong', note: '' },
+  painted: (step) => `Last painted at step ${step}`,
+  unpainted: 'Nothing painted it.',
+  reading: 'Going through the trace…',
+  earlier: (n) => `${n} earlier`,
+  later: (n) => `${n} later`,
+  missed: (polygon) => `${polygon} does not cover the centre of this pixel, which stays as it is.`,
+  kept: (polygon) => `On this row ${polygon} leaves the pixel as it is.`,
+  because: 'Why it has this colour:',
+  why: {
+    hides: (polygon) => `${polygon} surrounds this window and hides everything else in it.`,
+    centre: (polygon) => `of all that cover its centre, ${polygon} is the nearest.`,
+    alone: (polygon) => `${polygon} is alone in this window and covers the centre of the pixel.`,
+    nearest: (polygon) =>
+      `${polygon} is nearer here than all drawn before, and nothing drawn later took the pixel.`,
+    empty: () => 'no polygon is left in this window.',
+    nothing: () => 'no polygon covers its centre.',
+    beside: () => 'the only polygon in this window does not cover the centre of the pixel.',
+    untouched: () => 'no polygon took the pixel.',
+  },
+  whyBackground: 'Why it is background:',
+};
