@@ -7,6 +7,9 @@ import { base } from './theme.js';
 const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['step', ['←', '→']],
   ['ten', ['Shift ←', 'Shift →']],
+  ['over', ['[', ']']],
+  ['out', ['Shift [', 'Shift ]']],
+  ['goal', [',', '.']],
   ['ends', ['Home', 'End']],
   ['play', ['Space']],
   ['speed', ['−', '+']],

@@ -37,6 +37,7 @@ export const playerStyle = css`
   }
   .dock {
     display: grid;
+    grid-template-columns: minmax(0, 1fr);
     flex: none;
     gap: 0.5rem;
     padding: 0.6rem 0.9rem 0.7rem;

@@ -5,12 +5,13 @@ import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
-import { samePixel } from '../picture/pixel.js';
+import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import { canonical } from '../state/canonical.js';
 import type { Trace } from '../trace/read.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
+import { Clock } from './clock.js';
 import { takesKey } from './keyboard.js';
 import './keys.js';
 import type { KeysElement } from './keys.js';
@@ -25,6 +26,8 @@ import { base, tokens } from './theme.js';
 import './transport.js';
 import { speeds } from './transport.js';
 import type { Command } from './transport.js';
+import './travel.js';
+import type { TravelElement } from './travel.js';
 
 const mostPerFrame = 60;
 
@@ -38,20 +41,20 @@ export class PlayerElement extends LitElement {
 
   @property({ attribute: false }) trace: Trace | null = null;
   @property({ type: Number }) step = 0;
-  @property({
-    attribute: false,
-    hasChanged: (a, b) => !samePixel(a as Pixel | null, b as Pixel | null),
-  })
-  pixel: Pixel | null = null;
+  @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property() override lang = 'en';
   @state() private playing = false;
   @state() private speed = 5;
   @state() private side: Side = 'state';
   @query('vidno-keys') private keys!: KeysElement;
   @query('vidno-picture') private picture!: PictureElement;
+  @query('vidno-travel') private travel!: TravelElement;
   private view: View | null = null;
   private history: History | null = null;
-  private clock = { frame: 0, last: 0, due: 0 };
+  private readonly clock = new Clock(
+    () => this.speed,
+    (steps) => this.advance(steps),
+  );
 
   /** Shows the state after the first `step` events. */
   seek(step: number): void {
@@ -77,24 +80,18 @@ export class PlayerElement extends LitElement {
   private play(): void {
     if (this.step >= this.length) this.step = 0;
     this.playing = true;
-    this.clock = { frame: requestAnimationFrame(this.tick), last: performance.now(), due: 0 };
+    this.clock.start();
   }
 
   private pause(): void {
     this.playing = false;
-    cancelAnimationFrame(this.clock.frame);
+    this.clock.stop();
   }
 
-  private readonly tick = (now: number): void => {
-    const { clock } = this;
-    clock.due += (Math.max(0, now - clock.last) / 1000) * this.speed;
-    clock.last = now;
-    const steps = Math.floor(clock.due);
-    clock.due -= steps;
+  private advance(steps: number): void {
     if (steps > 0) this.step = this.clamped(this.step + steps);
     if (this.step >= this.length) this.pause();
-    else clock.frame = requestAnimationFrame(this.tick);
-  };
+  }
 
   private clamped(step: number): number {
     return Math.min(Math.max(0, Math.trunc(step) || 0), this.length);
@@ -182,6 +179,12 @@ export class PlayerElement extends LitElement {
           .speed=${this.speed}
           @command=${this.onCommand}
         ></vidno-transport>
+        <vidno-travel
+          .trace=${this.trace}
+          .view=${view}
+          .history=${this.history}
+          @command=${this.onCommand}
+        ></vidno-travel>
       </div>
       <vidno-keys .texts=${texts}></vidno-keys>
     `;
@@ -216,6 +219,7 @@ export class PlayerElement extends LitElement {
 
   private actionOf({ key, code, shiftKey }: KeyboardEvent): (() => void) | null {
     const by = shiftKey ? 10 : 1;
+    const way = shiftKey ? 'out' : 'over';
     const actions: Readonly<Record<string, () => void>> = {
       ArrowRight: () => this.moveTo(this.step + by),
       ArrowLeft: () => this.moveTo(this.step - by),
@@ -226,6 +230,10 @@ export class PlayerElement extends LitElement {
       '=': () => this.changeSpeed(1),
       '-': () => this.changeSpeed(-1),
       '?': () => this.showKeys(),
+      BracketLeft: () => this.travel.call(way, -1),
+      BracketRight: () => this.travel.call(way, 1),
+      Comma: () => this.travel.next(-1),
+      Period: () => this.travel.next(1),
       KeyP: () => this.picture.startChoosing(),
     };
     return actions[key] ?? actions[code] ?? null;

@@ -1,5 +1,6 @@
 import type { Outcome } from '../history/entry.js';
 import type { Why } from '../history/why.js';
+import type { GoalName } from '../time/goals.js';
 import type { Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Edition } from '../trace/header.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
@@ -24,6 +25,7 @@ export interface Texts {
   readonly sentences: Sentences;
   readonly reasons: ReasonTexts;
   readonly history: HistoryTexts;
+  readonly travel: TravelTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -45,6 +47,21 @@ export interface HistoryTexts {
   readonly because: string;
   readonly why: Readonly<Record<Why, (polygon: string) => string>>;
   readonly whyBackground: string;
+}
+
+/** The ways through a run that are longer than a step. */
+export interface TravelTexts {
+  readonly procedure: string;
+  readonly over: string;
+  readonly overBack: string;
+  readonly out: string;
+  readonly outBack: string;
+  readonly goTo: string;
+  readonly next: string;
+  readonly previous: string;
+  readonly goals: Readonly<Record<GoalName, string>>;
+  readonly ofPolygon: string;
+  readonly noGoal: string;
 }
 
 /** What is said where a file may be opened. */
@@ -111,4 +128,5 @@ export interface PageTexts extends FileTexts {
 export type LegendEntry =
   'window' | 'stacked' | 'active' | 'touched' | 'yes' | 'no' | 'scanline' | 'edge' | 'chosen';
 
-export type KeyUse = 'step' | 'ten' | 'ends' | 'play' | 'speed' | 'pixel' | 'cursor' | 'map';
+export type KeyUse =
+  'step' | 'ten' | 'over' | 'out' | 'goal' | 'ends' | 'play' | 'speed' | 'pixel' | 'cursor' | 'map';

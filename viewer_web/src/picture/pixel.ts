@@ -3,8 +3,8 @@ import type { Area } from '../trace/header.js';
 /** A pixel of the plane: the square from (x, y) to (x + 1, y + 1). */
 export type Pixel = readonly [x: number, y: number];
 
-export function samePixel(a: Pixel | null, b: Pixel | null): boolean {
-  return a?.[0] === b?.[0] && a?.[1] === b?.[1];
+export function isOther(a: Pixel | null, b: Pixel | null | undefined): boolean {
+  return a?.[0] !== b?.[0] || a?.[1] !== b?.[1];
 }
 
 /** Whether a pixel of the plane is one of the picture. */

@@ -1,5 +1,5 @@
 import { common, details, tables } from '../trace/events.js';
-import type { Event, EventName, Procedure } from '../trace/events.js';
+import type { Detail, Event, EventName, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import { Screen } from './screen.js';
@@ -29,7 +29,7 @@ export interface Keyframe {
 }
 
 /** The procedure whose frame an event closes, being its result. */
-const closes: Partial<Record<EventName, Procedure>> = {
+export const closes: Partial<Record<EventName, Procedure>> = {
   summary: 'ProcessWindow',
   color: 'PointColor',
   surround: 'SurroundTest',
@@ -37,6 +37,12 @@ const closes: Partial<Record<EventName, Procedure>> = {
   draw: 'FillPolygon',
   span: 'ShowLine',
 };
+
+/** Below the level of its call a result closes nothing. */
+export function isTraced(procedure: Procedure, detail: Detail): boolean {
+  const from = procedure === 'SurroundTest' ? 'signs' : common.call.from;
+  return details.indexOf(detail) >= details.indexOf(from);
+}
 
 /** Everything at a step. Its values are immutable, so that a keyframe shares what does not change. */
 export class State {
@@ -78,7 +84,7 @@ export class State {
   private callsAfter(event: Event): readonly Frame[] {
     const calls = [...this.values.calls];
     const closed = closes[event.e];
-    if (closed !== undefined && this.isTraced(closed)) {
+    if (closed !== undefined && isTraced(closed, this.header.detail)) {
       const top = calls.pop();
       if (top?.of !== closed) throw new Refusal('e', 'resultOf', closed, top?.of ?? '');
     }
@@ -86,12 +92,6 @@ export class State {
     if (top !== undefined) calls.push({ of: top.of, at: event.at });
     if (event.e === 'call') calls.push({ of: event.of, at: null });
     return calls;
-  }
-
-  /** Below the level of its call a result closes nothing. */
-  private isTraced(procedure: Procedure): boolean {
-    const from = procedure === 'SurroundTest' ? 'signs' : common.call.from;
-    return details.indexOf(this.header.detail) >= details.indexOf(from);
   }
 
   private inWarnock(event: Event, now: Warnock): Partial<Warnock> {

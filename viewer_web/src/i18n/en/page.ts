@@ -41,6 +41,9 @@ export const page: PageTexts = {
   keyMap: {
     step: 'one step back, one step forward',
     ten: 'ten steps back, ten steps forward',
+    over: 'back, forward over the call of a procedure',
+    out: 'back, forward out of the procedure',
+    goal: 'to the previous, the next of what is chosen under “Go to”',
     ends: 'to the beginning, to the end',
     play: 'play, pause',
     speed: 'slower, faster',

@@ -3,5 +3,6 @@ import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { reasons } from './reasons.js';
 import { sentences } from './sentences.js';
+import { travel } from './travel.js';
 
-export const texts: Texts = { page, places, purposes, sentences, reasons, history };
+export const texts: Texts = { page, places, purposes, sentences, reasons, history, travel };

@@ -1,0 +1,20 @@
+import type { TravelTexts } from '../texts.js';
+
+export const travel: TravelTexts = {
+  procedure: 'Procedure',
+  over: 'Over the call',
+  overBack: 'Back over the call',
+  out: 'Out of the procedure, to its result',
+  outBack: 'Back out of the procedure, before its call',
+  goTo: 'Go to',
+  next: 'The next one',
+  previous: 'The previous one',
+  goals: {
+    split: 'a split of a window',
+    ael: 'a change of AEL',
+    wrong: 'a wrong decision',
+    pixel: 'a step of the chosen pixel',
+  },
+  ofPolygon: 'a step of the polygon',
+  noGoal: 'none',
+};

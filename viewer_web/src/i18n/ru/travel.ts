@@ -1,0 +1,20 @@
+import type { TravelTexts } from '../texts.js';
+
+export const travel: TravelTexts = {
+  procedure: 'Процедура',
+  over: 'Через вызов',
+  overBack: 'Назад через вызов',
+  out: 'Из процедуры, к её результату',
+  outBack: 'Назад из процедуры, к её вызову',
+  goTo: 'Перейти',
+  next: 'К следующему',
+  previous: 'К предыдущему',
+  goals: {
+    split: 'деление окна',
+    ael: 'изменение AEL',
+    wrong: 'неверное решение',
+    pixel: 'шаг выбранного пикселя',
+  },
+  ofPolygon: 'шаг многоугольника',
+  noGoal: 'нет',
+};
