@@ -68,7 +68,7 @@ public:
     }
     /// Does the procedure decide wrongly?
     bool wrong_in(const std::string& procedure) const {
-        const CheckReport report = check_run(request_, right_picture(request_.scene));
+        const CheckReport report = checked();
         for (const auto& each : report.procedures) {
             if (procedure_names[std::size_t(each.procedure)] == procedure) return each.wrong_for_scene > 0;
         }
@@ -76,11 +76,11 @@ public:
     }
 
     /// The farthest that an intersection is from the exact one, in pixels.
-    double off() const { return check_run(request_, right_picture(request_.scene)).farthest_off; }
+    double off() const { return checked().farthest_off; }
     /// The intersections, in their order; under `filtered`, which does not survey them, too.
     std::vector<glm::dvec2> intersections() const {
         std::vector<glm::dvec2> found;
-        check_run(request_, right_picture(request_.scene), [&](const Event& event) {
+        checked([&](const Event& event) {
             const auto* cut = std::get_if<event::ClipCross>(&event);
             if (cut) found.emplace_back(cut->vertex.x.number, cut->vertex.y.number);
         });
@@ -88,6 +88,9 @@ public:
     }
 
 private:
+    CheckReport checked(const std::function<void(const Event&)>& hear = [](const Event&) {}) const {
+        return check_run(request_, right_picture(request_.scene), hear);
+    }
     bool has(const std::string& text) const { return trace_.find(text) != trace_.npos; }
 
     RunRequest request_;

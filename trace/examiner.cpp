@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "families.h"
-#include "vidno/kernels/filtered.h"
+#include "vidno/kernels/exact.h"
 #include "vidno/vidno.h"
 
 namespace vidno {
@@ -39,6 +39,9 @@ namespace {
 
 constexpr int samples_a_side = 8;  // of a pixel
 
+/// The right one; `exact` would take longer.
+Picture picture_of(const Scene& scene) { return run({Method::zbuffer, *kernel_named("filtered"), false, scene}); }
+
 /// The colours of the samples: the picture of the scene made so many times as large.
 Picture samples_of(const Scene& scene) {
     Scene large = scene;
@@ -49,7 +52,7 @@ Picture samples_of(const Scene& scene) {
             vertex.y *= samples_a_side;
         }
     }
-    return render(Method::zbuffer, large, Filtered{});
+    return picture_of(large);
 }
 
 /// Which operation an event tells; of most, none.
@@ -129,7 +132,7 @@ std::size_t Examiner::unsteady_pixels() const {
     RandomPolygons random(std::mt19937(1));
     std::vector<bool> changed(right_.pixels().size());
     for (int trial = 0; trial < trials; ++trial) {
-        const Picture moved = render(Method::zbuffer, moved_by_ulps(scene_, 1, random), Filtered{});
+        const Picture moved = picture_of(moved_by_ulps(scene_, 1, random));
         for (std::size_t i = 0; i < changed.size(); ++i) {
             changed[i] = changed[i] || moved.pixels()[i] != right_.pixels()[i];
         }

@@ -18,12 +18,8 @@ std::string as_page(const std::vector<SceneChart>& scenes, const ChartOptions&) 
     return chart_page(chart_json(scenes));
 }
 std::string as_figure(const std::vector<SceneChart>& scenes, const ChartOptions& options) {
-    const auto place = [](const auto& axes, const std::string& name) {
-        return std::size_t(std::find_if(axes.begin(), axes.end(), [&](auto& axis) { return axis.name == name; }) -
-                           axes.begin());
-    };
-    return output_of({"gnuplot"},
-                     chart_script(scenes, place(cost_axes, options.cost), place(error_axes, options.error)));
+    return output_of({"gnuplot"}, chart_script(scenes, place_in(names_of(cost_axes), options.cost),
+                                               place_in(names_of(error_axes), options.error)));
 }
 
 /// Refuses a wrong name, and what would be missing in the end, before the work.

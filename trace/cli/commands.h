@@ -98,6 +98,13 @@ std::size_t place_in(const auto& names, const std::string& name) {
     return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+/// Of things that have one, in their order.
+std::vector<std::string> names_of(const auto& named) {
+    std::vector<std::string> names;
+    for (const auto& each : named) names.emplace_back(each.name);
+    return names;
+}
+
 int trace(const RunOptions& options);
 int render(const RunOptions& options);
 int check(const CheckOptions& options);

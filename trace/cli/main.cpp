@@ -14,12 +14,6 @@ using namespace vidno::cli;
 
 std::vector<std::string> words(const auto& names) { return {names.begin(), names.end()}; }
 
-std::vector<std::string> names_of(const auto& axes) {
-    std::vector<std::string> names;
-    for (const auto& axis : axes) names.emplace_back(axis.name);
-    return names;
-}
-
 const CLI::Validator a_kernel(
     [](const std::string& name) { return kernel_named(name) ? "" : name + " is not one of " + kernel_names(); },
     kernel_names());

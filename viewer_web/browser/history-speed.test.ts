@@ -1,7 +1,6 @@
-import { readFileSync } from 'node:fs';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { launch, open, opened, small } from './page.js';
+import { launch, open, opened, sampleTrace, small } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -10,11 +9,6 @@ beforeAll(async () => {
 afterAll(async () => {
   await browser.close();
 });
-
-const zbuffer = readFileSync(
-  new URL('../test-data/small.zbuffer.signs.jsonl', import.meta.url),
-  'utf8',
-);
 
 /** The events of a trace again and again, until there are so many: no pixel of a real run has as long a history. */
 function repeated(text: string, from: RegExp, length: number): string {
@@ -56,7 +50,7 @@ const timesOf = (page: Page): Promise<readonly number[]> =>
 describe('a trace of 300 000 events', () => {
   it.each([
     ['warnock', repeated(small, /"at":"W3"/, 300_000)],
-    ['zbuffer', repeated(zbuffer, /"e":"polygon"/, 300_000)],
+    ['zbuffer', repeated(sampleTrace('small.zbuffer.signs'), /"e":"polygon"/, 300_000)],
   ])('%s gives the history of a pixel soon after the click', async (name, text) => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, `${name}.jsonl`, text);

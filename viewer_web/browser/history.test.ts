@@ -1,8 +1,7 @@
-import { readFileSync } from 'node:fs';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, shown, small } from './page.js';
+import { goTo, launch, open, opened, sampleTrace, shown, small } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -11,11 +10,6 @@ beforeAll(async () => {
 afterAll(async () => {
   await browser.close();
 });
-
-const zbuffer = readFileSync(
-  new URL('../test-data/small.zbuffer.signs.jsonl', import.meta.url),
-  'utf8',
-);
 
 /** The middle of a pixel of the small scenes' picture, on the page: x from 2, y from -1, 5 x 4 pixels. */
 async function spotOf(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
@@ -49,7 +43,7 @@ const inSight = (page: Page, step: number): Promise<boolean> =>
 describe('the history of a pixel', () => {
   it('is opened by a click, with the reason for its colour in sight', async () => {
     const { page, faults } = await open(browser, '#lang=en');
-    await opened(page, 'zbuffer.jsonl', zbuffer);
+    await opened(page, 'zbuffer.jsonl', sampleTrace('small.zbuffer.signs'));
     await click(page, 4, 0);
     expect(await stepsIn(page)).toEqual([3, 32, 33, 36, 39, 89, 90, 92, 94]);
     expect(await page.locator('vidno-history .why').textContent()).toContain('B is nearer here');
@@ -79,7 +73,7 @@ describe('the history of a pixel', () => {
 
   it('is chosen and walked through by keyboard alone', async () => {
     const { page, faults } = await open(browser, '#lang=en');
-    await opened(page, 'zbuffer.jsonl', zbuffer);
+    await opened(page, 'zbuffer.jsonl', sampleTrace('small.zbuffer.signs'));
     await page.keyboard.press('p'); // in the middle, (4, 1)
     await page.keyboard.press('ArrowUp');
     await page.keyboard.press('Shift+ArrowRight');
@@ -143,7 +137,7 @@ describe('with the history of a pixel', () => {
   it.each(['light', 'dark'] as const)('all can use the page (%s)', async (colorScheme) => {
     for (const [name, text] of [
       ['small.jsonl', small],
-      ['zbuffer.jsonl', zbuffer],
+      ['zbuffer.jsonl', sampleTrace('small.zbuffer.signs')],
     ] as const) {
       const { page } = await open(browser, '#lang=ru', { colorScheme });
       await opened(page, name, text);

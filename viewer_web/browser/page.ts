@@ -5,11 +5,13 @@ import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 
 const built = fileURLToPath(new URL('../dist/index.html', import.meta.url));
 
-/** A trace with every kind of window, as text. */
-export const small = readFileSync(
-  new URL('../test-data/small.warnock.signs.jsonl', import.meta.url),
-  'utf8',
-);
+/** A trace of the test data, as text. */
+export function sampleTrace(name: string): string {
+  return readFileSync(new URL(`../test-data/${name}.jsonl`, import.meta.url), 'utf8');
+}
+
+/** One with every kind of window. */
+export const small = sampleTrace('small.warnock.signs');
 
 export function launch(): Promise<Browser> {
   if (!existsSync(built)) throw new Error('Build the page first: npm run build');

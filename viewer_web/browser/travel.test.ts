@@ -1,8 +1,7 @@
-import { readFileSync } from 'node:fs';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, shown, small } from './page.js';
+import { goTo, launch, open, opened, sampleTrace, shown, small } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -11,9 +10,6 @@ beforeAll(async () => {
 afterAll(async () => {
   await browser.close();
 });
-
-const read = (name: string): string =>
-  readFileSync(new URL(`../test-data/${name}.jsonl`, import.meta.url), 'utf8');
 
 const stepOf = async (page: Page): Promise<number> => (await shown(page)).step;
 
@@ -30,7 +26,7 @@ async function click(page: Page, label: string): Promise<number> {
 describe('through procedures', () => {
   it('one goes over and out, forward and back, by mouse', async () => {
     const { page, faults } = await open(browser, '#lang=en');
-    await opened(page, 'inside.jsonl', read('inside.warnock.signs'));
+    await opened(page, 'inside.jsonl', sampleTrace('inside.warnock.signs'));
     await goTo(page, 3);
     expect(await click(page, 'Over the call')).toBe(23);
     expect(await click(page, 'Back over the call')).toBe(3);
@@ -43,7 +39,7 @@ describe('through procedures', () => {
 
   it('and by keyboard', async () => {
     const { page } = await open(browser, '#lang=en');
-    await opened(page, 'inside.jsonl', read('inside.warnock.signs'));
+    await opened(page, 'inside.jsonl', sampleTrace('inside.warnock.signs'));
     for (const key of [']', ']', ']', ']']) await page.keyboard.press(key);
     expect(await stepOf(page)).toBe(23);
     expect(await press(page, '[')).toBe(3);
@@ -57,7 +53,7 @@ describe('through procedures', () => {
 describe('one goes to the next', () => {
   it('split of a window, by keyboard and mouse', async () => {
     const { page } = await open(browser, '#lang=en');
-    await opened(page, 'small.jsonl', read('small.warnock.windows'));
+    await opened(page, 'small.jsonl', sampleTrace('small.warnock.windows'));
     expect([await press(page, '.'), await press(page, '.'), await press(page, '.')]).toEqual([
       3, 9, 15,
     ]);
@@ -69,7 +65,7 @@ describe('one goes to the next', () => {
 
   it('change of AEL, step of a polygon and of the chosen pixel', async () => {
     const { page } = await open(browser, '#lang=en');
-    await opened(page, 'zbuffer.jsonl', read('small.zbuffer.signs'));
+    await opened(page, 'zbuffer.jsonl', sampleTrace('small.zbuffer.signs'));
     expect([await press(page, '.'), await press(page, '.'), await press(page, '.')]).toEqual([
       15, 16, 73,
     ]);
@@ -90,7 +86,7 @@ describe('one goes to the next', () => {
 
   it('wrong decision of a checked trace', async () => {
     const { page } = await open(browser, '#lang=en');
-    const lines = read('small.zbuffer.signs').trim().split('\n');
+    const lines = sampleTrace('small.zbuffer.signs').trim().split('\n');
     const wrong =
       '{"e":"disagree","at":"L6","of":"nearer","taken":true,"exact":false,"cause":"rounded"}';
     lines.splice(37, 0, wrong); // after the pixel of step 36
@@ -123,7 +119,7 @@ describe('the row of these controls', () => {
 
   it.each(['light', 'dark'] as const)('can be used by all (%s)', async (colorScheme) => {
     const { page } = await open(browser, '#lang=en', { colorScheme });
-    await opened(page, 'zbuffer.jsonl', read('small.zbuffer.signs'));
+    await opened(page, 'zbuffer.jsonl', sampleTrace('small.zbuffer.signs'));
     await page.keyboard.press('?');
     expect(await violations(page)).toEqual([]);
   });

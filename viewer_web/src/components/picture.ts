@@ -4,7 +4,6 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
 import { texts as allTexts } from '../i18n/index.js';
 import { Frame } from '../picture/frame.js';
-import type { Size } from '../picture/frame.js';
 import { marksOf, target } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
 import { isIn, moved, nearestIn } from '../picture/pixel.js';
@@ -13,6 +12,7 @@ import { outline, shapeOf } from '../picture/shapes.js';
 import type { Polygon } from '../trace/header.js';
 import type { View } from '../view.js';
 import { hiddenStyle } from './hidden.style.js';
+import { OwnSize } from './own-size.js';
 import { marksStyle, pictureStyle } from './picture.style.js';
 import { base } from './theme.js';
 
@@ -27,7 +27,6 @@ export class PictureElement extends LitElement {
   static override styles = [base, hiddenStyle, marksStyle, pictureStyle];
 
   @property({ attribute: false }) view!: View;
-  @state() private size: Size = { width: 0, height: 0 };
   /** Where the keyboard is about to choose, while it does. */
   @state() private cursor: Pixel | null = null;
   @query('svg') private stage!: SVGSVGElement;
@@ -35,22 +34,10 @@ export class PictureElement extends LitElement {
 
   private left: Pixel | null = null;
 
-  private readonly observer = new ResizeObserver(([entry]) => {
-    if (entry) this.size = { width: entry.contentRect.width, height: entry.contentRect.height };
-  });
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.observer.observe(this);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.observer.disconnect();
-  }
+  private readonly size = new OwnSize(this);
 
   private get frame(): Frame {
-    return new Frame(this.view.header.scene.area, this.size);
+    return new Frame(this.view.header.scene.area, this.size.value);
   }
 
   /** Gives the keyboard to the choice of a pixel. */
@@ -65,9 +52,10 @@ export class PictureElement extends LitElement {
 
   private paint(): void {
     const ratio = window.devicePixelRatio;
-    const { canvas, size } = this;
-    canvas.width = Math.round(size.width * ratio);
-    canvas.height = Math.round(size.height * ratio);
+    const { canvas } = this;
+    const { width, height } = this.size.value;
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
     paint(canvas, this.view.screen.picture, this.frame.place(ratio));
   }
 

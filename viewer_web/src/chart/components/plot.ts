@@ -1,6 +1,7 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
-import { customElement, property, query, state } from 'lit/decorators.js';
+import { customElement, property, query } from 'lit/decorators.js';
+import { OwnSize } from '../../components/own-size.js';
 import { base } from '../../components/theme.js';
 import { byCost, byError } from '../front.js';
 import { layoutOf } from '../layout.js';
@@ -47,25 +48,12 @@ export class PlotElement extends LitElement {
 
   @property({ attribute: false }) shown!: Shown;
   @property({ attribute: false }) chosen: Point | null = null;
-  @state() private size: readonly [number, number] = [0, 0];
   @query('.canvas') private canvas!: HTMLElement;
 
-  private readonly observer = new ResizeObserver(([entry]) => {
-    if (entry) this.size = [entry.contentRect.width, entry.contentRect.height];
-  });
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.observer.observe(this);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.observer.disconnect();
-  }
+  private readonly size = new OwnSize(this);
 
   override updated(): void {
-    const [width, height] = this.size;
+    const { width, height } = this.size.value;
     if (width === 0) return;
     const { shown, chosen, canvas } = this;
     canvas.replaceChildren(drawPlot(shown, layoutOf(shown, width, height), chosen));
