@@ -194,4 +194,15 @@ Picture trace_checked(const RunRequest& request) {
     return picture;
 }
 
+bool write_trace(RunRequest request, TraceWriter& writer, bool checked) {
+    request.writer = &writer;
+    try {
+        writer.finish(checked ? trace_checked(request) : run(request));
+        return true;
+    } catch (const EventLimitReached&) {
+        writer.finish_partial();
+        return false;
+    }
+}
+
 }  // namespace vidno

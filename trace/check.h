@@ -46,4 +46,7 @@ CheckReport check_run(
 /// The same run told to the request's writer: each decision with its truth, each wrong one followed by `disagree`.
 Picture trace_checked(const RunRequest& request);
 
+/// Traces a run to the end of its file, checked or not; false if the writer's limit ended it, so that it is partial.
+bool write_trace(RunRequest request, TraceWriter& writer, bool checked);
+
 }  // namespace vidno

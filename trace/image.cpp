@@ -6,13 +6,6 @@
 
 namespace vidno {
 
-std::string rgb_rows(const Picture& picture) {
-    std::string bytes;
-    bytes.reserve(picture.pixels().size() * 3);
-    for (const auto& [red, green, blue] : picture.pixels()) bytes.append({char(red), char(green), char(blue)});
-    return bytes;
-}
-
 namespace {
 
 std::string encode_png(const Picture& picture, const std::string& name) {

@@ -8,7 +8,12 @@
 namespace vidno {
 
 /// The rows from the top, three bytes R, G, B a pixel.
-std::string rgb_rows(const Picture& picture);
+inline std::string rgb_rows(const Picture& picture) {
+    std::string bytes;
+    bytes.reserve(picture.pixels().size() * 3);
+    for (const auto& [red, green, blue] : picture.pixels()) bytes.append({char(red), char(green), char(blue)});
+    return bytes;
+}
 
 /// The bytes of the file; the extension, .png or .ppm, decides which. Throws Refused for any other.
 std::string encode_image(const Picture& picture, const std::string& name);

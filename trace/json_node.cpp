@@ -156,6 +156,11 @@ const std::string& JsonNode::text() const {
     return value_.get_ref<const std::string&>();
 }
 
+bool JsonNode::truth() const {
+    if (!value_.is_boolean()) refuse("neither true nor false");
+    return value_.get<bool>();
+}
+
 int JsonNode::whole_number(int least, int greatest) const {
     const double number = value_.is_number() ? value_.get<double>() : 0.5;
     if (number != std::floor(number)) refuse("not a whole number");

@@ -35,6 +35,7 @@ public:
     JsonNode at(std::size_t index) const { return JsonNode(value_[index], this, {}, index); }
 
     const std::string& text() const;
+    bool truth() const;
     int whole_number(int least, int greatest) const;
     /// A number, or one written as hexadecimal text. -0 becomes 0.
     double number() const;

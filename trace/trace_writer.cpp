@@ -1,9 +1,8 @@
 #include "trace_writer.h"
 
-#include <openssl/sha.h>
-
 #include "image.h"
 #include "scene_json.h"
+#include "sha256.h"
 
 namespace vidno {
 
@@ -17,11 +16,8 @@ std::string header_json(const TraceHeader& header) {
 }
 
 std::string picture_hash(const Picture& picture) {
-    const std::string bytes = rgb_rows(picture);
-    unsigned char digest[SHA256_DIGEST_LENGTH];
-    SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest);
     std::string text = "sha256:";
-    for (const unsigned char byte : digest) {
+    for (const unsigned char byte : sha256(rgb_rows(picture))) {
         text += "0123456789abcdef"[byte / 16];
         text += "0123456789abcdef"[byte % 16];
     }

@@ -59,7 +59,7 @@ RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, cons
 int trace(const RunOptions& options) {
     const NamedKernel kernel = kernel_of(options);
     const Scene scene = scene_for(kernel, scene_from(options.scene), options.scene);
-    RunRequest request = request_of(options, kernel, scene);
+    const RunRequest request = request_of(options, kernel, scene);
     OutputFile file(options.output);
     Progress progress("events");
     TraceWriter* running = nullptr;
@@ -69,18 +69,14 @@ int trace(const RunOptions& options) {
     };
     TraceWriter writer({request.method, options.edition, kernel.name(), request.detail, scene}, write,
                        options.most_events);
-    running = request.writer = &writer;
-    int status = 0;
-    try {
-        writer.finish(options.check ? trace_checked(request) : run(request));
-    } catch (const EventLimitReached&) {
-        writer.finish_partial();
+    running = &writer;
+    const bool whole = write_trace(request, writer, options.check);
+    if (!whole) {
         progress.clear();
         std::cerr << options.output << ": partial: stopped after " << writer.events() << " events (--max-events)\n";
-        status = 1;
     }
     file.commit();
-    return status;
+    return whole ? 0 : 1;
 }
 
 int render(const RunOptions& options) {

@@ -1,0 +1,41 @@
+// `vidno trace` by the library as it is in a page: vidno.wasm.
+//
+//     node vidno.mjs VIDNO.wasm trace SCENE [--method M] [--kernel K] [--edition E] [--detail D] [--check] -o FILE
+import { createHash } from 'node:crypto';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { parseArgs } from 'node:util';
+
+const { values, positionals } = parseArgs({
+  allowPositionals: true,
+  options: {
+    method: { type: 'string', default: 'warnock' },
+    kernel: { type: 'string', default: 'double' },
+    edition: { type: 'string', default: 'corrected' },
+    detail: { type: 'string', default: 'signs' },
+    check: { type: 'boolean', default: false },
+    output: { type: 'string', short: 'o' },
+  },
+});
+const [module, , scene] = positionals;
+const { output, ...options } = values;
+
+const bytes = (at, size) => new Uint8Array(wasm.memory.buffer, at, size);
+const nothing = new Proxy({}, { get: () => () => 0 });
+const { instance } = await WebAssembly.instantiate(readFileSync(module), {
+  env: nothing,
+  wasi_snapshot_preview1: nothing,
+  vidno: {
+    sha256: (at, size, to) =>
+      bytes(to, 32).set(createHash('sha256').update(bytes(at, size)).digest()),
+  },
+});
+const wasm = instance.exports;
+wasm._initialize();
+
+const line = JSON.stringify({ ...options, most_events: 2 ** 31 - 1 });
+const request = new TextEncoder().encode(`${line}\n${readFileSync(scene, 'utf8')}`);
+bytes(wasm.request(request.length), request.length).set(request);
+const ran = wasm.run();
+process.stderr.write(bytes(wasm.messages(), wasm.messages_size()));
+if (!ran) process.exit(2);
+writeFileSync(output, bytes(wasm.trace(), wasm.trace_size()));
