@@ -12,10 +12,12 @@
 #include "check.h"
 #include "output.h"
 #include "scene_json.h"
+#include "support/curves.h"
 #include "support/kettner.h"
 #include "support/reference.h"
 #include "support/scenes.h"
 #include "support/stage.h"
+#include "vidno/floating_horizon.h"
 #include "vidno/viewport.h"
 
 using namespace vidno;
@@ -297,4 +299,50 @@ TEST_CASE("Failures: an empty list has no least element") {
         check_run({Method::zbuffer, *kernel_named("double"), printed, scene}, right, hear);
         CHECK(without_next == 2);
     }
+}
+
+namespace {
+
+/// From where to where the last curve of a scene is drawn; none if it is not.
+template <class Set>
+std::optional<HorizonReference::Interval> drawn_of_last(const CurveScene& scene) {
+    std::optional<HorizonReference::Interval> drawn;
+    for (const auto& [segment, from, to] : visible_lines<Set>(scene, Exact{}).lines) {
+        if (segment.curve != int(scene.curves.size()) - 1) continue;
+        drawn = HorizonReference::Interval{drawn ? drawn->first : from.point.x, to.point.x};
+    }
+    return drawn;
+}
+
+}  // namespace
+
+TEST_CASE("Failures: a side edge at x = 1 is lost, and what is below is not drawn") {
+    // The left edge of the first two curves is at 10, 8, 6 over the columns between their ends. It hides the third curve, at
+    // 11, from halfway to the first of them; without it, that curve would go on to the third.
+    const auto behind_an_edge = [](int left) {
+        return CurveSceneBuilder({0, 0, 16, 16})
+            .curve({{left, 12}, {12, 12}})
+            .curve({{left + 4, 4}, {12, 4}})
+            .curve({{left - 1, 24}, {left, 11}, {left + 1, 11}, {left + 2, 11}, {left + 3, 11}, {left + 4, 11}})
+            .build();
+    };
+    CHECK(drawn_of_last<Corrected>(behind_an_edge(1))->last == 1.5);
+    CHECK(drawn_of_last<Printed>(behind_an_edge(1))->last == 3);
+    CHECK(drawn_of_last<Corrected>(behind_an_edge(2))->last == 2.5);
+    CHECK_MESSAGE(drawn_of_last<Printed>(behind_an_edge(2))->last == 2, "at x = 2 it is not lost");
+
+    const CurveScene below = CurveSceneBuilder({0, 0, 9, 16}).curve({{0, 4}, {8, 4}}).curve({{0, 12}, {8, 12}}).build();
+    CHECK(drawn_of_last<Corrected>(below) == HorizonReference::Interval{0, 8});
+    CHECK_FALSE(drawn_of_last<Printed>(below).has_value());
+}
+
+TEST_CASE("Failures: what emerges below the horizons is cut by the upper one") {
+    // 9.5 + x comes to the lower horizon, 12, at x = 2.5; to the upper one, 4, never.
+    const CurveScene scene = CurveSceneBuilder({0, 0, 9, 16})
+                                 .curve({{0, 12}, {8, 12}})
+                                 .curve({{0, 4}, {8, 4}})
+                                 .curve({{0, 9.5}, {8, 17.5}})
+                                 .build();
+    CHECK(drawn_of_last<Corrected>(scene) == HorizonReference::Interval{2.5, 8});
+    CHECK_MESSAGE((drawn_of_last<Printed>(scene) == HorizonReference::Interval{8, 8}), "nothing but its end");
 }

@@ -26,7 +26,6 @@ step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
     windows: ([more, fewer]) => `${more} windows, not ${fewer}`,
     off: ([x, right]) => `an intersection at x = ${x}, not ${right}`,
     test: 'a test of its own',
-    also: 'The floating horizon (X-H1, X-H2) has no run yet.',
   },
   ru: {
     file: 'README.ru.md',
@@ -44,7 +43,6 @@ step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
     windows: ([more, fewer]) => `окон ${more}, а не ${fewer}`,
     off: ([x, right]) => `пересечение при x = ${x}, а не ${right}`,
     test: 'отдельный тест',
-    also: 'Для плавающего горизонта (X-H1, X-H2) прогонов пока нет.',
   },
 };
 
@@ -123,10 +121,10 @@ function row(language, { name, entry, found }) {
 }
 
 function table(language, entries) {
-  const { title, introduction, head, also } = words[language];
+  const { title, introduction, head } = words[language];
   const lines = [head, head.map(() => '---'), ...entries.map((each) => row(language, each))];
   const cells = lines.map((line) => `| ${line.map((cell) => String(cell).replaceAll('|', '\\|')).join(' | ')} |`);
-  return `${title}\n\n${introduction}\n\n${cells.join('\n')}\n\n${also}\n`;
+  return `${title}\n\n${introduction}\n\n${cells.join('\n')}\n`;
 }
 
 try {

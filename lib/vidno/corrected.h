@@ -5,6 +5,11 @@
 /// `vidno methods` name the editions; printed.h lists the defects (X-...).
 #pragma once
 
+#include "floating_horizon/floating_horizon.h"
+#include "floating_horizon/horizon.h"
+#include "floating_horizon/intersection.h"
+#include "floating_horizon/side_edge.h"
+#include "floating_horizon/visibility.h"
 #include "warnock/depth.h"
 #include "warnock/fill_polygon.h"
 #include "warnock/initialize_polygon.h"
@@ -27,7 +32,12 @@ struct Corrected : Warnock,
                    InitializePolygon,
                    FillPolygon,
                    ZBuffer,
-                   ShowLine {
+                   ShowLine,
+                   FloatingHorizon,
+                   SideEdge,
+                   Visibility,
+                   Horizon,
+                   Intersection {
     static constexpr std::string_view name = "corrected";
 
     /// W2: which polygons join the first list. Edge-on was decided exactly when the scene was read.
@@ -55,6 +65,35 @@ struct Corrected : Warnock,
     static bool opposite(const auto& kernel, const auto& p, const auto& q) {
         return kernel.sign(p) != Sign::zero && kernel.sign(p) == -kernel.sign(q);
     }
+
+    /// FH1: what the horizons start at: there are none.
+    template <class K>
+    static Horizons<K> first_horizons(const K&, const Area& area) {
+        return {{area, std::nullopt}, {area, std::nullopt}};
+    }
+
+    /// FH4: what a curve is compared with: the horizons as they are before it, whatever it raises.
+    static auto horizons_before(const auto& horizons) { return horizons; }
+
+    /// FH5: which column of a segment is looked at after another.
+    static int next_column(const Segment&, int column) { return column + 1; }
+
+    /// FH6: is a step drawn that is on this side at both ends.
+    static bool draws(VisibilityFlag side) { return side != VisibilityFlag::hidden; }
+
+    /// FH8: by which horizon a segment becomes visible.
+    static VisibilityFlag horizon_met(VisibilityFlag /*was*/, VisibilityFlag is) { return is; }
+
+    /// SE1: is there no edge yet, for no curve has been there.
+    static bool no_edge_yet(const std::optional<Sample>& edge) { return !edge; }
+
+    /// SE2: over which columns an edge counts: at its ends there are the curves.
+    static std::pair<int, int> edge_columns(const Segment& edge) {
+        return {std::min(edge.from.x, edge.to.x) + 1, std::max(edge.from.x, edge.to.x) - 1};
+    }
+
+    /// V2: the flag of a point that is on both horizons.
+    static VisibilityFlag flag_on_both() { return VisibilityFlag::both; }
 };
 
 }  // namespace vidno

@@ -18,6 +18,11 @@ enum class Line : unsigned char {
     F1, F2, F3,                                               // FillPolygon
     Z1, Z2, Z3, Z4, Z5, Z6, Z7, Z8, Z9, Z10, Z11, Z12, Z13, Z14, Z15, Z16, Z17,  // ZBuffer
     L1, L2, L3, L4, L5, L6, L7,                               // ShowLine
+    FH1, FH2, FH3, FH4, FH5, FH6, FH7, FH8, FH9, FH10,        // FloatingHorizon
+    SE1, SE2, SE3,                                            // SideEdge
+    V1, V2, V3, V4,                                           // Visibility
+    H1, H2, H3,                                               // Horizon
+    IN1, IN2, IN3,                                            // Intersection
 };
 
 inline constexpr auto line_names = std::to_array<std::string_view>({
@@ -31,10 +36,15 @@ inline constexpr auto line_names = std::to_array<std::string_view>({
     "F1", "F2", "F3",
     "Z1", "Z2", "Z3", "Z4", "Z5", "Z6", "Z7", "Z8", "Z9", "Z10", "Z11", "Z12", "Z13", "Z14", "Z15", "Z16", "Z17",
     "L1", "L2", "L3", "L4", "L5", "L6", "L7",
+    "FH1", "FH2", "FH3", "FH4", "FH5", "FH6", "FH7", "FH8", "FH9", "FH10",
+    "SE1", "SE2", "SE3",
+    "V1", "V2", "V3", "V4",
+    "H1", "H2", "H3",
+    "IN1", "IN2", "IN3",
 });
 // clang-format on
 
-static_assert(line_names.size() == std::size_t(Line::L7) + 1);
+static_assert(line_names.size() == std::size_t(Line::IN3) + 1);
 
 /// The procedures that open a frame of the call stack, by the names of the listings.
 enum class Procedure : unsigned char {
@@ -46,6 +56,11 @@ enum class Procedure : unsigned char {
     fill_polygon,
     z_buffer,
     show_line,
+    floating_horizon,
+    side_edge,
+    visibility,
+    horizon,
+    intersection,
 };
 
 inline constexpr auto procedure_names = std::to_array<std::string_view>({
@@ -57,8 +72,13 @@ inline constexpr auto procedure_names = std::to_array<std::string_view>({
     "FillPolygon",
     "ZBuffer",
     "ShowLine",
+    "FloatingHorizon",
+    "SideEdge",
+    "Visibility",
+    "Horizon",
+    "Intersection",
 });
 
-static_assert(procedure_names.size() == std::size_t(Procedure::show_line) + 1);
+static_assert(procedure_names.size() == std::size_t(Procedure::intersection) + 1);
 
 }  // namespace vidno

@@ -96,6 +96,25 @@ struct NoTrace {
     void columns(Line, int /*first*/, int /*end*/, const auto& /*z*/) {}
     void pixel(Line, int /*x*/, int /*y*/, const auto& /*z*/, const auto& /*stored*/, bool /*shown*/) {}
     void span(Line) {}
+
+    // FloatingHorizon
+    void horizons(Line, const auto& /*horizons*/) {}
+    void curve(Line, int /*curve*/) {}
+    void side_edge(Line, const auto& /*sample*/) {}
+    void visibility(Line, const auto& /*segment*/, int /*column*/, auto /*flag*/) {}
+    void horizon(Line, const auto& /*segment*/, int /*first*/, int /*last*/) {}
+    void intersection(Line, const auto& /*segment*/, const auto& /*line_end*/) {}
+    void draw_line(Line, const auto& /*segment*/, const auto& /*from*/, const auto& /*to*/) {}
+
+    // Visibility
+    void height(Line, int /*column*/, const auto& /*y*/, const auto& /*upper*/, const auto& /*lower*/) {}
+
+    // Horizon
+    void raise(Line, int /*column*/, const auto& /*y*/) {}
+    void lower(Line, int /*column*/, const auto& /*y*/) {}
+
+    // Intersection
+    void step(Line, int /*column*/, bool /*changes*/) {}
 };
 
 }  // namespace vidno

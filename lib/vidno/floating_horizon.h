@@ -1,0 +1,27 @@
+/// The floating horizon: which parts of curves are visible, by the procedures of a set in the arithmetic of a kernel.
+///
+///     const auto visible = vidno::visible_lines(curves, vidno::Double{});
+///     for (const auto& line : visible.lines) ...
+#pragma once
+
+#include "corrected.h"
+#include "kernels/machine.h"
+
+namespace vidno {
+
+/// The visible lines in the order of the curves, each from left to right, and the horizons at the end.
+template <HorizonKernel K>
+struct VisibleCurves {
+    std::vector<VisibleLine<typename K::Number>> lines;
+    Horizons<K> horizons;
+};
+
+/// What floating_horizon/floating_horizon.h says, told to the trace step by step. The numbers are the kernel's.
+template <class Set = Corrected, Kernel K, class Trace = NoTrace>
+VisibleCurves<OnColumns<K>> visible_lines(const CurveScene& curves, K kernel, Trace trace = {}) {
+    HorizonRun<Set, OnColumns<K>, Trace> run(curves, OnColumns<K>(std::move(kernel)), std::move(trace));
+    Set::floating_horizon(run);
+    return {std::move(run.lines), std::move(run.horizons)};
+}
+
+}  // namespace vidno

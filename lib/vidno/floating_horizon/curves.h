@@ -1,0 +1,45 @@
+/// Curves: what the floating horizon draws, a surface cut by planes z = const, each seen as a line from sample to sample.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "../scene.h"
+
+namespace vidno {
+
+/// In screen space, on a whole column; y grows downward, so that what lies higher has the smaller y.
+struct Sample {
+    int x = 0;
+    double y = 0;
+    bool operator==(const Sample&) const = default;
+};
+
+/// At least two samples; x grows, within the area's columns. y is finite, and may leave the area.
+struct Curve {
+    std::vector<Sample> samples;
+    bool operator==(const Curve&) const = default;
+};
+
+/// The curves from the nearest to the farthest, and the area whose columns the horizons have.
+struct CurveScene {
+    Area area;
+    std::vector<Curve> curves;
+    bool operator==(const CurveScene&) const = default;
+};
+
+/// The part of a curve from a sample to the next, or a side edge from the end of a curve to that of the next one.
+struct Segment {
+    int curve = 0;  // its place in the scene; of a side edge, the farther one's
+    Sample from, to;
+    bool operator==(const Segment&) const = default;
+};
+
+inline bool on_columns(const Curve& curve, const Area& area) {
+    const auto& samples = curve.samples;
+    const auto not_growing = [](const Sample& a, const Sample& b) { return a.x >= b.x; };
+    return samples.size() >= 2 && samples.front().x >= area.x && samples.back().x < area.right() &&
+           std::adjacent_find(samples.begin(), samples.end(), not_growing) == samples.end();
+}
+
+}  // namespace vidno

@@ -1,0 +1,104 @@
+/// FloatingHorizon: the visible parts of curves, from the nearest to the farthest, beyond what the nearer ones reach.
+///
+/// Source  H. Williamson, Algorithm 420: Hidden-line plotting program, CACM 15(2), 1972; T. J. Wright, A two-space solution
+///         to the hidden line problem for plotting functions of two variables, IEEE Transactions on Computers C-22(1), 1973;
+///         the course's form, which is that of D. F. Rogers, Procedural Elements for Computer Graphics, 1985.
+/// Takes   a run with its curves.
+/// Gives   the run's lines, in the order of the curves and from left to right, and its horizons.
+/// Time    a few comparisons for each curve and column.
+///
+/// The rule. Over a column the upper horizon is the highest, the lower one the lowest, of the curves before and of the side
+/// edges up to the left one of this curve; an edge counts over the columns between its ends. Where none of them has been
+/// there is no horizon. Between neighbouring columns that both have one a horizon is the straight line, elsewhere there is
+/// none. A point of a curve is visible if there is no horizon, or if it is not strictly between the two: touching is
+/// visible. Lines are closed: they have their ends, also where a horizon begins.
+///
+/// Otherwise than in the text, X-H1 and X-H2 (printed.h) besides. Its scan ends in Visibility: what this, Horizon and
+/// Intersection say there is not known, and the printed edition has ours.
+/// - X-H5. A curve is looked at over every column, not at its samples alone: what stands between two samples hides it, too.
+///   The text advises more samples at sharp peaks.
+/// - X-H4. A curve is compared with the horizons that those before it have left, and raises others. The text has one pair, so
+///   that a curve that dips under a horizon meets what it has just raised itself, up to a column too early; likewise an edge
+///   counts at its ends, where it meets the curve that it leads to.
+/// - X-H6. A point may be on both horizons, where these meet; the text has one flag for it, and takes what follows below them
+///   for a crossing of both.
+/// - X-H3. Horizons begin as none. Those of the text begin at the sides of the screen: of two curves beyond one the farther may
+///   be hidden, though nothing is before it.
+#pragma once
+
+#include "horizon_run.h"
+
+namespace vidno {
+
+struct FloatingHorizon {
+    template <class Run>
+    static void floating_horizon(Run& run) {
+        using enum Line;
+        run.trace.horizons(FH1, run.horizons);
+        std::optional<Sample> left_edge, right_edge;
+        int curve = 0;
+        for (const auto& [samples] : run.scene.curves) {
+            run.trace.curve(FH2, curve);
+            run.side_edge(FH3, left_edge, curve, samples.front());
+            draw_curve(run, curve, samples);
+            run.side_edge(FH10, right_edge, curve, samples.back());
+            ++curve;
+        }
+    }
+
+private:
+    template <class Run>
+    static void draw_curve(Run& run, int curve, const std::vector<Sample>& samples) {
+        using enum Line;
+        using Set = typename Run::Set;
+        const auto& before = Set::horizons_before(run.horizons);
+        auto flag = run.visibility(FH4, {curve, samples[0], samples[1]}, samples[0].x, before);  // Pflag
+        for (std::size_t i = 1; i < samples.size(); ++i) {
+            const Segment segment{curve, samples[i - 1], samples[i]};
+            for (int x = segment.from.x; x < segment.to.x;) {
+                const int next = Set::next_column(segment, x);
+                const auto next_flag = run.visibility(FH5, segment, next, before);  // Tflag
+                draw_step(run, segment, {x, flag}, {next, next_flag}, before);
+                x = next;  // FH9
+                flag = next_flag;
+            }
+        }
+    }
+
+    /// A column that is looked at.
+    struct Step {
+        int x;
+        VisibilityFlag flag;
+    };
+
+    template <class Run>
+    static void draw_step(Run& run, const Segment& segment, const Step& from, const Step& to, const auto& before) {
+        using enum Line;
+        using enum VisibilityFlag;
+        using Set = typename Run::Set;
+        const auto first = run.on_column(segment, from.x);
+        const auto last = run.on_column(segment, to.x);
+        const VisibilityFlag was = side_beside(from.flag, to.flag);
+        const VisibilityFlag is = side_beside(to.flag, from.flag);
+        if (was == is) {
+            if (Set::draws(is)) draw(run, FH6, segment, first, last);
+            return;
+        }
+        if (was != hidden) {
+            const auto end = run.intersection(FH7, segment, from.x, to.x, before.on(was), was);
+            draw(run, FH7, segment, first, end);
+        }
+        if (is != hidden) {
+            const VisibilityFlag met = Set::horizon_met(was, is);
+            const auto begin = run.intersection(FH8, segment, from.x, to.x, before.on(met), met);
+            draw(run, FH8, segment, begin, last);
+        }
+    }
+
+    static void draw(auto& run, Line at, const Segment& segment, const auto& from, const auto& to) {
+        run.draw_line(at, segment, from, to);
+        run.horizon(at, segment, from.right, to.left);
+    }
+};
+
+}  // namespace vidno

@@ -1,0 +1,26 @@
+/// SideEdge: the horizons along the edge from the end of the curve before to that of the next, so that the side of the
+/// surface hides what is behind it. It is not drawn, in the text neither; what is hidden of it raises nothing.
+///
+/// Takes   where the edge on this side has come to (nowhere yet, before the first curve), and the curve's end.
+/// Gives   the horizons raised along the edge, and the edge at the curve's end.
+#pragma once
+
+#include "horizon_run.h"
+
+namespace vidno {
+
+struct SideEdge {
+    template <class Run>
+    static void side_edge(Run& run, std::optional<Sample>& edge, int curve, const Sample& end) {
+        using enum Line;
+        using Set = typename Run::Set;
+        if (!Set::no_edge_yet(edge)) {  // SE1
+            const Segment side{curve, *edge, end};
+            const auto [first, last] = Set::edge_columns(side);
+            run.horizon(SE2, side, first, last);
+        }
+        edge = end;  // SE3
+    }
+};
+
+}  // namespace vidno
