@@ -27,7 +27,7 @@ export class Lines {
 
   constructor(private readonly file: Blob) {}
 
-  /** The blocks, each in a buffer of its own. */
+  /** The blocks, none empty, each in a buffer of its own that may be given away. */
   async *blocks(): AsyncGenerator<Uint8Array<ArrayBuffer>> {
     const reader = (await this.bytes()).getReader();
     try {
@@ -37,8 +37,9 @@ export class Lines {
         yield* this.put(chunk);
         if (this.broken !== null) return;
       }
-      if (this.used > 0) yield this.cut(smallest);
-      if (this.used > 0) yield this.buffer.slice(0, this.used);
+      const block = this.cut(smallest);
+      if (block.length > 0) yield block;
+      if (this.used > 0) yield this.buffer.subarray(0, this.used);
     } finally {
       reader.cancel().catch(() => undefined);
     }
