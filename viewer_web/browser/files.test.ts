@@ -1,7 +1,7 @@
 import { gzipSync } from 'node:zlib';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { goTo, launch, open, openFile, opened, shown, small } from './page.js';
+import { goTo, launch, open, openFile, opened, repeated, shown, small, whole } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -20,6 +20,7 @@ describe('a file of one’s own', () => {
     ] as const) {
       await drop(page, name, content);
       await page.locator('.title h2', { hasText: name }).waitFor();
+      await whole(page);
       expect((await shown(page)).length).toBe(small.trim().split('\n').length - 2);
     }
     expect(faults).toEqual([]);
@@ -59,6 +60,18 @@ describe('a file of one’s own', () => {
     await openFile(page, name, content);
     await page.locator('vidno-notice .failed').waitFor();
     expect(await page.locator('vidno-notice .failed').textContent()).toMatch(message);
+    expect(faults).toEqual([]);
+  });
+
+  it('takes back what it showed when a late line is no event', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const long = repeated(small, /"at":"W3"/, 60_000);
+    await openFile(page, 'late.jsonl', long.replace(/\n\{"end".*\n/, '\n{"e":"boom","at":"W1"}\n'));
+    await page.locator('vidno-notice .failed').waitFor();
+    expect(await page.locator('vidno-notice .failed').textContent()).toMatch(
+      /Line 6\d{4}, e: "boom" is no event/,
+    );
+    expect(await page.locator('vidno-player').isVisible()).toBe(false);
     expect(faults).toEqual([]);
   });
 

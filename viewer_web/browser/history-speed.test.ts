@@ -1,6 +1,6 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { launch, open, opened, sampleTrace, small } from './page.js';
+import { launch, open, opened, repeated, sampleTrace, small } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -9,18 +9,6 @@ beforeAll(async () => {
 afterAll(async () => {
   await browser.close();
 });
-
-/** The events of a trace again and again, until there are so many: no pixel of a real run has as long a history. */
-function repeated(text: string, from: RegExp, length: number): string {
-  const [header = '', ...lines] = text.trim().split('\n');
-  const start = lines.findIndex((line) => from.test(line));
-  const body = lines.slice(start, -1);
-  const times = Math.ceil(length / body.length);
-  const events = start + times * body.length;
-  const end = { end: { events, picture: `sha256:${'0'.repeat(64)}` } };
-  const all = Array.from({ length: times }, () => body).flat();
-  return [header, ...lines.slice(0, start), ...all, JSON.stringify(end), ''].join('\n');
-}
 
 /** Tells, for each click, how long it took until the history was whole and on the page. */
 const watch = (page: Page): Promise<void> =>

@@ -1,6 +1,6 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { goTo, launch, open, opened, shown, small } from './page.js';
+import { goTo, launch, open, opened, shown, small, whole } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -19,6 +19,7 @@ describe('each lesson', () => {
     for (const id of ids) {
       await page.locator(`button[data-trace="${id}"]`).click();
       await page.locator(`button[data-trace="${id}"][aria-pressed="true"]`).waitFor();
+      await whole(page);
       await page.keyboard.press('ArrowRight');
       expect((await shown(page)).step).toBe(1);
       await page.keyboard.press('End');
@@ -115,13 +116,15 @@ describe('the address', () => {
     const button = first.locator('vidno-lesson-list button').last();
     if ((await button.count()) === 0) return;
     await button.click();
-    await button.and(first.locator('[aria-pressed="true"]')).waitFor(); // read and shown
+    await button.and(first.locator('[aria-pressed="true"]')).waitFor(); // shown
+    await whole(first);
     await first.keyboard.press('End');
     const before = await shown(first);
     expect(before.step).toBe(before.length);
     await first.waitForFunction((step) => location.hash.endsWith(`step=${step}`), before.step);
     const { page, faults } = await open(browser, new URL(first.url()).hash);
     await page.locator('.title h2').getByText(/./).waitFor();
+    await whole(page);
     expect(await shown(page)).toEqual(before);
     expect(faults).toEqual([]);
   });

@@ -10,6 +10,18 @@ export function sampleTrace(name: string): string {
   return readFileSync(new URL(`../test-data/${name}.jsonl`, import.meta.url), 'utf8');
 }
 
+/** The events of a trace again and again, until there are so many: no pixel of a real run has as long a history. */
+export function repeated(text: string, from: RegExp, length: number): string {
+  const [header = '', ...lines] = text.trim().split('\n');
+  const start = lines.findIndex((line) => from.test(line));
+  const body = lines.slice(start, -1);
+  const times = Math.ceil(length / body.length);
+  const events = start + times * body.length;
+  const end = { end: { events, picture: `sha256:${'0'.repeat(64)}` } };
+  const all = Array.from({ length: times }, () => body).flat();
+  return [header, ...lines.slice(0, start), ...all, JSON.stringify(end), ''].join('\n');
+}
+
 /** One with every kind of window. */
 export const small = sampleTrace('small.warnock.signs');
 
@@ -59,7 +71,8 @@ export async function openUrl(
     if (['error', 'warning'].includes(message.type())) faults.push(message.text());
   });
   page.on('request', (request) => {
-    if (!request.url().startsWith('file:')) faults.push(request.url());
+    // The script of the page's worker is a blob that the page makes of its own text.
+    if (!/^(file|blob):/.test(request.url())) faults.push(request.url());
   });
   await page.goto(url);
   return { page, faults };
@@ -90,10 +103,16 @@ export function shown(page: Page): Promise<Shown> {
   });
 }
 
-/** Opens a file that is a trace and waits until it is shown. */
+/** Opens a file that is a trace and waits until the whole of it is shown. */
 export async function opened(page: Page, name: string, content: string | Buffer): Promise<void> {
   await openFile(page, name, content);
   await page.locator('.title h2', { hasText: name }).waitFor();
+  await whole(page);
+}
+
+/** Waits until nothing is left to be read. */
+export async function whole(page: Page): Promise<void> {
+  await page.locator('vidno-notice :is(.reading, .growing)').waitFor({ state: 'detached' });
 }
 
 export async function goTo(page: Page, step: number): Promise<void> {

@@ -15,16 +15,20 @@ function hashesOf(html: string, tag: RegExp): string {
   return [...html.matchAll(tag)].map((match) => hash(match[1] ?? '')).join(' ');
 }
 
-/** Nothing is loaded, nothing is sent, only the page's own script and style count, and no text is markup. */
+/**
+ * Nothing is loaded, nothing is sent, only the page's own script and style count, and no text is markup. A worker's
+ * script is made by the page's, and lives under the same policy.
+ */
 function policy(html: string): string {
   return [
     "default-src 'none'",
     `script-src ${hashesOf(html, /<script type="module">([^]*?)<\/script>/g)}`,
     `style-src ${hashesOf(html, /<style>([^]*?)<\/style>/g)}`,
+    'worker-src blob:',
     "base-uri 'none'",
     "form-action 'none'",
     "require-trusted-types-for 'script'",
-    'trusted-types lit-html',
+    'trusted-types lit-html vidno-worker',
   ].join('; ');
 }
 

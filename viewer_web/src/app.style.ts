@@ -55,7 +55,7 @@ export const appStyle = css`
     color: var(--soft);
     font-size: 0.8125rem;
   }
-  vidno-notice {
+  vidno-notice:not(.growing) {
     flex-basis: 100%;
   }
   vidno-player {

@@ -19,17 +19,18 @@ import type { Language } from './i18n/language.js';
 import { embeddedFile, embeddedLessons, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
 import type { Pixel } from './picture/pixel.js';
-import { readTrace } from './trace/read.js';
-import type { Trace } from './trace/read.js';
+import { openTrace } from './trace/open.js';
+import type { Trace } from './trace/trace.js';
 
 /** Where in a trace the page is. */
 type Place = Pick<Address, 'step' | 'pixel'>;
 const beginning: Place = { step: 0, pixel: null };
 
 /** What is to be said about a trace that is shown. */
-function shortened(trace: Trace | null): Notice | null {
-  const found = trace?.shortened ?? null;
-  return found && { kind: 'shortened', ...found };
+function noticeOf(trace: Trace): Notice | null {
+  const { complete, shortened, timeline, read } = trace;
+  if (!complete) return { kind: 'growing', steps: timeline.length, read };
+  return shortened && { kind: 'shortened', ...shortened };
 }
 
 /** The page: lessons, files of one's own, and the player. */
@@ -39,6 +40,8 @@ export class AppElement extends LitElement {
 
   @state() private language: Language = 'en';
   @state() private trace: Trace | null = null;
+  /** How many of its steps are there. */
+  @state() private steps = 0;
   @state() private traceName = '';
   @state() private lesson: string | null = null;
   @state() private step = 0;
@@ -47,7 +50,7 @@ export class AppElement extends LitElement {
   @query('vidno-player') private player!: PlayerElement;
 
   private readonly lessons = embeddedLessons(document);
-  private opening = 0;
+  private stopReading = (): void => undefined;
   private addressTimer = 0;
 
   override connectedCallback(): void {
@@ -72,37 +75,39 @@ export class AppElement extends LitElement {
       all.find((each) => idOf(each) === trace) ?? (trace === null ? all[0] : undefined);
     if (chosen === undefined) return;
     if (idOf(chosen) === this.lesson) [this.step, this.pixel] = [step, pixel];
-    else void this.openLesson(chosen, { step, pixel });
+    else this.openLesson(chosen, { step, pixel });
   };
 
-  private async openLesson(chosen: LessonTrace, place = beginning): Promise<void> {
+  private openLesson(chosen: LessonTrace, place = beginning): void {
     const file = embeddedFile(document, chosen);
-    if (file !== null) await this.open(file, chosen.file, idOf(chosen), place);
+    if (file !== null) this.open(file, chosen.file, idOf(chosen), place);
   }
 
-  private async open(
-    file: Blob,
-    name: string,
-    lesson: string | null,
-    place = beginning,
-  ): Promise<void> {
-    const turn = ++this.opening;
+  private open(file: Blob, name: string, lesson: string | null, place = beginning): void {
+    this.stopReading();
     this.notice = { kind: 'reading', name };
-    try {
-      const trace = await readTrace(file);
-      if (turn === this.opening) this.show(trace, name, lesson, place);
-    } catch (error) {
-      if (turn === this.opening) this.notice = { kind: 'failed', name, error };
-    }
+    this.stopReading = openTrace(file, {
+      grown: (trace) => {
+        if (this.trace === trace) this.steps = trace.timeline.length;
+        else if (trace.complete || trace.timeline.length >= place.step) {
+          this.show(trace, name, lesson, place);
+        }
+        if (this.trace === trace) this.notice = noticeOf(trace);
+      },
+      failed: (error) => {
+        if (this.trace?.complete === false) this.trace = null;
+        this.notice = { kind: 'failed', name, error };
+      },
+    });
   }
 
   private show(trace: Trace, name: string, lesson: string | null, { step, pixel }: Place): void {
     this.trace = trace;
+    this.steps = trace.timeline.length;
     this.traceName = name;
     this.lesson = lesson;
     this.step = step;
     this.pixel = pixel;
-    this.notice = null;
     this.writeAddress();
   }
 
@@ -171,6 +176,7 @@ export class AppElement extends LitElement {
         ${this.heading()}
         <vidno-player
           .trace=${this.trace}
+          .length=${this.steps}
           .step=${this.step}
           .lang=${this.language}
           ?hidden=${this.trace === null}
@@ -205,7 +211,8 @@ export class AppElement extends LitElement {
           : nothing
       }
       <vidno-notice
-        .notice=${this.notice ?? shortened(trace)}
+        class=${this.notice?.kind ?? nothing}
+        .notice=${this.notice}
         .language=${this.language}
       ></vidno-notice>
     </div>`;

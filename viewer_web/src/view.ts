@@ -6,7 +6,7 @@ import type { Screen } from './state/screen.js';
 import type { Values } from './state/state.js';
 import type { Event } from './trace/events.js';
 import type { Header } from './trace/header.js';
-import type { Trace } from './trace/read.js';
+import type { Trace } from './trace/trace.js';
 
 /** A step as the components show it: what happened, and what was before and after it. */
 export interface View {

@@ -10,6 +10,11 @@ export const noticeStyle = css`
     font-size: 0.875rem;
     overflow-wrap: anywhere;
   }
+  p.growing {
+    color: var(--soft);
+    font-size: 0.8125rem;
+    font-variant-numeric: tabular-nums;
+  }
   p.failed {
     background: var(--bad-wash);
     color: var(--bad);

@@ -3,16 +3,25 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { complaint, texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
-import { Unreadable } from '../trace/read.js';
 import type { Shortened } from '../trace/read.js';
+import { Unreadable } from '../trace/trace.js';
 import { noticeStyle } from './notice.style.js';
 import { base } from './theme.js';
 
 /** What the page has to say about a file. */
 export type Notice =
   | { readonly kind: 'reading'; readonly name: string }
+  | { readonly kind: 'growing'; readonly steps: number; readonly read: number }
   | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
   | ({ readonly kind: 'shortened' } & Shortened);
+
+/** What grows is not told each time. */
+const roles = {
+  reading: 'status',
+  growing: nothing,
+  failed: 'alert',
+  shortened: 'status',
+} as const;
 
 /** One line about the file that is being read, was refused, or is not whole. */
 @customElement('vidno-notice')
@@ -25,13 +34,16 @@ export class NoticeElement extends LitElement {
   override render(): TemplateResult | typeof nothing {
     const { notice } = this;
     if (notice === null) return nothing;
-    const role = notice.kind === 'failed' ? 'alert' : 'status';
-    return html`<p class=${notice.kind} role=${role}>${this.say(notice)}</p>`;
+    return html`<p class=${notice.kind} role=${roles[notice.kind]}>${this.say(notice)}</p>`;
   }
 
   private say(notice: Notice): string {
     const { page } = texts[this.language];
     if (notice.kind === 'reading') return page.reading(notice.name);
+    if (notice.kind === 'growing') {
+      const steps = notice.steps.toLocaleString(this.language);
+      return page.growing(steps, Math.round(100 * notice.read));
+    }
     if (notice.kind === 'shortened') return page.shortened[notice.why](notice.line);
     if (notice.error instanceof Unreadable) {
       return complaint(notice.name, notice.error, this.language);

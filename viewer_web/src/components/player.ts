@@ -8,7 +8,7 @@ import type { Language } from '../i18n/language.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import { canonical } from '../state/canonical.js';
-import type { Trace } from '../trace/read.js';
+import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
 import { Clock } from './clock.js';
@@ -32,7 +32,7 @@ import type { TravelElement } from './travel.js';
 const mostPerFrame = 60;
 
 /**
- * Replays a trace. Set `trace`; `step`, `pixel` and `lang` may be set and change with the controls. Each step that
+ * Replays a trace. Set `trace` and `length`; `step`, `pixel` and `lang` may be set and change with the controls. Each step that
  * is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`.
  */
 @customElement('vidno-player')
@@ -40,6 +40,8 @@ export class PlayerElement extends LitElement {
   static override styles = [tokens, base, playerStyle];
 
   @property({ attribute: false }) trace: Trace | null = null;
+  /** How many steps of the trace are there: more and more while it is read. */
+  @property({ attribute: false }) length = 0;
   @property({ type: Number }) step = 0;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property() override lang = 'en';
@@ -68,10 +70,6 @@ export class PlayerElement extends LitElement {
     return canonical(timeline.seek(this.clamped(this.step)), header);
   }
 
-  get length(): number {
-    return this.trace?.timeline.length ?? 0;
-  }
-
   togglePlay(): void {
     if (this.playing) this.pause();
     else this.play();
@@ -90,7 +88,7 @@ export class PlayerElement extends LitElement {
 
   private advance(steps: number): void {
     if (steps > 0) this.step = this.clamped(this.step + steps);
-    if (this.step >= this.length) this.pause();
+    if (this.step >= this.length && this.trace?.complete !== false) this.pause();
   }
 
   private clamped(step: number): number {
@@ -125,8 +123,7 @@ export class PlayerElement extends LitElement {
 
   /** Goes on with the history of the pixel, for as long as a frame allows. */
   private readHistory(): void {
-    if (this.history === null || this.history.complete) return;
-    if (this.history.read(mostPerFrame)) return;
+    if (this.history === null || this.history.read(mostPerFrame)) return;
     requestAnimationFrame(() => this.requestUpdate());
   }
 

@@ -9,7 +9,7 @@ import { Calls } from '../time/calls.js';
 import type { Direction } from '../time/calls.js';
 import { Goals, around, goalsOf } from '../time/goals.js';
 import type { Goal, GoalName } from '../time/goals.js';
-import type { Trace } from '../trace/read.js';
+import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
@@ -56,7 +56,7 @@ export class TravelElement extends LitElement {
 
   /** Over a procedure, or out of the one in hand. */
   call(way: 'over' | 'out', direction: Direction): void {
-    this.calls ??= new Calls(this.trace);
+    if (this.calls?.length !== this.view.length) this.calls = new Calls(this.trace);
     this.goTo(this.calls[way](this.view.step, direction));
   }
 

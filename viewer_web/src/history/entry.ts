@@ -19,6 +19,8 @@ export type Wanted = readonly boolean[];
 /** Sees the events of a run in turn, those that it wants, and says which concern its pixel. */
 export interface Watch {
   readonly wanted: Wanted;
+  /** Whether the line of an event that is wanted shows, without being parsed, that the event means nothing here. */
+  isElsewhere?(line: string): boolean;
   see(event: Event, step: number): Outcome | null;
   /** What was known when the event happened; asked for after `see`. */
   readonly known: Known;

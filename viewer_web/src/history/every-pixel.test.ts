@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { languages } from '../i18n/language.js';
 import type { Pixel } from '../picture/pixel.js';
 import { textOf, traceNames, traceOf } from '../testing/traces.js';
-import type { Trace } from '../trace/read.js';
+import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
 import { History } from './history.js';
 import { sayEntry } from './say.js';

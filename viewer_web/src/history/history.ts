@@ -1,11 +1,11 @@
 import { isIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import type { Trace } from '../trace/read.js';
+import type { Trace } from '../trace/trace.js';
 import type { Entry, Watch } from './entry.js';
 import { WarnockWatch } from './warnock.js';
 import { ZBufferWatch } from './zbuffer.js';
 
-const atOnce = 16384;
+const atOnce = 4096;
 
 /**
  * All that concerned a pixel, in order. It is gathered in one pass over the events, which a page may spread
@@ -34,16 +34,21 @@ export class History {
     return this.last;
   }
 
+  /** Whether the whole trace was seen. */
   get complete(): boolean {
+    return this.trace.complete && this.isUpToDate;
+  }
+
+  private get isUpToDate(): boolean {
     return this.seen >= this.trace.timeline.length;
   }
 
-  /** Goes on through the events for about so long; says whether all were seen. */
+  /** Goes on through the events for about so long; says whether all that are there were seen. */
   read(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     do this.readSome();
-    while (!this.complete && performance.now() < end);
-    return this.complete;
+    while (!this.isUpToDate && performance.now() < end);
+    return this.isUpToDate;
   }
 
   private readSome(): void {
@@ -56,7 +61,9 @@ export class History {
   }
 
   private see(step: number): void {
-    const event = this.trace.timeline.event(step);
+    const { timeline } = this.trace;
+    if (this.watch.isElsewhere?.(timeline.line(step)) === true) return;
+    const event = timeline.event(step);
     const outcome = event && this.watch.see(event, step);
     if (event === null || outcome === null) return;
     const entry = { step, event, outcome, known: this.watch.known };

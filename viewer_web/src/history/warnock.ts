@@ -2,7 +2,7 @@ import type { Known } from '../i18n/words.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Detail, Event, EventName } from '../trace/events.js';
 import type { Box } from '../trace/values.js';
-import { all, covers, only, test } from './entry.js';
+import { covers, only, test } from './entry.js';
 import type { Outcome, Wanted, Watch } from './entry.js';
 import { Lists } from './lists.js';
 
@@ -65,24 +65,39 @@ const ways = ['push', 'pop', 'fill', 'draw', 'fault'] as const;
 const outside = only(...ways);
 const outsideSharing = only(...ways, 'discard');
 
+/** In one that it lies in: what has a meaning or is followed; orientations only at the pixel's centre. */
+function inside(detail: Detail, centre: boolean): Wanted {
+  const followed: readonly EventName[] = ['call', 'row', 'disagree'];
+  const judged = Object.keys({ ...inWindow, ...anywhere }) as EventName[];
+  const idle = [...(detail === 'signs' ? ['depth'] : []), ...(centre ? [] : ['orient'])];
+  return only(...[...followed, ...judged].filter((name) => !idle.includes(name)));
+}
+
 /** What concerns a pixel in Warnock's algorithm: the windows that it lies in, and all that was found there. */
 export class WarnockWatch implements Watch {
   known: Known = { warnock: null, zbuffer: null };
   private readonly lists = new Lists();
   private readonly place: Place;
+  private readonly atCentre: Wanted;
+  private readonly elsewhere: Wanted;
   private inside = false;
+  private seen = 0;
   private hasSurround = false;
 
   constructor(pixel: Pixel, detail: Detail) {
     this.place = { pixel, detail, row: null, centre: false };
+    this.atCentre = inside(detail, true);
+    this.elsewhere = inside(detail, false);
   }
 
   get wanted(): Wanted {
-    if (this.inside) return all;
+    if (this.inside) return this.place.centre ? this.atCentre : this.elsewhere;
     return this.lists.shared ? outsideSharing : outside;
   }
 
-  see(event: Event): Outcome | null {
+  see(event: Event, step: number): Outcome | null {
+    if (step > this.seen + 1) this.place.row = null;
+    this.seen = step;
     this.follow(event);
     const judge = anywhere[event.e] as Judge<EventName> | undefined;
     return judge?.(event, this.place) ?? (this.inside ? this.found(event) : null);

@@ -33,6 +33,15 @@ const always = ['clear', 'polygon', 'line', 'span', 'disagree', 'fault'] as cons
 const offRow = only(...always);
 const onRow = only(...always, 'miss', 'columns', 'pixel');
 
+const rowOf = /"row":(-?\d+)[,}]/;
+const xOf = /"x":(-?\d+)[,}]/;
+
+/** Whether a number plainly stands in a line and is another one. */
+function isOther(line: string, field: RegExp, value: number): boolean {
+  const found = line.includes('\\') ? null : field.exec(line);
+  return found !== null && Number(found[1]) !== value;
+}
+
 /** What concerns a pixel in the Z-buffer algorithm: the lines of its row, and of these what is at its column. */
 export class ZBufferWatch implements Watch {
   known: Known = { warnock: null, zbuffer: null };
@@ -44,6 +53,12 @@ export class ZBufferWatch implements Watch {
 
   get wanted(): Wanted {
     return this.place.onRow ? onRow : offRow;
+  }
+
+  /** Most lines are of other rows, and in the row most pixels are other ones. */
+  isElsewhere(line: string): boolean {
+    const { x, y, onRow } = this.place;
+    return onRow ? isOther(line, xOf, x) : isOther(line, rowOf, y);
   }
 
   see(event: Event, step: number): Outcome | null {

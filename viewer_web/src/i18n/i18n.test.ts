@@ -6,7 +6,7 @@ import { emptyZBuffer } from '../state/zbuffer.js';
 import type { Values } from '../state/state.js';
 import type { Event } from '../trace/events.js';
 import { parseHeader } from '../trace/header.js';
-import { Unreadable } from '../trace/read.js';
+import { Unreadable } from '../trace/trace.js';
 import { Refusal } from '../trace/refusal.js';
 import { complaint, sentence, texts } from './index.js';
 import { languages } from './language.js';
@@ -102,7 +102,10 @@ describe('numbers', () => {
 
 describe('a complaint', () => {
   it('says file, line, place and reason', () => {
-    const error = new Unreadable(3, new Refusal('polygon', 'noSuchPolygon', 'X'));
+    const error = new Unreadable({
+      line: 3,
+      refusal: new Refusal('polygon', 'noSuchPolygon', 'X'),
+    });
     expect(complaint('x.jsonl', error, 'en')).toBe(
       'x.jsonl is not a trace that can be read. Line 3, polygon: the scene has no polygon X.',
     );

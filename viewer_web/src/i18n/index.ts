@@ -1,6 +1,6 @@
 import type { Event } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
-import type { Unreadable } from '../trace/read.js';
+import type { Unreadable } from '../trace/trace.js';
 import * as en from './en/index.js';
 import type { Language } from './language.js';
 import * as ru from './ru/index.js';

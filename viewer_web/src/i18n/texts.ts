@@ -76,6 +76,7 @@ export interface PageTexts extends FileTexts {
   readonly lessons: string;
   readonly noLessons: string;
   readonly reading: (name: string) => string;
+  readonly growing: (steps: string, percent: number) => string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
   readonly broken: (name: string) => string;
   readonly shortened: Readonly<Record<Shortened['why'], (line: number) => string>>;

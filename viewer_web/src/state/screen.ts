@@ -39,22 +39,26 @@ export class Screen {
   clear(color: string, z: N): void {
     const { x, y, width, height } = this.scene.area;
     this.paint(x, y, width, height, color);
-    if (this.hasDepths) this.z = new Grid<N>(width, height, z, (n) => new Array<N>(n).fill(z));
+    if (this.hasDepths) this.z = this.depths(z);
   }
 
   save(): SavedScreen {
-    return { picture: this.picture.save(), z: this.z, depths: this.z?.save() ?? null };
+    return { picture: this.picture.save(), z: this.z?.save() ?? null };
   }
 
-  load({ picture, z, depths }: SavedScreen): void {
+  load({ picture, z }: SavedScreen): void {
     this.picture.load(picture);
-    this.z = z;
-    if (depths !== null) z?.load(depths);
+    if (z === null) this.z = null;
+    else (this.z ??= this.depths('-inf')).load(z);
+  }
+
+  private depths(z: N): Grid<N> {
+    const { width, height } = this.scene.area;
+    return new Grid<N>(width, height, z, (n) => new Array<N>(n).fill(z));
   }
 }
 
 export interface SavedScreen {
   readonly picture: readonly Row<number>[];
-  readonly z: Grid<N> | null;
-  readonly depths: readonly Row<N>[] | null;
+  readonly z: readonly Row<N>[] | null;
 }

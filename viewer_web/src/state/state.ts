@@ -1,10 +1,11 @@
-import { common, details, tables } from '../trace/events.js';
+import { common, details, eventNames } from '../trace/events.js';
 import type { Detail, Event, EventName, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import { Screen } from './screen.js';
 import type { SavedScreen } from './screen.js';
-import { addDepth, afterWarnock, emptyWarnock } from './warnock.js';
+import type { Stretch } from './stretch.js';
+import { afterWarnock, emptyWarnock } from './warnock.js';
 import type { Warnock } from './warnock.js';
 import { afterZBuffer, emptyZBuffer } from './zbuffer.js';
 import type { ZBuffer } from './zbuffer.js';
@@ -23,13 +24,14 @@ export interface Values {
   readonly zbuffer: ZBuffer | null;
 }
 
+/** All that a state is, as plain data. */
 export interface Keyframe {
   readonly values: Values;
   readonly screen: SavedScreen;
 }
 
 /** The procedure whose frame an event closes, being its result. */
-export const closes: Partial<Record<EventName, Procedure>> = {
+const closes: Partial<Record<EventName, Procedure>> = {
   summary: 'ProcessWindow',
   color: 'PointColor',
   surround: 'SurroundTest',
@@ -38,38 +40,64 @@ export const closes: Partial<Record<EventName, Procedure>> = {
   span: 'ShowLine',
 };
 
-/** Below the level of its call a result closes nothing. */
-export function isTraced(procedure: Procedure, detail: Detail): boolean {
-  const from = procedure === 'SurroundTest' ? 'signs' : common.call.from;
-  return details.indexOf(detail) >= details.indexOf(from);
+/** By how much each event, at the number of its name, changes the depth of the calls. */
+export function depthChanges(detail: Detail): readonly number[] {
+  return eventNames.map((name) => (name === 'call' ? 1 : closedBy(name, detail) === null ? 0 : -1));
+}
+
+/** The procedure that an event ends: below the level of its call a result closes nothing. */
+function closedBy(name: EventName, detail: Detail): Procedure | null {
+  const closed = closes[name];
+  if (closed === undefined) return null;
+  const from = closed === 'SurroundTest' ? 'signs' : common.call.from;
+  return details.indexOf(detail) >= details.indexOf(from) ? closed : null;
 }
 
 /** Everything at a step. Its values are immutable, so that a keyframe shares what does not change. */
 export class State {
-  values: Values;
   readonly screen: Screen;
+  private step = 0;
+  private calls: readonly Frame[];
+  private warnock: Warnock | null;
+  private zbuffer: ZBuffer | null;
 
   constructor(private readonly header: Header) {
     const warnock = header.method === 'warnock';
     this.screen = new Screen(header.scene, header.detail !== 'windows');
-    this.values = {
-      step: 0,
-      calls: [{ of: warnock ? 'Warnock' : 'ZBuffer', at: null }],
-      warnock: warnock ? emptyWarnock : null,
-      zbuffer: warnock ? null : emptyZBuffer,
-    };
+    this.calls = [{ of: warnock ? 'Warnock' : 'ZBuffer', at: null }];
+    this.warnock = warnock ? emptyWarnock : null;
+    this.zbuffer = warnock ? null : emptyZBuffer;
   }
 
-  /** The next step; an event that cannot happen here is refused. */
-  apply(event: Event): void {
-    const { step, warnock, zbuffer } = this.values;
-    if ('polygon' in event) this.screen.polygon(event.polygon);
-    this.values = {
-      step: step + 1,
-      calls: this.callsAfter(event),
-      warnock: warnock && { ...warnock, ...this.inWarnock(event, warnock) },
-      zbuffer: zbuffer && { ...zbuffer, ...this.inZBuffer(event, zbuffer) },
-    };
+  get values(): Values {
+    const { step, calls, warnock, zbuffer } = this;
+    return { step, calls, warnock, zbuffer };
+  }
+
+  /** The event of a step, at least the next that changes anything; one that cannot happen here is refused. */
+  apply(event: Event, step = this.step + 1): void {
+    this.change(event);
+    this.pass(event.e);
+    this.calls = movedBy(event, this.calls);
+    this.step = step;
+  }
+
+  /** Past an event that only ends a procedure, or changes nothing at all: the next one that is applied sets the line. */
+  pass(name: EventName): void {
+    const closed = closedBy(name, this.header.detail);
+    if (closed === null) return;
+    const top = this.calls.at(-1)?.of ?? '';
+    if (top !== closed) throw new Refusal('e', 'resultOf', closed, top);
+    this.calls = this.calls.slice(0, -1);
+  }
+
+  /** Goes on to the end of a stretch by those of its events that matter there. */
+  leap({ end, changes, closed, opened }: Stretch, eventOf: (step: number) => Event): void {
+    for (const step of changes) this.change(eventOf(step));
+    this.calls = this.calls.slice(0, this.calls.length - closed);
+    const last = opened.at(-1) === end ? [] : [end];
+    for (const step of [...opened, ...last]) this.calls = movedBy(eventOf(step), this.calls);
+    this.step = end;
   }
 
   save(): Keyframe {
@@ -77,33 +105,23 @@ export class State {
   }
 
   load({ values, screen }: Keyframe): void {
-    this.values = values;
+    ({ step: this.step, calls: this.calls } = values);
+    ({ warnock: this.warnock, zbuffer: this.zbuffer } = values);
     this.screen.load(screen);
   }
 
-  private callsAfter(event: Event): readonly Frame[] {
-    const calls = [...this.values.calls];
-    const closed = closes[event.e];
-    if (closed !== undefined && isTraced(closed, this.header.detail)) {
-      const top = calls.pop();
-      if (top?.of !== closed) throw new Refusal('e', 'resultOf', closed, top?.of ?? '');
-    }
-    const top = calls.pop();
-    if (top !== undefined) calls.push({ of: top.of, at: event.at });
-    if (event.e === 'call') calls.push({ of: event.of, at: null });
-    return calls;
-  }
-
-  private inWarnock(event: Event, now: Warnock): Partial<Warnock> {
-    if (event.e === 'depth') return event.at === 'PW5' ? addDepth(event.z, now) : {};
-    return isOf(event, tables.warnock) ? afterWarnock(event, now, this.screen) : {};
-  }
-
-  private inZBuffer(event: Event, now: ZBuffer): Partial<ZBuffer> {
-    return isOf(event, tables.zbuffer) ? afterZBuffer(event, now, this.screen) : {};
+  private change(event: Event): void {
+    const { warnock, zbuffer, screen } = this;
+    if ('polygon' in event) screen.polygon(event.polygon);
+    if (warnock !== null) this.warnock = afterWarnock(event, warnock, screen);
+    if (zbuffer !== null) this.zbuffer = afterZBuffer(event, zbuffer, screen);
   }
 }
 
-function isOf<T extends object>(event: Event, table: T): event is Event<keyof T & EventName> {
-  return Object.hasOwn(table, event.e);
+/** An event sets the line of the procedure in hand; a call opens the frame of another. */
+function movedBy(event: Event, calls: readonly Frame[]): readonly Frame[] {
+  const top = calls.at(-1);
+  if (top === undefined || (top.at === event.at && event.e !== 'call')) return calls;
+  const moved = [...calls.slice(0, -1), { of: top.of, at: event.at }];
+  return event.e === 'call' ? [...moved, { of: event.of, at: null }] : moved;
 }

@@ -1,26 +1,18 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf } from '../testing/traces.js';
-import { parseHeader } from '../trace/header.js';
+import { headerOf, textWith, traceOf } from '../testing/traces.js';
+import type { Event } from '../trace/events.js';
 import { canonical } from './canonical.js';
-import { Timeline } from './timeline.js';
 
-const header = parseHeader(headerOf('warnock', 'windows'));
 const length = 100_000;
 
 /** Each step paints one pixel, so that every step has its own picture. */
-function longTimeline(): Timeline {
-  const timeline = new Timeline(header);
-  for (let i = 0; i < length; i++) {
-    const x = i % 8;
-    const y = Math.floor(i / 8) % 8;
-    const color = `#${i.toString(16).padStart(6, '0')}`;
-    timeline.append({ e: 'fill', at: 'W8', rect: [x, y, 1, 1], color });
-  }
-  return timeline;
-}
+const fills = Array.from({ length }, (_, i): Event => {
+  const rect = [i % 8, Math.floor(i / 8) % 8, 1, 1] as const;
+  return { e: 'fill', at: 'W8', rect, color: `#${i.toString(16).padStart(6, '0')}` };
+});
 
-describe('a long run', () => {
-  const timeline = longTimeline();
+describe('a long run', async () => {
+  const { header, timeline } = await traceOf(textWith(headerOf('warnock', 'windows'), fills));
 
   it('is at any step what its last pixel says', () => {
     for (let i = 0; i < 200; i++) {

@@ -1,71 +1,92 @@
-import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
-import type { Header } from '../trace/header.js';
-import { State } from './state.js';
+import type { Area, Header } from '../trace/header.js';
+import { Store } from '../trace/store.js';
+import type { Block } from '../trace/store.js';
+import { State, depthChanges } from './state.js';
 import type { Keyframe } from './state.js';
+import { stretch } from './stretch.js';
 
 const mostKeyframes = 512;
+const mostCells = 2 ** 25;
+const least = 64;
 
 /**
- * The states of a trace. While it is being read each event is applied and now and then a keyframe is kept, so
- * that a seek, either way, starts at the keyframe before its goal. When there are too many keyframes, every
- * other one goes.
+ * How many steps lie between the keyframes of a run: every other one goes when there are too many, or, since
+ * each may have its own copy of the picture, too large ones.
+ */
+function spacing(length: number, { width, height }: Area): number {
+  const most = Math.max(1, Math.min(mostKeyframes, Math.floor(mostCells / (width * height))));
+  let every = least;
+  while (length >= every * most) every *= 2;
+  return every;
+}
+
+/** Whether a run that ends with this step has a keyframe there; all that a longer run has were such steps. */
+export function hasKeyframe(step: number, area: Area): boolean {
+  return step % least === 0 && step % spacing(step, area) === 0;
+}
+
+/**
+ * The states of a trace, which may grow at its end. A seek, either way, starts at where it is or at the keyframe
+ * before its goal, and applies of the events from there those that matter at the goal.
  */
 export class Timeline {
-  readonly state: State;
-  private readonly events: Event[] = [];
-  private readonly numbers: number[] = [];
-  private keyframes: Keyframe[];
-  private every = 64;
-  /** A large picture may be copied with each keyframe: keep fewer. */
-  private readonly most: number;
+  private readonly state: State;
+  private readonly store = new Store();
+  private readonly depthChanges: readonly number[];
+  private keyframes: readonly Keyframe[];
+  private every = least;
 
-  constructor(header: Header) {
-    const { width, height } = header.scene.area;
+  constructor(private readonly header: Header) {
     this.state = new State(header);
+    this.depthChanges = depthChanges(header.detail);
     this.keyframes = [this.state.save()];
-    this.most = Math.max(8, Math.min(mostKeyframes, Math.floor(2 ** 27 / (width * height))));
   }
 
   get length(): number {
-    return this.events.length;
-  }
-
-  event(step: number): Event | null {
-    return this.events[step - 1] ?? null;
+    return this.store.length;
   }
 
   /** The numbers of the events' names, that of step n at n - 1: to go through a long run without its events. */
-  get names(): readonly number[] {
-    return this.numbers;
+  get names(): Uint8Array {
+    return this.store.names;
   }
 
-  /** The next event of the trace; the state must be at its end. */
-  append(event: Event): void {
-    this.state.apply(event);
-    this.events.push(event);
-    this.numbers.push(numberOf.get(event.e) ?? 0);
-    if (this.events.length % this.every === 0) this.keep();
+  event(step: number): Event | null {
+    return this.store.event(step);
+  }
+
+  /** The text that the event of a step came as. */
+  line(step: number): string {
+    return this.store.line(step);
+  }
+
+  /** The next lines of the trace, and keyframes among these: all whose step the spacing divides, or none at all. */
+  append(block: Block, keyframes: readonly Keyframe[] = []): void {
+    this.store.append(block);
+    const every = spacing(this.length, this.header.scene.area);
+    this.every = every;
+    this.keyframes = [...this.keyframes, ...keyframes].filter(
+      ({ values: { step } }) => step % every === 0,
+    );
   }
 
   /** The state after the first `step` events. */
   seek(step: number): State {
     const now = this.state.values.step;
-    const keyframe = this.keyframes[Math.floor(step / this.every)];
+    const keyframe = this.keyframes[Math.floor(step / this.every)] ?? this.keyframes.at(-1);
     if (keyframe !== undefined && (step < now || keyframe.values.step > now)) {
       this.state.load(keyframe);
     }
-    for (let i = this.state.values.step; i < step; i++) {
-      const event = this.events[i];
-      if (event !== undefined) this.state.apply(event);
-    }
+    const { step: begin } = this.state.values;
+    const way = stretch(this.names, begin, step, this.depthChanges);
+    if (step > begin) this.state.leap(way, (each) => this.existing(each));
     return this.state;
   }
 
-  private keep(): void {
-    this.keyframes.push(this.state.save());
-    if (this.keyframes.length <= this.most) return;
-    this.keyframes = this.keyframes.filter((_, i) => i % 2 === 0);
-    this.every *= 2;
+  private existing(step: number): Event {
+    const event = this.store.event(step);
+    if (event === null) throw new RangeError(`step ${step} of ${this.length}`);
+    return event;
   }
 }

@@ -1,5 +1,5 @@
 import { corners as cornerNames } from '../trace/values.js';
-import type { WarnockEvents } from '../trace/events.js';
+import type { CommonEvents, Event, EventName, WarnockEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, Color, Corner, N, Triple } from '../trace/values.js';
 import type { Screen } from './screen.js';
@@ -54,11 +54,16 @@ export const emptyWarnock: Warnock = {
   nearest: null,
 };
 
-type WarnockEvent = WarnockEvents[keyof WarnockEvents];
-type Handler<E> = (event: E, now: Warnock, screen: Screen) => Partial<Warnock>;
-type Handlers = { readonly [K in keyof WarnockEvents]: Handler<WarnockEvents[K]> };
+type Name = keyof (CommonEvents & WarnockEvents);
+type Handler<K extends EventName> = (
+  event: Event<K>,
+  now: Warnock,
+  screen: Screen,
+) => Partial<Warnock>;
+type Handlers = { readonly [K in Name]: Handler<K> };
 
-const nothing = (): Partial<Warnock> => ({});
+const unchanged: Partial<Warnock> = {};
+const nothing = (): Partial<Warnock> => unchanged;
 
 function sameWindow(a: Box, b: Box): boolean {
   return a.every((value, i) => value === b[i]);
@@ -105,11 +110,12 @@ function pushedApl({ at, apl, shared }: WarnockEvents['push'], now: Warnock): Ap
   return shared === true ? currentApl(now) : { entries: currentApl(now).entries };
 }
 
-export function addDepth(z: N, { depths }: Warnock): Partial<Warnock> {
-  return { depths: [...depths, z] };
-}
-
 const handlers: Handlers = {
+  plane: nothing,
+  call: nothing,
+  depth: ({ at, z }, { depths }) => (at === 'PW5' ? { depths: [...depths, z] } : unchanged),
+  fault: nothing,
+  disagree: nothing,
   push: (event, now, screen) => {
     event.apl?.forEach(([id]) => screen.polygon(id));
     return { stack: [...now.stack, { window: event.window, apl: pushedApl(event, now) }] };
@@ -170,7 +176,7 @@ const handlers: Handlers = {
   decide: nothing,
   fill: ({ rect, color }, _now, screen) => {
     screen.paint(rect[0], rect[1], rect[2], rect[3], color);
-    return {};
+    return unchanged;
   },
   nearest: ({ polygon, z }) => ({ nearest: { polygon, z } }),
   color: ({ color }) => ({ color }),
@@ -194,12 +200,13 @@ const handlers: Handlers = {
   row: nothing,
   draw: ({ runs, color }, _now, screen) => {
     for (const [row, first, end] of runs) screen.paint(first, row, end - first, 1, color);
-    return {};
+    return unchanged;
   },
 };
 
-/** What an event changes. */
-export function afterWarnock(event: WarnockEvent, now: Warnock, screen: Screen): Partial<Warnock> {
-  const handler = handlers[event.e] as Handler<WarnockEvent>;
-  return handler(event, now, screen);
+/** What is after an event of this method. */
+export function afterWarnock(event: Event, now: Warnock, screen: Screen): Warnock {
+  const handler = handlers[event.e as Name] as Handler<EventName>;
+  const news = handler(event, now, screen);
+  return news === unchanged ? now : { ...now, ...news };
 }

@@ -1,4 +1,4 @@
-import type { ZBufferEvents } from '../trace/events.js';
+import type { CommonEvents, Event, EventName, ZBufferEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { N } from '../trace/values.js';
 import type { Screen } from './screen.js';
@@ -33,11 +33,16 @@ export const emptyZBuffer: ZBuffer = {
   nextAel: null,
 };
 
-type ZBufferEvent = ZBufferEvents[keyof ZBufferEvents];
-type Handler<E> = (event: E, now: ZBuffer, screen: Screen) => Partial<ZBuffer>;
-type Handlers = { readonly [K in keyof ZBufferEvents]: Handler<ZBufferEvents[K]> };
+type Name = keyof (CommonEvents & ZBufferEvents);
+type Handler<K extends EventName> = (
+  event: Event<K>,
+  now: ZBuffer,
+  screen: Screen,
+) => Partial<ZBuffer>;
+type Handlers = { readonly [K in Name]: Handler<K> };
 
-const nothing = (): Partial<ZBuffer> => ({});
+const unchanged: Partial<ZBuffer> = {};
+const nothing = (): Partial<ZBuffer> => unchanged;
 
 function entry(now: ZBuffer, edge: number): ActiveEdge {
   const found = now.ael.find((each) => each.edge === edge);
@@ -79,9 +84,14 @@ function storeDepths(
 }
 
 const handlers: Handlers = {
+  plane: nothing,
+  call: nothing,
+  depth: nothing,
+  fault: nothing,
+  disagree: nothing,
   clear: ({ color, z }, _now, screen) => {
     screen.clear(color, z);
-    return {};
+    return unchanged;
   },
   polygon: ({ polygon }, _now, screen) => {
     screen.polygon(polygon);
@@ -114,7 +124,7 @@ const handlers: Handlers = {
   pixel: nothing,
   span: (event, { polygon }, screen) => {
     paintSpan(event, polygon, screen);
-    return {};
+    return unchanged;
   },
   ael_drop: ({ edges, next }, now) => {
     without(
@@ -130,8 +140,9 @@ const handlers: Handlers = {
   },
 };
 
-/** What an event changes. */
-export function afterZBuffer(event: ZBufferEvent, now: ZBuffer, screen: Screen): Partial<ZBuffer> {
-  const handler = handlers[event.e] as Handler<ZBufferEvent>;
-  return handler(event, now, screen);
+/** What is after an event of this method. */
+export function afterZBuffer(event: Event, now: ZBuffer, screen: Screen): ZBuffer {
+  const handler = handlers[event.e as Name] as Handler<EventName>;
+  const news = handler(event, now, screen);
+  return news === unchanged ? now : { ...now, ...news };
 }

@@ -1,8 +1,10 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { Timeline } from '../state/timeline.js';
 import type { Detail, Event, Method } from '../trace/events.js';
-import { readTrace } from '../trace/read.js';
-import type { Trace } from '../trace/read.js';
+import { read } from '../trace/read.js';
+import { follow } from '../trace/trace.js';
+import type { Trace } from '../trace/trace.js';
 
 const directory = fileURLToPath(new URL('../../test-data/', import.meta.url));
 
@@ -14,8 +16,29 @@ export function textOf(name: string): string {
   return readFileSync(directory + name, 'utf8');
 }
 
-export function traceOf(text: string | Uint8Array<ArrayBuffer>): Promise<Trace> {
-  return readTrace(new Blob([text]));
+/** The trace that a file of this text is, of which so many bytes are read. */
+export async function traceOf(
+  text: string | Uint8Array<ArrayBuffer>,
+  most?: number,
+): Promise<Trace> {
+  let trace: Trace | null = null;
+  for await (const news of read(new Blob([text]), most)) trace = follow(trace, news);
+  if (trace === null) throw new Error('a file without news');
+  return trace;
+}
+
+/** The timeline of a trace that comes as a run gives it: in one part, without keyframes. */
+export async function bareTimelineOf(text: string): Promise<Timeline> {
+  const { header, timeline } = await traceOf(text);
+  const bare = new Timeline(header);
+  const bytes = new TextEncoder().encode(text);
+  const starts = Uint32Array.from([...text.matchAll(/\n/g)].map(({ index }) => index + 1));
+  bare.append({
+    bytes,
+    starts: starts.slice(0, timeline.length + 1),
+    names: timeline.names.slice(),
+  });
+  return bare;
 }
 
 /** The header of an 8 x 8 scene with the polygons A and B. */

@@ -1,6 +1,5 @@
-import { closes, isTraced } from '../state/state.js';
-import { eventNames } from '../trace/events.js';
-import type { Trace } from '../trace/read.js';
+import { depthChanges } from '../state/state.js';
+import type { Trace } from '../trace/trace.js';
 
 export type Direction = -1 | 1;
 
@@ -8,20 +7,17 @@ export type Direction = -1 | 1;
 export class Calls {
   private readonly depths: Uint8Array;
 
-  constructor({ header, timeline }: Trace) {
-    const { detail } = header;
-    const change = eventNames.map((name) => {
-      const closed = closes[name];
-      if (name === 'call') return 1;
-      return closed !== undefined && isTraced(closed, detail) ? -1 : 0;
-    });
-    this.depths = new Uint8Array(timeline.length + 1);
-    let depth = 1;
-    timeline.names.forEach((name, i) => {
-      depth += change[name] ?? 0;
-      this.depths[i + 1] = depth;
-    });
+  constructor({ header, timeline: { names } }: Trace) {
+    const changes = depthChanges(header.detail);
+    this.depths = new Uint8Array(names.length + 1);
     this.depths[0] = 1;
+    for (let i = 0; i < names.length; i++) {
+      this.depths[i + 1] = this.depthAt(i) + (changes[names[i] ?? 0] ?? 0);
+    }
+  }
+
+  get length(): number {
+    return this.depths.length - 1;
   }
 
   /** The next step, but a call with all that it does counts as one. */
@@ -40,7 +36,7 @@ export class Calls {
 
   /** The nearest other step no deeper than that, or the end of the trace. */
   private find(from: number, direction: Direction, depth: number): number {
-    const last = this.depths.length - 1;
+    const last = this.length;
     for (let step = from + direction; step >= 0 && step <= last; step += direction) {
       if (this.depthAt(step) <= depth) return step;
     }

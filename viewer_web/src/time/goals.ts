@@ -1,7 +1,10 @@
+import { all, only } from '../history/entry.js';
+import type { Wanted } from '../history/entry.js';
 import type { History } from '../history/history.js';
-import { eventNames } from '../trace/events.js';
-import type { Event, Method } from '../trace/events.js';
-import type { Trace } from '../trace/read.js';
+import type { Timeline } from '../state/timeline.js';
+import { common, eventNames, numberOf, tables } from '../trace/events.js';
+import type { Event, EventName, Method } from '../trace/events.js';
+import type { Trace } from '../trace/trace.js';
 
 /** What one may go to: steps of one kind, or those of the chosen pixel. */
 export const goalNames = ['split', 'ael', 'wrong', 'pixel'] as const;
@@ -15,61 +18,90 @@ const ofMethod: Readonly<Record<Method, readonly GoalName[]>> = {
 
 export const goalsOf = (method: Method): readonly GoalName[] => ofMethod[method];
 
-const isGoal: Readonly<Record<Exclude<GoalName, 'pixel'>, (event: Event) => boolean>> = {
-  split: (event) => event.e === 'decide' && event.case === 'split',
-  ael: (event) => event.e === 'ael_add' || (event.e === 'ael_drop' && event.edges.length > 0),
-  wrong: ({ e }) => e === 'disagree',
+const isGoal: Readonly<Record<Exclude<GoalName, 'pixel'>, (event: Event | null) => boolean>> = {
+  split: (event) => event?.e === 'decide' && event.case === 'split',
+  ael: (event) => event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0),
+  wrong: (event) => event?.e === 'disagree',
 };
 
-const namesOf: Readonly<Record<Exclude<GoalName, 'pixel'>, readonly string[]>> = {
-  split: ['decide'],
-  ael: ['ael_add', 'ael_drop'],
-  wrong: ['disagree'],
+const wanted: Readonly<Record<Exclude<GoalName, 'pixel'>, Wanted>> = {
+  split: only('decide'),
+  ael: only('ael_add', 'ael_drop'),
+  wrong: only('disagree'),
 };
+
+const kinds: Readonly<Record<EventName, { readonly fields: object }>> = {
+  ...common,
+  ...tables.warnock,
+  ...tables.zbuffer,
+};
+const havePolygon: Wanted = eventNames.map((name) => 'polygon' in kinds[name].fields);
+
+/** Whether a step, whose event's name has this number, is a goal. */
+type Test = (step: number, name: number) => boolean;
+
+/** Looks for goals among the steps whose events have certain names, each time as far as the trace has grown. */
+class Search {
+  readonly steps: number[] = [];
+  private seen = 0;
+
+  constructor(
+    private readonly timeline: Timeline,
+    private readonly wanted: Wanted,
+    private readonly isGoal: Test,
+  ) {}
+
+  goOn(): readonly number[] {
+    const { names } = this.timeline;
+    for (; this.seen < names.length; this.seen++) {
+      const step = this.seen + 1;
+      const name = names[this.seen] ?? 0;
+      if (this.wanted[name] === true && this.isGoal(step, name)) this.steps.push(step);
+    }
+    return this.steps;
+  }
+}
+
+/** Whether the line of an event names the polygon; as a rule without parsing it. */
+function namesPolygon(line: string, polygon: string): boolean {
+  const key = '"polygon":';
+  const at = line.indexOf(key);
+  if (at >= 0 && !line.includes('\\')) {
+    return line.startsWith(JSON.stringify(polygon), at + key.length);
+  }
+  return (JSON.parse(line) as { polygon?: string }).polygon === polygon;
+}
 
 /** The steps that one may go to, looked for when they are first asked for. */
 export class Goals {
-  private readonly found = new Map<string, readonly number[]>();
+  private readonly searches = new Map<string, Search>();
 
   constructor(private readonly trace: Trace) {}
 
   stepsOf(goal: Goal, history: History | null): readonly number[] {
     if (goal === 'pixel') return history?.entries.map(({ step }) => step) ?? [];
     const key = JSON.stringify(goal);
-    const steps = this.found.get(key) ?? this.search(goal);
-    this.found.set(key, steps);
-    return steps;
+    const search = this.searches.get(key) ?? this.searchFor(goal);
+    this.searches.set(key, search);
+    return search.goOn();
   }
 
-  private search(goal: Exclude<Goal, 'pixel'>): readonly number[] {
-    if (typeof goal === 'object') return this.ofPolygon(goal.polygon);
-    const wanted = eventNames.map((name) => namesOf[goal].includes(name));
-    return this.steps((name) => wanted[name] === true, isGoal[goal]);
+  private searchFor(goal: Exclude<Goal, 'pixel'>): Search {
+    const { timeline } = this.trace;
+    if (typeof goal === 'object') return new Search(timeline, all, this.isOf(goal.polygon));
+    return new Search(timeline, wanted[goal], (step) => isGoal[goal](timeline.event(step)));
   }
 
   /** In the Z-buffer algorithm all from one `polygon` to the next concerns that one. */
-  private ofPolygon(polygon: string): readonly number[] {
-    let inHand: string | null = null;
-    return this.steps(
-      () => true,
-      (event) => {
-        if (event.e === 'polygon') inHand = event.polygon;
-        return 'polygon' in event ? event.polygon === polygon : inHand === polygon;
-      },
-    );
-  }
-
-  private steps(
-    named: (name: number) => boolean,
-    wanted: (event: Event) => boolean,
-  ): readonly number[] {
+  private isOf(polygon: string): Test {
     const { timeline } = this.trace;
-    const steps: number[] = [];
-    timeline.names.forEach((name, i) => {
-      const event = named(name) ? timeline.event(i + 1) : null;
-      if (event !== null && wanted(event)) steps.push(i + 1);
-    });
-    return steps;
+    let inHand = false;
+    return (step, name) => {
+      if (havePolygon[name] !== true) return inHand;
+      const named = namesPolygon(timeline.line(step), polygon);
+      if (name === numberOf.get('polygon')) inHand = named;
+      return named;
+    };
   }
 }
 

@@ -1,74 +1,124 @@
 import { Refusal, describe } from './refusal.js';
 
 /** Takes an unknown value and gives it back with its type, or refuses it. */
-export type Check<T> = (value: unknown, path: string) => T;
+export interface Check<T> {
+  (value: unknown, path: string): T;
+  /**
+   * A regular expression of JSON texts that the check certainly takes, among them all that a run writes; values
+   * without one are always looked at themselves.
+   */
+  readonly plain?: string;
+  /** A field that may be missing. */
+  readonly optional?: true;
+}
 export type Checked<C> = C extends Check<infer T> ? T : never;
+type OptionalCheck<T> = Check<T> & { readonly optional: true };
 
-type Fields = Readonly<Record<string, Check<unknown>>>;
-export type Obligatory<F> = { readonly [K in keyof F]: Checked<F[K]> };
-export type Optional<F> = { readonly [K in keyof F]?: Checked<F[K]> };
+export type Fields = Readonly<Record<string, Check<unknown>>>;
+type Obligatory<F> = {
+  readonly [K in keyof F as F[K] extends OptionalCheck<unknown> ? never : K]: Checked<F[K]>;
+};
+type Optional<F> = {
+  readonly [K in keyof F as F[K] extends OptionalCheck<unknown> ? K : never]?: Checked<F[K]>;
+};
+/** An object with these fields, the optional ones maybe. */
+export type Recorded<F> = Obligatory<F> & Optional<F>;
 
 const child = (path: string, key: string): string => (path === '' ? key : `${path}.${key}`);
 
-export const bool: Check<boolean> = (value, path) => {
+const nothing = '(?!)';
+
+export const plainOf = ({ plain }: Check<unknown>): string => plain ?? nothing;
+
+/** A check with the plain form of what it takes. */
+export function written<T>(plain: string, take: (value: unknown, path: string) => T): Check<T> {
+  return Object.assign(take, { plain });
+}
+
+export function optional<T>(check: Check<T>): OptionalCheck<T> {
+  const take: Check<T> = (value, path) => check(value, path);
+  return Object.assign(take, { plain: plainOf(check), optional: true } as const);
+}
+
+/** Numbers that are finite, and whole ones that are safe, by their fewness of digits. */
+const natural = '(?:0|[1-9]\\d{0,14})';
+const integer = `-?${natural}`;
+export const plainNumber = `${integer}(?:\\.\\d{1,20})?(?:e[+-]?\\d{1,2})?`;
+export const plainText = '"[^"\\\\\\x00-\\x1f]*"';
+
+export const bool = written('(?:true|false)', (value, path) => {
   if (typeof value === 'boolean') return value;
   throw new Refusal(path, 'bool', describe(value));
-};
+});
 
-export const text: Check<string> = (value, path) => {
+export const text = written(plainText, (value, path) => {
   if (typeof value === 'string') return value;
   throw new Refusal(path, 'text', describe(value));
-};
+});
 
-export const finite: Check<number> = (value, path) => {
+export const finite = written(plainNumber, (value, path) => {
   if (typeof value === 'number' && Number.isFinite(value)) return value;
   throw new Refusal(path, 'number', describe(value));
-};
+});
 
-export const whole: Check<number> = (value, path) => {
+export const whole = written(integer, (value, path) => {
   if (typeof value === 'number' && Number.isSafeInteger(value)) return value;
   throw new Refusal(path, 'whole', describe(value));
-};
+});
+
+export const count = written(natural, (value, path) => inRange(value, path, 0));
 
 export function between(least: number, greatest: number): Check<number> {
-  return (value, path) => {
-    const n = whole(value, path);
-    if (n >= least && n <= greatest) return n;
-    throw new Refusal(path, 'between', String(least), String(greatest), describe(value));
-  };
+  const digits = least >= 0 && greatest <= 9 ? `[${least}-${greatest}]` : nothing;
+  return written(digits, (value, path) => inRange(value, path, least, greatest));
+}
+
+function inRange(
+  value: unknown,
+  path: string,
+  least: number,
+  greatest = Number.MAX_SAFE_INTEGER,
+): number {
+  const n = whole(value, path);
+  if (n >= least && n <= greatest) return n;
+  throw new Refusal(path, 'between', String(least), String(greatest), describe(value));
 }
 
 export function oneOf<const T extends string | number | boolean>(
   ...values: readonly T[]
 ): Check<T> {
-  return (value, path) => {
+  return written(anyOf(values.map((value) => JSON.stringify(value))), (value, path) => {
     if (values.includes(value as T)) return value as T;
     throw new Refusal(path, 'oneOf', values.join(', '), describe(value));
-  };
+  });
 }
 
+const anyOf = (plain: readonly string[]): string => `(?:${plain.join('|')})`;
+
+/** A text of ASCII that the pattern, from `^` to `$`, describes. */
 export function matching(
   pattern: RegExp,
   otherwise: 'color' | 'label' | 'hash' | 'kernel',
 ): Check<string> {
-  return (value, path) => {
+  return written(`"${pattern.source.slice(1, -1)}"`, (value, path) => {
     if (typeof value === 'string' && pattern.test(value)) return value;
     throw new Refusal(path, otherwise, describe(value));
-  };
+  });
 }
 
 export function list<T>(item: Check<T>): Check<readonly T[]> {
-  return (value, path) => {
+  const each = plainOf(item);
+  return written(`\\[(?:${each}(?:,${each})*)?\\]`, (value, path) => {
     if (!Array.isArray(value)) throw new Refusal(path, 'list', describe(value));
-    return value.map((each, i) => item(each, `${path}[${i}]`));
-  };
+    return value.map((inside, i) => item(inside, `${path}[${i}]`));
+  });
 }
 
 /** What one of the checks takes: the answer to a decision. */
 export function either<const C extends readonly Check<unknown>[]>(
   ...checks: C
 ): Check<Checked<C[number]>> {
-  return (value, path) => {
+  return written(anyOf(checks.map(plainOf)), (value, path) => {
     for (const check of checks) {
       try {
         return check(value, path) as Checked<C[number]>;
@@ -77,18 +127,18 @@ export function either<const C extends readonly Check<unknown>[]>(
       }
     }
     throw new Refusal(path, 'answer', describe(value));
-  };
+  });
 }
 
 type Tuple<C extends readonly Check<unknown>[]> = { readonly [I in keyof C]: Checked<C[I]> };
 
 export function tuple<const C extends readonly Check<unknown>[]>(...items: C): Check<Tuple<C>> {
-  return (value, path) => {
+  return written(`\\[${items.map(plainOf).join(',')}\\]`, (value, path) => {
     if (!Array.isArray(value) || value.length !== items.length) {
       throw new Refusal(path, 'listOf', String(items.length), describe(value));
     }
     return items.map((item, i) => item(value[i], `${path}[${i}]`)) as unknown as Tuple<C>;
-  };
+  });
 }
 
 export function plainObject(value: unknown, path: string): Readonly<Record<string, unknown>> {
@@ -99,34 +149,33 @@ export function plainObject(value: unknown, path: string): Readonly<Record<strin
 }
 
 /** An object with these fields at least; others are left out. */
-export function part<F extends Fields>(fields: F): Check<Obligatory<F>> {
+export function part<F extends Fields>(
+  fields: F,
+): Check<{ readonly [K in keyof F]: Checked<F[K]> }> {
   return (value, path) => {
     const object = plainObject(value, path);
     const entries = Object.entries(fields).map(([key, check]) => {
       if (!Object.hasOwn(object, key)) throw new Refusal(child(path, key), 'missing');
       return [key, check(object[key], child(path, key))] as const;
     });
-    return Object.fromEntries(entries) as Obligatory<F>;
+    return Object.fromEntries(entries) as { readonly [K in keyof F]: Checked<F[K]> };
   };
 }
 
-/** An object with exactly these fields: none missing, none unknown. */
-export function record<F extends Fields, O extends Fields>(
-  fields: F,
-  optional: O,
-): Check<Obligatory<F> & Optional<O>> {
-  const checks: Fields = { ...fields, ...optional };
+/** An object with exactly these fields: none missing but the optional ones, none unknown. */
+export function record<F extends Fields>(fields: F): Check<Recorded<F>> {
+  const needed = Object.entries(fields).filter(([, { optional: may }]) => may !== true);
   return (value, path) => {
     const object = plainObject(value, path);
     const result: Record<string, unknown> = {};
     for (const [key, inside] of Object.entries(object)) {
-      const check = Object.hasOwn(checks, key) ? checks[key] : undefined;
+      const check = Object.hasOwn(fields, key) ? fields[key] : undefined;
       if (check === undefined) throw new Refusal(child(path, key), 'unknownKey');
       result[key] = check(inside, child(path, key));
     }
-    for (const key of Object.keys(fields)) {
+    for (const [key] of needed) {
       if (!Object.hasOwn(result, key)) throw new Refusal(child(path, key), 'missing');
     }
-    return result as Obligatory<F> & Optional<O>;
+    return result as Recorded<F>;
   };
 }

@@ -1,5 +1,16 @@
-import { between, bool, list, matching, oneOf, record, text, tuple, whole } from './check.js';
-import type { Check, Checked, Obligatory, Optional } from './check.js';
+import {
+  between,
+  bool,
+  count,
+  list,
+  matching,
+  oneOf,
+  optional,
+  text,
+  tuple,
+  whole,
+} from './check.js';
+import type { Check, Checked, Fields, Recorded } from './check.js';
 import {
   answer,
   box,
@@ -18,45 +29,29 @@ import {
 
 /**
  * The events of `vidno-trace/1` as one table: the types of the events and the check of a line are both
- * derived from it, so that they cannot part. The order is that of FORMAT.md.
+ * derived from it, so that they cannot part. The order of events and fields is that of FORMAT.md.
  */
 
-type Fields = Readonly<Record<string, Check<unknown>>>;
-interface Kind<L extends string, F extends Fields, O extends Fields> {
+interface Kind<L extends string, F extends Fields> {
   readonly at: Check<L>;
   readonly from: Detail;
   readonly fields: F;
-  readonly optional: O;
 }
 
 export const details = ['windows', 'polygons', 'signs'] as const;
 export type Detail = (typeof details)[number];
 
-const none = {} as const;
 const levels = { w: 'windows', p: 'polygons', s: 'signs' } as const;
 
 function kind<L extends string, F extends Fields>(
   at: Check<L>,
   from: keyof typeof levels,
   fields: F,
-): Kind<L, F, typeof none>;
-function kind<L extends string, F extends Fields, O extends Fields>(
-  at: Check<L>,
-  from: keyof typeof levels,
-  fields: F,
-  optional: O,
-): Kind<L, F, O>;
-function kind(
-  at: Check<string>,
-  from: keyof typeof levels,
-  fields: Fields,
-  optional: Fields = none,
-) {
-  return { at, from: levels[from], fields, optional };
+): Kind<L, F> {
+  return { at, from: levels[from], fields };
 }
 
-const anyLine = matching(/^(W|PW|PC|D|S|PL|I|F|Z|L)[1-9]\d?$/, 'label');
-const count = between(0, Number.MAX_SAFE_INTEGER);
+const anyLine = matching(/^(?:W|PW|PC|D|S|PL|I|F|Z|L)[1-9]\d?$/, 'label');
 const edges = list(count);
 
 export const procedures = [
@@ -86,13 +81,16 @@ export const decisions = [
 export type Decision = (typeof decisions)[number];
 
 /** Beside a decision in a checked trace. */
-const told = { exact: truth, by: oneOf('given', 'scene', 'operands', 'exact') } as const;
+const told = {
+  exact: optional(truth),
+  by: optional(oneOf('given', 'scene', 'operands', 'exact')),
+} as const;
 
 export const common = {
   plane: kind(oneOf('I1'), 'p', { polygon: id, plane: tuple(num, num, num, num) }),
   call: kind(anyLine, 'p', { of: oneOf(...procedures) }),
   depth: kind(oneOf('PW5', 'PC3', 'Z3'), 'p', { polygon: id, point: pair, z: num }),
-  fault: kind(anyLine, 'w', { reason: text }, { x: whole, y: whole }),
+  fault: kind(anyLine, 'w', { reason: text, x: optional(whole), y: optional(whole) }),
   disagree: kind(anyLine, 'w', {
     of: oneOf(...decisions),
     taken: answer,
@@ -102,74 +100,84 @@ export const common = {
 } as const;
 
 export const warnock = {
-  push: kind(
-    oneOf('W3', 'W13'),
-    'w',
-    { window: box },
-    { apl: list(tuple(id, bool)), shared: oneOf(true) },
-  ),
+  push: kind(oneOf('W3', 'W13'), 'w', {
+    window: box,
+    apl: optional(list(tuple(id, bool))),
+    shared: optional(oneOf(true)),
+  }),
   skip: kind(oneOf('W13'), 'w', { window: box }),
   pop: kind(oneOf('W5'), 'w', { window: box }),
   corners: kind(oneOf('PW1'), 'p', { z: num }),
-  box: kind(
-    oneOf('PW3'),
-    's',
-    { polygon: id, box: tuple(num, num, num, num), outside: bool },
-    told,
-  ),
+  box: kind(oneOf('PW3'), 's', {
+    polygon: id,
+    box: tuple(num, num, num, num),
+    outside: bool,
+    ...told,
+  }),
   discard: kind(oneOf('PW3'), 'p', { polygon: id }),
   count: kind(oneOf('PW4'), 'p', { polygon: id, count }),
-  compare: kind(
-    oneOf('PW6', 'PC4'),
-    's',
-    { polygon: id, z: num, against: num, nearer: bool },
-    { corner, ...told },
-  ),
+  compare: kind(oneOf('PW6', 'PC4'), 's', {
+    polygon: id,
+    corner: optional(corner),
+    z: num,
+    against: num,
+    nearer: bool,
+    ...told,
+  }),
   nearer: kind(oneOf('PW6'), 'p', { polygon: id, corners: list(corner), k: between(0, 4) }),
   uncover: kind(oneOf('PW7'), 'p', { polygon: id }),
   surround: kind(oneOf('PW8', 'PC2'), 'p', { polygon: id, point: pair, inside: bool }),
   mark: kind(oneOf('PW8'), 'p', { polygon: id }),
   cover: kind(oneOf('PW9'), 'p', { polygon: id, color }),
-  insider: kind(oneOf('PW10'), 'p', { polygon: id, inside: bool }, told),
-  summary: kind(oneOf('W6'), 'p', { count, hasSurround: bool, insider: bool }, { color }),
+  insider: kind(oneOf('PW10'), 'p', { polygon: id, inside: bool, ...told }),
+  summary: kind(oneOf('W6'), 'p', {
+    count,
+    hasSurround: bool,
+    color: optional(color),
+    insider: bool,
+  }),
   decide: kind(oneOf('W7', 'W8', 'W9', 'W10', 'W13'), 'w', {
     case: oneOf('empty', 'surrounded', 'pixel', 'single', 'split'),
   }),
   fill: kind(oneOf('W7', 'W8', 'W9', 'W10'), 'w', { rect: pixels, color }),
   nearest: kind(oneOf('PC4'), 'p', { polygon: id, z: num, color }),
   color: kind(oneOf('W9'), 'p', { point: pair, color }),
-  orient: kind(
-    oneOf('S2', 'S3'),
-    's',
-    { polygon: id, edge: count, point: pair, value: num, sign },
-    told,
-  ),
+  orient: kind(oneOf('S2', 'S3'), 's', {
+    polygon: id,
+    edge: count,
+    point: pair,
+    value: num,
+    sign,
+    ...told,
+  }),
   clip_begin: kind(oneOf('PL1'), 'p', { polygon: id, window: box }),
   clip_side: kind(oneOf('PL2'), 'p', { side: between(1, 4), from: pair, to: pair }),
-  clip_sign: kind(oneOf('PL3', 'PL4'), 's', { vertex: triple, value: num, sign }, told),
+  clip_sign: kind(oneOf('PL3', 'PL4'), 's', { vertex: triple, value: num, sign, ...told }),
   clip_cross: kind(oneOf('PL5'), 'p', { vertex: triple }),
   clip_keep: kind(oneOf('PL6'), 'p', { vertex: triple }),
   clip_drop: kind(oneOf('PL6'), 'p', { vertex: triple }),
   clip_list: kind(oneOf('PL7'), 'p', { count }),
   clip_result: kind(oneOf('W12'), 'p', { polygon: id, vertices: list(triple) }),
-  row: kind(
-    oneOf('F2'),
-    's',
-    { row: whole, left: num, right: num, first: whole, end: whole },
-    told,
-  ),
+  row: kind(oneOf('F2'), 's', {
+    row: whole,
+    left: num,
+    right: num,
+    first: whole,
+    end: whole,
+    ...told,
+  }),
   draw: kind(oneOf('W11', 'W12'), 'w', { polygon: id, color, runs }),
 } as const;
 
 export const zbuffer = {
   clear: kind(oneOf('Z1'), 'w', { color, z: num }),
   polygon: kind(oneOf('Z2'), 'w', { polygon: id, color }),
-  edge: kind(
-    oneOf('Z3'),
-    'p',
-    { edge: count, from: triple, to: triple },
-    { rows: tuple(whole, whole) },
-  ),
+  edge: kind(oneOf('Z3'), 'p', {
+    edge: count,
+    from: triple,
+    to: triple,
+    rows: optional(tuple(whole, whole)),
+  }),
   extent: kind(oneOf('Z4'), 'p', { ymin: num, ymax: num }),
   scanline: kind(oneOf('Z6'), 'w', { y: num, row: whole }),
   ael_add: kind(oneOf('Z8'), 'p', { edge: count, x: num, z: num, until: num, dx: num, dz: num }),
@@ -179,9 +187,16 @@ export const zbuffer = {
   line: kind(oneOf('L1'), 'p', { row: whole, from: pair, to: pair }),
   miss: kind(oneOf('L1', 'L2'), 'p', {}),
   slope: kind(oneOf('L3'), 's', { dz: num }),
-  columns: kind(oneOf('L4'), 's', { first: whole, end: whole, z: num }, told),
-  pixel: kind(oneOf('L6'), 's', { x: whole, y: whole, z: num, stored: num, shown: bool }, told),
-  span: kind(oneOf('Z9', 'Z14'), 'w', { row: whole, runs: rowRuns }, { depths: list(num) }),
+  columns: kind(oneOf('L4'), 's', { first: whole, end: whole, z: num, ...told }),
+  pixel: kind(oneOf('L6'), 's', {
+    x: whole,
+    y: whole,
+    z: num,
+    stored: num,
+    shown: bool,
+    ...told,
+  }),
+  span: kind(oneOf('Z9', 'Z14'), 'w', { row: whole, runs: rowRuns, depths: optional(list(num)) }),
   ael_drop: kind(oneOf('Z16'), 'p', { edges, next: num }),
   ael_step: kind(oneOf('Z17'), 'p', { edge: count, x: num, z: num }),
 } as const;
@@ -190,10 +205,9 @@ export const tables = { warnock, zbuffer } as const;
 export type Method = keyof typeof tables;
 
 type EventsOf<T extends Readonly<Record<string, AnyKind>>> = {
-  readonly [K in keyof T]: { readonly e: K; readonly at: Checked<T[K]['at']> } & Obligatory<
+  readonly [K in keyof T]: { readonly e: K; readonly at: Checked<T[K]['at']> } & Recorded<
     T[K]['fields']
-  > &
-    Optional<T[K]['optional']>;
+  >;
 };
 
 export type CommonEvents = EventsOf<typeof common>;
@@ -216,17 +230,4 @@ export const numberOf: ReadonlyMap<EventName, number> = new Map(
   eventNames.map((name, i) => [name, i]),
 );
 
-type LineCheck = Check<Event>;
-type AnyKind = Kind<string, Fields, Fields>;
-
-function lineChecks(method: Method): ReadonlyMap<string, { check: LineCheck; from: Detail }> {
-  const kinds = Object.entries({ ...common, ...tables[method] });
-  return new Map(
-    kinds.map(([name, { at, from, fields, optional }]: [string, AnyKind]) => {
-      const check = record({ e: text, at, ...fields }, optional);
-      return [name, { check: check as unknown as LineCheck, from }];
-    }),
-  );
-}
-
-export const checks = { warnock: lineChecks('warnock'), zbuffer: lineChecks('zbuffer') } as const;
+export type AnyKind = Kind<string, Fields>;

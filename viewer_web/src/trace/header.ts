@@ -1,4 +1,15 @@
-import { between, finite, list, matching, oneOf, record, text, tuple, whole } from './check.js';
+import {
+  between,
+  finite,
+  list,
+  matching,
+  oneOf,
+  optional,
+  record,
+  text,
+  tuple,
+  whole,
+} from './check.js';
 import type { Check, Checked } from './check.js';
 import { details, tables } from './events.js';
 import type { Method } from './events.js';
@@ -20,32 +31,35 @@ const coordinate: Check<number> = (value, path) => {
   return finite(minus === '-' ? -size : size, path);
 };
 
-const polygon = record(
-  { color, vertices: list(tuple(coordinate, coordinate, coordinate)) },
-  { id: text },
-);
+const polygon = record({
+  id: optional(text),
+  color,
+  vertices: list(tuple(coordinate, coordinate, coordinate)),
+});
 
-const area = record(
-  { x: whole, y: whole, width: between(1, greatestSide), height: between(1, greatestSide) },
-  {},
-);
+const area = record({
+  x: whole,
+  y: whole,
+  width: between(1, greatestSide),
+  height: between(1, greatestSide),
+});
 
-const sceneFile = record(
-  { format: oneOf('vidno-scene/1'), window: area, background: color, polygons: list(polygon) },
-  { name: text },
-);
+const sceneFile = record({
+  format: oneOf('vidno-scene/1'),
+  name: optional(text),
+  window: area,
+  background: color,
+  polygons: list(polygon),
+});
 
-const header = record(
-  {
-    format: oneOf('vidno-trace/1'),
-    method: oneOf(...(Object.keys(tables) as Method[])),
-    edition: oneOf('corrected', 'printed'),
-    kernel: matching(kernelName, 'kernel'),
-    detail: oneOf(...details),
-    scene: sceneFile,
-  },
-  {},
-);
+const header = record({
+  format: oneOf('vidno-trace/1'),
+  method: oneOf(...(Object.keys(tables) as Method[])),
+  edition: oneOf('corrected', 'printed'),
+  kernel: matching(kernelName, 'kernel'),
+  detail: oneOf(...details),
+  scene: sceneFile,
+});
 
 export type Area = Checked<typeof area>;
 export type Edition = Checked<typeof header>['edition'];

@@ -1,10 +1,11 @@
-/** What ended the stream of lines before its time. */
-export interface Break {
-  readonly line: number;
-  readonly why: 'gzip' | 'utf8' | 'long';
-}
+/** What ended the stream of bytes before its time. */
+export type Break = 'gzip' | 'long';
 
+const newline = 10;
 const longestLine = 2 ** 27;
+/** The first block is small, so that something is there soon; more and more until they are large. */
+const smallest = 2 ** 16;
+const largest = 2 ** 20;
 
 async function isGzip(file: Blob): Promise<boolean> {
   const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
@@ -14,47 +15,85 @@ async function isGzip(file: Blob): Promise<boolean> {
 const pause = (milliseconds: number): Promise<void> =>
   new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-/**
- * The lines of a text, plain or gzip, piece by piece: the whole text never exists as one string.
- * `whole` says whether the lines ended with a newline. A broken stream leaves a `Break`.
- */
+/** The lines of a text, plain or gzip, in blocks of bytes: each of whole lines, but the last line may be cut. */
 export class Lines {
   broken: Break | null = null;
-  private rest = '';
-  private count = 0;
+  /** The bytes of the file that were read. */
+  read = 0;
+  private buffer = new Uint8Array(smallest);
+  private used = 0;
   private reads = 0;
   private reading = false;
 
   constructor(private readonly file: Blob) {}
 
-  async *batches(): AsyncGenerator<{ readonly lines: readonly string[]; readonly whole: boolean }> {
+  /** The blocks, none empty, each in a buffer of its own that may be given away. */
+  async *blocks(): AsyncGenerator<Uint8Array<ArrayBuffer>> {
     const reader = (await this.bytes()).getReader();
-    const decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
     try {
       for (;;) {
         const chunk = await this.next(reader);
         if (chunk === null) break;
-        const lines = this.cut(this.decode(decoder, chunk));
-        if (lines.length > 0) yield { lines, whole: true };
-        if (this.stopped()) return;
+        yield* this.put(chunk);
+        if (this.broken !== null) return;
       }
-      this.cut(this.decode(decoder));
-      if (this.rest !== '') yield { lines: [this.rest], whole: false };
+      const block = this.cut(smallest);
+      if (block.length > 0) yield block;
+      if (this.used > 0) yield this.buffer.subarray(0, this.used);
     } finally {
       reader.cancel().catch(() => undefined);
     }
   }
 
+  private *put(chunk: Uint8Array): Generator<Uint8Array<ArrayBuffer>> {
+    for (let from = 0; from < chunk.length;) {
+      const piece = chunk.subarray(from, from + this.buffer.length - this.used);
+      this.buffer.set(piece, this.used);
+      this.used += piece.length;
+      from += piece.length;
+      if (this.used < this.buffer.length) return;
+      const next = Math.min(largest, 2 * this.buffer.length);
+      const block = this.cut(next);
+      if (block.length > 0) yield block;
+      else this.grow();
+      if (this.broken !== null) return;
+    }
+  }
+
+  /** The whole lines so far; what follows them begins another buffer. */
+  private cut(size: number): Uint8Array<ArrayBuffer> {
+    const { buffer } = this;
+    const end = this.used === 0 ? 0 : buffer.lastIndexOf(newline, this.used - 1) + 1;
+    if (end > 0) {
+      const rest = buffer.subarray(end, this.used);
+      this.buffer = new Uint8Array(Math.max(size, 2 * rest.length));
+      this.buffer.set(rest);
+      this.used = rest.length;
+    }
+    return buffer.subarray(0, end);
+  }
+
+  /** A line is longer than the buffer. */
+  private grow(): void {
+    const { buffer } = this;
+    if (this.used > longestLine) {
+      this.broken = 'long';
+      return;
+    }
+    this.buffer = new Uint8Array(2 * buffer.length);
+    this.buffer.set(buffer);
+  }
+
   private async bytes(): Promise<ReadableStream<Uint8Array>> {
-    const stream = this.file.stream();
-    if (!(await isGzip(this.file))) return stream;
-    const patient = new TransformStream<Uint8Array, Uint8Array<ArrayBuffer>>({
+    const counted = new TransformStream<Uint8Array, Uint8Array<ArrayBuffer>>({
       transform: (chunk, out) => {
+        this.read += chunk.length;
         out.enqueue(new Uint8Array(chunk));
       },
       flush: () => this.drained(),
     });
-    return stream.pipeThrough(patient).pipeThrough(new DecompressionStream('gzip'));
+    const stream = this.file.stream().pipeThrough(counted);
+    return (await isGzip(this.file)) ? stream.pipeThrough(new DecompressionStream('gzip')) : stream;
   }
 
   /** A cut gzip stream fails when closed and throws away what still waits to be read: let it wait. */
@@ -73,39 +112,10 @@ export class Lines {
       const { done, value } = await reader.read();
       return done ? null : value;
     } catch {
-      this.stop('gzip');
+      this.broken = 'gzip';
       return null;
     } finally {
       this.reading = false;
     }
-  }
-
-  private decode(decoder: TextDecoder, chunk?: Uint8Array): string {
-    try {
-      return chunk === undefined ? decoder.decode() : decoder.decode(chunk, { stream: true });
-    } catch {
-      this.stop('utf8');
-      return '';
-    }
-  }
-
-  private cut(piece: string): readonly string[] {
-    if (this.rest.length > longestLine) this.stop('long');
-    if (!piece.includes('\n')) {
-      this.rest += piece;
-      return [];
-    }
-    const lines = (this.rest + piece).split('\n');
-    this.rest = lines.pop() ?? '';
-    this.count += lines.length;
-    return lines;
-  }
-
-  private stop(why: Break['why']): void {
-    this.broken ??= { line: this.count + 1, why };
-  }
-
-  private stopped(): boolean {
-    return this.broken !== null;
   }
 }

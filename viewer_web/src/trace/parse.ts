@@ -1,20 +1,19 @@
-import { between, matching, oneOf, plainObject, record } from './check.js';
+import { count, matching, oneOf, optional, plainObject, record } from './check.js';
 import type { Checked } from './check.js';
-import { checks, details } from './events.js';
+import { details } from './events.js';
 import type { Event } from './events.js';
 import type { Header } from './header.js';
+import { kindsOf } from './kinds.js';
 import { Refusal, describe } from './refusal.js';
 
 /** A whole run has the hash of its picture, one that was stopped says that it is partial. */
-const end = record(
-  {
-    end: record(
-      { events: between(0, Number.MAX_SAFE_INTEGER) },
-      { picture: matching(/^sha256:[0-9a-f]{64}$/, 'hash'), partial: oneOf(true) },
-    ),
-  },
-  {},
-);
+const end = record({
+  end: record({
+    events: count,
+    picture: optional(matching(/^sha256:[0-9a-f]{64}$/, 'hash')),
+    partial: optional(oneOf(true)),
+  }),
+});
 
 export type End = Checked<typeof end>['end'];
 export type Line = { readonly event: Event } | { readonly end: End };
@@ -34,7 +33,7 @@ export function parseLine(line: string, header: Header): Line {
   const object = plainObject(parseJson(line), '');
   if (!Object.hasOwn(object, 'e')) return { end: end(object, '').end };
   const name = object['e'];
-  const known = typeof name === 'string' ? checks[header.method].get(name) : undefined;
+  const known = typeof name === 'string' ? kindsOf[header.method].get(name) : undefined;
   if (known === undefined) {
     throw new Refusal('e', 'noEvent', describe(name), header.method);
   }

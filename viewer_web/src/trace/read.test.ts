@@ -2,7 +2,7 @@ import { gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { samples } from '../testing/samples.js';
 import { headerOf, linesOf, textOf, textWith, traceNames, traceOf } from '../testing/traces.js';
-import { Unreadable } from './read.js';
+import { Unreadable } from './trace.js';
 import type { Reason } from './refusal.js';
 
 const header = headerOf('warnock');
@@ -45,6 +45,13 @@ describe('a trace that was cut short is read up to the break', () => {
     const trace = await traceOf(zipped(text).slice(0, -2000));
     expect(trace.shortened?.why).toBe('cut');
     expect(trace.timeline.length).toBeGreaterThan(100);
+  });
+
+  it('by what a page can hold', async () => {
+    const { shortened, timeline } = await traceOf(text, 100_000);
+    expect(text.length).toBeGreaterThan(100_000);
+    expect(timeline.length).toBeGreaterThan(100);
+    expect(shortened).toEqual({ why: 'limit', line: timeline.length + 1 });
   });
 
   it('by the run itself', async () => {
@@ -98,6 +105,28 @@ const broken: readonly (readonly [string, string | Uint8Array<ArrayBuffer>, numb
   ['an id twice', whole.replace('"id":"B"', '"id":"A"'), 1, 'twice'],
   ['a bad colour', whole.replace('#112233', 'url(x)'), 1, 'color'],
 ];
+
+describe('names beyond ASCII', () => {
+  const named = textOf('small.warnock.signs.jsonl').replaceAll('"A"', '"Ёлка"');
+
+  it('are read as others', async () => {
+    const { timeline } = await traceOf(named);
+    expect(timeline.length).toBe(named.split('\n').length - 3);
+    expect(timeline.event(1)).toMatchObject({ e: 'plane', polygon: 'Ёлка' });
+    expect(timeline.event(timeline.length)).toEqual(
+      JSON.parse(named.trim().split('\n').at(-2) ?? ''),
+    );
+  });
+
+  it('must be UTF-8 on every line', async () => {
+    const file = bytes(named);
+    const at = file.lastIndexOf(bytes('Ё')[0] ?? 0);
+    file[at + 1] = 0x22;
+    const error: unknown = await traceOf(file).catch((thrown: unknown) => thrown);
+    const line = file.subarray(0, at).filter((byte) => byte === 10).length + 1;
+    expect(error).toMatchObject({ line, refusal: { reason: 'notUtf8' } });
+  });
+});
 
 describe('what is no trace is refused with line and reason', () => {
   it.each(broken)('%s', async (_name, file, line, reason) => {

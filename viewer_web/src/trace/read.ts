@@ -1,10 +1,13 @@
-import { Timeline } from '../state/timeline.js';
+import type { Keyframe } from '../state/state.js';
 import { parseHeader } from './header.js';
 import type { Header } from './header.js';
 import { Lines } from './lines.js';
-import { parseJson, parseLine } from './parse.js';
+import { parseJson } from './parse.js';
 import type { End } from './parse.js';
 import { Refusal, isRefusal } from './refusal.js';
+import { Run } from './run.js';
+import { BlockText } from './store.js';
+import type { Block } from './store.js';
 
 /** The trace is shorter than the run: the file broke off, the run was stopped, or it is too long for a page. */
 export interface Shortened {
@@ -12,68 +15,102 @@ export interface Shortened {
   readonly line: number;
 }
 
-/** A trace that was read, each of its events applied once. */
-export interface Trace {
-  readonly header: Header;
-  readonly timeline: Timeline;
+/** What is wrong with a file that is no trace: the line, from 1, and the reason. */
+export interface Complaint {
+  readonly line: number;
+  readonly refusal: Pick<Refusal, 'path' | 'reason' | 'details'>;
+}
+
+/** Further events, each of them checked and applied once, and the keyframes among them. */
+export interface Part {
+  readonly is: 'part';
+  readonly block: Block;
+  readonly keyframes: readonly Keyframe[];
+  /** How much of the file was read, from 0 to 1. */
+  readonly read: number;
+}
+
+export interface Ending {
+  readonly is: 'end';
   readonly end: End | null;
   readonly shortened: Shortened | null;
 }
 
-/** A file that is no trace: the line, from 1, and the reason. */
-export class Unreadable extends Error {
-  constructor(
-    readonly line: number,
-    readonly refusal: Refusal,
-  ) {
-    super(`line ${line}: ${refusal.message}`);
-  }
-}
+/** What is found in a file, as plain data: first the header, then parts, then the end; or a complaint, the last. */
+export type News =
+  | { readonly is: 'header'; readonly header: Header }
+  | Part
+  | Ending
+  | ({ readonly is: 'complaint' } & Complaint);
 
-const mostEvents = 4_000_000;
+const mostBytes = 2 ** 30;
+const newline = 10;
+
+function lineStarts(bytes: Uint8Array): Uint32Array<ArrayBuffer> {
+  const starts = [0];
+  for (let at = bytes.indexOf(newline); at >= 0; at = bytes.indexOf(newline, at + 1)) {
+    starts.push(at + 1);
+  }
+  if (starts.at(-1) !== bytes.length) starts.push(bytes.length);
+  return Uint32Array.from(starts);
+}
 
 class Reader {
   line = 0;
+  header: Header | null = null;
   shortened: Shortened | null = null;
-  private header: Header | null = null;
-  private timeline: Timeline | null = null;
+  private run: Run | null = null;
   private end: End | null = null;
 
-  take(text: string): void {
-    this.line++;
-    if (this.header === null || this.timeline === null) {
-      this.header = parseHeader(parseJson(text));
-      this.timeline = new Timeline(this.header);
-      return;
-    }
-    if (this.end !== null) throw new Refusal('', 'afterEnd');
-    const found = parseLine(text, this.header);
-    if ('event' in found) this.timeline.append(found.event);
-    else this.finish(found.end, this.timeline.length);
-    if (this.timeline.length >= mostEvents) this.shorten('limit');
-  }
-
-  /** A last line without its newline may be cut in two. */
-  takeLast(text: string): void {
-    try {
-      parseJson(text);
-    } catch {
+  /** The events of a block of lines; only the last may lack its newline, as it may be cut in two. */
+  take(bytes: Uint8Array<ArrayBuffer>): Omit<Part, 'is' | 'read'> {
+    const starts = lineStarts(bytes);
+    const text = new BlockText(bytes, starts);
+    const first = this.header === null ? 1 : 0;
+    const names = new Uint8Array(starts.length - 1);
+    let count = 0;
+    for (let i = 0; i < starts.length - 1; i++) {
+      if (bytes[(starts[i + 1] ?? 0) - 1] !== newline && !isJson(text, i)) {
+        this.line++;
+        this.shorten('cut');
+        break;
+      }
       this.line++;
-      this.shorten('cut');
-      return;
+      const name = this.takeLine(text, i);
+      if (name !== null) names[count++] = name;
     }
-    this.take(text);
+    return {
+      block: {
+        bytes,
+        starts: starts.slice(first, first + count + 1),
+        names: names.slice(0, count),
+      },
+      keyframes: this.run?.takeKeyframes() ?? [],
+    };
   }
 
   shorten(why: Shortened['why']): void {
     this.shortened ??= { why, line: this.line };
   }
 
-  result(): Trace {
-    const { header, timeline, end } = this;
-    if (header === null || timeline === null) throw new Refusal('', 'empty');
-    if (end === null) this.shorten('cut');
-    return { header, timeline, end, shortened: this.shortened };
+  ending(): Ending {
+    if (this.header === null) throw new Refusal('', 'empty');
+    if (this.end === null) this.shorten('cut');
+    return { is: 'end', end: this.end, shortened: this.shortened };
+  }
+
+  /** The number of the event's name, or null for the first line and the last. */
+  private takeLine(text: BlockText, i: number): number | null {
+    if (this.run === null) {
+      this.header = parseHeader(parseJson(text.line(i)));
+      this.run = new Run(this.header);
+      return null;
+    }
+    if (this.end !== null) throw new Refusal('', 'afterEnd');
+    const found = this.run.take(text, i);
+    if (typeof found === 'number') return found;
+    this.finish(found, this.run.length);
+    return null;
   }
 
   private finish(end: End, events: number): void {
@@ -85,32 +122,46 @@ class Reader {
   }
 }
 
-function refuseBreak(lines: Lines, reader: Reader): void {
-  const why = lines.broken?.why;
-  if (why === 'utf8') throw new Refusal('', 'notUtf8');
-  if (why === 'long') throw new Refusal('', 'longLine');
-  if (why === 'gzip' && reader.line === 0) throw new Refusal('', 'notGzip');
+function isJson(text: BlockText, line: number): boolean {
+  try {
+    parseJson(text.line(line));
+    return true;
+  } catch {
+    return false;
+  }
 }
 
-async function readInto(reader: Reader, lines: Lines): Promise<Trace> {
-  for await (const { lines: batch, whole } of lines.batches()) {
-    for (const line of batch) {
-      if (whole) reader.take(line);
-      else reader.takeLast(line);
-      if (reader.shortened?.why === 'limit') return reader.result();
+function refuseBreak({ broken }: Lines, reader: Reader): void {
+  if (broken === 'long') throw new Refusal('', 'longLine');
+  if (broken === 'gzip' && reader.line === 0) throw new Refusal('', 'notGzip');
+}
+
+async function* readInto(reader: Reader, file: Blob, most: number): AsyncGenerator<News> {
+  const lines = new Lines(file);
+  let bytes = 0;
+  for await (const text of lines.blocks()) {
+    bytes += text.length;
+    if (bytes > most) {
+      reader.shorten('limit');
+      break;
     }
+    const known = reader.header !== null;
+    const part = reader.take(text);
+    if (!known && reader.header !== null) yield { is: 'header', header: reader.header };
+    yield { is: 'part', ...part, read: lines.read / file.size };
   }
   refuseBreak(lines, reader);
-  return reader.result();
+  yield reader.ending();
 }
 
-/** Reads a trace, plain or gzip; what is wrong with it is an `Unreadable` with line and reason. */
-export async function readTrace(file: Blob): Promise<Trace> {
+/** Reads a trace, plain or gzip, of at most so many bytes when unpacked. */
+export async function* read(file: Blob, most = mostBytes): AsyncGenerator<News> {
   const reader = new Reader();
   try {
-    return await readInto(reader, new Lines(file));
+    yield* readInto(reader, file, most);
   } catch (error) {
-    if (isRefusal(error)) throw new Unreadable(Math.max(1, reader.line), error);
-    throw error;
+    if (!isRefusal(error)) throw error;
+    const { path, reason, details } = error;
+    yield { is: 'complaint', line: Math.max(1, reader.line), refusal: { path, reason, details } };
   }
 }

@@ -1,18 +1,31 @@
-import { bool, either, finite, list, matching, oneOf, text, tuple, whole } from './check.js';
-import type { Check, Checked } from './check.js';
+import {
+  bool,
+  either,
+  finite,
+  list,
+  matching,
+  oneOf,
+  plainNumber,
+  text,
+  tuple,
+  whole,
+  written,
+} from './check.js';
+import type { Checked } from './check.js';
 import { Refusal, describe } from './refusal.js';
 
 /** N of the format: a number of the run's kernel. A reader copies it and never computes with it. */
 export type N = number | string;
 
 /** Longer fractions than any run writes would only keep the page busy. */
-const written = /^(-?inf|nan|-?\d{1,20000}\/\d{1,20000})$/;
+const word = /^(-?inf|nan|-?\d{1,20000}\/\d{1,20000})$/;
+const plainWord = '"(?:-?inf|nan|-?\\d{1,999}/\\d{1,999})"';
 
-export const num: Check<N> = (value, path) => {
+export const num = written<N>(`(?:${plainNumber}|${plainWord})`, (value, path) => {
   if (typeof value === 'number' && Number.isFinite(value)) return value;
-  if (typeof value === 'string' && written.test(value)) return value;
+  if (typeof value === 'string' && word.test(value)) return value;
   throw new Refusal(path, 'kernelNumber', describe(value));
-};
+});
 
 export const id = text;
 export const color = matching(/^#[0-9a-f]{6}$/, 'color');
@@ -27,10 +40,10 @@ export const sign = oneOf(-1, 0, 1);
 
 /** What a decision came to: yes or no, a sign or a pixel, or the range first <= i < end. */
 export const answer = either(bool, whole, tuple(whole, whole));
-const nothing: Check<null> = (value, path) => {
+const nothing = written<null>('null', (value, path) => {
   if (value === null) return null;
   throw new Refusal(path, 'answer', describe(value));
-};
+});
 /** The right answer; null where it is undefined. */
 export const truth = either(nothing, answer);
 

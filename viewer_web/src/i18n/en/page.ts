@@ -8,6 +8,7 @@ export const page: PageTexts = {
   openFile: 'Open a file…',
   dropHere: 'or drop it here: .jsonl, .jsonl.gz',
   reading: (name) => `Reading ${name}…`,
+  growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent} % of the file`,
   unreadable: (name, line, where, reason) =>
     `${name} is not a trace that can be read. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   broken: (name) => `${name} could not be read.`,

@@ -8,6 +8,7 @@ export const page: PageTexts = {
   openFile: 'Открыть файл…',
   dropHere: 'или перетащите его сюда: .jsonl, .jsonl.gz',
   reading: (name) => `Чтение ${name}…`,
+  growing: (steps, percent) => `Чтение: шагов пока ${steps}, ${percent} % файла`,
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   broken: (name) => `Файл ${name} не удалось прочитать.`,

@@ -1,0 +1,155 @@
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { cpus, loadavg, tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { launch, open, repeated, sampleTrace, shown, small, whole } from './page.js';
+
+const events = 1_000_000;
+
+let browser: Browser;
+let directory: string;
+beforeAll(async () => {
+  browser = await launch();
+  directory = mkdtempSync(join(tmpdir(), 'vidno-'));
+});
+afterAll(async () => {
+  await browser.close();
+  rmSync(directory, { recursive: true });
+});
+
+/** How many times as long things take here, since other programs want the processors too. */
+const slack = (): number => Math.max(1, (loadavg()[0] ?? 0) / cpus().length);
+
+/** What was seen while a file was opened: milliseconds, and how often the page said how much is there. */
+interface Opening {
+  readonly first: number;
+  readonly whole: number;
+  readonly growing: number;
+}
+
+/** Notes from the choice of a file on when its trace is shown, and when all of it is there. */
+const watchOpening = (page: Page, name: string): Promise<void> =>
+  page.evaluate((title) => {
+    const root = document.querySelector('vidno-app')?.shadowRoot;
+    const input = root?.querySelector('vidno-file-drop')?.shadowRoot?.querySelector('input');
+    const notice = root?.querySelector('vidno-notice')?.shadowRoot;
+    input?.addEventListener('change', () => {
+      const start = performance.now();
+      const opening = { first: 0, whole: 0, growing: 0 };
+      const said = new Set<string>();
+      Object.assign(window, { opening });
+      const look = (): void => {
+        const now = performance.now() - start;
+        const isShown = root?.querySelector('.title h2')?.textContent === title;
+        if (isShown && opening.first === 0) opening.first = now;
+        const text = notice?.querySelector('.growing')?.textContent;
+        if (text) said.add(text);
+        opening.growing = said.size;
+        if (isShown && !notice?.querySelector('.reading, .growing')) opening.whole = now;
+        else requestAnimationFrame(look);
+      };
+      requestAnimationFrame(look);
+    });
+  }, name);
+
+async function openingOf(page: Page, file: string, name: string): Promise<Opening> {
+  await watchOpening(page, name);
+  await page.locator('vidno-file-drop input').setInputFiles(file);
+  const found = await page.waitForFunction(() => {
+    const { opening } = window as unknown as { opening?: Opening };
+    return opening !== undefined && opening.whole > 0 ? opening : null;
+  });
+  const opening = await found.jsonValue();
+  if (opening === null) throw new Error('the trace was not opened');
+  return opening;
+}
+
+/** Milliseconds to steps far from each other, either way, sorted: to the state alone, and until it is on the page. */
+interface Seeks {
+  readonly state: readonly number[];
+  readonly shown: readonly number[];
+}
+
+const seeks = (page: Page): Promise<Seeks> =>
+  page.evaluate(async () => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    if (!player?.trace) throw new Error('no trace');
+    const { timeline } = player.trace;
+    const times = { state: [] as number[], shown: [] as number[] };
+    for (let i = 1; i <= 300; i++) {
+      const step = (i * 618_034) % timeline.length;
+      const start = performance.now();
+      timeline.seek(step);
+      times.state.push(performance.now() - start);
+      player.seek((step + 300_000) % timeline.length);
+      const middle = performance.now();
+      await player.updateComplete;
+      times.shown.push(performance.now() - middle);
+    }
+    times.state.sort((a, b) => a - b);
+    times.shown.sort((a, b) => a - b);
+    return times;
+  });
+
+const at99 = (times: readonly number[]): number =>
+  times[Math.ceil(0.99 * times.length) - 1] ?? Infinity;
+
+/** Megabytes that the page's scripts hold, in objects and in buffers. */
+async function memory(page: Page): Promise<number> {
+  const session = await page.context().newCDPSession(page);
+  const used = (await session.send('Runtime.getHeapUsage')) as unknown as Record<string, number>;
+  const { usedSize = NaN, backingStorageSize = NaN, embedderHeapUsedSize = NaN } = used;
+  return (usedSize + backingStorageSize + embedderHeapUsedSize) / 2 ** 20;
+}
+
+const warnock = (): string => repeated(small, /"at":"W3"/, events);
+const zbuffer = (): string => repeated(sampleTrace('small.zbuffer.signs'), /"e":"polygon"/, events);
+
+describe('a trace of a million events', () => {
+  it.each([
+    ['warnock.jsonl', warnock],
+    ['zbuffer.jsonl', zbuffer],
+    ['packed.jsonl.gz', (): Buffer => gzipSync(warnock())],
+  ])('%s is soon there, and so is any step of it', async (name, content) => {
+    const file = join(directory, name);
+    writeFileSync(file, content());
+    const { page, faults } = await open(browser, '#lang=en');
+    const opening = await openingOf(page, file, name);
+    const { state, shown } = await seeks(page);
+    const megabytes = await memory(page);
+    console.log(
+      `${name}: first picture ${opening.first.toFixed()} ms, whole ${opening.whole.toFixed()} ms; ` +
+        `99 of 100 seeks ${at99(state).toFixed(1)} ms, shown ${at99(shown).toFixed(1)} ms; ` +
+        `${megabytes.toFixed()} MB; everything takes ${slack().toFixed(1)} times as long here`,
+    );
+    expect(opening.first).toBeLessThan(1500 * slack());
+    expect(opening.whole).toBeLessThan(3000 * slack());
+    expect(opening.growing).toBeGreaterThan(1);
+    expect(at99(state)).toBeLessThan(16 * slack());
+    expect(at99(shown)).toBeLessThan(16 * slack());
+    expect(megabytes).toBeLessThan(400);
+    expect(faults).toEqual([]);
+    await page.context().close();
+  });
+
+  it('may be stepped through while it is read, and stays where one is', async () => {
+    const name = 'growing.jsonl';
+    writeFileSync(join(directory, name), warnock());
+    const { page } = await open(browser, '#lang=en');
+    await page.locator('vidno-file-drop input').setInputFiles(join(directory, name));
+    await page.locator('.title h2', { hasText: name }).waitFor();
+    for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
+    expect((await shown(page)).step).toBe(3);
+    expect(await page.locator('vidno-notice .growing').textContent()).toMatch(
+      /^Reading: [\d,]+ steps so far, \d+ % of the file$/,
+    );
+    await whole(page);
+    const { step, length } = await shown(page);
+    expect(step).toBe(3);
+    expect(length).toBeGreaterThan(events);
+    await page.keyboard.press('End');
+    expect((await shown(page)).step).toBe(length);
+  });
+});

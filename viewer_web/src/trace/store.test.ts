@@ -1,0 +1,64 @@
+import { describe, expect, it } from 'vitest';
+import { textOf, traceNames } from '../testing/traces.js';
+import { numberOf } from './events.js';
+import type { EventName } from './events.js';
+import { Store } from './store.js';
+import type { Block } from './store.js';
+
+/** Lines as a block, the names looked up in parsed lines. */
+function blockOf(lines: readonly string[]): Block {
+  const texts = lines.map((line) => new TextEncoder().encode(`${line}\n`));
+  const ends: number[] = [];
+  for (const { length } of texts) ends.push((ends.at(-1) ?? 0) + length);
+  const numbers = lines.map((line) => numberOf.get((JSON.parse(line) as { e: EventName }).e) ?? -1);
+  return {
+    bytes: new Uint8Array(texts.flatMap((text) => [...text])),
+    starts: Uint32Array.from([0, ...ends]),
+    names: Uint8Array.from(numbers),
+  };
+}
+
+/** A store that grew by blocks of so many lines. */
+function storeOf(lines: readonly string[], size: number): Store {
+  const store = new Store();
+  for (let i = 0; i < lines.length; i += size) store.append(blockOf(lines.slice(i, i + size)));
+  return store;
+}
+
+const linesOf = (name: string): readonly string[] => textOf(name).trim().split('\n').slice(1, -1);
+
+describe('a store gives back what it was given', () => {
+  it.each(traceNames)('%s, in blocks of any size, forward and backward', (name) => {
+    const lines = linesOf(name);
+    for (const size of [1, 7, 64, lines.length]) {
+      const store = storeOf(lines, size);
+      expect(store.length).toBe(lines.length);
+      for (const [i, line] of lines.entries()) {
+        expect(store.event(i + 1)).toEqual(JSON.parse(line));
+        expect(store.line(lines.length - i)).toBe(`${lines.at(-1 - i) ?? ''}\n`);
+      }
+    }
+  });
+
+  it('with the numbers of the names', () => {
+    const lines = linesOf('small.zbuffer.signs.jsonl');
+    const names = [...storeOf(lines, 10).names];
+    const clear = numberOf.get('clear');
+    expect(names.filter((name) => name === clear)).toHaveLength(1);
+    expect(names.indexOf(clear ?? -1)).toBe(lines.findIndex((line) => line.includes('"clear"')));
+  });
+
+  it('in any script', () => {
+    const line = JSON.stringify({ e: 'discard', at: 'PW3', polygon: 'Ёлка 🎄' });
+    const plain = JSON.stringify({ e: 'discard', at: 'PW3', polygon: 'A' });
+    const store = storeOf([plain, line, plain], 3);
+    expect([1, 2, 3].map((step) => store.event(step))).toEqual(
+      [plain, line, plain].map((each) => JSON.parse(each) as unknown),
+    );
+  });
+
+  it('and nothing before the first and after the last', () => {
+    const store = storeOf(linesOf('inside.warnock.signs.jsonl'), 10);
+    expect([store.event(0), store.event(store.length + 1)]).toEqual([null, null]);
+  });
+});
