@@ -1,20 +1,25 @@
 import { closes, isTraced } from '../state/state.js';
 import { eventNames } from '../trace/events.js';
+import type { Detail } from '../trace/events.js';
 import type { Trace } from '../trace/read.js';
 
 export type Direction = -1 | 1;
+
+/** For each number of an event's name by how much the calls are nested deeper after it. */
+export function depthChanges(detail: Detail): readonly number[] {
+  return eventNames.map((name) => {
+    const closed = closes[name];
+    if (name === 'call') return 1;
+    return closed !== undefined && isTraced(closed, detail) ? -1 : 0;
+  });
+}
 
 /** How deep the calls are nested after each step, and the ways over and out of them, forward and back alike. */
 export class Calls {
   private readonly depths: Uint8Array;
 
   constructor({ header, timeline }: Trace) {
-    const { detail } = header;
-    const change = eventNames.map((name) => {
-      const closed = closes[name];
-      if (name === 'call') return 1;
-      return closed !== undefined && isTraced(closed, detail) ? -1 : 0;
-    });
+    const change = depthChanges(header.detail);
     this.depths = new Uint8Array(timeline.length + 1);
     let depth = 1;
     timeline.names.forEach((name, i) => {
