@@ -8,12 +8,18 @@ describe('the address', () => {
       trace: '01-near & far.warnock',
       step: 17,
       pixel: [3, -4],
+      bookmarks: [
+        { step: 3, note: 'здесь z = 1/2 & всё' },
+        { step: 17, note: '' },
+      ],
     } as const;
     expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
-  it('forgets step and pixel where no lesson is open', () => {
-    expect(formatAddress({ language: 'en', trace: null, step: 3, pixel: [1, 2] })).toBe('#lang=en');
+  it('forgets step, pixel and bookmarks where no lesson is open', () => {
+    const bookmarks = [{ step: 3, note: 'x' }];
+    const place = { step: 3, pixel: [1, 2], bookmarks } as const;
+    expect(formatAddress({ language: 'en', trace: null, ...place })).toBe('#lang=en');
   });
 
   it.each([
@@ -28,7 +34,17 @@ describe('the address', () => {
     '#pixel=1,2,3',
     '#pixel=1.5,2',
     '#pixel=1e3,2',
+    '#bookmarks=',
+    '#bookmarks=%00*',
+    '#bookmarks=bm90ZQ', // "note", without a step
+    '#bookmarks=MTIg_w', // "12 ", then a byte that is no UTF-8
   ])('takes no nonsense: %s', (hash) => {
-    expect(parseAddress(hash)).toEqual({ language: null, trace: null, step: 0, pixel: null });
+    expect(parseAddress(hash)).toEqual({
+      language: null,
+      trace: null,
+      step: 0,
+      pixel: null,
+      bookmarks: [],
+    });
   });
 });

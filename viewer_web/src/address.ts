@@ -1,13 +1,16 @@
 import { isLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
 import type { Pixel } from './picture/pixel.js';
+import { formatBookmarks, parseBookmarks } from './time/bookmarks.js';
+import type { Bookmarks } from './time/bookmarks.js';
 
-/** What the page's address holds behind `#`: language, embedded trace, step and chosen pixel. */
+/** What the page's address holds behind `#`: language, embedded trace, step, chosen pixel and bookmarks. */
 export interface Address {
   readonly language: Language | null;
   readonly trace: string | null;
   readonly step: number;
   readonly pixel: Pixel | null;
+  readonly bookmarks: Bookmarks;
 }
 
 function parsePixel(written: string | null): Pixel | null {
@@ -24,15 +27,17 @@ export function parseAddress(hash: string): Address {
     trace: fields.get('trace'),
     step: Number.isSafeInteger(step) && step > 0 ? step : 0,
     pixel: parsePixel(fields.get('pixel')),
+    bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
   };
 }
 
-export function formatAddress({ language, trace, step, pixel }: Address): string {
+export function formatAddress({ language, trace, step, pixel, bookmarks }: Address): string {
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (trace !== null) {
     fields.set('trace', trace);
     if (pixel !== null) fields.set('pixel', pixel.join());
+    if (bookmarks.length > 0) fields.set('bookmarks', formatBookmarks(bookmarks));
     fields.set('step', String(step));
   }
   return `#${fields.toString()}`;

@@ -19,12 +19,13 @@ import type { Language } from './i18n/language.js';
 import { embeddedFile, embeddedLessons, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
 import type { Pixel } from './picture/pixel.js';
+import type { Bookmarks } from './time/bookmarks.js';
 import { openTrace } from './trace/open.js';
 import type { Trace } from './trace/trace.js';
 
-/** Where in a trace the page is. */
-type Place = Pick<Address, 'step' | 'pixel'>;
-const beginning: Place = { step: 0, pixel: null };
+/** Where in a trace the page is, and what is marked in it. */
+type Place = Pick<Address, 'step' | 'pixel' | 'bookmarks'>;
+const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
 
 /** What is to be said about a trace that is shown. */
 function noticeOf(trace: Trace): Notice | null {
@@ -44,8 +45,7 @@ export class AppElement extends LitElement {
   @state() private steps = 0;
   @state() private traceName = '';
   @state() private lesson: string | null = null;
-  @state() private step = 0;
-  @state() private pixel: Pixel | null = null;
+  @state() private place = beginning;
   @state() private notice: Notice | null = null;
   @query('vidno-player') private player!: PlayerElement;
 
@@ -68,14 +68,14 @@ export class AppElement extends LitElement {
   }
 
   private readonly followAddress = (): void => {
-    const { language, trace, step, pixel } = parseAddress(location.hash);
+    const { language, trace, ...place } = parseAddress(location.hash);
     this.language = language ?? this.language;
     const all = this.lessons.flatMap((lesson) => lesson.traces);
     const chosen =
       all.find((each) => idOf(each) === trace) ?? (trace === null ? all[0] : undefined);
     if (chosen === undefined) return;
-    if (idOf(chosen) === this.lesson) [this.step, this.pixel] = [step, pixel];
-    else this.openLesson(chosen, { step, pixel });
+    if (idOf(chosen) === this.lesson) this.place = place;
+    else this.openLesson(chosen, place);
   };
 
   private openLesson(chosen: LessonTrace, place = beginning): void {
@@ -101,13 +101,12 @@ export class AppElement extends LitElement {
     });
   }
 
-  private show(trace: Trace, name: string, lesson: string | null, { step, pixel }: Place): void {
+  private show(trace: Trace, name: string, lesson: string | null, place: Place): void {
     this.trace = trace;
     this.steps = trace.timeline.length;
     this.traceName = name;
     this.lesson = lesson;
-    this.step = step;
-    this.pixel = pixel;
+    this.place = place;
     this.writeAddress();
   }
 
@@ -115,13 +114,20 @@ export class AppElement extends LitElement {
     if (!event.composedPath().includes(this.player)) this.player.handleKey(event);
   };
 
-  private onStep({ detail }: CustomEvent<number>): void {
-    this.step = detail;
-    this.writeAddress();
+  private onStep({ detail: step }: CustomEvent<number>): void {
+    this.move({ step });
   }
 
-  private onPixel({ detail }: CustomEvent<Pixel | null>): void {
-    this.pixel = detail;
+  private onPixel({ detail: pixel }: CustomEvent<Pixel | null>): void {
+    this.move({ pixel });
+  }
+
+  private onBookmarks({ detail: bookmarks }: CustomEvent<Bookmarks>): void {
+    this.move({ bookmarks });
+  }
+
+  private move(change: Partial<Place>): void {
+    this.place = { ...this.place, ...change };
     this.writeAddress();
   }
 
@@ -129,8 +135,8 @@ export class AppElement extends LitElement {
   private writeAddress(): void {
     clearTimeout(this.addressTimer);
     this.addressTimer = window.setTimeout(() => {
-      const { language, lesson, step, pixel } = this;
-      history.replaceState(null, '', formatAddress({ language, trace: lesson, step, pixel }));
+      const { language, lesson: trace, place } = this;
+      history.replaceState(null, '', formatAddress({ language, trace, ...place }));
     }, 250);
   }
 
@@ -177,12 +183,15 @@ export class AppElement extends LitElement {
         <vidno-player
           .trace=${this.trace}
           .length=${this.steps}
-          .step=${this.step}
+          .step=${this.place.step}
           .lang=${this.language}
           ?hidden=${this.trace === null}
-          .pixel=${this.pixel}
+          .pixel=${this.place.pixel}
+          .bookmarks=${this.place.bookmarks}
+          ?linked=${this.lesson !== null}
           @vidno-step=${this.onStep}
           @vidno-pixel=${this.onPixel}
+          @vidno-bookmarks=${this.onBookmarks}
         ></vidno-player>
         ${this.trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
       </main>

@@ -1,9 +1,42 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+
 /** Whether the element in focus means the key for itself. */
 export function takesKey(event: KeyboardEvent): boolean {
   const [target] = event.composedPath();
   if (target instanceof HTMLInputElement) {
     return target.type === 'range' ? !['?', ' ', '+', '-'].includes(event.key) : event.key !== '?';
   }
-  if (target instanceof HTMLSelectElement) return true;
+  if (target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement) return true;
   return target instanceof HTMLButtonElement && event.key === ' ';
+}
+
+/** What is done at keys, each by what it writes or else by its place, which is the same in any language. */
+export type Actions = Readonly<Record<string, () => void>>;
+
+/** Does at a key what the host has for it, wherever in the host it was pressed. */
+export class Keyboard implements ReactiveController {
+  constructor(
+    private readonly host: ReactiveControllerHost & HTMLElement,
+    private readonly actions: (event: KeyboardEvent) => Actions,
+  ) {
+    host.addController(this);
+  }
+
+  hostConnected(): void {
+    this.host.addEventListener('keydown', this.handle);
+  }
+
+  hostDisconnected(): void {
+    this.host.removeEventListener('keydown', this.handle);
+  }
+
+  readonly handle = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (takesKey(event)) return;
+    const actions = this.actions(event);
+    const act = actions[event.key] ?? actions[event.code];
+    if (act === undefined) return;
+    event.preventDefault();
+    act();
+  };
 }

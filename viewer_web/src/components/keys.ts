@@ -15,6 +15,9 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['speed', ['−', '+']],
   ['pixel', ['P']],
   ['cursor', ['← ↑ ↓ →', 'Enter', 'Esc']],
+  ['bookmark', ['B']],
+  ['bookmarks', ['Shift B']],
+  ['toBookmark', ['Shift ,', 'Shift .']],
   ['map', ['?']],
 ];
 

@@ -101,7 +101,7 @@ export const playerStyle = css`
       grid-row: auto;
       height: 19rem;
     }
-    .side.pixel {
+    .side:is(.pixel, .bookmarks) {
       order: -1;
       height: 22rem;
     }

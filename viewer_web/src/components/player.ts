@@ -8,11 +8,14 @@ import type { Language } from '../i18n/language.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import { canonical } from '../state/canonical.js';
+import { bookmarksUpTo } from '../time/bookmarks.js';
+import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
 import { Clock } from './clock.js';
-import { takesKey } from './keyboard.js';
+import { Keyboard } from './keyboard.js';
+import type { Actions } from './keyboard.js';
 import './keys.js';
 import type { KeysElement } from './keys.js';
 import './legend.js';
@@ -20,11 +23,11 @@ import './listing.js';
 import type { PictureElement } from './picture.js';
 import './picture.js';
 import { playerStyle } from './player.style.js';
+import { ReadOn } from './read-on.js';
 import './side.js';
-import type { Side } from './side.js';
+import type { Side, SideElement } from './side.js';
 import { base, tokens } from './theme.js';
 import './transport.js';
-import { speeds } from './transport.js';
 import type { Command } from './transport.js';
 import './travel.js';
 import type { TravelElement } from './travel.js';
@@ -32,8 +35,9 @@ import type { TravelElement } from './travel.js';
 const mostPerFrame = 60;
 
 /**
- * Replays a trace. Set `trace` and `length`; `step`, `pixel` and `lang` may be set and change with the controls. Each step that
- * is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`.
+ * Replays a trace. Set `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with the
+ * controls. Each step that is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`, and
+ * the bookmarks, when they change, by `vidno-bookmarks`; `linked` says that these are kept in the page's address.
  */
 @customElement('vidno-player')
 export class PlayerElement extends LitElement {
@@ -44,19 +48,19 @@ export class PlayerElement extends LitElement {
   @property({ attribute: false }) length = 0;
   @property({ type: Number }) step = 0;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
+  @property({ type: Boolean }) linked = false;
   @property() override lang = 'en';
-  @state() private playing = false;
-  @state() private speed = 5;
   @state() private side: Side = 'state';
   @query('vidno-keys') private keys!: KeysElement;
   @query('vidno-picture') private picture!: PictureElement;
   @query('vidno-travel') private travel!: TravelElement;
+  @query('vidno-side') private panel!: SideElement;
   private view: View | null = null;
   private history: History | null = null;
-  private readonly clock = new Clock(
-    () => this.speed,
-    (steps) => this.advance(steps),
-  );
+  private readonly clock = new Clock(this, (steps) => this.advance(steps));
+  private readonly keyboard = new Keyboard(this, (event) => this.actionsAt(event));
+  private readonly reader = new ReadOn(this, mostPerFrame);
 
   /** Shows the state after the first `step` events. */
   seek(step: number): void {
@@ -71,47 +75,29 @@ export class PlayerElement extends LitElement {
   }
 
   togglePlay(): void {
-    if (this.playing) this.pause();
-    else this.play();
-  }
-
-  private play(): void {
-    if (this.step >= this.length) this.step = 0;
-    this.playing = true;
-    this.clock.start();
-  }
-
-  private pause(): void {
-    this.playing = false;
-    this.clock.stop();
+    if (this.clock.playing) this.clock.stop();
+    else {
+      if (this.step >= this.length) this.step = 0;
+      this.clock.start();
+    }
   }
 
   private advance(steps: number): void {
     if (steps > 0) this.step = this.clamped(this.step + steps);
-    if (this.step >= this.length && this.trace?.complete !== false) this.pause();
+    if (this.step >= this.length && this.trace?.complete !== false) this.clock.stop();
   }
 
   private clamped(step: number): number {
     return Math.min(Math.max(0, Math.trunc(step) || 0), this.length);
   }
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.addEventListener('keydown', this.onKey);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.removeEventListener('keydown', this.onKey);
-    this.pause();
-  }
-
   override willUpdate(changed: PropertyValues<this>): void {
-    if (changed.has('trace')) this.pause();
+    if (changed.has('trace')) this.clock.stop();
     this.step = this.clamped(this.step);
+    if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     const language: Language = isLanguage(this.lang) ? this.lang : 'en';
     if (changed.has('trace') || changed.has('pixel')) this.openHistory();
-    this.readHistory();
+    this.reader.read(this.history);
     const pixel = this.history?.pixel ?? null;
     this.view = this.trace && viewOf(this.trace, this.step, language, pixel);
   }
@@ -121,16 +107,21 @@ export class PlayerElement extends LitElement {
     this.side = this.history === null ? 'state' : 'pixel';
   }
 
-  /** Goes on with the history of the pixel, for as long as a frame allows. */
-  private readHistory(): void {
-    if (this.history === null || this.history.read(mostPerFrame)) return;
-    requestAnimationFrame(() => this.requestUpdate());
-  }
-
   private choosePixel(pixel: Pixel | null): void {
     this.pixel = pixel;
     this.side = pixel === null ? 'state' : 'pixel';
     this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
+  }
+
+  private async openBookmarks(way: 'mark' | 'enter'): Promise<void> {
+    this.side = 'bookmarks';
+    await this.updateComplete;
+    await this.panel.bookmark(way);
+  }
+
+  private keepBookmarks(bookmarks: Bookmarks): void {
+    this.bookmarks = bookmarks;
+    this.dispatchEvent(new CustomEvent('vidno-bookmarks', { detail: bookmarks }));
   }
 
   override updated(changed: PropertyValues<this>): void {
@@ -159,6 +150,8 @@ export class PlayerElement extends LitElement {
           <vidno-side
             .view=${view}
             .history=${this.history}
+            .bookmarks=${this.bookmarks}
+            .linked=${this.linked}
             .side=${this.side}
             @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
             @command=${this.onCommand}
@@ -167,21 +160,25 @@ export class PlayerElement extends LitElement {
         </section>
       </div>
       <div class="dock">
-        <p class="sentence" aria-live=${this.playing ? 'off' : 'polite'} aria-atomic="true">
+        <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
           <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
         </p>
         <vidno-transport
-          .view=${view}
-          .playing=${this.playing}
-          .speed=${this.speed}
-          @command=${this.onCommand}
-        ></vidno-transport>
-        <vidno-travel
           .trace=${this.trace}
           .view=${view}
-          .history=${this.history}
+          .bookmarks=${this.bookmarks}
+          .playing=${this.clock.playing}
+          .speed=${this.clock.speed}
           @command=${this.onCommand}
-        ></vidno-travel>
+        >
+          <vidno-travel
+            .trace=${this.trace}
+            .view=${view}
+            .history=${this.history}
+            .bookmarks=${this.bookmarks}
+            @command=${this.onCommand}
+          ></vidno-travel>
+        </vidno-transport>
       </div>
       <vidno-keys .texts=${texts}></vidno-keys>
     `;
@@ -193,52 +190,45 @@ export class PlayerElement extends LitElement {
 
   private onCommand({ detail }: CustomEvent<Command>): void {
     if (detail.do === 'play') this.togglePlay();
-    else if (detail.do === 'speed') this.speed = detail.speed;
+    else if (detail.do === 'speed') this.clock.speed = detail.speed;
+    else if (detail.do === 'bookmarks') this.keepBookmarks(detail.bookmarks);
     else this.moveTo(detail.step);
   }
 
   private moveTo(step: number): void {
-    this.pause();
+    this.clock.stop();
     this.step = this.clamped(step);
   }
 
-  private readonly onKey = (event: KeyboardEvent): void => this.handleKey(event);
-
   /** Does what a key means; the page passes on keys that were pressed outside the player. */
   handleKey(event: KeyboardEvent): void {
-    if (this.trace === null || event.defaultPrevented) return;
-    if (event.ctrlKey || event.metaKey || event.altKey || takesKey(event)) return;
-    const act = this.actionOf(event);
-    if (act === null || (this.keys.open && event.key !== '?')) return;
-    event.preventDefault();
-    act();
+    this.keyboard.handle(event);
   }
 
-  private actionOf({ key, code, shiftKey }: KeyboardEvent): (() => void) | null {
+  private actionsAt({ shiftKey }: KeyboardEvent): Actions {
+    if (this.trace === null) return {};
+    const showKeys = { '?': () => this.showKeys() };
+    if (this.keys.open) return showKeys;
     const by = shiftKey ? 10 : 1;
     const way = shiftKey ? 'out' : 'over';
-    const actions: Readonly<Record<string, () => void>> = {
+    const goal = shiftKey ? 'bookmark' : undefined;
+    return {
+      ...showKeys,
       ArrowRight: () => this.moveTo(this.step + by),
       ArrowLeft: () => this.moveTo(this.step - by),
       Home: () => this.moveTo(0),
       End: () => this.moveTo(this.length),
       ' ': () => this.togglePlay(),
-      '+': () => this.changeSpeed(1),
-      '=': () => this.changeSpeed(1),
-      '-': () => this.changeSpeed(-1),
-      '?': () => this.showKeys(),
+      '+': () => this.clock.changeSpeed(1),
+      '=': () => this.clock.changeSpeed(1),
+      '-': () => this.clock.changeSpeed(-1),
       BracketLeft: () => this.travel.call(way, -1),
       BracketRight: () => this.travel.call(way, 1),
-      Comma: () => this.travel.next(-1),
-      Period: () => this.travel.next(1),
+      Comma: () => this.travel.next(-1, goal),
+      Period: () => this.travel.next(1, goal),
+      KeyB: () => void this.openBookmarks(shiftKey ? 'enter' : 'mark'),
       KeyP: () => this.picture.startChoosing(),
     };
-    return actions[key] ?? actions[code] ?? null;
-  }
-
-  private changeSpeed(by: number): void {
-    const now = speeds.findIndex((speed) => speed >= this.speed);
-    this.speed = speeds[now + by] ?? this.speed;
   }
 }
 

@@ -1,17 +1,21 @@
-import { LitElement, css, html } from 'lit';
+import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { customElement, property, query } from 'lit/decorators.js';
 import type { History } from '../history/history.js';
 import { texts } from '../i18n/index.js';
+import { flag } from '../strip/lanes.js';
+import type { Bookmarks } from '../time/bookmarks.js';
 import type { View } from '../view.js';
+import './bookmarks.js';
+import type { BookmarksElement } from './bookmarks.js';
 import './history.js';
 import { base } from './theme.js';
 import './warnock-panel.js';
 import './zbuffer-panel.js';
 
-export type Side = 'state' | 'pixel';
+export type Side = 'state' | 'pixel' | 'bookmarks';
 
-/** One of two panels: the state of the procedure, or the history of a pixel. */
+/** One of three panels: the state of the procedure, the history of a pixel, or the bookmarks. */
 @customElement('vidno-side')
 export class SideElement extends LitElement {
   static override styles = [
@@ -49,6 +53,22 @@ export class SideElement extends LitElement {
         border-color: var(--accent);
         color: var(--ink);
       }
+      .pixel {
+        flex: 0 1 auto;
+        min-width: 0;
+        overflow: hidden;
+        text-overflow: ellipsis;
+      }
+      .bookmarks {
+        flex: none;
+        margin-left: auto;
+      }
+      .bookmarks svg {
+        width: 9px;
+        height: 14px;
+        fill: currentColor;
+        vertical-align: -0.15em;
+      }
       button:focus-visible {
         outline-offset: -4px;
       }
@@ -57,22 +77,45 @@ export class SideElement extends LitElement {
 
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) history: History | null = null;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
+  @property({ type: Boolean }) linked = false;
   @property({ attribute: false }) side: Side = 'state';
+  @query('vidno-bookmarks') private list!: BookmarksElement | null;
+
+  /** Bookmarks the step that is shown, or goes to the list; the bookmarks must be the side that is chosen. */
+  async bookmark(way: 'mark' | 'enter'): Promise<void> {
+    await this.updateComplete;
+    await this.list?.[way]();
+  }
 
   override render(): TemplateResult {
     const { view, history } = this;
-    const { history: say } = texts[view.language];
+    const { history: say, bookmarks: marks } = texts[view.language];
     const pixel = history === null ? say.pixel : say.at(...history.pixel);
     return html`
       <div class="choice" role="group">
         ${this.button('state', view.texts.state)} ${this.button('pixel', pixel)}
+        ${this.button('bookmarks', this.count(), marks.title)}
       </div>
       ${this.panel()}
     `;
   }
 
+  private count(): TemplateResult {
+    return html`<svg viewBox="0 0 9 14" aria-hidden="true">${svg`<path d=${flag(14)} />`}</svg>
+      ${this.bookmarks.length}`;
+  }
+
   private panel(): TemplateResult {
     const { view, history, side } = this;
+    if (side === 'bookmarks') {
+      return html`<vidno-bookmarks
+        .view=${view}
+        .bookmarks=${this.bookmarks}
+        .linked=${this.linked}
+        @command=${this.passOn}
+      ></vidno-bookmarks>`;
+    }
     if (side === 'pixel') {
       return html`<vidno-history
         .view=${view}
@@ -86,12 +129,15 @@ export class SideElement extends LitElement {
       : html`<vidno-zbuffer .view=${view}></vidno-zbuffer>`;
   }
 
-  private button(side: Side, label: string): TemplateResult {
+  private button(side: Side, shown: unknown, label?: string): TemplateResult {
     return html`<button
+      class=${side}
       aria-pressed=${side === this.side ? 'true' : 'false'}
+      aria-label=${label === undefined ? nothing : `${label}: ${this.bookmarks.length}`}
+      title=${label ?? nothing}
       @click=${() => this.dispatchEvent(new CustomEvent('side', { detail: side }))}
     >
-      ${label}
+      ${shown}
     </button>`;
   }
 

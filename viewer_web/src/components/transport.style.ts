@@ -3,9 +3,16 @@ import { css } from 'lit';
 export const transportStyle = css`
   :host {
     display: grid;
-    grid-template-columns: auto minmax(6rem, 1fr) auto auto;
-    gap: 0.5rem 1rem;
+    grid-template-columns: auto minmax(0, 1fr) auto auto;
+    gap: 0.6rem 1rem;
     align-items: center;
+  }
+  vidno-slider {
+    grid-column: 2 / -1;
+  }
+  slot {
+    display: block;
+    grid-column: 1 / 3;
   }
   .buttons {
     display: flex;
@@ -36,12 +43,6 @@ export const transportStyle = css`
     stroke-width: 1.5;
     stroke-linejoin: round;
   }
-  .slider {
-    width: 100%;
-    min-height: 2rem;
-    margin: 0;
-    accent-color: var(--accent);
-  }
   label {
     display: flex;
     gap: 0.4rem;
@@ -51,7 +52,7 @@ export const transportStyle = css`
     white-space: nowrap;
   }
   input[type='number'] {
-    width: 6.5rem;
+    width: 5.75rem;
     padding: 0 0.4rem;
     color: var(--ink);
     font-family: var(--mono);
@@ -60,21 +61,39 @@ export const transportStyle = css`
     padding: 0 0.3rem;
     color: var(--ink);
   }
+  @container (max-width: 960px) {
+    :host {
+      grid-template-columns: 1fr auto auto;
+      gap: 0.4rem 0.75rem;
+    }
+    vidno-slider {
+      grid-row: 2;
+      grid-column: 1 / -1;
+    }
+    slot {
+      grid-row: 3;
+      grid-column: 1 / -1;
+    }
+  }
   @container (max-width: 620px) {
     :host {
-      grid-template-columns: minmax(4rem, 1fr) auto auto;
-      gap: 0.4rem 0.6rem;
+      gap: 0.4rem 0.5rem;
     }
     .buttons {
-      grid-column: 1 / -1;
-      justify-content: center;
+      gap: 0.15rem;
     }
-    label > span:first-child {
+    button {
+      width: 2rem;
+    }
+    .play {
+      width: 2.5rem;
+    }
+    label > span {
       position: absolute;
       clip-path: inset(50%);
     }
     input[type='number'] {
-      width: 4.6rem;
+      width: 4.4rem;
     }
   }
 `;

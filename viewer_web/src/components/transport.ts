@@ -1,17 +1,20 @@
 import { LitElement, html, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
+import { speeds } from './clock.js';
+import './slider.js';
 import { base } from './theme.js';
 import { transportStyle } from './transport.style.js';
-
-export const speeds = [1, 2, 5, 10, 30, 100, 300] as const;
 
 /** What the controls ask for; the player does it. */
 export type Command =
   | { readonly do: 'seek'; readonly step: number }
   | { readonly do: 'play' }
-  | { readonly do: 'speed'; readonly speed: number };
+  | { readonly do: 'speed'; readonly speed: number }
+  | { readonly do: 'bookmarks'; readonly bookmarks: Bookmarks };
 
 const shapes = {
   first: 'M5 4v12M17 4l-9 6 9 6z',
@@ -22,12 +25,14 @@ const shapes = {
   last: 'M15 4v12M3 4l9 6-9 6z',
 } as const;
 
-/** The controls of time. */
+/** The controls of time; in its slot, those that go farther than a step. */
 @customElement('vidno-transport')
 export class TransportElement extends LitElement {
   static override styles = [base, transportStyle];
 
+  @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) playing = false;
   @property({ type: Number }) speed = 5;
 
@@ -47,15 +52,13 @@ export class TransportElement extends LitElement {
         ${this.button('forward', step + 1, step === length)}
         ${this.button('last', length, step === length)}
       </div>
-      <input
-        class="slider"
-        type="range"
-        min="0"
-        max=${length}
-        .value=${String(step)}
-        aria-label=${texts.step}
-        @input=${this.onInput}
-      />
+      <vidno-slider
+        .trace=${this.trace}
+        .view=${this.view}
+        .bookmarks=${this.bookmarks}
+        @command=${({ detail }: CustomEvent<Command>) => this.ask(detail)}
+      ></vidno-slider>
+      <slot></slot>
       <label class="step">
         <span>${texts.step}</span>
         <input type="number" min="0" max=${length} .value=${String(step)} @change=${this.onInput} />

@@ -3,11 +3,8 @@ import { css } from 'lit';
 export const travelStyle = css`
   :host {
     display: flex;
-    flex-wrap: wrap;
     gap: 0.4rem 1.5rem;
     align-items: center;
-    padding-top: 0.5rem;
-    border-top: 1px solid var(--line);
     font-size: 0.8125rem;
   }
   .group {
@@ -22,6 +19,7 @@ export const travelStyle = css`
   }
   button {
     display: grid;
+    flex: none;
     place-items: center;
     width: 2.25rem;
     height: 2rem;
@@ -54,8 +52,16 @@ export const travelStyle = css`
     text-overflow: ellipsis;
   }
   .count {
-    min-width: 5.5rem;
+    min-width: 5rem;
     color: var(--soft);
+  }
+  @container (max-width: 1100px) {
+    :host {
+      gap: 1rem;
+    }
+    .group:not(.goal) .name {
+      display: none;
+    }
   }
   @container (max-width: 960px) {
     .count {
@@ -64,9 +70,7 @@ export const travelStyle = css`
   }
   @container (max-width: 620px) {
     :host {
-      flex-wrap: nowrap;
       gap: 0.75rem;
-      padding-top: 0.4rem;
     }
     .name {
       display: none;

@@ -5,6 +5,7 @@ import { guard } from 'lit/directives/guard.js';
 import type { History } from '../history/history.js';
 import { texts } from '../i18n/index.js';
 import type { TravelTexts } from '../i18n/texts.js';
+import type { Bookmarks } from '../time/bookmarks.js';
 import { Calls } from '../time/calls.js';
 import type { Direction } from '../time/calls.js';
 import { Goals, around, goalsOf } from '../time/goals.js';
@@ -29,6 +30,7 @@ export class TravelElement extends LitElement {
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) history: History | null = null;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
   @state() private chosen: Goal | null = null;
   private calls: Calls | null = null;
   private goals: Goals | null = null;
@@ -49,9 +51,9 @@ export class TravelElement extends LitElement {
     return this.chosen ?? first;
   }
 
-  private get steps(): readonly number[] {
+  private stepsOf(goal: Goal): readonly number[] {
     this.goals ??= new Goals(this.trace);
-    return this.goals.stepsOf(this.goal, this.history);
+    return this.goals.stepsOf(goal, this.history, this.bookmarks);
   }
 
   /** Over a procedure, or out of the one in hand. */
@@ -60,9 +62,9 @@ export class TravelElement extends LitElement {
     this.goTo(this.calls[way](this.view.step, direction));
   }
 
-  /** To the nearest step that is a goal. */
-  next(direction: Direction): void {
-    const { back, forward } = around(this.steps, this.view.step);
+  /** To the nearest step that is a goal, of the kind that is chosen if no other is given. */
+  next(direction: Direction, goal = this.goal): void {
+    const { back, forward } = around(this.stepsOf(goal), this.view.step);
     const step = direction === 1 ? forward : back;
     if (step !== null) this.goTo(step);
   }
@@ -72,7 +74,8 @@ export class TravelElement extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { steps, view } = this;
+    const { view } = this;
+    const steps = this.stepsOf(this.goal);
     const { back, forward } = around(steps, view.step);
     const { step, length } = view;
     const say = this.texts;

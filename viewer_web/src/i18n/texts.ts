@@ -1,5 +1,7 @@
 import type { Outcome } from '../history/entry.js';
 import type { Why } from '../history/why.js';
+import type { LaneName } from '../strip/lanes.js';
+import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
 import type { Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Edition } from '../trace/header.js';
@@ -26,6 +28,8 @@ export interface Texts {
   readonly reasons: ReasonTexts;
   readonly history: HistoryTexts;
   readonly travel: TravelTexts;
+  readonly strip: StripTexts;
+  readonly bookmarks: BookmarkTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -62,6 +66,39 @@ export interface TravelTexts {
   readonly goals: Readonly<Record<GoalName, string>>;
   readonly ofPolygon: string;
   readonly noGoal: string;
+}
+
+/** What is said of a place in the run, and of the strip that shows the whole run. */
+export interface StripTexts {
+  readonly step: (step: number, length: number) => string;
+  readonly windowAt: (size: string, at: string) => string;
+  readonly polygon: (id: string) => string;
+  readonly row: (row: string) => string;
+  readonly bookmark: (note: string) => string;
+  readonly cases: Readonly<Record<Case, string>>;
+  readonly marks: Readonly<Record<'wrong' | 'fault', string>>;
+  readonly lanes: Readonly<Record<LaneName, string>>;
+  readonly legend: string;
+  readonly explain: Readonly<Record<LaneName | StripMark, string>>;
+  readonly columns: string;
+}
+
+/** What stands on the strip at single steps. */
+export type StripMark = 'wrong' | 'fault' | 'bookmark' | 'now';
+
+export interface BookmarkTexts {
+  readonly title: string;
+  readonly add: (step: number) => string;
+  readonly edit: (step: number) => string;
+  readonly placeholder: string;
+  readonly goTo: (step: number) => string;
+  readonly remove: (step: number) => string;
+  readonly count: (n: number, most: number) => string;
+  readonly full: (most: number) => string;
+  readonly long: (most: number) => string;
+  readonly hint: string;
+  readonly linked: string;
+  readonly unlinked: string;
 }
 
 /** What is said where a file may be opened. */
@@ -130,4 +167,17 @@ export type LegendEntry =
   'window' | 'stacked' | 'active' | 'touched' | 'yes' | 'no' | 'scanline' | 'edge' | 'chosen';
 
 export type KeyUse =
-  'step' | 'ten' | 'over' | 'out' | 'goal' | 'ends' | 'play' | 'speed' | 'pixel' | 'cursor' | 'map';
+  | 'step'
+  | 'ten'
+  | 'over'
+  | 'out'
+  | 'goal'
+  | 'ends'
+  | 'play'
+  | 'speed'
+  | 'pixel'
+  | 'cursor'
+  | 'bookmark'
+  | 'bookmarks'
+  | 'toBookmark'
+  | 'map';

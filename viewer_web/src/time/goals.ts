@@ -5,26 +5,34 @@ import type { Timeline } from '../state/timeline.js';
 import { common, eventNames, numberOf, tables } from '../trace/events.js';
 import type { Event, EventName, Method } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
+import type { Bookmarks } from './bookmarks.js';
 
-/** What one may go to: steps of one kind, or those of the chosen pixel. */
-export const goalNames = ['split', 'ael', 'wrong', 'pixel'] as const;
+/** What one may go to: steps of one kind, those of the chosen pixel, or bookmarks. */
+export const goalNames = ['split', 'ael', 'wrong', 'pixel', 'bookmark'] as const;
 export type GoalName = (typeof goalNames)[number];
+/** These are not looked for in the trace. */
+type Given = 'pixel' | 'bookmark';
+type SearchedName = Exclude<GoalName, Given>;
 export type Goal = GoalName | { readonly polygon: string };
 
 const ofMethod: Readonly<Record<Method, readonly GoalName[]>> = {
-  warnock: ['split', 'wrong', 'pixel'],
-  zbuffer: ['ael', 'wrong', 'pixel'],
+  warnock: ['split', 'wrong', 'pixel', 'bookmark'],
+  zbuffer: ['ael', 'wrong', 'pixel', 'bookmark'],
 };
 
 export const goalsOf = (method: Method): readonly GoalName[] => ofMethod[method];
 
-const isGoal: Readonly<Record<Exclude<GoalName, 'pixel'>, (event: Event | null) => boolean>> = {
+export function changesAel(event: Event | null): boolean {
+  return event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0);
+}
+
+const isGoal: Readonly<Record<SearchedName, (event: Event | null) => boolean>> = {
   split: (event) => event?.e === 'decide' && event.case === 'split',
-  ael: (event) => event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0),
+  ael: changesAel,
   wrong: (event) => event?.e === 'disagree',
 };
 
-const wanted: Readonly<Record<Exclude<GoalName, 'pixel'>, Wanted>> = {
+const wanted: Readonly<Record<SearchedName, Wanted>> = {
   split: only('decide'),
   ael: only('ael_add', 'ael_drop'),
   wrong: only('disagree'),
@@ -78,15 +86,16 @@ export class Goals {
 
   constructor(private readonly trace: Trace) {}
 
-  stepsOf(goal: Goal, history: History | null): readonly number[] {
+  stepsOf(goal: Goal, history: History | null, bookmarks: Bookmarks = []): readonly number[] {
     if (goal === 'pixel') return history?.entries.map(({ step }) => step) ?? [];
+    if (goal === 'bookmark') return bookmarks.map(({ step }) => step);
     const key = JSON.stringify(goal);
     const search = this.searches.get(key) ?? this.searchFor(goal);
     this.searches.set(key, search);
     return search.goOn();
   }
 
-  private searchFor(goal: Exclude<Goal, 'pixel'>): Search {
+  private searchFor(goal: Exclude<Goal, Given>): Search {
     const { timeline } = this.trace;
     if (typeof goal === 'object') return new Search(timeline, all, this.isOf(goal.polygon));
     return new Search(timeline, wanted[goal], (step) => isGoal[goal](timeline.event(step)));
@@ -105,11 +114,8 @@ export class Goals {
   }
 }
 
-/** The nearest of the rising steps before one and after it. */
-export function around(
-  steps: readonly number[],
-  step: number,
-): { readonly back: number | null; readonly forward: number | null } {
+/** The index of the first of rising steps that is not before a step. */
+export function indexFrom(steps: readonly number[], step: number): number {
   let from = 0;
   let end = steps.length;
   while (from < end) {
@@ -117,6 +123,15 @@ export function around(
     if ((steps[middle] ?? Infinity) < step) from = middle + 1;
     else end = middle;
   }
+  return from;
+}
+
+/** The nearest of the rising steps before one and after it. */
+export function around(
+  steps: readonly number[],
+  step: number,
+): { readonly back: number | null; readonly forward: number | null } {
+  const from = indexFrom(steps, step);
   const next = steps[from] === step ? from + 1 : from;
   return { back: steps[from - 1] ?? null, forward: steps[next] ?? null };
 }

@@ -14,6 +14,7 @@ export const travel: TravelTexts = {
     ael: 'a change of AEL',
     wrong: 'a wrong decision',
     pixel: 'a step of the chosen pixel',
+    bookmark: 'a bookmark',
   },
   ofPolygon: 'a step of the polygon',
   noGoal: 'none',

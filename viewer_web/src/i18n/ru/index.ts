@@ -1,8 +1,20 @@
 import type { Texts } from '../texts.js';
+import { bookmarks } from './bookmarks.js';
 import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { reasons } from './reasons.js';
 import { sentences } from './sentences.js';
+import { strip } from './strip.js';
 import { travel } from './travel.js';
 
-export const texts: Texts = { page, places, purposes, sentences, reasons, history, travel };
+export const texts: Texts = {
+  page,
+  places,
+  purposes,
+  sentences,
+  reasons,
+  history,
+  travel,
+  strip,
+  bookmarks,
+};

@@ -14,6 +14,7 @@ export const travel: TravelTexts = {
     ael: 'изменение AEL',
     wrong: 'неверное решение',
     pixel: 'шаг выбранного пикселя',
+    bookmark: 'закладка',
   },
   ofPolygon: 'шаг многоугольника',
   noGoal: 'нет',

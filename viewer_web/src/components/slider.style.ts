@@ -1,0 +1,122 @@
+import { css } from 'lit';
+import { stripHeight } from '../strip/lanes.js';
+
+/** The thumb's middle and a step of the strip stand at the same place: half a thumb from both ends. */
+export const sliderStyle = css`
+  :host {
+    --thumb: 1rem;
+    position: relative;
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    gap: 0 0.5rem;
+    align-items: center;
+  }
+  .slider {
+    appearance: none;
+    width: 100%;
+    height: 1.5rem;
+    margin: 0;
+    border-radius: 4px;
+    background: none;
+    cursor: pointer;
+  }
+  .slider::-webkit-slider-runnable-track {
+    height: 0.3rem;
+    border-radius: 0.15rem;
+    background: color-mix(in srgb, var(--soft) 45%, var(--panel));
+  }
+  .slider::-moz-range-track {
+    height: 0.3rem;
+    border-radius: 0.15rem;
+    background: color-mix(in srgb, var(--soft) 45%, var(--panel));
+  }
+  .slider::-webkit-slider-thumb {
+    appearance: none;
+    width: var(--thumb);
+    height: var(--thumb);
+    margin-top: -0.35rem;
+    border: 0;
+    border-radius: 50%;
+    background: var(--accent);
+  }
+  .slider::-moz-range-thumb {
+    width: var(--thumb);
+    height: var(--thumb);
+    border: 0;
+    border-radius: 50%;
+    background: var(--accent);
+  }
+  .strip {
+    position: relative;
+    height: ${stripHeight}px;
+    margin: 0 calc(var(--thumb) / 2);
+    cursor: pointer;
+    touch-action: pan-y;
+    user-select: none;
+  }
+  .strip vidno-strip {
+    height: 100%;
+  }
+  .now,
+  .flag {
+    position: absolute;
+    top: 0;
+    left: calc(var(--at) * 100%);
+    height: 100%;
+    pointer-events: none;
+  }
+  .now {
+    width: 2px;
+    margin-left: -1px;
+    background: var(--ink);
+    box-shadow: 0 0 0 1px var(--panel);
+  }
+  .flag {
+    width: 9px;
+    margin-left: -1px;
+    fill: var(--accent);
+    stroke: var(--panel);
+    stroke-width: 1;
+    paint-order: stroke;
+    overflow: visible;
+  }
+  .tip {
+    position: absolute;
+    bottom: calc(100% + 0.25rem);
+    left: calc(var(--at) * 100%);
+    z-index: 2;
+    width: max-content;
+    max-width: min(26rem, 100%);
+    padding: 0.25rem 0.55rem;
+    border: 1px solid var(--line);
+    border-radius: 6px;
+    background: var(--panel);
+    box-shadow: 0 2px 10px rgb(10 12 18 / 25%);
+    font-size: 0.8125rem;
+    overflow-wrap: anywhere;
+    transform: translateX(calc(var(--at) * -100%));
+    pointer-events: none;
+  }
+  .lanes {
+    position: relative;
+    align-self: stretch;
+    width: 4.1rem;
+    color: var(--soft);
+    font-size: 0.6875rem;
+    line-height: 1;
+  }
+  .lanes span {
+    position: absolute;
+    display: flex;
+    align-items: center;
+    white-space: nowrap;
+  }
+  @container (max-width: 960px) {
+    .lanes {
+      width: auto;
+    }
+    .lanes span {
+      display: none;
+    }
+  }
+`;

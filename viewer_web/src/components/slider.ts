@@ -1,0 +1,142 @@
+import { LitElement, html, nothing, svg } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, property, query, state } from 'lit/decorators.js';
+import { texts } from '../i18n/index.js';
+import { flag, lanesOf, stripHeight } from '../strip/lanes.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import { aimedAt, placeOf } from '../time/columns.js';
+import { Course } from '../time/course.js';
+import { sayPlace } from '../time/place.js';
+import type { Trace } from '../trace/trace.js';
+import type { View } from '../view.js';
+import { ReadOn } from './read-on.js';
+import { sliderStyle } from './slider.style.js';
+import './strip-legend.js';
+import './strip.js';
+import { base } from './theme.js';
+import type { Command } from './transport.js';
+
+const mostPerFrame = 8;
+
+/** The slider, and along it the strip that shows the whole run. Both seek; the keyboard has the slider. */
+@customElement('vidno-slider')
+export class SliderElement extends LitElement {
+  static override styles = [base, sliderStyle];
+
+  @property({ attribute: false }) trace!: Trace;
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
+  /** The step that the mouse points at. */
+  @state() private pointed: number | null = null;
+  @query('.strip') private strip!: HTMLElement;
+
+  private course!: Course;
+  private readonly reader = new ReadOn(this, mostPerFrame);
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('trace')) {
+      this.course = new Course(this.trace);
+      this.pointed = null;
+    }
+    this.reader.read(this.course);
+  }
+
+  override render(): TemplateResult {
+    const { view, course } = this;
+    const { step, length, language } = view;
+    return html`
+      <input
+        class="slider"
+        type="range"
+        min="0"
+        max=${length}
+        .value=${String(step)}
+        aria-label=${view.texts.step}
+        aria-valuetext=${this.say(step)}
+        @input=${this.onInput}
+      />
+      <vidno-strip-legend .header=${view.header} .language=${language}></vidno-strip-legend>
+      <div
+        class="strip"
+        @pointerdown=${this.onPress}
+        @pointermove=${this.onPoint}
+        @pointerleave=${this.forget}
+      >
+        <vidno-strip
+          .course=${this.trace.complete && course.complete ? course : null}
+        ></vidno-strip>
+        ${this.bookmarks.map(
+          (bookmark) =>
+            html`<svg class="flag" .style=${this.at(bookmark.step)} aria-hidden="true">
+              ${svg`<path d=${flag(stripHeight)} />`}
+            </svg>`,
+        )}
+        <span class="now" .style=${this.at(step)}></span>
+      </div>
+      <div class="lanes" aria-hidden="true">
+        ${lanesOf(view.header).map(
+          ({ name, top, height }) =>
+            html`<span .style=${`top: ${top}px; height: ${height}px`}
+              >${texts[language].strip.lanes[name]}</span
+            >`,
+        )}
+      </div>
+      ${this.tip()}
+    `;
+  }
+
+  private tip(): TemplateResult | typeof nothing {
+    if (this.pointed === null) return nothing;
+    const place = this.at(this.pointed);
+    return html`<p class="tip" .style=${place} aria-hidden="true">${this.say(this.pointed)}</p>`;
+  }
+
+  private at(step: number): string {
+    return `--at: ${placeOf(step, this.view.length, 1)}`;
+  }
+
+  private say(step: number): string {
+    return sayPlace(this.course, step, this.bookmarks, texts[this.view.language]);
+  }
+
+  private aimed({ clientX }: PointerEvent): number {
+    const { left, width } = this.strip.getBoundingClientRect();
+    const { course } = this;
+    const marked = [this.bookmarks.map(({ step }) => step), course.faults, course.wrong];
+    return aimedAt(clientX - left, this.view.length, width, marked);
+  }
+
+  private onPress(event: PointerEvent): void {
+    if (event.button !== 0) return;
+    this.strip.setPointerCapture(event.pointerId);
+    this.seek(this.aimed(event));
+  }
+
+  private onPoint(event: PointerEvent): void {
+    this.pointed = this.aimed(event);
+    addEventListener('keydown', this.onKey);
+    if (this.strip.hasPointerCapture(event.pointerId)) this.seek(this.pointed);
+  }
+
+  private readonly onKey = ({ key }: KeyboardEvent): void => {
+    if (key === 'Escape') this.forget();
+  };
+
+  private forget(): void {
+    this.pointed = null;
+    removeEventListener('keydown', this.onKey);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.forget();
+  }
+
+  private onInput(event: Event): void {
+    this.seek(Number((event.target as HTMLInputElement).value));
+  }
+
+  private seek(step: number): void {
+    this.dispatchEvent(new CustomEvent<Command>('command', { detail: { do: 'seek', step } }));
+  }
+}

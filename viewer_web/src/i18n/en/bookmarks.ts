@@ -1,0 +1,16 @@
+import type { BookmarkTexts } from '../texts.js';
+
+export const bookmarks: BookmarkTexts = {
+  title: 'Bookmarks',
+  add: (step) => `Bookmark step ${step}`,
+  edit: (step) => `Note of step ${step}`,
+  placeholder: 'a note',
+  goTo: (step) => `Go to step ${step}`,
+  remove: (step) => `Remove the bookmark of step ${step}`,
+  count: (n, most) => `${n} of ${most}`,
+  full: (most) => `There are ${most} bookmarks, and a link holds no more: remove one first.`,
+  long: (most) => `A note has at most ${most} characters.`,
+  hint: 'Press B to bookmark the step that is shown, with a note. Enter ends the note.',
+  linked: 'The link to this page holds them: copy it from the address line and send it.',
+  unlinked: 'They last until another trace is opened: a link cannot hold a file of yours.',
+};

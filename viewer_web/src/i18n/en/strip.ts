@@ -1,0 +1,38 @@
+import type { StripTexts } from '../texts.js';
+
+export const strip: StripTexts = {
+  step: (step, length) => `Step ${step} of ${length}`,
+  windowAt: (size, at) => `window ${size} at ${at}`,
+  polygon: (id) => `polygon ${id}`,
+  row: (row) => `row ${row}`,
+  bookmark: (note) => (note === '' ? 'bookmark' : `bookmark “${note}”`),
+  cases: {
+    empty: 'empty',
+    surrounded: 'surrounded',
+    pixel: 'pixel',
+    single: 'single',
+    split: 'split',
+  },
+  marks: { wrong: 'wrong decision', fault: 'the printed text fails' },
+  lanes: {
+    cases: 'windows',
+    polygons: 'polygons',
+    levels: 'levels',
+    ael: 'AEL',
+    calls: 'calls',
+  },
+  legend: 'What the strip shows',
+  explain: {
+    cases: 'Windows, by what each comes to:',
+    polygons: 'Which polygon is in hand, in its colour: every second one is striped',
+    levels: 'How often the area was split to get the window',
+    ael: 'Where AEL changes',
+    calls: 'How deep the calls are nested',
+    wrong: 'A wrong decision, in a trace made with --check',
+    fault: 'The printed text fails',
+    bookmark: 'A bookmark',
+    now: 'The step that is shown',
+  },
+  columns:
+    'Where a dot stands for many steps, each colour is as tall as its share of them; depths are pale up to the greatest and dark up to the mean; and no mark is left out.',
+};

@@ -1,0 +1,42 @@
+import { cases } from '../time/course.js';
+import type { Case } from '../time/course.js';
+import type { Polygon } from '../trace/header.js';
+import { textureIn } from './textures.js';
+
+type Fill = CanvasPattern | string;
+
+/** The colours and textures of a strip, in the theme that the page has now. */
+export interface Look {
+  /** Dots of the device per CSS pixel. */
+  readonly ratio: number;
+  readonly ground: string;
+  readonly ink: string;
+  readonly level: string;
+  readonly call: string;
+  readonly wrong: string;
+  readonly bookmark: string;
+  readonly font: string;
+  readonly ofCase: (name: Case) => Fill;
+  readonly ofPolygon: (polygon: Polygon, index: number) => Fill;
+}
+
+/** The look that the style sheet gives an element. */
+export function lookOf(element: Element, ratio: number): Look {
+  const style = getComputedStyle(element);
+  const color = (name: string): string => style.getPropertyValue(name).trim();
+  const fills = new Map(cases.map((name) => [name, textureIn(name, color(`--${name}`), ratio)]));
+  return {
+    ratio,
+    ground: color('--well'),
+    ink: color('--ink'),
+    level: color('--level'),
+    call: color('--soft'),
+    wrong: color('--bad'),
+    bookmark: color('--accent'),
+    font: `600 ${10 * ratio}px ${color('--mono')}`,
+    ofCase: (name) => fills.get(name) ?? '',
+    // Polygons next to each other may have the same colour.
+    ofPolygon: ({ color: own }, index) =>
+      textureIn(index % 2 === 0 ? 'plain' : 'striped', own, ratio),
+  };
+}

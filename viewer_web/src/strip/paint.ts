@@ -1,0 +1,189 @@
+import { columnsOf, placeOf } from '../time/columns.js';
+import type { Column, Depth } from '../time/columns.js';
+import { cases } from '../time/course.js';
+import type { Course } from '../time/course.js';
+import { lanesOf, marksHeight } from './lanes.js';
+import type { Lane, LaneName } from './lanes.js';
+import type { Look } from './look.js';
+
+/** A lane in dots of the canvas. */
+interface Band {
+  readonly top: number;
+  readonly height: number;
+}
+
+type Painter = (band: Band) => void;
+
+/** Paints a strip: once for a run, a size and a theme. */
+export class StripPainter {
+  private readonly columns: readonly Column[];
+  private readonly fills = new Map<number, CanvasPattern | string>();
+
+  constructor(
+    private readonly context: CanvasRenderingContext2D,
+    private readonly course: Course,
+    private readonly look: Look,
+  ) {
+    this.columns = columnsOf(course, context.canvas.width);
+  }
+
+  paint(): void {
+    const { context } = this;
+    context.clearRect(0, 0, context.canvas.width, context.canvas.height);
+    for (const lane of lanesOf(this.course.trace.header)) {
+      const band = this.bandOf(lane);
+      context.fillStyle = this.look.ground;
+      context.fillRect(0, band.top, context.canvas.width, band.height);
+      this.painters[lane.name](band);
+    }
+    this.marks();
+  }
+
+  private bandOf({ top, height }: Omit<Lane, 'name'>): Band {
+    const { ratio } = this.look;
+    const first = Math.round(top * ratio);
+    return { top: first, height: Math.round((top + height) * ratio) - first };
+  }
+
+  private readonly painters: Readonly<Record<LaneName, Painter>> = {
+    cases: (band) => this.shares(band),
+    polygons: (band) => {
+      this.shares(band);
+      this.names(band);
+    },
+    levels: (band) => {
+      this.depths(band, this.look.level, this.course.finest, ({ levels }) => levels);
+    },
+    calls: (band) => {
+      this.depths(band, this.look.call, this.course.deepest, ({ calls }) => calls);
+    },
+    ael: ({ top, height }) => {
+      this.context.fillStyle = this.look.ink;
+      this.columns.forEach(({ ael }, x) => {
+        if (ael) this.context.fillRect(x, top, Math.max(1, this.look.ratio), height);
+      });
+    },
+  };
+
+  /** Each part as tall as its share of the steps, but one dot at least. */
+  private shares({ top, height }: Band): void {
+    this.columns.forEach(({ first, end, shares }, x) => {
+      let y = top;
+      const steps = end - first;
+      const bottom =
+        top + Math.round((height * shares.reduce((sum, s) => sum + s.steps, 0)) / steps);
+      shares.forEach((share, i) => {
+        const left = shares.length - 1 - i;
+        const tall = Math.max(1, Math.round((height * share.steps) / steps));
+        const until = left === 0 ? bottom : Math.min(y + tall, bottom - left);
+        this.context.fillStyle = this.fillOf(share.part);
+        if (until > y) this.context.fillRect(x, y, 1, until - y);
+        y = Math.max(y, until);
+      });
+    });
+  }
+
+  private fillOf(part: number): CanvasPattern | string {
+    const known = this.fills.get(part);
+    if (known !== undefined) return known;
+    const { method, scene } = this.course.trace.header;
+    const name = cases[part];
+    const polygon = scene.polygons[part];
+    let fill: CanvasPattern | string = this.look.ground;
+    if (method === 'warnock' && name !== undefined) fill = this.look.ofCase(name);
+    if (method === 'zbuffer' && polygon !== undefined) fill = this.look.ofPolygon(polygon, part);
+    this.fills.set(part, fill);
+    return fill;
+  }
+
+  /** The polygons' ids, where there is room, and a line before each. */
+  private names({ top, height }: Band): void {
+    const { context, course, look } = this;
+    const { polygons } = course.trace.header.scene;
+    const { ratio } = look;
+    context.font = look.font;
+    context.textBaseline = 'middle';
+    const { first: firsts, part } = course.stretches;
+    firsts.forEach((first, i) => {
+      const next = firsts[i + 1] ?? course.length + 1;
+      const from = Math.round(placeOf(first - 0.5, course.length, this.columns.length));
+      const until = placeOf(next - 0.5, course.length, this.columns.length);
+      const room = until - from - 10 * ratio;
+      if (room < 6 * ratio) return;
+      const id = polygons[part[i] ?? -1]?.id ?? '';
+      const { width } = context.measureText(id);
+      context.fillStyle = look.ink;
+      context.fillRect(from, top, Math.max(1, ratio), height);
+      if (width > room) return;
+      context.fillStyle = look.ground;
+      context.fillRect(from + 3 * ratio, top + 2 * ratio, width + 4 * ratio, height - 4 * ratio);
+      context.fillStyle = look.ink;
+      context.fillText(id, from + 5 * ratio, top + height / 2 + ratio / 2);
+    });
+  }
+
+  /** Up to the deepest of the column's steps pale, up to their mean dark. */
+  private depths(
+    { top, height }: Band,
+    color: string,
+    greatest: number,
+    of: (column: Column) => Depth,
+  ): void {
+    const { context } = this;
+    context.fillStyle = color;
+    this.columns.forEach((column, x) => {
+      const { mean, most } = of(column);
+      for (const [depth, alpha] of [
+        [most, 0.4],
+        [mean, 1],
+      ] as const) {
+        const tall = Math.round((height * depth) / greatest);
+        context.globalAlpha = alpha;
+        context.fillRect(x, top + height - tall, 1, tall);
+      }
+    });
+    context.globalAlpha = 1;
+  }
+
+  /** What is rare is wider than its column, so that one sees it. */
+  private marks(): void {
+    const { context, look } = this;
+    const { top, height } = this.bandOf({ top: 0, height: marksHeight - 2 });
+    this.columns.forEach(({ wrong, fault }, x) => {
+      if (wrong) wrongMark(context, x + 0.5, top, height, look);
+      if (fault) faultMark(context, x + 0.5, top, height, look);
+    });
+  }
+}
+
+type MarkPainter = (
+  context: CanvasRenderingContext2D,
+  x: number,
+  top: number,
+  height: number,
+  look: Pick<Look, 'ratio' | 'wrong' | 'ink'>,
+) => void;
+
+/** A wedge that points at its column. */
+export const wrongMark: MarkPainter = (context, x, top, height, { ratio, wrong }) => {
+  context.fillStyle = wrong;
+  context.beginPath();
+  context.moveTo(x - 3 * ratio, top);
+  context.lineTo(x + 3 * ratio, top);
+  context.lineTo(x, top + height);
+  context.fill();
+};
+
+/** A cross. */
+export const faultMark: MarkPainter = (context, x, top, height, { ratio, ink }) => {
+  const half = height / 2 - ratio / 2;
+  const y = top + height / 2;
+  context.strokeStyle = ink;
+  context.lineWidth = 2 * ratio;
+  context.beginPath();
+  context.moveTo(x - half, y - half);
+  context.lineTo(x + half, y + half);
+  context.moveTo(x - half, y + half);
+  context.lineTo(x + half, y - half);
+  context.stroke();
+};

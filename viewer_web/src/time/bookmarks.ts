@@ -1,0 +1,71 @@
+/** A step that somebody wants to come back to, with a note of one line. */
+export interface Bookmark {
+  readonly step: number;
+  readonly note: string;
+}
+
+/** By rising steps, no two at the same. */
+export type Bookmarks = readonly Bookmark[];
+
+/** With these limits they take at most some 4000 characters of a link. */
+export const mostBookmarks = 16;
+export const longestNote = 60;
+const longestWritten = 4096;
+
+/** What would break the line, turn the text around it or show nothing at all. */
+const unfit = /[\p{Cc}\p{Zl}\p{Zp}\p{Cs}\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/gu;
+
+/** A note as it is kept: a line of bounded length, for a link may come from anybody. */
+export function cleanNote(note: string): string {
+  return note.replace(unfit, ' ').trim().slice(0, longestNote).replace(unfit, '').trim();
+}
+
+export function bookmarkAt(bookmarks: Bookmarks, step: number): Bookmark | null {
+  return bookmarks.find((bookmark) => bookmark.step === step) ?? null;
+}
+
+/** With the step marked, its note as given; what is over the limit is left out. */
+export function withBookmark(bookmarks: Bookmarks, step: number, note: string): Bookmarks {
+  const others = withoutBookmark(bookmarks, step);
+  if (others.length >= mostBookmarks) return bookmarks;
+  return [...others, { step, note: cleanNote(note) }].sort((a, b) => a.step - b.step);
+}
+
+export function withoutBookmark(bookmarks: Bookmarks, step: number): Bookmarks {
+  return bookmarks.filter((bookmark) => bookmark.step !== step);
+}
+
+/** Those of a run so long. */
+export function bookmarksUpTo(bookmarks: Bookmarks, length: number): Bookmarks {
+  return bookmarks.every(({ step }) => step <= length)
+    ? bookmarks
+    : bookmarks.filter(({ step }) => step <= length);
+}
+
+/** As part of a link: a line each of step and note, in UTF-8 and base64, in which Russian takes half of what %-signs do. */
+export function formatBookmarks(bookmarks: Bookmarks): string {
+  const lines = bookmarks.map(({ step, note }) => `${step} ${note}`);
+  const bytes = new TextEncoder().encode(lines.join('\n'));
+  const written = btoa(String.fromCharCode(...bytes));
+  return written.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+/** Of what is no bookmark nothing is taken. */
+export function parseBookmarks(written: string): Bookmarks {
+  return linesIn(written).reduce<Bookmarks>((bookmarks, line) => {
+    const [, step, note = ''] = /^(\d{1,9})(?: (.*))?$/s.exec(line) ?? [];
+    if (step === undefined) return bookmarks;
+    return withBookmark(bookmarks, Number(step), note);
+  }, []);
+}
+
+function linesIn(written: string): readonly string[] {
+  if (written === '' || written.length > longestWritten) return [];
+  try {
+    const bytes = atob(written.replaceAll('-', '+').replaceAll('_', '/'));
+    const utf8 = Uint8Array.from(bytes, (byte) => byte.charCodeAt(0));
+    return new TextDecoder('utf-8', { fatal: true }).decode(utf8).split('\n');
+  } catch {
+    return [];
+  }
+}

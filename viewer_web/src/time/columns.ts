@@ -1,0 +1,149 @@
+import { cases } from './course.js';
+import type { Course } from './course.js';
+import { indexFrom } from './goals.js';
+
+/** How many steps of a column belong to one case or polygon. */
+export interface Share {
+  readonly part: number;
+  readonly steps: number;
+}
+
+/** How deep the steps of a column are nested: on the average, and the deepest of them. */
+export interface Depth {
+  readonly mean: number;
+  readonly most: number;
+}
+
+/**
+ * One column of the strip, a dot wide. Where a dot stands for many steps, the column holds the shares of all
+ * cases, the mean depth with the greatest, and of what is rare whether it happens at all: so a single wrong
+ * decision among thousands of steps is seen, and the common is seen in proportion.
+ */
+export interface Column {
+  /** Its steps: from `first` up to, not including, `end`. */
+  readonly first: number;
+  readonly end: number;
+  /** By part, those without steps left out. */
+  readonly shares: readonly Share[];
+  readonly levels: Depth;
+  readonly calls: Depth;
+  readonly ael: boolean;
+  readonly wrong: boolean;
+  readonly fault: boolean;
+}
+
+/** Where on a strip so wide a step of a run so long stands: the first at 0, the last at the end. */
+export function placeOf(step: number, length: number, width: number): number {
+  return length === 0 ? 0 : (step / length) * width;
+}
+
+/** The step that stands nearest to a place. */
+export function stepAt(place: number, length: number, width: number): number {
+  if (width <= 0) return 0;
+  return Math.min(Math.max(0, Math.floor((place / width) * length + 0.5)), length);
+}
+
+/** Every step is in a column; if there are fewer steps than columns, one is in several. */
+function stepsOf(column: number, count: number, length: number): readonly [number, number] {
+  const first = stepAt(column, length, count);
+  const end = column === count - 1 ? length + 1 : stepAt(column + 1, length, count);
+  return [first, Math.max(first + 1, end)];
+}
+
+const happens = (steps: readonly number[], first: number, end: number): boolean =>
+  (steps[indexFrom(steps, first)] ?? Infinity) < end;
+
+/** The strip of a run, whose course must be complete, in so many columns. */
+export function columnsOf(course: Course, count: number): readonly Column[] {
+  const counter = new Counter(course);
+  return Array.from({ length: count }, (_, i) => {
+    const [first, end] = stepsOf(i, count, course.length);
+    return {
+      first,
+      end,
+      ...counter.count(first, end),
+      calls: callsIn(course.depths, first, end),
+      ael: happens(course.ael, first, end),
+      wrong: happens(course.wrong, first, end),
+      fault: happens(course.faults, first, end),
+    };
+  });
+}
+
+/** Counts the steps of each part, one column after the other, with the same cells for all. */
+class Counter {
+  private readonly steps: Uint32Array;
+
+  constructor(private readonly course: Course) {
+    const parts = Math.max(cases.length, course.trace.header.scene.polygons.length);
+    this.steps = new Uint32Array(parts);
+  }
+
+  count(first: number, end: number): Pick<Column, 'shares' | 'levels'> {
+    const { stretches, length } = this.course;
+    const found: number[] = [];
+    let sum = 0;
+    let most = 0;
+    for (let i = Math.max(0, this.course.indexAt(first)); ; i++) {
+      const from = stretches.first[i] ?? Infinity;
+      if (from >= end) break;
+      const next = stretches.first[i + 1] ?? length + 1;
+      const steps = Math.min(end, next) - Math.max(first, from);
+      const level = stretches.level[i] ?? 0;
+      const part = stretches.part[i] ?? -1;
+      sum += steps * level;
+      most = Math.max(most, level);
+      if (part >= 0) this.add(part, steps, found);
+    }
+    return { shares: this.take(found), levels: { mean: sum / (end - first), most } };
+  }
+
+  private add(part: number, steps: number, found: number[]): void {
+    const before = this.steps[part] ?? 0;
+    if (before === 0) found.push(part);
+    this.steps[part] = before + steps;
+  }
+
+  private take(found: number[]): readonly Share[] {
+    return found
+      .sort((a, b) => a - b)
+      .map((part) => {
+        const steps = this.steps[part] ?? 0;
+        this.steps[part] = 0;
+        return { part, steps };
+      });
+  }
+}
+
+function callsIn(depths: Uint8Array, first: number, end: number): Depth {
+  let sum = 0;
+  let most = 0;
+  for (let step = first; step < end; step++) {
+    const depth = depths[step] ?? 0;
+    sum += depth;
+    most = Math.max(most, depth);
+  }
+  return { mean: sum / (end - first), most };
+}
+
+/**
+ * The step that is meant by a place: of the steps that are marked the nearest within reach, those of the first
+ * list before those of the others, else just the nearest step. A mark is seldom to be hit to the pixel.
+ */
+export function aimedAt(
+  place: number,
+  length: number,
+  width: number,
+  marked: readonly (readonly number[])[],
+): number {
+  const reach = 3;
+  const aimed = stepAt(place, length, width);
+  const off = (step: number): number => Math.abs(placeOf(step, length, width) - place);
+  for (const steps of marked) {
+    const next = indexFrom(steps, aimed);
+    const near = [steps[next - 1], steps[next]].filter((step) => step !== undefined);
+    const [nearest] = near.sort((a, b) => off(a) - off(b));
+    if (nearest !== undefined && off(nearest) <= reach) return nearest;
+  }
+  return aimed;
+}

@@ -1,0 +1,73 @@
+import type { Texts } from '../i18n/texts.js';
+import { point, short } from '../i18n/words.js';
+import { numberOf } from '../trace/events.js';
+import type { Box } from '../trace/values.js';
+import { bookmarkAt } from './bookmarks.js';
+import type { Bookmarks } from './bookmarks.js';
+import { cases } from './course.js';
+import type { Case, Course } from './course.js';
+import { indexFrom } from './goals.js';
+
+/** Where in a run a step is. */
+export interface Place {
+  readonly window: Box | null;
+  readonly case: Case | null;
+  readonly polygon: string | null;
+  readonly row: number | null;
+  readonly wrong: boolean;
+  readonly fault: boolean;
+}
+
+const scanline = numberOf.get('scanline');
+
+/** The last row that was begun in a stretch before a step, or at it. */
+function rowAt({ trace: { timeline } }: Course, first: number, step: number): number | null {
+  for (let at = step; at > first; at--) {
+    const event = timeline.names[at - 1] === scanline ? timeline.event(at) : null;
+    if (event?.e === 'scanline') return event.row;
+  }
+  return null;
+}
+
+const isAmong = (steps: readonly number[], step: number): boolean =>
+  steps[indexFrom(steps, step)] === step;
+
+export function placeAt(course: Course, step: number): Place {
+  const { header, timeline } = course.trace;
+  const index = course.indexAt(step);
+  const first = course.stretches.first[index] ?? 0;
+  const begins = timeline.event(first);
+  const decided = cases[course.stretches.part[index] ?? -1] ?? null;
+  return {
+    window: begins?.e === 'pop' ? begins.window : null,
+    case: begins?.e === 'pop' ? decided : null,
+    polygon: begins?.e === 'polygon' ? begins.polygon : null,
+    row: header.method === 'zbuffer' && first > 0 ? rowAt(course, first, step) : null,
+    wrong: isAmong(course.wrong, step),
+    fault: isAmong(course.faults, step),
+  };
+}
+
+/** "Step 120 of 800: window 4 × 4 at (8, 0), split". */
+export function sayPlace(
+  course: Course,
+  step: number,
+  bookmarks: Bookmarks,
+  { strip }: Texts,
+): string {
+  const place = placeAt(course, step);
+  const { window, polygon, row } = place;
+  const bookmark = bookmarkAt(bookmarks, step);
+  const said = [
+    window &&
+      strip.windowAt(`${short(window[2])} × ${short(window[3])}`, point(window.slice(0, 2))),
+    place.case && strip.cases[place.case],
+    polygon !== null && strip.polygon(polygon),
+    row !== null && strip.row(short(row)),
+    place.wrong && strip.marks.wrong,
+    place.fault && strip.marks.fault,
+    bookmark && strip.bookmark(bookmark.note),
+  ].filter((words) => typeof words === 'string');
+  const at = strip.step(step, course.length);
+  return said.length === 0 ? at : `${at}: ${said.join(', ')}`;
+}
