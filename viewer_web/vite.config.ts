@@ -1,13 +1,15 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
+import { library } from './plugins/library.js';
 import { lessons } from './plugins/lessons.js';
 import { singleFile } from './plugins/single-file.js';
 import { workerCode } from './plugins/worker-code.js';
 
 const traces = process.env['VIDNO_TRACES'] ?? '../build/lessons';
+const wasm = process.env['VIDNO_WASM'] ?? '../build/release/trace/wasm/vidno.wasm';
 
 export default defineConfig({
-  plugins: [workerCode(), lessons(resolve(traces)), singleFile('index.html')],
+  plugins: [workerCode(), lessons(resolve(traces)), library(resolve(wasm)), singleFile('index.html')],
   server: { fs: { allow: ['..'] } },
   build: {
     target: 'es2022',

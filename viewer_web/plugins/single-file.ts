@@ -22,7 +22,7 @@ function hashesOf(html: string, tag: RegExp): string {
 function policy(html: string): string {
   return [
     "default-src 'none'",
-    `script-src ${hashesOf(html, /<script type="module">([^]*?)<\/script>/g)}`,
+    `script-src ${hashesOf(html, /<script type="module">([^]*?)<\/script>/g)} 'wasm-unsafe-eval'`,
     `style-src ${hashesOf(html, /<style>([^]*?)<\/style>/g)}`,
     'worker-src blob:',
     "base-uri 'none'",

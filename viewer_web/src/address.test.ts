@@ -6,6 +6,7 @@ describe('the address', () => {
     const address = {
       language: 'ru',
       trace: '01-near & far.warnock',
+      live: null,
       step: 17,
       pixel: [3, -4],
       bookmarks: [
@@ -16,10 +17,17 @@ describe('the address', () => {
     expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
-  it('forgets step, pixel and bookmarks where no lesson is open', () => {
+  it('carries a scene of one’s own', () => {
+    const live = { run: 'zbuffer.corrected.bits:8.signs', scene: 'q1YqS8zJBwA-_' };
+    const place = { step: 4, pixel: null, bookmarks: [{ step: 3, note: 'x' }] } as const;
+    const address = { language: 'en', trace: null, live, ...place } as const;
+    expect(parseAddress(formatAddress(address))).toEqual(address);
+  });
+
+  it('forgets step, pixel and bookmarks where nothing is open that a link can hold', () => {
     const bookmarks = [{ step: 3, note: 'x' }];
     const place = { step: 3, pixel: [1, 2], bookmarks } as const;
-    expect(formatAddress({ language: 'en', trace: null, ...place })).toBe('#lang=en');
+    expect(formatAddress({ language: 'en', trace: null, live: null, ...place })).toBe('#lang=en');
   });
 
   it.each([
@@ -42,6 +50,7 @@ describe('the address', () => {
     expect(parseAddress(hash)).toEqual({
       language: null,
       trace: null,
+      live: null,
       step: 0,
       pixel: null,
       bookmarks: [],

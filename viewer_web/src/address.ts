@@ -1,13 +1,18 @@
 import { isLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
+import type { Carried } from './live/live.js';
 import type { Pixel } from './picture/pixel.js';
 import { formatBookmarks, parseBookmarks } from './time/bookmarks.js';
 import type { Bookmarks } from './time/bookmarks.js';
 
-/** What the page's address holds behind `#`: language, embedded trace, step, chosen pixel and bookmarks. */
+/**
+ * What the page's address holds behind `#`: language, embedded trace or a scene of one's own, step, chosen pixel and
+ * bookmarks.
+ */
 export interface Address {
   readonly language: Language | null;
   readonly trace: string | null;
+  readonly live: Carried | null;
   readonly step: number;
   readonly pixel: Pixel | null;
   readonly bookmarks: Bookmarks;
@@ -22,20 +27,26 @@ export function parseAddress(hash: string): Address {
   const fields = new URLSearchParams(hash.replace(/^#/, ''));
   const language = fields.get('lang');
   const step = Number(fields.get('step'));
+  const scene = fields.get('scene');
   return {
     language: isLanguage(language) ? language : null,
     trace: fields.get('trace'),
+    live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
     step: Number.isSafeInteger(step) && step > 0 ? step : 0,
     pixel: parsePixel(fields.get('pixel')),
     bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
   };
 }
 
-export function formatAddress({ language, trace, step, pixel, bookmarks }: Address): string {
+export function formatAddress({ language, trace, live, step, pixel, bookmarks }: Address): string {
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
-  if (trace !== null) {
-    fields.set('trace', trace);
+  if (trace !== null) fields.set('trace', trace);
+  if (live !== null) {
+    fields.set('run', live.run);
+    fields.set('scene', live.scene);
+  }
+  if (trace !== null || live !== null) {
     if (pixel !== null) fields.set('pixel', pixel.join());
     if (bookmarks.length > 0) fields.set('bookmarks', formatBookmarks(bookmarks));
     fields.set('step', String(step));

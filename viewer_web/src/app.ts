@@ -2,37 +2,25 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { formatAddress, parseAddress } from './address.js';
-import type { Address } from './address.js';
 import { appStyle } from './app.style.js';
 import './components/file-drop.js';
 import { headerStyle } from './components/header.style.js';
+import { takesKey } from './components/keyboard.js';
 import './components/languages.js';
 import './components/lesson-list.js';
 import './components/notice.js';
-import type { Notice } from './components/notice.js';
 import './components/player.js';
 import type { PlayerElement } from './components/player.js';
 import { base, tokens } from './components/theme.js';
 import { texts } from './i18n/index.js';
 import { preferredLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
-import { embeddedFile, embeddedLessons, idOf } from './lessons.js';
+import { embeddedLessons, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
+import type { Act } from './live/editor.js';
 import type { Pixel } from './picture/pixel.js';
+import { Session } from './session.js';
 import type { Bookmarks } from './time/bookmarks.js';
-import { openTrace } from './trace/open.js';
-import type { Trace } from './trace/trace.js';
-
-/** Where in a trace the page is, and what is marked in it. */
-type Place = Pick<Address, 'step' | 'pixel' | 'bookmarks'>;
-const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
-
-/** What is to be said about a trace that is shown. */
-function noticeOf(trace: Trace): Notice | null {
-  const { complete, shortened, timeline, read } = trace;
-  if (!complete) return { kind: 'growing', steps: timeline.length, read };
-  return shortened && { kind: 'shortened', ...shortened };
-}
 
 /** The page: lessons, files of one's own, and the player. */
 @customElement('vidno-app')
@@ -40,17 +28,13 @@ export class AppElement extends LitElement {
   static override styles = [tokens, base, headerStyle, appStyle];
 
   @state() private language: Language = 'en';
-  @state() private trace: Trace | null = null;
-  /** How many of its steps are there. */
-  @state() private steps = 0;
-  @state() private traceName = '';
-  @state() private lesson: string | null = null;
-  @state() private place = beginning;
-  @state() private notice: Notice | null = null;
   @query('vidno-player') private player!: PlayerElement;
 
   private readonly lessons = embeddedLessons(document);
-  private stopReading = (): void => undefined;
+  private readonly session = new Session(this, () => {
+    this.requestUpdate();
+    this.writeAddress();
+  });
   private addressTimer = 0;
 
   override connectedCallback(): void {
@@ -68,76 +52,58 @@ export class AppElement extends LitElement {
   }
 
   private readonly followAddress = (): void => {
-    const { language, trace, ...place } = parseAddress(location.hash);
+    const { language, trace, live, ...place } = parseAddress(location.hash);
     this.language = language ?? this.language;
+    const { session } = this;
+    if (live !== null) {
+      void session.openCarried(live, place);
+      return;
+    }
     const all = this.lessons.flatMap((lesson) => lesson.traces);
     const chosen =
       all.find((each) => idOf(each) === trace) ?? (trace === null ? all[0] : undefined);
     if (chosen === undefined) return;
-    if (idOf(chosen) === this.lesson) this.place = place;
-    else this.openLesson(chosen, place);
+    if (idOf(chosen) === session.lesson) session.move(place);
+    else session.openLesson(chosen, place);
   };
 
-  private openLesson(chosen: LessonTrace, place = beginning): void {
-    const file = embeddedFile(document, chosen);
-    if (file !== null) this.open(file, chosen.file, idOf(chosen), place);
-  }
-
-  private open(file: Blob, name: string, lesson: string | null, place = beginning): void {
-    this.stopReading();
-    this.notice = { kind: 'reading', name };
-    this.stopReading = openTrace(file, {
-      grown: (trace) => {
-        if (this.trace === trace) this.steps = trace.timeline.length;
-        else if (trace.complete || trace.timeline.length >= place.step) {
-          this.show(trace, name, lesson, place);
-        }
-        if (this.trace === trace) this.notice = noticeOf(trace);
-      },
-      failed: (error) => {
-        if (this.trace?.complete === false) this.trace = null;
-        this.notice = { kind: 'failed', name, error };
-      },
-    });
-  }
-
-  private show(trace: Trace, name: string, lesson: string | null, place: Place): void {
-    this.trace = trace;
-    this.steps = trace.timeline.length;
-    this.traceName = name;
-    this.lesson = lesson;
-    this.place = place;
-    this.writeAddress();
-  }
-
   private readonly onKey = (event: KeyboardEvent): void => {
+    if (this.session.live.handleKey(event) || this.handleEditorKey(event)) return;
     if (!event.composedPath().includes(this.player)) this.player.handleKey(event);
   };
 
-  private onStep({ detail: step }: CustomEvent<number>): void {
-    this.move({ step });
-  }
-
-  private onPixel({ detail: pixel }: CustomEvent<Pixel | null>): void {
-    this.move({ pixel });
-  }
-
-  private onBookmarks({ detail: bookmarks }: CustomEvent<Bookmarks>): void {
-    this.move({ bookmarks });
-  }
-
-  private move(change: Partial<Place>): void {
-    this.place = { ...this.place, ...change };
-    this.writeAddress();
+  /** To the scene and back to the state; to the drawing of a polygon. */
+  private handleEditorKey(event: KeyboardEvent): boolean {
+    const { live } = this.session;
+    const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey && !event.defaultPrevented;
+    if (live.editing === null || !isPlain || takesKey(event)) return false;
+    if (event.code === 'KeyE') this.player.side = this.player.side === 'scene' ? 'state' : 'scene';
+    else if (event.code === 'KeyN') {
+      this.player.side = 'scene';
+      live.act({ do: 'draw' });
+    } else return false;
+    event.preventDefault();
+    return true;
   }
 
   /** Later, since browsers limit how often an address may change. */
   private writeAddress(): void {
     clearTimeout(this.addressTimer);
     this.addressTimer = window.setTimeout(() => {
-      const { language, lesson: trace, place } = this;
-      history.replaceState(null, '', formatAddress({ language, trace, ...place }));
+      void this.address().then((address) => history.replaceState(null, '', address));
     }, 250);
+  }
+
+  private async address(): Promise<string> {
+    const { language, session } = this;
+    const live = await session.live.carried();
+    return formatAddress({ language, trace: session.lesson, live, ...session.place });
+  }
+
+  private async copyLink(): Promise<void> {
+    const { live, lesson } = this.session;
+    const isHeld = lesson !== null || (await live.carried()) !== null;
+    await live.copyLink(isHeld ? new URL(await this.address(), location.href).href : null);
   }
 
   private chooseLanguage(language: Language): void {
@@ -147,21 +113,23 @@ export class AppElement extends LitElement {
 
   override updated(): void {
     document.documentElement.lang = this.language;
-    document.title = this.trace ? `${this.name} · vidno` : 'vidno';
+    document.title = this.session.trace ? `${this.name} · vidno` : 'vidno';
   }
 
   override render(): TemplateResult {
-    const page = texts[this.language].page;
+    const { session, language } = this;
+    const { trace, place, live } = session;
+    const page = texts[language].page;
     return html`
       <header>
         <h1>vidno</h1>
         <p class="tagline">${page.tagline}</p>
         <div class="tools">
-          <button @click=${() => this.player.showKeys()} ?disabled=${this.trace === null}>
+          <button @click=${() => this.player.showKeys()} ?disabled=${trace === null}>
             ${page.keys} <kbd>?</kbd>
           </button>
           <vidno-languages
-            .chosen=${this.language}
+            .chosen=${language}
             @choose=${({ detail }: CustomEvent<Language>) => this.chooseLanguage(detail)}
           ></vidno-languages>
         </div>
@@ -169,45 +137,51 @@ export class AppElement extends LitElement {
       <nav>
         <vidno-lesson-list
           .lessons=${this.lessons}
-          .chosen=${this.lesson}
-          .language=${this.language}
-          @choose=${({ detail }: CustomEvent<LessonTrace>) => this.openLesson(detail)}
+          .chosen=${session.lesson}
+          .language=${language}
+          @choose=${({ detail }: CustomEvent<LessonTrace>) => session.openLesson(detail)}
         ></vidno-lesson-list>
         <vidno-file-drop
           .texts=${page}
-          @file=${({ detail }: CustomEvent<File>) => this.open(detail, detail.name, null)}
+          @file=${({ detail }: CustomEvent<File>) => session.openFile(detail)}
         ></vidno-file-drop>
       </nav>
       <main>
         ${this.heading()}
         <vidno-player
-          .trace=${this.trace}
-          .length=${this.steps}
-          .step=${this.place.step}
-          .lang=${this.language}
-          ?hidden=${this.trace === null}
-          .pixel=${this.place.pixel}
-          .bookmarks=${this.place.bookmarks}
-          ?linked=${this.lesson !== null}
-          @vidno-step=${this.onStep}
-          @vidno-pixel=${this.onPixel}
-          @vidno-bookmarks=${this.onBookmarks}
+          .trace=${trace}
+          .length=${session.steps}
+          .step=${place.step}
+          .lang=${language}
+          ?hidden=${trace === null}
+          .pixel=${place.pixel}
+          .bookmarks=${place.bookmarks}
+          ?linked=${session.isLinked}
+          .editing=${live.editing}
+          .link=${live.link}
+          @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
+          @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
+          @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
+          @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
+          @vidno-save=${() => live.save()}
+          @vidno-link=${this.copyLink}
         ></vidno-player>
-        ${this.trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
+        ${trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
       </main>
     `;
   }
 
   private get name(): string {
     const found = this.lessons.find(({ traces }) =>
-      traces.some((each) => idOf(each) === this.lesson),
+      traces.some((each) => idOf(each) === this.session.lesson),
     );
-    return found?.title[this.language] ?? this.traceName;
+    return found?.title[this.language] ?? this.session.name;
   }
 
   private heading(): TemplateResult {
     const { page } = texts[this.language];
-    const { trace, name } = this;
+    const { session, name } = this;
+    const { trace, notice } = session;
     const header = trace?.header;
     return html`<div class="title">
       <h2>${trace ? name : ''}</h2>
@@ -220,8 +194,8 @@ export class AppElement extends LitElement {
           : nothing
       }
       <vidno-notice
-        class=${this.notice?.kind ?? nothing}
-        .notice=${this.notice}
+        class=${notice?.kind ?? nothing}
+        .notice=${notice}
         .language=${this.language}
       ></vidno-notice>
     </div>`;

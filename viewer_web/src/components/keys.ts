@@ -18,6 +18,10 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['bookmark', ['B']],
   ['bookmarks', ['Shift B']],
   ['toBookmark', ['Shift ,', 'Shift .']],
+  ['edit', ['E']],
+  ['draw', ['N']],
+  ['undo', ['Ctrl Z', 'Ctrl Y']],
+  ['corner', ['← ↑ ↓ →', 'PgUp', 'PgDn', '+', 'Del']],
   ['map', ['?']],
 ];
 

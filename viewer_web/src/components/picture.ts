@@ -3,6 +3,7 @@ import type { PropertyValues, SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
 import { texts as allTexts } from '../i18n/index.js';
+import type { Editing } from '../live/editor.js';
 import { Frame } from '../picture/frame.js';
 import { marksOf, target } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
@@ -11,6 +12,7 @@ import type { Pixel } from '../picture/pixel.js';
 import { outline, shapeOf } from '../picture/shapes.js';
 import type { Polygon } from '../trace/header.js';
 import type { View } from '../view.js';
+import './handles.js';
 import { hiddenStyle } from './hidden.style.js';
 import { OwnSize } from './own-size.js';
 import { marksStyle, pictureStyle } from './picture.style.js';
@@ -27,6 +29,8 @@ export class PictureElement extends LitElement {
   static override styles = [base, hiddenStyle, marksStyle, pictureStyle];
 
   @property({ attribute: false }) view!: View;
+  /** The scene while its corners may be dragged. */
+  @property({ attribute: false }) editing: Editing | null = null;
   /** Where the keyboard is about to choose, while it does. */
   @state() private cursor: Pixel | null = null;
   @query('svg') private stage!: SVGSVGElement;
@@ -119,6 +123,11 @@ export class PictureElement extends LitElement {
         ${guard([header, scale], () => this.labels())}
         ${this.cursor === null ? nothing : shapeOf(target('cursor', this.cursor), scale)}
       </svg>
+      ${
+        this.editing === null
+          ? nothing
+          : html`<vidno-handles .editing=${this.editing} .language=${language}></vidno-handles>`
+      }
       <p class="heard" id="how">${history.how}</p>
       <p class="heard" aria-live="polite">
         ${this.cursor === null ? '' : history.at(...this.cursor)}

@@ -1,6 +1,6 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
-import { customElement, property, query, state } from 'lit/decorators.js';
+import { customElement, property, query } from 'lit/decorators.js';
 import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
 import { isLanguage } from '../i18n/language.js';
@@ -8,6 +8,8 @@ import type { Language } from '../i18n/language.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import { canonical } from '../state/canonical.js';
+import type { Editing } from '../live/editor.js';
+import type { LinkMade } from '../live/live.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
@@ -51,7 +53,11 @@ export class PlayerElement extends LitElement {
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
   @property() override lang = 'en';
-  @state() private side: Side = 'state';
+  /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
+  @property({ attribute: false }) editing: Editing | null = null;
+  @property({ attribute: false }) link: LinkMade | null = null;
+  /** The panel beside the listing. */
+  @property({ attribute: false }) side: Side = 'state';
   @query('vidno-keys') private keys!: KeysElement;
   @query('vidno-picture') private picture!: PictureElement;
   @query('vidno-travel') private travel!: TravelElement;
@@ -96,14 +102,17 @@ export class PlayerElement extends LitElement {
     this.step = this.clamped(this.step);
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     const language: Language = isLanguage(this.lang) ? this.lang : 'en';
-    if (changed.has('trace') || changed.has('pixel')) this.openHistory();
+    if (changed.has('trace') || changed.has('pixel')) this.openHistory(changed.has('pixel'));
+    if (this.editing === null && this.side === 'scene') this.side = 'state';
     this.reader.read(this.history);
     const pixel = this.history?.pixel ?? null;
     this.view = this.trace && viewOf(this.trace, this.step, language, pixel);
   }
 
-  private openHistory(): void {
+  /** While the scene is edited its panel stays, for each run is another trace. */
+  private openHistory(isChosen: boolean): void {
     this.history = historyOf(this.trace, this.pixel);
+    if (this.side === 'scene' && !isChosen) return;
     this.side = this.history === null ? 'state' : 'pixel';
   }
 
@@ -139,6 +148,7 @@ export class PlayerElement extends LitElement {
         <section class="picture" aria-label=${texts.picture}>
           <vidno-picture
             .view=${view}
+            .editing=${this.side === 'scene' ? this.editing : null}
             @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
           ></vidno-picture>
           <vidno-legend .view=${view}></vidno-legend>
@@ -156,6 +166,8 @@ export class PlayerElement extends LitElement {
             @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
             @command=${this.onCommand}
             @forget=${() => this.choosePixel(null)}
+            .editing=${this.editing}
+            .link=${this.link}
           ></vidno-side>
         </section>
       </div>

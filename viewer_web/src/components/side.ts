@@ -5,17 +5,20 @@ import type { History } from '../history/history.js';
 import { texts } from '../i18n/index.js';
 import { flag } from '../strip/lanes.js';
 import type { Bookmarks } from '../time/bookmarks.js';
+import type { Editing } from '../live/editor.js';
+import type { LinkMade } from '../live/live.js';
 import type { View } from '../view.js';
 import './bookmarks.js';
 import type { BookmarksElement } from './bookmarks.js';
 import './history.js';
+import './scene-panel.js';
 import { base } from './theme.js';
 import './warnock-panel.js';
 import './zbuffer-panel.js';
 
-export type Side = 'state' | 'pixel' | 'bookmarks';
+export type Side = 'state' | 'pixel' | 'bookmarks' | 'scene';
 
-/** One of three panels: the state of the procedure, the history of a pixel, or the bookmarks. */
+/** One of the panels: the state of the procedure, the history of a pixel, the bookmarks, or the scene as a form. */
 @customElement('vidno-side')
 export class SideElement extends LitElement {
   static override styles = [
@@ -80,6 +83,9 @@ export class SideElement extends LitElement {
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
   @property({ attribute: false }) side: Side = 'state';
+  /** None where the scene cannot be changed. */
+  @property({ attribute: false }) editing: Editing | null = null;
+  @property({ attribute: false }) link: LinkMade | null = null;
   @query('vidno-bookmarks') private list!: BookmarksElement | null;
 
   /** Bookmarks the step that is shown, or goes to the list; the bookmarks must be the side that is chosen. */
@@ -89,12 +95,13 @@ export class SideElement extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { view, history } = this;
-    const { history: say, bookmarks: marks } = texts[view.language];
+    const { view, history, editing } = this;
+    const { history: say, bookmarks: marks, scene } = texts[view.language];
     const pixel = history === null ? say.pixel : say.at(...history.pixel);
     return html`
       <div class="choice" role="group">
         ${this.button('state', view.texts.state)} ${this.button('pixel', pixel)}
+        ${editing === null ? nothing : this.button('scene', scene.scene)}
         ${this.button('bookmarks', this.count(), marks.title)}
       </div>
       ${this.panel()}
@@ -107,7 +114,14 @@ export class SideElement extends LitElement {
   }
 
   private panel(): TemplateResult {
-    const { view, history, side } = this;
+    const { view, history, side, editing } = this;
+    if (side === 'scene' && editing !== null) {
+      return html`<vidno-scene-panel
+        .editing=${editing}
+        .language=${view.language}
+        .link=${this.link}
+      ></vidno-scene-panel>`;
+    }
     if (side === 'bookmarks') {
       return html`<vidno-bookmarks
         .view=${view}

@@ -3,8 +3,8 @@ import type { Why } from '../history/why.js';
 import type { LaneName } from '../strip/lanes.js';
 import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
-import type { Event, EventName, Method, Procedure } from '../trace/events.js';
-import type { Edition } from '../trace/header.js';
+import type { Detail, Event, EventName, Method, Procedure } from '../trace/events.js';
+import type { Area, Edition } from '../trace/header.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
@@ -30,6 +30,54 @@ export interface Texts {
   readonly travel: TravelTexts;
   readonly strip: StripTexts;
   readonly bookmarks: BookmarkTexts;
+  readonly scene: SceneTexts;
+}
+
+/** What is said where a scene is edited. */
+export interface SceneTexts {
+  readonly scene: string;
+  readonly how: string;
+  readonly run: string;
+  readonly method: string;
+  readonly kernel: string;
+  readonly edition: string;
+  readonly detail: string;
+  readonly details: Readonly<Record<Detail, string>>;
+  readonly check: string;
+  readonly undo: string;
+  readonly redo: string;
+  readonly draw: string;
+  readonly drawing: string;
+  readonly drawHere: string;
+  readonly clear: string;
+  readonly clearHint: string;
+  readonly save: string;
+  readonly saveHint: string;
+  readonly link: string;
+  readonly linkHint: string;
+  readonly linkCopied: string;
+  readonly linkLong: string;
+  readonly area: string;
+  readonly areaFields: Readonly<Record<keyof Area, string>>;
+  readonly background: string;
+  readonly polygons: string;
+  readonly order: string;
+  readonly colorOf: (id: string) => string;
+  readonly nameOf: (id: string) => string;
+  readonly cornersOf: (id: string) => string;
+  readonly earlier: (id: string) => string;
+  readonly later: (id: string) => string;
+  readonly remove: (id: string) => string;
+  readonly corner: (id: string, n: number, x: number, y: number, z: number) => string;
+  readonly coordinate: (axis: 'x' | 'y' | 'z', n: number) => string;
+  readonly follows: string;
+  readonly split: (n: number) => string;
+  readonly removeCorner: (n: number) => string;
+  readonly refused: (polygon: string | null, reason: string) => string;
+  readonly stands: string;
+  /** Of the library's reasons, those that a drawing can meet. */
+  readonly reasons: Readonly<Record<string, string>>;
+  readonly more: (n: number) => string;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -180,4 +228,8 @@ export type KeyUse =
   | 'bookmark'
   | 'bookmarks'
   | 'toBookmark'
+  | 'edit'
+  | 'draw'
+  | 'undo'
+  | 'corner'
   | 'map';

@@ -40,12 +40,15 @@ export class Frame {
     };
   }
 
+  /** What of the plane is under a point of the box. */
+  at(x: number, y: number): readonly [x: number, y: number] {
+    const { shown, scale } = this;
+    return [shown[0] + (x - this.left) / scale, shown[1] + (y - this.top) / scale];
+  }
+
   /** The pixel of the plane under a point of the box. */
   pixelAt(x: number, y: number): Pixel {
-    const { shown, scale } = this;
-    return [
-      Math.floor(shown[0] + (x - this.left) / scale),
-      Math.floor(shown[1] + (y - this.top) / scale),
-    ];
+    const [across, down] = this.at(x, y);
+    return [Math.floor(across), Math.floor(down)];
   }
 }

@@ -32,7 +32,8 @@ function aim([x, y]: Pixel, far: number): string {
   return `M${x} ${y}h1v1h-1Z${across}${down}`;
 }
 
-function pathData(points: readonly (readonly number[])[], closed: boolean): string {
+/** The `d` of a path through the points. */
+export function pathData(points: readonly (readonly number[])[], closed: boolean): string {
   if (points.length === 0) return '';
   return `M${points.map(([x = 0, y = 0]) => `${x} ${y}`).join('L')}${closed ? 'Z' : ''}`;
 }

@@ -1,23 +1,10 @@
 import { follow } from './trace.js';
 import type { Trace } from './trace.js';
 import type { News } from './read.js';
+import { starterOf } from './start-worker.js';
 import code from './worker.js?code';
 
-type Vouch = (address: string) => unknown;
-interface Vouching {
-  createPolicy(name: string, rules: { createScriptURL: Vouch }): { createScriptURL: Vouch };
-}
-
-/** Where scripts' addresses must be vouched for: the only one is that of the page's own text. */
-const { trustedTypes } = globalThis as { readonly trustedTypes?: Vouching };
-const vouched = trustedTypes?.createPolicy('vidno-worker', {
-  createScriptURL: (address) => address,
-});
-
-/** Kept for the next file: a browser may look it up only after the worker was made. */
-const own = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
-
-const startWorker = (): Worker => new Worker((vouched?.createScriptURL(own) ?? own) as string);
+const startWorker = starterOf(code);
 
 /** Milliseconds: to show growth more often would only keep the page busy. */
 const pause = 200;

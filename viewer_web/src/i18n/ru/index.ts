@@ -3,6 +3,7 @@ import { bookmarks } from './bookmarks.js';
 import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { reasons } from './reasons.js';
+import { scene } from './scene.js';
 import { sentences } from './sentences.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
@@ -17,4 +18,5 @@ export const texts: Texts = {
   travel,
   strip,
   bookmarks,
+  scene,
 };

@@ -1,0 +1,232 @@
+import { LitElement, html, nothing, svg } from 'lit';
+import type { SVGTemplateResult, TemplateResult } from 'lit';
+import { customElement, property, state } from 'lit/decorators.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
+import { cornerAct, led, snapped } from '../live/corner-keys.js';
+import type { Place } from '../live/corner-keys.js';
+import type { Act, Editing } from '../live/editor.js';
+import { refusalOf } from '../live/refusal.js';
+import * as sketch from '../live/sketch.js';
+import type { Spot, Vertex } from '../live/sketch.js';
+import { Frame } from '../picture/frame.js';
+import { pathData } from '../picture/shapes.js';
+import type { Polygon } from '../trace/header.js';
+import { act } from './act.js';
+import { handlesStyle } from './handles.style.js';
+import { hiddenStyle } from './hidden.style.js';
+import { OwnSize } from './own-size.js';
+import { base } from './theme.js';
+
+const mostHandles = 400;
+/** CSS pixels. */
+const radius = 6;
+const reach = 13;
+
+/** The scene's corners over the picture, to be dragged, and the outline that is being drawn. */
+@customElement('vidno-handles')
+export class HandlesElement extends LitElement {
+  static override styles = [base, hiddenStyle, handlesStyle];
+
+  @property({ attribute: false }) editing!: Editing;
+  @property({ attribute: false }) language: Language = 'en';
+  /** Where the next corner would be set. */
+  @state() private pen: Place = [0, 0];
+
+  private readonly size = new OwnSize(this);
+  private drags = 0;
+
+  private get frame(): Frame {
+    return new Frame(this.editing.sketch.area, this.size.value);
+  }
+
+  override updated(): void {
+    if (this.editing.drawn !== null && !this.matchesFocus()) this.startDrawing();
+  }
+
+  private matchesFocus(): boolean {
+    return this.renderRoot instanceof ShadowRoot && this.renderRoot.activeElement !== null;
+  }
+
+  private startDrawing(): void {
+    const { x, y, width, height } = this.editing.sketch.area;
+    this.pen = [x + width / 2, y + height / 2];
+    this.renderRoot.querySelector<SVGElement>('.pen')?.focus();
+  }
+
+  override render(): TemplateResult {
+    const { editing, frame } = this;
+    const { polygons } = editing.sketch;
+    const isDrawing = editing.drawn !== null;
+    return html`<svg
+      viewBox=${frame.shown.join(' ')}
+      class=${isDrawing ? 'drawing' : ''}
+      @pointerdown=${isDrawing ? this.setPoint : null}
+      @pointermove=${isDrawing ? this.movePen : null}
+    >
+      ${isDrawing ? this.drawing() : polygons.slice(0, mostHandles).map((p, i) => this.corners(p, i))}
+    </svg>`;
+  }
+
+  /** The polygon that the library does not take. */
+  private get refused(): string | null {
+    const { refused, messages, sketch: drawn } = this.editing;
+    return refused ? refusalOf(messages, drawn).polygon : null;
+  }
+
+  private corners(polygon: Polygon, i: number): SVGTemplateResult {
+    const { scale } = this.frame;
+    const { chosen } = this.editing;
+    const say = texts[this.language].scene;
+    const outline = pathData(polygon.vertices, true);
+    return svg`
+      ${this.refused === polygon.id ? svg`<path class="casing" d=${outline} /><path class="line" d=${outline} />` : nothing}
+      <path
+        class="edge"
+        d=${outline}
+        @pointerdown=${(event: PointerEvent) => this.dragPolygon(event, i)}
+      />
+      ${polygon.vertices.map(([x, y, z], vertex) => {
+        const spot = { polygon: i, vertex };
+        const isChosen = chosen?.polygon === i && chosen.vertex === vertex;
+        return svg`<g
+          class=${isChosen ? 'handle chosen' : 'handle'}
+          tabindex="0"
+          role="button"
+          aria-label=${say.corner(polygon.id, vertex + 1, x, y, z)}
+          data-spot="${i},${vertex}"
+          @pointerdown=${(event: PointerEvent) => this.dragVertex(event, spot)}
+          @keydown=${(event: KeyboardEvent) => this.onKey(event, spot)}
+          @focus=${() => this.act({ do: 'choose', spot })}
+        >
+          <circle class="reach" cx=${x} cy=${y} r=${reach / scale} />
+          <circle class="knob" cx=${x} cy=${y} r=${radius / scale} />
+        </g>`;
+      })}
+    `;
+  }
+
+  private drawing(): SVGTemplateResult {
+    const drawn = this.editing.drawn ?? [];
+    const { scale } = this.frame;
+    const { pen } = this;
+    const say = texts[this.language].scene;
+    const outline = pathData([...drawn, pen], false);
+    return svg`
+      <path class="casing" d=${outline} />
+      <path class="line" d=${outline} />
+      ${drawn.map(([x, y]) => svg`<circle class="knob" cx=${x} cy=${y} r=${radius / scale} />`)}
+      <g
+        class="pen"
+        tabindex="0"
+        role="application"
+        aria-label=${say.drawHere}
+        @keydown=${this.onDrawingKey}
+      >
+        <circle class="reach" cx=${pen[0]} cy=${pen[1]} r=${reach / scale} />
+        <circle class="knob" cx=${pen[0]} cy=${pen[1]} r=${radius / scale} />
+      </g>
+    `;
+  }
+
+  /** Where a pointer is on the plane, on the nearest place for a corner. */
+  private placeOf(event: PointerEvent, offset: Place = [0, 0]): Place {
+    const { left, top } = this.getBoundingClientRect();
+    const [x, y] = this.frame.at(event.clientX - left, event.clientY - top);
+    return snapped([x + offset[0], y + offset[1]], event);
+  }
+
+  private dragVertex(event: PointerEvent, spot: Spot): void {
+    const vertex = this.editing.sketch.polygons[spot.polygon]?.vertices[spot.vertex];
+    if (vertex === undefined) return;
+    this.act({ do: 'choose', spot });
+    this.drag(event, [vertex[0], vertex[1]], ([x, y]) => ({
+      do: 'edit',
+      edit: (old) => sketch.moveVertex(old, spot, x, y),
+    }));
+  }
+
+  private dragPolygon(event: PointerEvent, polygon: number): void {
+    const from = this.editing.sketch;
+    const first = from.polygons[polygon]?.vertices[0];
+    if (first === undefined) return;
+    this.act({ do: 'choose', spot: { polygon, vertex: 0 } });
+    this.drag(event, [first[0], first[1]], ([x, y]) => ({
+      do: 'edit',
+      edit: () => sketch.movePolygon(from, polygon, x - first[0], y - first[1]),
+    }));
+  }
+
+  /** Follows the pointer until it is let go, with something that was at a place when it was taken. */
+  private drag(event: PointerEvent, start: Place, move: (to: Place) => Act): void {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    const target = event.currentTarget as SVGElement;
+    target.setPointerCapture(event.pointerId);
+    target.focus();
+    const { left, top } = this.getBoundingClientRect();
+    const [x, y] = this.frame.at(event.clientX - left, event.clientY - top);
+    const offset: Place = [start[0] - x, start[1] - y];
+    const name = `drag ${++this.drags}`;
+    let last = start;
+    const follow = (moved: PointerEvent): void => {
+      const to = this.placeOf(moved, offset);
+      if (to[0] === last[0] && to[1] === last[1]) return;
+      last = to;
+      this.act({ ...move(to), name } as Act);
+    };
+    const end = (): void => {
+      target.removeEventListener('pointermove', follow);
+      this.act({ do: 'settle' });
+    };
+    target.addEventListener('pointermove', follow);
+    target.addEventListener('lostpointercapture', end, { once: true });
+  }
+
+  private onKey(event: KeyboardEvent, spot: Spot): void {
+    if (event.ctrlKey || event.metaKey) return;
+    const what = cornerAct(event, this.editing.sketch, spot);
+    if (what === null) return;
+    event.preventDefault();
+    this.act(what);
+  }
+
+  private readonly movePen = (event: PointerEvent): void => {
+    this.pen = this.placeOf(event);
+  };
+
+  private readonly setPoint = (event: PointerEvent): void => {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    this.point(this.placeOf(event));
+  };
+
+  private point(at: Place): void {
+    const drawn: readonly Vertex[] = this.editing.drawn ?? [];
+    const [first] = drawn;
+    const near = first && Math.hypot(first[0] - at[0], first[1] - at[1]) < reach / this.frame.scale;
+    this.act(near && drawn.length > 2 ? { do: 'finish' } : { do: 'point', at });
+  }
+
+  private onDrawingKey(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey) return;
+    const to = led(this.pen, event);
+    if (to !== null) this.pen = to;
+    else if (event.key === ' ') this.point(this.pen);
+    else if (event.key === 'Enter') this.act({ do: 'finish' });
+    else if (event.key === 'Backspace') this.act({ do: 'unpoint' });
+    else if (event.key === 'Escape') this.act({ do: 'cancel' });
+    else return;
+    event.preventDefault();
+  }
+
+  private act(what: Act): void {
+    act(this, what);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-handles': HandlesElement;
+  }
+}

@@ -1,0 +1,82 @@
+import { html } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import type { Act } from '../live/editor.js';
+import type { LinkMade } from '../live/live.js';
+import { refusalOf } from '../live/refusal.js';
+import { ask } from './act.js';
+import { FormElement } from './form.js';
+import './polygon-form.js';
+import './run-form.js';
+import { scenePanelStyle } from './scene-panel.style.js';
+import { base } from './theme.js';
+
+/** The scene as a form, with what can be done with it as a whole, and what the library says of it. */
+@customElement('vidno-scene-panel')
+export class ScenePanelElement extends FormElement {
+  static override styles = [base, scenePanelStyle];
+
+  @property({ attribute: false }) link: LinkMade | null = null;
+
+  override render(): TemplateResult {
+    const { editing, language } = this;
+    return html`
+      ${this.tools()} ${this.message()}
+      <div class="scroll">
+        <vidno-run-form .editing=${editing} .language=${language}></vidno-run-form>
+        <vidno-polygon-form .editing=${editing} .language=${language}></vidno-polygon-form>
+      </div>
+    `;
+  }
+
+  private tools(): TemplateResult {
+    const { say, editing } = this;
+    const isDrawing = editing.drawn !== null;
+    return html`<div class="tools" role="group">
+      ${this.icon('↶', `${say.undo} (Ctrl+Z)`, !editing.canUndo, { do: 'undo' })}
+      ${this.icon('↷', `${say.redo} (Ctrl+Y)`, !editing.canRedo, { do: 'redo' })}
+      <button
+        class="draw"
+        aria-pressed=${isDrawing ? 'true' : 'false'}
+        title="${say.draw} (N)"
+        @click=${() => this.act({ do: isDrawing ? 'cancel' : 'draw' })}
+      >
+        ${say.draw}
+      </button>
+      <button title=${say.clearHint} @click=${() => this.act({ do: 'new' })}>${say.clear}</button>
+      <button title=${say.saveHint} @click=${() => ask(this, 'vidno-save')}>${say.save}</button>
+      <button title=${say.linkHint} @click=${() => ask(this, 'vidno-link')}>${say.link}</button>
+    </div>`;
+  }
+
+  private icon(sign: string, label: string, off: boolean, act: Act): TemplateResult {
+    return html`<button
+      class="icon"
+      aria-label=${label}
+      title=${label}
+      ?disabled=${off}
+      @click=${() => this.act(act)}
+    >
+      ${sign}
+    </button>`;
+  }
+
+  /** A place that is always there, so that nothing moves when it has something to say. */
+  private message(): TemplateResult {
+    const { say, editing, link } = this;
+    const { refused, messages, sketch } = editing;
+    if (refused) {
+      const { polygon, reason } = refusalOf(messages, sketch);
+      const why = say.refused(polygon, say.reasons[reason] ?? reason);
+      return html`<p class="message refused" role="alert">${why}. ${say.stands}</p>`;
+    }
+    return html`<p class="message" role="status">${this.news(link, messages.trim())}</p>`;
+  }
+
+  private news(link: LinkMade | null, messages: string): string {
+    const { say, editing } = this;
+    if (link !== null) return link === 'copied' ? say.linkCopied : say.linkLong;
+    if (editing.drawn !== null) return say.drawing;
+    return messages === '' ? say.how : messages;
+  }
+}

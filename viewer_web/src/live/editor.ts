@@ -1,0 +1,171 @@
+import type { Header, Scene } from '../trace/header.js';
+import type { Trace } from '../trace/trace.js';
+import { runnable, usual } from './options.js';
+import type { Options } from './options.js';
+import { addPolygon, emptySketch } from './sketch.js';
+import type { Sketch, Spot, Vertex } from './sketch.js';
+import { Tracer } from './tracer.js';
+import { Undo } from './undo.js';
+
+/** What the editor shows; each change gives another. */
+export interface Editing {
+  readonly sketch: Sketch;
+  readonly options: Options;
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  /** The vertex that was last touched. */
+  readonly chosen: Spot | null;
+  /** The corners so far of a polygon that is being drawn. */
+  readonly drawn: readonly Vertex[] | null;
+  /** What the library said of the scene: why it was refused, or what it changed. */
+  readonly messages: string;
+  readonly refused: boolean;
+}
+
+/** What the editor's controls ask for. */
+export type Act =
+  | {
+      readonly do: 'edit';
+      readonly edit: (sketch: Sketch) => Sketch;
+      /** Edits in a row with the same name are undone together. */
+      readonly name?: string;
+    }
+  | { readonly do: 'settle' | 'undo' | 'redo' | 'draw' | 'finish' | 'cancel' | 'unpoint' | 'new' }
+  | { readonly do: 'point'; readonly at: readonly [x: number, y: number] }
+  | { readonly do: 'choose'; readonly spot: Spot | null }
+  | { readonly do: 'options'; readonly options: Partial<Options> };
+
+/** What the page does as something was edited. */
+export interface Followers {
+  changed(editing: Editing): void;
+  /** There is a trace of the scene as it is now. */
+  traced(trace: Trace): void;
+  failed(error: unknown): void;
+}
+
+/** A scene that is changed and run, again and again. */
+export class Editor {
+  private undo = new Undo<Sketch>(emptySketch);
+  private options = usual;
+  private chosen: Spot | null = null;
+  private drawn: readonly Vertex[] | null = null;
+  private said: Pick<Editing, 'messages' | 'refused'> = { messages: '', refused: false };
+  /** A scene file came in: the sketch is to be what the library made of it. */
+  private adopts = false;
+  private readonly tracer: Tracer;
+
+  constructor(
+    library: Blob,
+    private readonly followers: Followers,
+  ) {
+    this.tracer = new Tracer(
+      library,
+      ({ trace, messages }) => this.take(trace, messages),
+      (error) => followers.failed(error),
+    );
+  }
+
+  /** Goes on from the scene of a trace that is shown. */
+  open({ scene, method, edition, kernel, detail }: Header): void {
+    this.tracer.forget();
+    this.begin(sketchOf(scene), { method, edition, kernel, detail, check: false });
+  }
+
+  /** Runs the text of a scene file, as it is. */
+  load(file: string, options: Options): void {
+    this.begin(emptySketch, options);
+    this.adopts = true;
+    this.tracer.run(file, options);
+  }
+
+  get editing(): Editing {
+    const { undo, options, chosen, drawn, said } = this;
+    const { value, canUndo, canRedo } = undo;
+    return { sketch: value, options, canUndo, canRedo, chosen, drawn, ...said };
+  }
+
+  act(act: Act): void {
+    const before = this.undo.value;
+    const { options } = this;
+    this.perform(act);
+    if (this.undo.value !== before || this.options !== options) this.run();
+    this.followers.changed(this.editing);
+  }
+
+  private begin(sketch: Sketch, options: Options): void {
+    this.undo = new Undo(sketch);
+    this.options = options;
+    this.adopts = false;
+    this.chosen = null;
+    this.drawn = null;
+    this.said = { messages: '', refused: false };
+    this.followers.changed(this.editing);
+  }
+
+  private perform(act: Act): void {
+    const { undo, drawn } = this;
+    switch (act.do) {
+      case 'edit':
+        undo.change(act.edit(undo.value), act.name);
+        break;
+      case 'settle':
+        undo.settle();
+        break;
+      case 'undo':
+        undo.undo();
+        break;
+      case 'redo':
+        undo.redo();
+        break;
+      case 'new':
+        undo.change({ ...emptySketch, area: undo.value.area });
+        break;
+      case 'draw':
+        this.drawn = [];
+        break;
+      case 'cancel':
+        this.drawn = null;
+        break;
+      case 'unpoint':
+        this.drawn = drawn?.slice(0, -1) ?? null;
+        break;
+      case 'point':
+        this.drawn = [...(drawn ?? []), [...act.at, 0]];
+        break;
+      case 'finish':
+        this.finish();
+        break;
+      case 'choose':
+        this.chosen = act.spot;
+        break;
+      case 'options':
+        this.options = runnable({ ...this.options, ...act.options });
+    }
+  }
+
+  private finish(): void {
+    const { drawn, undo } = this;
+    if (drawn === null || drawn.length < 3) return;
+    undo.change(addPolygon(undo.value, drawn));
+    this.chosen = { polygon: undo.value.polygons.length - 1, vertex: 0 };
+    this.drawn = null;
+  }
+
+  private run(): void {
+    this.tracer.run(this.undo.value, this.options);
+  }
+
+  private take(trace: Trace | null, messages: string): void {
+    this.said = { messages, refused: trace === null };
+    if (trace !== null && this.adopts) {
+      this.undo = new Undo(sketchOf(trace.header.scene));
+      this.adopts = false;
+    }
+    if (trace !== null) this.followers.traced(trace);
+    this.followers.changed(this.editing);
+  }
+}
+
+function sketchOf({ name, area, background, polygons }: Scene): Sketch {
+  return { name, area, background, polygons };
+}

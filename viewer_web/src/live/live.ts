@@ -1,0 +1,94 @@
+import type { Header } from '../trace/header.js';
+import { Editor } from './editor.js';
+import type { Act, Editing, Followers } from './editor.js';
+import type { Options } from './options.js';
+import { packed, wordOf } from './packed.js';
+import { sceneFile, sceneText } from './sketch.js';
+
+/** A scene as an address carries it, and how it is run. */
+export interface Carried {
+  readonly run: string;
+  readonly scene: string;
+}
+
+/** What came of the wish for a link. */
+export type LinkMade = 'copied' | 'long';
+
+/** The scene that the page edits, if it was built with the library to run it. */
+export class Live {
+  editing: Editing | null = null;
+  link: LinkMade | null = null;
+  /** Whether what is shown is a run of this scene, and no trace that was opened. */
+  isRun = false;
+  private readonly editor: Editor | null;
+
+  constructor(
+    library: Blob | null,
+    private readonly followers: Omit<Followers, 'changed'> & { changed(): void },
+  ) {
+    const changed = (editing: Editing): void => {
+      this.editing = editing;
+      followers.changed();
+    };
+    const traced: Followers['traced'] = (trace) => {
+      this.isRun = true;
+      followers.traced(trace);
+    };
+    this.editor = library && new Editor(library, { ...followers, changed, traced });
+  }
+
+  /** Goes on from the scene of a trace that was opened. */
+  open(header: Header): void {
+    this.isRun = false;
+    this.editor?.open(header);
+  }
+
+  /** Runs a scene file; false if the page was built without the library. */
+  load(file: string, options: Options): boolean {
+    this.editor?.load(file, options);
+    return this.editor !== null;
+  }
+
+  act(act: Act): void {
+    this.link = null;
+    this.editor?.act(act);
+  }
+
+  /** Undo and redo, where the focus is in no field that has its own; says whether the key meant that. */
+  handleKey(event: KeyboardEvent): boolean {
+    const [target] = event.composedPath();
+    if (!(event.ctrlKey || event.metaKey) || this.editing === null) return false;
+    if (target instanceof HTMLInputElement && target.type !== 'range') return false;
+    const isRedo = event.code === 'KeyY' || (event.code === 'KeyZ' && event.shiftKey);
+    if (!isRedo && event.code !== 'KeyZ') return false;
+    event.preventDefault();
+    this.act({ do: isRedo ? 'redo' : 'undo' });
+    return true;
+  }
+
+  save(): void {
+    if (this.editing === null) return;
+    const { sketch } = this.editing;
+    const name = sketch.name.replace(/[^\p{L}\p{N}]+/gu, '-').toLowerCase();
+    const anchor = document.createElement('a');
+    anchor.href = URL.createObjectURL(new Blob([sceneFile(sketch)], { type: 'application/json' }));
+    anchor.download = `${name || 'scene'}.json`;
+    anchor.click();
+    URL.revokeObjectURL(anchor.href);
+  }
+
+  /** What an address must hold to show this run again; null if there is none, or it is too long for one. */
+  async carried(): Promise<Carried | null> {
+    const { editing } = this;
+    if (editing === null || !this.isRun) return null;
+    const scene = await packed(sceneText(editing.sketch));
+    return scene === null ? null : { run: wordOf(editing.options), scene };
+  }
+
+  /** Null: there is no address that would show this again. */
+  async copyLink(address: string | null): Promise<void> {
+    if (address !== null) await navigator.clipboard.writeText(address);
+    this.link = address === null ? 'long' : 'copied';
+    this.followers.changed();
+  }
+}

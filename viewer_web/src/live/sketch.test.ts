@@ -1,0 +1,161 @@
+import { describe, expect, it } from 'vitest';
+import { parseHeader } from '../trace/header.js';
+import * as sketch from './sketch.js';
+import type { Sketch, Vertex } from './sketch.js';
+
+const triangle: readonly Vertex[] = [
+  [0, 0, 0],
+  [4, 0, 0],
+  [0, 4, 1],
+];
+/** On the plane z = y / 4. */
+const square: readonly Vertex[] = [
+  [0, 0, 0],
+  [4, 0, 0],
+  [4, 4, 1],
+  [0, 4, 1],
+];
+
+const drawing = (...outlines: readonly (readonly Vertex[])[]): Sketch =>
+  outlines.reduce((drawn, outline) => sketch.addPolygon(drawn, outline), sketch.emptySketch);
+const verticesOf = (drawn: Sketch): readonly Vertex[] => drawn.polygons[0]?.vertices ?? [];
+const ids = (drawn: Sketch): string => drawn.polygons.map(({ id }) => id).join('');
+
+describe('a corner that is moved', () => {
+  it('of a triangle keeps its depth', () => {
+    const moved = sketch.moveVertex(drawing(triangle), { polygon: 0, vertex: 2 }, 1, 5);
+    expect(verticesOf(moved)).toEqual([
+      [0, 0, 0],
+      [4, 0, 0],
+      [1, 5, 1],
+    ]);
+  });
+
+  it('of more than three follows the plane of the first three', () => {
+    const moved = sketch.moveVertex(drawing(square), { polygon: 0, vertex: 3 }, -1, 2);
+    expect(verticesOf(moved)[3]).toEqual([-1, 2, 0.5]); // z = y / 4
+  });
+
+  it('takes the others with it if it is one of the first three', () => {
+    // The plane through (0, 0, 0), (4, 0, 0), (4, 2, 1) is z = y / 2.
+    const moved = sketch.moveVertex(drawing(square), { polygon: 0, vertex: 2 }, 4, 2);
+    expect(verticesOf(moved)[3]).toEqual([0, 4, 2]);
+  });
+
+  it('leaves the other polygons the same objects', () => {
+    const before = drawing(square, triangle);
+    const after = sketch.moveVertex(before, { polygon: 0, vertex: 0 }, 1, 1);
+    expect(after.polygons[1]).toBe(before.polygons[1]);
+    expect(before.polygons[0]?.vertices).toEqual(square);
+  });
+});
+
+describe('a depth that is set', () => {
+  it('tilts the plane, and the corners that have none of their own follow', () => {
+    // Through (0, 0, 0), (4, 0, 1/2), (4, 4, 1): z = x / 8 + y / 8, at (0, 4) 1/2.
+    const tilted = sketch.setDepth(drawing(square), { polygon: 0, vertex: 1 }, 0.5);
+    expect(verticesOf(tilted)[3]).toEqual([0, 4, 0.5]);
+  });
+});
+
+describe('the corners with a depth of their own', () => {
+  it.each<[string, readonly Vertex[], readonly number[] | null]>([
+    ['are the first three', square, [0, 1, 2]],
+    [
+      'leave out what is in line',
+      [
+        [0, 0, 0],
+        [2, 0, 0],
+        [4, 0, 0],
+        [4, 4, 0],
+      ],
+      [0, 1, 3],
+    ],
+    [
+      'leave out what is there twice',
+      [
+        [0, 0, 0],
+        [0, 0, 0],
+        [4, 0, 0],
+        [4, 4, 0],
+      ],
+      [0, 2, 3],
+    ],
+    [
+      'are none if all are in line',
+      [
+        [0, 0, 0],
+        [1, 1, 0],
+        [2, 2, 0],
+      ],
+      null,
+    ],
+  ])('%s', (_, vertices, own) => {
+    expect(sketch.anchors(vertices)).toEqual(own);
+  });
+});
+
+describe('corners', () => {
+  it('are put in the middle of an edge, also of the last', () => {
+    const split = sketch.splitEdge(drawing(square), { polygon: 0, vertex: 3 });
+    expect(verticesOf(split)[4]).toEqual([0, 2, 0.5]);
+  });
+
+  it('are removed down to three', () => {
+    const three = sketch.removeVertex(drawing(square), { polygon: 0, vertex: 1 });
+    expect(verticesOf(three)).toHaveLength(3);
+    expect(sketch.removeVertex(three, { polygon: 0, vertex: 1 })).toBe(three);
+  });
+});
+
+describe('polygons', () => {
+  it('get the first letter that is free', () => {
+    const two = sketch.rename(drawing(triangle, triangle), 0, 'C');
+    expect(ids(two)).toBe('CB');
+    expect(ids(sketch.addPolygon(sketch.addPolygon(two, square), square))).toBe('CBAD');
+  });
+
+  it('keep their names apart', () => {
+    const two = drawing(triangle, triangle);
+    expect(sketch.rename(two, 0, 'B')).toBe(two);
+    expect(sketch.rename(two, 0, '')).toBe(two);
+  });
+
+  it('change places, but not beyond the ends', () => {
+    const three = drawing(triangle, triangle, triangle);
+    expect(ids(sketch.reorder(three, 0, 1))).toBe('BAC');
+    expect(ids(sketch.reorder(three, 2, -1))).toBe('ACB');
+    expect(sketch.reorder(three, 0, -1)).toBe(three);
+  });
+
+  it('move as a whole without changing depth', () => {
+    expect(verticesOf(sketch.movePolygon(drawing(triangle), 0, 1, -2))).toEqual([
+      [1, -2, 0],
+      [5, -2, 0],
+      [1, 2, 1],
+    ]);
+  });
+});
+
+describe('the file of a scene', () => {
+  const drawn = { ...drawing(square, triangle), name: 'Two "polygons"' };
+  const header = (scene: unknown): unknown => ({
+    format: 'vidno-trace/1',
+    method: 'warnock',
+    edition: 'corrected',
+    kernel: 'double',
+    detail: 'signs',
+    scene,
+  });
+
+  it.each([
+    ['on one line', sketch.sceneText(drawn)],
+    ['for people', sketch.sceneFile(drawn)],
+    ['for people, empty', sketch.sceneFile({ ...drawn, polygons: [] })],
+  ])('%s is read as the same scene', (name, text) => {
+    const { scene } = parseHeader(header(JSON.parse(text)));
+    expect(scene.name).toBe('Two "polygons"');
+    expect(scene.area).toEqual(drawn.area);
+    expect(scene.polygons).toEqual(name.endsWith('empty') ? [] : drawn.polygons);
+  });
+});

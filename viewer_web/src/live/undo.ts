@@ -1,0 +1,50 @@
+/** What was, what is, and what was taken back. */
+export class Undo<T> {
+  private readonly past: T[] = [];
+  private future: T[] = [];
+  private running: string | null = null;
+
+  constructor(private current: T) {}
+
+  get value(): T {
+    return this.current;
+  }
+
+  get canUndo(): boolean {
+    return this.past.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.future.length > 0;
+  }
+
+  /** Changes that follow each other with the same name, such as those of one drag, are taken back together. */
+  change(value: T, name: string | null = null): void {
+    if (value === this.current) return;
+    if (name === null || name !== this.running) this.past.push(this.current);
+    this.running = name;
+    this.current = value;
+    this.future = [];
+  }
+
+  /** What comes next is another change, whatever its name. */
+  settle(): void {
+    this.running = null;
+  }
+
+  undo(): void {
+    const before = this.past.pop();
+    if (before === undefined) return;
+    this.future.push(this.current);
+    this.current = before;
+    this.settle();
+  }
+
+  redo(): void {
+    const after = this.future.pop();
+    if (after === undefined) return;
+    this.past.push(this.current);
+    this.current = after;
+    this.settle();
+  }
+}

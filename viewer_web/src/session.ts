@@ -1,0 +1,140 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import type { Address } from './address.js';
+import type { Notice } from './components/notice.js';
+import { embeddedFile, idOf } from './lessons.js';
+import type { LessonTrace } from './lessons.js';
+import { Live } from './live/live.js';
+import type { Carried } from './live/live.js';
+import { usual } from './live/options.js';
+import type { Options } from './live/options.js';
+import { optionsOf, unpacked } from './live/packed.js';
+import { isScene } from './live/scene-file.js';
+import { embeddedLibrary } from './live/tracer.js';
+import { openTrace } from './trace/open.js';
+import type { Trace } from './trace/trace.js';
+
+/** Where in a trace the page is, and what is marked in it. */
+export type Place = Pick<Address, 'step' | 'pixel' | 'bookmarks'>;
+const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
+
+/** What is to be said about a trace that is shown. */
+function noticeOf({ complete, shortened, timeline, read }: Trace): Notice | null {
+  if (!complete) return { kind: 'growing', steps: timeline.length, read };
+  return shortened && { kind: 'shortened', ...shortened };
+}
+
+/** What is open: a lesson, a file, or a scene that is edited; and where in it one is. Each change is told. */
+export class Session implements ReactiveController {
+  trace: Trace | null = null;
+  /** How many of its steps are there. */
+  steps = 0;
+  name = '';
+  lesson: string | null = null;
+  place = beginning;
+  notice: Notice | null = null;
+  readonly live: Live;
+
+  /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
+  private goal: Place | null = null;
+  private stopReading = (): void => undefined;
+
+  constructor(
+    host: ReactiveControllerHost,
+    private readonly changed: () => void,
+  ) {
+    host.addController(this);
+    this.live = new Live(embeddedLibrary(document), {
+      changed,
+      traced: (trace) => this.showRun(trace),
+      failed: (error) => this.fail(this.name, error),
+    });
+  }
+
+  /** Whether an address can lead here again. */
+  get isLinked(): boolean {
+    return this.lesson !== null || this.live.isRun;
+  }
+
+  hostDisconnected(): void {
+    this.stopReading();
+  }
+
+  openLesson(chosen: LessonTrace, place = beginning): void {
+    const file = embeddedFile(document, chosen);
+    if (file !== null) this.open(file, chosen.file, idOf(chosen), place);
+  }
+
+  async openFile(file: File): Promise<void> {
+    if (await isScene(file)) this.openScene(await file.text(), file.name, usual, beginning);
+    else this.open(file, file.name, null, beginning);
+  }
+
+  async openCarried({ run, scene }: Carried, place: Place): Promise<void> {
+    try {
+      this.openScene(await unpacked(scene), '', optionsOf(run), place);
+    } catch (error) {
+      this.fail('', error);
+    }
+  }
+
+  move(change: Partial<Place>): void {
+    this.place = { ...this.place, ...change };
+    this.changed();
+  }
+
+  private openScene(text: string, name: string, options: Options, place: Place): void {
+    this.stopReading();
+    this.name = name;
+    this.goal = place;
+    if (this.live.load(text, options)) this.say(null);
+    else this.fail(name, null);
+  }
+
+  /** A run of the scene as it is now: one stays at the step where one is, or at the end. */
+  private showRun(trace: Trace): void {
+    const { length } = trace.timeline;
+    const atEnd = this.steps > 0 && this.place.step === this.steps;
+    const step = atEnd ? length : Math.min(this.place.step, length);
+    this.show(trace, trace.header.scene.name, null, this.goal ?? { ...this.place, step });
+    this.goal = null;
+    this.say(noticeOf(trace));
+  }
+
+  private open(file: Blob, name: string, lesson: string | null, place: Place): void {
+    this.stopReading();
+    this.say({ kind: 'reading', name });
+    this.stopReading = openTrace(file, {
+      grown: (trace) => {
+        const { length } = trace.timeline;
+        if (this.trace === trace) this.steps = length;
+        else if (trace.complete || length >= place.step) {
+          this.show(trace, name, lesson, place);
+          this.live.open(trace.header);
+        }
+        if (this.trace === trace) this.say(noticeOf(trace));
+      },
+      failed: (error) => {
+        if (this.trace?.complete === false) this.trace = null;
+        this.fail(name, error);
+      },
+    });
+  }
+
+  private show(trace: Trace, name: string, lesson: string | null, place: Place): void {
+    this.trace = trace;
+    this.steps = trace.timeline.length;
+    this.name = name;
+    this.lesson = lesson;
+    this.place = place;
+    this.changed();
+  }
+
+  private fail(name: string, error: unknown): void {
+    this.say({ kind: 'failed', name, error });
+  }
+
+  private say(notice: Notice | null): void {
+    this.notice = notice;
+    this.changed();
+  }
+}
