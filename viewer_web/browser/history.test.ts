@@ -1,7 +1,7 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, shown, small } from './page.js';
+import { goTo, launch, open, opened, sampleTrace, shown, small, whole } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -121,6 +121,7 @@ describe('the history of a pixel', () => {
     for (const lesson of await page.locator('vidno-lesson-list button').all()) {
       await lesson.click();
       await lesson.and(page.locator('[aria-pressed="true"]')).waitFor();
+      await whole(page);
       await page.keyboard.press('p');
       await page.keyboard.press('Enter');
       await page.locator('vidno-history .why, vidno-history .last:disabled').waitFor();
