@@ -83,7 +83,7 @@ const seeks = (page: Page): Promise<Seeks> =>
       const start = performance.now();
       timeline.seek(step);
       times.state.push(performance.now() - start);
-      player.seek((step + 300_000) % timeline.length);
+      player.step = (step + 300_000) % timeline.length;
       const middle = performance.now();
       await player.updateComplete;
       times.shown.push(performance.now() - middle);

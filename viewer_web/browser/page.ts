@@ -128,7 +128,7 @@ export function states(page: Page, from: number, end: number): Promise<readonly 
       if (!player) throw new Error('no player');
       const found: string[] = [];
       for (let step = first; step !== last; step += first < last ? 1 : -1) {
-        player.seek(step);
+        player.step = step;
         await player.updateComplete;
         found.push(JSON.stringify(player.canonicalState()));
       }

@@ -27,6 +27,8 @@ export class ListingElement extends LitElement {
     `;
   }
 
+  private followed: Element | null = null;
+
   private get current(): string | null {
     return this.view.event?.at ?? null;
   }
@@ -73,11 +75,16 @@ export class ListingElement extends LitElement {
     this.follow();
   }
 
-  /** Scrolls within the listing only, and only when the line is out of sight. */
+  /**
+   * Scrolls within the listing only, and only when the line is another and out of sight: to look where it is makes the
+   * browser lay out the page.
+   */
   private follow(): void {
     const box = this.renderRoot.querySelector('.procedures');
     const mark =
       this.renderRoot.querySelector('.entered h3') ?? this.renderRoot.querySelector('.now');
+    if (mark === this.followed) return;
+    this.followed = mark;
     if (!(box instanceof HTMLElement) || !(mark instanceof HTMLElement)) return;
     const { offsetTop: top, offsetHeight: height } = mark;
     const hidden = top < box.scrollTop || top + 2 * height > box.scrollTop + box.clientHeight;

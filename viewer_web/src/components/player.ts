@@ -68,11 +68,6 @@ export class PlayerElement extends LitElement {
   private readonly keyboard = new Keyboard(this, (event) => this.actionsAt(event));
   private readonly reader = new ReadOn(this, mostPerFrame);
 
-  /** Shows the state after the first `step` events. */
-  seek(step: number): void {
-    this.step = step;
-  }
-
   /** The state that is shown, in the form in which readers of a trace are compared. */
   canonicalState(): unknown {
     if (this.trace === null) return null;
@@ -98,12 +93,12 @@ export class PlayerElement extends LitElement {
   }
 
   override willUpdate(changed: PropertyValues<this>): void {
+    if (isOnlyEdited(changed)) return;
     if (changed.has('trace')) this.clock.stop();
     this.step = this.clamped(this.step);
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     const language: Language = isLanguage(this.lang) ? this.lang : 'en';
     if (changed.has('trace') || changed.has('pixel')) this.openHistory(changed.has('pixel'));
-    if (this.editing === null && this.side === 'scene') this.side = 'state';
     this.reader.read(this.history);
     const pixel = this.history?.pixel ?? null;
     this.view = this.trace && viewOf(this.trace, this.step, language, pixel);
@@ -242,6 +237,13 @@ export class PlayerElement extends LitElement {
       KeyP: () => this.picture.startChoosing(),
     };
   }
+}
+
+/** A change of the scene is shown by the form and the handles; the rest waits for its run. */
+function isOnlyEdited(changed: ReadonlyMap<PropertyKey, unknown>): boolean {
+  return (
+    changed.size > 0 && [...changed.keys()].every((key) => /^(editing|link)$/.test(String(key)))
+  );
 }
 
 declare global {

@@ -17,6 +17,8 @@ import { base } from './theme.js';
 import type { Command } from './transport.js';
 
 const mostPerFrame = 8;
+/** Milliseconds that a run must stay: while a scene is dragged none does. */
+const rest = 150;
 
 /** The slider, and along it the strip that shows the whole run. Both seek; the keyboard has the slider. */
 @customElement('vidno-slider')
@@ -30,15 +32,25 @@ export class SliderElement extends LitElement {
   @state() private pointed: number | null = null;
   @query('.strip') private strip!: HTMLElement;
 
+  @state() private rested = false;
+
   private course!: Course;
+  private timer = 0;
   private readonly reader = new ReadOn(this, mostPerFrame);
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('trace')) {
       this.course = new Course(this.trace);
       this.pointed = null;
+      this.wait();
     }
-    this.reader.read(this.course);
+    if (this.rested) this.reader.read(this.course);
+  }
+
+  private wait(): void {
+    clearTimeout(this.timer);
+    this.rested = false;
+    this.timer = window.setTimeout(() => (this.rested = true), rest);
   }
 
   override render(): TemplateResult {

@@ -26,9 +26,12 @@ function tableOfNames(): Uint8Array {
 
 const numbers = tableOfNames();
 
+/** Bytes of a block: its text is made as a whole when one of its lines is asked for. */
+const size = 2 ** 16;
+
 export interface Written {
   readonly header: string;
-  readonly block: Block;
+  readonly blocks: readonly Block[];
   readonly end: string;
 }
 
@@ -36,15 +39,31 @@ export interface Written {
 export function linesOf(bytes: Uint8Array<ArrayBuffer>): Written {
   const starts: number[] = [];
   for (let at = 0; at < bytes.length; at = bytes.indexOf(newline, at) + 1) starts.push(at);
-  const events = starts.length - 2;
-  const names = new Uint8Array(events);
-  for (let i = 0; i < events; i++) {
-    names[i] = numbers[mixed(bytes, (starts[i + 1] ?? 0) + opening)] ?? 0;
-  }
   const text = new TextDecoder();
   return {
     header: text.decode(bytes.subarray(0, starts[1])),
-    block: { bytes, starts: Uint32Array.from(starts.slice(1)), names },
+    blocks: blocksOf(bytes, starts.slice(1)),
     end: text.decode(bytes.subarray(starts.at(-1))),
   };
 }
+
+/** The lines that begin at all of the places but the last, where the last one ends. */
+function blocksOf(bytes: Uint8Array<ArrayBuffer>, places: readonly number[]): readonly Block[] {
+  const blocks: Block[] = [];
+  for (let first = 0; first < places.length - 1;) {
+    const begin = places[first] ?? 0;
+    let end = first + 1;
+    while (end < places.length - 1 && (places[end] ?? 0) - begin < size) end++;
+    const starts = places.slice(first, end + 1);
+    blocks.push({
+      bytes: bytes.subarray(begin, starts.at(-1)),
+      starts: Uint32Array.from(starts, (place) => place - begin),
+      names: Uint8Array.from(starts.slice(0, -1), (place) => nameAt(bytes, place)),
+    });
+    first = end;
+  }
+  return blocks;
+}
+
+const nameAt = (bytes: Uint8Array, line: number): number =>
+  numbers[mixed(bytes, line + opening)] ?? 0;

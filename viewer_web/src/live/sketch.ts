@@ -41,8 +41,9 @@ const replaced = <T>(list: readonly T[], at: number, ...by: readonly T[]): reado
 
 function withPolygon(sketch: Sketch, at: number, change: (old: Polygon) => Polygon): Sketch {
   const old = sketch.polygons[at];
-  if (old === undefined) return sketch;
-  return { ...sketch, polygons: replaced(sketch.polygons, at, change(old)) };
+  const changed = old && change(old);
+  if (changed === undefined || changed === old) return sketch;
+  return { ...sketch, polygons: replaced(sketch.polygons, at, changed) };
 }
 
 const withVertices = (polygon: Polygon, vertices: readonly Vertex[]): Polygon => ({

@@ -96,9 +96,9 @@ export class Tracer {
     if (this.waiting !== null) this.next();
     let trace: Trace | null = null;
     if (made !== null) {
-      const { header, block, end } = made;
+      const { header, blocks, end } = made;
       trace = new Trace(header);
-      trace.add({ is: 'part', block, keyframes: [], read: 1 });
+      for (const block of blocks) trace.add({ is: 'part', block, keyframes: [], read: 1 });
       const partial = end.partial === true;
       const shortened = partial ? { why: 'partial' as const, line: end.events + 1 } : null;
       trace.add({ is: 'end', end, shortened });

@@ -16,7 +16,7 @@ export interface Answer {
   readonly messages: string;
   readonly made: {
     readonly header: Header;
-    readonly block: Block;
+    readonly blocks: readonly Block[];
     readonly end: End;
   } | null;
 }
@@ -34,11 +34,17 @@ function answerTo(turn: number, request: string): Answer {
   if (library === null) throw new Error('no library yet');
   const { trace, messages } = library.run(request);
   if (trace === null) return { turn, messages, made: null };
-  const { header: first, block, end: last } = linesOf(trace);
+  const { header: first, blocks, end: last } = linesOf(trace);
   const header = parseHeader(parseJson(first));
   const line = parseLine(last, header);
   if (!('end' in line)) throw new Error('the trace has no end');
-  return { turn, messages, made: { header, block, end: line.end } };
+  return { turn, messages, made: { header, blocks, end: line.end } };
+}
+
+/** The bytes, which all blocks share, are given away and not copied. */
+function given({ made }: Answer): readonly Transferable[] {
+  const [first] = made?.blocks ?? [];
+  return first === undefined ? [] : [first.bytes.buffer];
 }
 
 scope.onmessage = ({ data }) => {
@@ -47,9 +53,5 @@ scope.onmessage = ({ data }) => {
     return;
   }
   const answer = answerTo(data.turn, data.request);
-  const { block } = answer.made ?? {};
-  scope.postMessage(
-    answer,
-    block ? [block.bytes.buffer, block.starts.buffer, block.names.buffer] : [],
-  );
+  scope.postMessage(answer, given(answer));
 };
