@@ -1,5 +1,6 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
+import type { Rollup } from 'vite';
 import { library } from './plugins/library.js';
 import { lessons } from './plugins/lessons.js';
 import { singleFile } from './plugins/single-file.js';
@@ -8,8 +9,15 @@ import { workerCode } from './plugins/worker-code.js';
 const traces = process.env['VIDNO_TRACES'] ?? '../build/lessons';
 const wasm = process.env['VIDNO_WASM'] ?? '../build/release/trace/wasm/vidno.wasm';
 
+const workers: Rollup.OutputChunk[] = [];
+
 export default defineConfig({
-  plugins: [workerCode(), lessons(resolve(traces)), library(resolve(wasm)), singleFile('index.html')],
+  plugins: [
+    workerCode(workers),
+    lessons(resolve(traces)),
+    library(resolve(wasm)),
+    singleFile('index.html', workers),
+  ],
   server: { fs: { allow: ['..'] } },
   build: {
     target: 'es2022',

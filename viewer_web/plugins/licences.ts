@@ -23,18 +23,21 @@ function nameIn(directory: string): string {
 }
 
 /** The packages whose code is in the page. */
-function packagesOf({ modules }: Rollup.OutputChunk): readonly string[] {
-  const used = Object.keys(modules).filter((id) => (modules[id]?.renderedLength ?? 0) > 0);
+function packagesOf(chunks: readonly Rollup.OutputChunk[]): readonly string[] {
+  const used = chunks.flatMap(({ modules }) =>
+    Object.keys(modules).filter((id) => (modules[id]?.renderedLength ?? 0) > 0),
+  );
   return [...new Set(used.flatMap((id) => ofPackage.exec(id)?.[0] ?? []))].sort();
 }
 
 /** Names and licences of all that the page contains, a text that several share once, as a comment. */
-export function licences(chunk: Rollup.OutputChunk): string {
+export function licences(chunks: readonly Rollup.OutputChunk[], further: string): string {
   const names = new Map<string, string[]>();
-  for (const directory of packagesOf(chunk)) {
+  for (const directory of packagesOf(chunks)) {
     const text = licenceIn(directory);
     names.set(text, [...(names.get(text) ?? []), nameIn(directory)]);
   }
   const texts = [...names].map(([text, owners]) => `${owners.join(', ')}:\n\n${text}`);
-  return `<!--\nThis page contains:\n\n${texts.join('\n\n').replaceAll('--', '- -')}\n-->\n`;
+  const all = further === '' ? texts : [...texts, further];
+  return `<!--\nThis page contains:\n\n${all.join('\n\n').replaceAll('--', '- -')}\n-->\n`;
 }

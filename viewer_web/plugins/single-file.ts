@@ -1,6 +1,10 @@
 import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import type { Plugin, Rollup } from 'vite';
 import { licences } from './licences.js';
+
+const contents = fileURLToPath(new URL('../../trace/wasm/LICENCES.md', import.meta.url));
 
 const entryTag = /<script type="module"[^>]*src="[^"]*"[^>]*><\/script>/;
 
@@ -22,7 +26,7 @@ function hashesOf(html: string, tag: RegExp): string {
 function policy(html: string): string {
   return [
     "default-src 'none'",
-    `script-src ${hashesOf(html, /<script type="module">([^]*?)<\/script>/g)} 'wasm-unsafe-eval'`,
+    `script-src ${hashesOf(html, /<script type="module">([^]*?)<\/script>/g)}${html.includes('id="vidno-library"') ? " 'wasm-unsafe-eval'" : ''}`,
     `style-src ${hashesOf(html, /<style>([^]*?)<\/style>/g)}`,
     'worker-src blob:',
     "base-uri 'none'",
@@ -47,8 +51,13 @@ function takeChunk(bundle: Rollup.OutputBundle): Rollup.OutputChunk {
   return chunk;
 }
 
+/** What the library contains, if the page has it. */
+function libraryIn(page: string): string {
+  return page.includes('id="vidno-library"') ? readFileSync(contents, 'utf8').trim() : '';
+}
+
 /** Makes the page one file that opens from disk, under a security policy that names its script by hash. */
-export function singleFile(file: string): Plugin {
+export function singleFile(file: string, workers: readonly Rollup.OutputChunk[] = []): Plugin {
   return {
     name: 'vidno-single-file',
     enforce: 'post',
@@ -56,7 +65,9 @@ export function singleFile(file: string): Plugin {
       const page = bundle[file];
       if (page?.type !== 'asset') throw new Error(`The build has no ${file}.`);
       const chunk = takeChunk(bundle);
-      page.source = inlined(String(page.source), chunk.code) + licences(chunk);
+      page.source =
+        inlined(String(page.source), chunk.code) +
+        licences([chunk, ...workers], libraryIn(String(page.source)));
     },
   };
 }

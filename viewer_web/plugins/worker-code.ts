@@ -1,9 +1,9 @@
 import { build } from 'vite';
-import type { Plugin } from 'vite';
+import type { Plugin, Rollup } from 'vite';
 
 const query = '?code';
 
-async function codeOf(file: string): Promise<string> {
+async function chunkOf(file: string): Promise<Rollup.OutputChunk> {
   const built = await build({
     configFile: false,
     logLevel: 'warn',
@@ -15,17 +15,22 @@ async function codeOf(file: string): Promise<string> {
   });
   const [first] = 'output' in built ? built.output : [];
   if (first?.type !== 'chunk') throw new Error(`${file} must be one script.`);
-  return first.code;
+  return first;
 }
 
-/** `import code from './worker.js?code'` is the script of a worker as text: the page is one file. */
-export function workerCode(): Plugin {
+/**
+ * `import code from './worker.js?code'` is the script of a worker as text: the page is one file. The chunks are kept
+ * for those who ask what the page contains.
+ */
+export function workerCode(chunks: Rollup.OutputChunk[]): Plugin {
   return {
     name: 'vidno-worker-code',
     enforce: 'pre',
     async load(id): Promise<string | null> {
       if (!id.endsWith(query)) return null;
-      return `export default ${JSON.stringify(await codeOf(id.slice(0, -query.length)))};`;
+      const chunk = await chunkOf(id.slice(0, -query.length));
+      chunks.push(chunk);
+      return `export default ${JSON.stringify(chunk.code)};`;
     },
   };
 }

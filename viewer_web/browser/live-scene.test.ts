@@ -1,0 +1,101 @@
+import { readFileSync } from 'node:fs';
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { edit, editing, rerun, run, scene, title, triangle } from './live.js';
+import { launch, open, openFile, shown } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+describe('a scene', () => {
+  it('is saved as a file that the page opens again', async () => {
+    const { page } = await editing(browser);
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Save' }).click(),
+    ]);
+    expect(download.suggestedFilename()).toBe('two.json');
+    const saved = readFileSync(await download.path(), 'utf8');
+    const before = await run(page);
+    expect(await rerun(page, () => openFile(page, 'again.json', saved))).toEqual(before);
+  });
+
+  it('is carried by the link, with the way to run it and the step', async () => {
+    const { page } = await editing(browser);
+    await rerun(page, () =>
+      page.locator('vidno-run-form select[name=method]').selectOption('zbuffer'),
+    );
+    await page.locator(title).click();
+    for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
+    await page.waitForURL(/scene=.*step=5/u);
+    const before = await run(page);
+    const again = await open(browser, new URL(page.url()).hash);
+    await again.page.locator(title, { hasText: 'Two' }).waitFor();
+    expect(await run(again.page)).toEqual(before);
+    expect((await shown(again.page)).step).toBe(5);
+  });
+
+  it.each([
+    ['no JSON', '{"format": "vidno-scene/1", ', /not valid JSON/],
+    [
+      'markup in a name',
+      scene([{ ...triangle, id: '<img src=x onerror=alert(1)>', vertices: [] }]),
+      /fewer than three/,
+    ],
+    ['no number', scene([{ ...triangle, vertices: [['NaN', 0, 0]] }]), /hexadecimal/],
+    ['a huge area', scene([triangle], 1e9), /not from 1 to 16384/],
+    ['a wrong type', scene([{ ...triangle, color: 7 }]), /not a string/],
+  ])('that is none only gives a message: %s', async (name, text, message) => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await openFile(page, `${name}.json`, text);
+    await edit(page);
+    await page.locator('.message.refused').waitFor();
+    expect(await page.locator('.message').textContent()).toMatch(message);
+    expect(faults).toEqual([]);
+  });
+
+  it.each(['%%%', 'AAAA', 'x'.repeat(2000)])(
+    'in a link that is none only gives a message',
+    async (packed) => {
+      const { page, faults } = await open(browser, `#lang=en&run=no.such.kernel&scene=${packed}`);
+      await page.locator('vidno-notice .failed').waitFor();
+      expect(faults).toEqual([]);
+    },
+  );
+});
+
+describe('everyone', () => {
+  it.each(['light', 'dark'] as const)('can use the form (WCAG 2.2 AA, %s)', async (colorScheme) => {
+    const { page } = await open(browser, '#lang=ru', { colorScheme });
+    await page.locator(title, { hasText: /./u }).waitFor();
+    await edit(page);
+    await page.locator('vidno-polygon-form .corners').first().click();
+    expect(await violations(page)).toEqual([]);
+  });
+
+  it.each([390, 768, 1280, 1920])('sees the whole form at %d px', async (width) => {
+    const { page } = await open(browser, '#lang=ru', { viewport: { width, height: 900 } });
+    await page.locator(title, { hasText: /./u }).waitFor();
+    await edit(page);
+    await page.locator('vidno-polygon-form .corners').first().click();
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    expect(wide).toBeLessThanOrEqual(width);
+    const cut = await page
+      .locator('vidno-scene-panel :is(button, input, select), vidno-scene-panel .message')
+      .evaluateAll(
+        (parts) =>
+          parts.filter((part) => {
+            const panel = part.getRootNode() as ShadowRoot;
+            const box = panel.host.getBoundingClientRect();
+            return part.getBoundingClientRect().right > box.right + 1;
+          }).length,
+      );
+    expect(cut).toBe(0);
+  });
+});

@@ -1,0 +1,102 @@
+import type { Browser, Page } from 'playwright-core';
+import { open, openFile } from './page.js';
+import type { Opened } from './page.js';
+
+export interface Run {
+  readonly method: string;
+  readonly kernel: string;
+  readonly polygons: readonly { readonly id: string; readonly vertices: readonly number[][] }[];
+  readonly lines: readonly string[];
+}
+
+/** The run that is shown, every line of it. */
+export function run(page: Page): Promise<Run> {
+  return page.evaluate(() => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    if (!player?.trace) throw new Error('no trace');
+    const { header, timeline } = player.trace;
+    const { method, kernel, scene } = header;
+    const polygons = scene.polygons.map(({ id, vertices }) => ({
+      id,
+      vertices: vertices.map((vertex) => [...vertex]),
+    }));
+    const line = (_: unknown, i: number): string => timeline.line(i + 1).trimEnd();
+    return { method, kernel, polygons, lines: Array.from({ length: timeline.length }, line) };
+  });
+}
+
+/** Does something and waits until there is another run. */
+export async function rerun(page: Page, act: () => Promise<unknown>): Promise<Run> {
+  await page.evaluate(() => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    Object.assign(window, { before: player?.trace });
+  });
+  await act();
+  await page.waitForFunction(() => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    return player?.trace && player.trace !== (window as unknown as { before: unknown }).before;
+  });
+  return run(page);
+}
+
+/** The scene's panel, opened by its key. */
+export async function edit(page: Page): Promise<void> {
+  await page.keyboard.press('e');
+  await page.locator('vidno-scene-panel').waitFor();
+}
+
+/** Where on the page a place of the scene's plane is. */
+export function spotOf(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
+  return page.locator('vidno-picture > svg').evaluate(
+    (stage, [atX, atY]) => {
+      const matrix = (stage as SVGSVGElement).getScreenCTM();
+      if (matrix === null) throw new Error('no picture');
+      const { x: left, y: top } = new DOMPoint(atX, atY).matrixTransform(matrix);
+      return { x: left, y: top };
+    },
+    [x, y] as const,
+  );
+}
+
+export const handle = (polygon: number, vertex: number): string =>
+  `vidno-handles [data-spot="${polygon},${vertex}"]`;
+
+/** The name of what is shown. */
+export const title = 'main > .title h2';
+
+/** The text of a scene file. */
+export const scene = (polygons: readonly unknown[], side = 8): string =>
+  JSON.stringify({
+    format: 'vidno-scene/1',
+    name: 'Two',
+    window: { x: 0, y: 0, width: side, height: side },
+    background: '#ffffff',
+    polygons,
+  });
+export const triangle = {
+  id: 'A',
+  color: '#e69f00',
+  vertices: [
+    [1, 1, 0],
+    [6, 1, 0],
+    [1, 6, 0.5],
+  ],
+};
+export const square = {
+  id: 'B',
+  color: '#0072b2',
+  vertices: [
+    [2, 2, 0.25],
+    [7, 2, 0.25],
+    [7, 7, 0.25],
+    [2, 7, 0.25],
+  ],
+};
+
+/** A page that has run the two polygons by Warnock's algorithm, with the scene's panel open. */
+export async function editing(browser: Browser): Promise<Opened> {
+  const found = await open(browser, '#lang=en');
+  await rerun(found.page, () => openFile(found.page, 'two.json', scene([triangle, square])));
+  await edit(found.page);
+  return found;
+}
