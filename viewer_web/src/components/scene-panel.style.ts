@@ -33,6 +33,8 @@ export const scenePanelStyle = css`
     background: var(--well);
     color: var(--soft);
     font-size: 0.75rem;
+  }
+  .message span {
     white-space: pre-line;
   }
   .message.refused {

@@ -68,9 +68,13 @@ export class ScenePanelElement extends FormElement {
     if (refused) {
       const { polygon, reason } = refusalOf(messages, sketch);
       const why = say.refused(polygon, say.reasons[reason] ?? reason);
-      return html`<p class="message refused" role="alert">${why}. ${say.stands}</p>`;
+      return html`<p class="message refused" role="alert" tabindex="0">
+        <span>${why}. ${say.stands}</span>
+      </p>`;
     }
-    return html`<p class="message" role="status">${this.news(link, messages.trim())}</p>`;
+    return html`<p class="message" role="status" tabindex="0">
+      <span>${this.news(link, messages.trim())}</span>
+    </p>`;
   }
 
   private news(link: LinkMade | null, messages: string): string {

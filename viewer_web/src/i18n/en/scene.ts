@@ -2,7 +2,7 @@ import type { SceneTexts } from '../texts.js';
 
 export const scene: SceneTexts = {
   scene: 'Scene',
-  how: 'Drag a corner, or an edge to move the polygon. On a corner: arrow keys move it, Page Up and Page Down change its depth, + adds a corner, Delete removes it.',
+  how: 'Drag a corner, or an edge to move the whole polygon. On a corner, keys move, lift, add and remove: see ?.',
   run: 'Run',
   method: 'method',
   kernel: 'numbers',
