@@ -54,9 +54,8 @@ describe('a scene', () => {
   ])('that is none only gives a message: %s', async (name, text, message) => {
     const { page, faults } = await open(browser, '#lang=en');
     await openFile(page, `${name}.json`, text);
-    await edit(page);
-    await page.locator('.message.refused').waitFor();
-    expect(await page.locator('.message').textContent()).toMatch(message);
+    await page.locator('vidno-notice .refused').waitFor();
+    expect(await page.locator('vidno-notice .refused').textContent()).toMatch(message);
     expect(faults).toEqual([]);
   });
 

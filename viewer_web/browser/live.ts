@@ -96,6 +96,7 @@ export const square = {
 /** A page that has run the two polygons by Warnock's algorithm, with the scene's panel open. */
 export async function editing(browser: Browser): Promise<Opened> {
   const found = await open(browser, '#lang=en');
+  await found.page.locator(title, { hasText: /./u }).waitFor();
   await rerun(found.page, () => openFile(found.page, 'two.json', scene([triangle, square])));
   await edit(found.page);
   return found;

@@ -46,6 +46,7 @@ export class Session implements ReactiveController {
     this.live = new Live(embeddedLibrary(document), {
       changed,
       traced: (trace) => this.showRun(trace),
+      refused: (messages) => this.say({ kind: 'refused', name: this.name, messages }),
       failed: (error) => this.fail(this.name, error),
     });
   }

@@ -1,5 +1,5 @@
 import { LitElement, html, nothing, svg } from 'lit';
-import type { SVGTemplateResult, TemplateResult } from 'lit';
+import type { PropertyValues, SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
@@ -40,12 +40,11 @@ export class HandlesElement extends LitElement {
     return new Frame(this.editing.sketch.area, this.size.value);
   }
 
-  override updated(): void {
-    if (this.editing.drawn !== null && !this.matchesFocus()) this.startDrawing();
-  }
-
-  private matchesFocus(): boolean {
-    return this.renderRoot instanceof ShadowRoot && this.renderRoot.activeElement !== null;
+  override updated(changed: PropertyValues<this>): void {
+    super.updated(changed);
+    if (!changed.has('editing')) return;
+    const wasDrawing = changed.get('editing')?.drawn ?? null;
+    if (wasDrawing === null && this.editing.drawn !== null) this.startDrawing();
   }
 
   private startDrawing(): void {

@@ -12,6 +12,7 @@ import { base } from './theme.js';
 export type Notice =
   | { readonly kind: 'reading'; readonly name: string }
   | { readonly kind: 'growing'; readonly steps: number; readonly read: number }
+  | { readonly kind: 'refused'; readonly name: string; readonly messages: string }
   | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
   | ({ readonly kind: 'shortened' } & Shortened);
 
@@ -20,6 +21,7 @@ const roles = {
   reading: 'status',
   growing: nothing,
   failed: 'alert',
+  refused: 'alert',
   shortened: 'status',
 } as const;
 
@@ -40,6 +42,7 @@ export class NoticeElement extends LitElement {
   private say(notice: Notice): string {
     const { page } = texts[this.language];
     if (notice.kind === 'reading') return page.reading(notice.name);
+    if (notice.kind === 'refused') return page.refusedScene(notice.name, notice.messages.trim());
     if (notice.kind === 'growing') {
       const steps = notice.steps.toLocaleString(this.language);
       return page.growing(steps, Math.round(100 * notice.read));

@@ -164,6 +164,7 @@ export interface PageTexts extends FileTexts {
   readonly growing: (steps: string, percent: number) => string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
   readonly broken: (name: string) => string;
+  readonly refusedScene: (name: string, why: string) => string;
   readonly shortened: Readonly<Record<Shortened['why'], (line: number) => string>>;
   readonly methods: Readonly<Record<Method, string>>;
   readonly editions: Readonly<Record<Edition, string>>;

@@ -40,6 +40,8 @@ export interface Followers {
   changed(editing: Editing): void;
   /** There is a trace of the scene as it is now. */
   traced(trace: Trace): void;
+  /** A scene file is none that the library takes. */
+  refused(messages: string): void;
   failed(error: unknown): void;
 }
 
@@ -157,11 +159,10 @@ export class Editor {
 
   private take(trace: Trace | null, messages: string): void {
     this.said = { messages, refused: trace === null };
-    if (trace !== null && this.adopts) {
-      this.undo = new Undo(sketchOf(trace.header.scene));
-      this.adopts = false;
-    }
+    if (trace !== null && this.adopts) this.undo = new Undo(sketchOf(trace.header.scene));
     if (trace !== null) this.followers.traced(trace);
+    else if (this.adopts) this.followers.refused(messages);
+    this.adopts = false;
     this.followers.changed(this.editing);
   }
 }

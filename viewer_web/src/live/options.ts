@@ -1,8 +1,8 @@
 import type { Detail, Method } from '../trace/events.js';
-import type { Edition, Header } from '../trace/header.js';
+import type { Edition } from '../trace/header.js';
 
 /** How a scene is run. */
-export interface Options extends Pick<Header, 'method' | 'edition' | 'kernel' | 'detail'> {
+export interface Options {
   readonly method: Method;
   readonly edition: Edition;
   readonly kernel: string;

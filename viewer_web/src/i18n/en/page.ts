@@ -12,6 +12,7 @@ export const page: PageTexts = {
   unreadable: (name, line, where, reason) =>
     `${name} is not a trace that can be read. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   broken: (name) => `${name} could not be read.`,
+  refusedScene: (name, why) => `${name} is no scene that can be run: ${why}.`,
   shortened: {
     cut: (line) => `The file breaks off after line ${line}: you see the run up to there.`,
     partial: () => 'The run was stopped by its limit of events: you see its beginning.',

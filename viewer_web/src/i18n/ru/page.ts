@@ -12,6 +12,7 @@ export const page: PageTexts = {
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   broken: (name) => `Файл ${name} не удалось прочитать.`,
+  refusedScene: (name, why) => `Сцену ${name} нельзя запустить: ${why}.`,
   shortened: {
     cut: (line) => `Файл обрывается после строки ${line}: показан прогон до этого места.`,
     partial: () => 'Прогон остановлен по пределу числа событий: показано его начало.',
