@@ -5,7 +5,8 @@ import { formatAddress, parseAddress } from './address.js';
 import { appStyle } from './app.style.js';
 import './components/file-drop.js';
 import { headerStyle } from './components/header.style.js';
-import { takesKey } from './components/keyboard.js';
+import { Keyboard } from './components/keyboard.js';
+import type { Actions } from './components/keyboard.js';
 import './components/languages.js';
 import './components/lesson-list.js';
 import './components/notice.js';
@@ -35,6 +36,7 @@ export class AppElement extends LitElement {
     this.requestUpdate();
     this.writeAddress();
   });
+  private readonly keyboard = new Keyboard(this, () => this.editorActions());
   private addressTimer = 0;
 
   override connectedCallback(): void {
@@ -67,23 +69,25 @@ export class AppElement extends LitElement {
     else session.openLesson(chosen, place);
   };
 
+  /** Keys that were pressed outside the player are passed on to it. */
   private readonly onKey = (event: KeyboardEvent): void => {
-    if (this.session.live.handleKey(event) || this.handleEditorKey(event)) return;
+    if (this.session.live.handleKey(event)) return;
+    this.keyboard.handle(event);
     if (!event.composedPath().includes(this.player)) this.player.handleKey(event);
   };
 
   /** To the scene and back to the state; to the drawing of a polygon. */
-  private handleEditorKey(event: KeyboardEvent): boolean {
+  private editorActions(): Actions {
+    const { player } = this;
     const { live } = this.session;
-    const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey && !event.defaultPrevented;
-    if (live.editing === null || !isPlain || takesKey(event)) return false;
-    if (event.code === 'KeyE') this.player.side = this.player.side === 'scene' ? 'state' : 'scene';
-    else if (event.code === 'KeyN') {
-      this.player.side = 'scene';
-      live.act({ do: 'draw' });
-    } else return false;
-    event.preventDefault();
-    return true;
+    if (live.editing === null) return {};
+    return {
+      KeyE: () => (player.side = player.side === 'scene' ? 'state' : 'scene'),
+      KeyN: () => {
+        player.side = 'scene';
+        live.act({ do: 'draw' });
+      },
+    };
   }
 
   /** Later, since browsers limit how often an address may change. */

@@ -1,3 +1,4 @@
+import { fileIn } from './base64.js';
 import { list, oneOf, part, text } from './trace/check.js';
 import type { Checked } from './trace/check.js';
 import { details, tables } from './trace/events.js';
@@ -33,7 +34,5 @@ export function embeddedLessons(page: Document): readonly Lesson[] {
 export function embeddedFile(page: Document, { file }: LessonTrace): Blob | null {
   const blocks = page.querySelectorAll<HTMLScriptElement>('script[data-vidno-file]');
   const block = [...blocks].find((each) => each.dataset['vidnoFile'] === file);
-  if (block === undefined) return null;
-  const bytes = Uint8Array.from(atob(block.textContent.trim()), (c) => c.charCodeAt(0));
-  return new Blob([bytes]);
+  return block === undefined ? null : fileIn(block);
 }

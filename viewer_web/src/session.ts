@@ -103,6 +103,7 @@ export class Session implements ReactiveController {
 
   private open(file: Blob, name: string, lesson: string | null, place: Place): void {
     this.stopReading();
+    this.goal = null;
     this.say({ kind: 'reading', name });
     this.stopReading = openTrace(file, {
       grown: (trace) => {

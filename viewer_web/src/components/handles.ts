@@ -128,10 +128,15 @@ export class HandlesElement extends LitElement {
     `;
   }
 
-  /** Where a pointer is on the plane, on the nearest place for a corner. */
-  private placeOf(event: PointerEvent, offset: Place = [0, 0]): Place {
+  /** Where a pointer is on the plane. */
+  private planeAt({ clientX, clientY }: PointerEvent): Place {
     const { left, top } = this.getBoundingClientRect();
-    const [x, y] = this.frame.at(event.clientX - left, event.clientY - top);
+    return this.frame.at(clientX - left, clientY - top);
+  }
+
+  /** The place for a corner that is nearest to a pointer, or to what it holds so far from itself. */
+  private placeOf(event: PointerEvent, offset: Place = [0, 0]): Place {
+    const [x, y] = this.planeAt(event);
     return snapped([x + offset[0], y + offset[1]], event);
   }
 
@@ -163,8 +168,7 @@ export class HandlesElement extends LitElement {
     const target = event.currentTarget as SVGElement;
     target.setPointerCapture(event.pointerId);
     target.focus();
-    const { left, top } = this.getBoundingClientRect();
-    const [x, y] = this.frame.at(event.clientX - left, event.clientY - top);
+    const [x, y] = this.planeAt(event);
     const offset: Place = [start[0] - x, start[1] - y];
     const name = `drag ${++this.drags}`;
     let last = start;

@@ -1,3 +1,4 @@
+import { moves } from '../picture/pixel.js';
 import type { Act } from './editor.js';
 import * as sketch from './sketch.js';
 import type { Sketch, Spot } from './sketch.js';
@@ -9,27 +10,15 @@ const coarse = 4;
 const fine = 64;
 const depthStep = 1 / 16;
 
-const ways: Readonly<Record<string, Place>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
-
-interface Held {
-  readonly shiftKey: boolean;
-  readonly altKey: boolean;
-}
-
 /** The nearest place where a corner may stand. */
-export function snapped([x, y]: Place, { altKey }: Pick<Held, 'altKey'>): Place {
+export function snapped([x, y]: Place, { altKey }: MouseEvent): Place {
   const parts = altKey ? fine : coarse;
   return [Math.round(x * parts) / parts, Math.round(y * parts) / parts];
 }
 
 /** Where an arrow key leads: a quarter of a pixel on, with Shift a pixel, with Alt a 64th. */
 export function led([x, y]: Place, { key, shiftKey, altKey }: KeyboardEvent): Place | null {
-  const way = ways[key];
+  const way = moves[key];
   if (way === undefined) return null;
   const by = altKey ? 1 / fine : shiftKey ? 1 : 1 / coarse;
   return [x + way[0] * by, y + way[1] * by];

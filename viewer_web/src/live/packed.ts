@@ -1,3 +1,4 @@
+import { fromBase64, toBase64Url } from '../base64.js';
 import { details, tables } from '../trace/events.js';
 import type { Detail, Method } from '../trace/events.js';
 import { runnable, usual } from './options.js';
@@ -17,15 +18,15 @@ export async function packed(text: string): Promise<string | null> {
   const stream = through(new Blob([text]), new CompressionStream('deflate-raw'));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
   if (bytes.length * 4 > longestPacked * 3) return null;
-  const letters = btoa(String.fromCharCode(...bytes));
-  return letters.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+  return toBase64Url(bytes);
 }
 
 /** What was packed; throws if it was not, or if it is too long. */
 export async function unpacked(letters: string): Promise<string> {
-  const base64 = letters.replaceAll('-', '+').replaceAll('_', '/');
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  const reader = through(new Blob([bytes]), new DecompressionStream('deflate-raw')).getReader();
+  const reader = through(
+    new Blob([fromBase64(letters)]),
+    new DecompressionStream('deflate-raw'),
+  ).getReader();
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let length = 0;
   for (let part = await reader.read(); !part.done; part = await reader.read()) {

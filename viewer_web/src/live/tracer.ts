@@ -1,3 +1,4 @@
+import { fileIn } from '../base64.js';
 import { starterOf } from '../trace/start-worker.js';
 import { Trace } from '../trace/trace.js';
 import type { Options } from './options.js';
@@ -23,8 +24,7 @@ export interface Traced {
 /** The library that the page brings along, packed, as a block of data; null if it was built without. */
 export function embeddedLibrary(page: Document): Blob | null {
   const block = page.getElementById('vidno-library');
-  if (block === null) return null;
-  return new Blob([Uint8Array.from(atob(block.textContent.trim()), (c) => c.charCodeAt(0))]);
+  return block && fileIn(block);
 }
 
 async function compiled(packed: Blob): Promise<WebAssembly.Module> {

@@ -19,7 +19,8 @@ export function nearestIn([x, y]: Pixel, area: Area): Pixel {
   return [within(x, area.x, area.width), within(y, area.y, area.height)];
 }
 
-const moves: Readonly<Record<string, Pixel>> = {
+/** The ways of the arrow keys. */
+export const moves: Readonly<Record<string, Pixel>> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
   ArrowUp: [0, -1],

@@ -1,3 +1,5 @@
+import { fromBase64, toBase64Url } from '../base64.js';
+
 /** A step that somebody wants to come back to, with a note of one line. */
 export interface Bookmark {
   readonly step: number;
@@ -45,9 +47,7 @@ export function bookmarksUpTo(bookmarks: Bookmarks, length: number): Bookmarks {
 /** As part of a link: a line each of step and note, in UTF-8 and base64, in which Russian takes half of what %-signs do. */
 export function formatBookmarks(bookmarks: Bookmarks): string {
   const lines = bookmarks.map(({ step, note }) => `${step} ${note}`);
-  const bytes = new TextEncoder().encode(lines.join('\n'));
-  const written = btoa(String.fromCharCode(...bytes));
-  return written.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+  return toBase64Url(new TextEncoder().encode(lines.join('\n')));
 }
 
 /** Of what is no bookmark nothing is taken. */
@@ -62,9 +62,7 @@ export function parseBookmarks(written: string): Bookmarks {
 function linesIn(written: string): readonly string[] {
   if (written === '' || written.length > longestWritten) return [];
   try {
-    const bytes = atob(written.replaceAll('-', '+').replaceAll('_', '/'));
-    const utf8 = Uint8Array.from(bytes, (byte) => byte.charCodeAt(0));
-    return new TextDecoder('utf-8', { fatal: true }).decode(utf8).split('\n');
+    return new TextDecoder('utf-8', { fatal: true }).decode(fromBase64(written)).split('\n');
   } catch {
     return [];
   }
