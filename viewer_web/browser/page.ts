@@ -123,13 +123,12 @@ export async function goTo(page: Page, step: number): Promise<void> {
 /** The canonical states of steps `from` up to, not including, `end`, or down if `end` is less. */
 export function states(page: Page, from: number, end: number): Promise<readonly string[]> {
   return page.evaluate(
-    async ([first, last]) => {
+    ([first, last]) => {
       const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
       if (!player) throw new Error('no player');
       const found: string[] = [];
       for (let step = first; step !== last; step += first < last ? 1 : -1) {
         player.step = step;
-        await player.updateComplete;
         found.push(JSON.stringify(player.canonicalState()));
       }
       return found;

@@ -1,7 +1,8 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, shown, small } from './page.js';
+import * as fromPage from './page.js';
+import { goTo, launch, open, sampleTrace, shown, small } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -12,6 +13,14 @@ afterAll(async () => {
 });
 
 const windows = sampleTrace('small.warnock.windows');
+
+/** Opens a trace and waits until the strip, which is drawn after the picture, shows the whole of it. */
+async function opened(page: Page, name: string, content: string): Promise<void> {
+  await fromPage.opened(page, name, content);
+  const isDrawn = (): Promise<boolean> =>
+    page.locator('vidno-strip').evaluate((strip) => 'course' in strip && strip.course !== null);
+  await expect.poll(isDrawn, { timeout: 60_000 }).toBe(true);
+}
 const stepOf = async (page: Page): Promise<number> => (await shown(page)).step;
 const said = (page: Page): Promise<string | null> =>
   page.locator('.slider').getAttribute('aria-valuetext');
