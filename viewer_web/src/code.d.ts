@@ -1,3 +1,5 @@
+/// <reference types="vite/client" />
+
 /** The script of a worker as text; see `plugins/worker-code.ts`. */
 declare module '*?code' {
   const code: string;

@@ -1,6 +1,7 @@
 import { sentence, texts } from './i18n/index.js';
 import type { Language } from './i18n/language.js';
 import type { PageTexts } from './i18n/texts.js';
+import { valuesInPlay } from './listing/in-play.js';
 import type { Pixel } from './picture/pixel.js';
 import type { Screen } from './state/screen.js';
 import type { Values } from './state/state.js';
@@ -17,6 +18,8 @@ export interface View {
   readonly before: Values;
   readonly after: Values;
   readonly screen: Screen;
+  /** What each line last said, by its label. */
+  readonly inPlay: ReadonlyMap<string, string>;
   readonly language: Language;
   readonly texts: PageTexts;
   readonly sentence: string;
@@ -24,12 +27,8 @@ export interface View {
   readonly pixel: Pixel | null;
 }
 
-export function viewOf(
-  { header, timeline }: Trace,
-  step: number,
-  language: Language,
-  pixel: Pixel | null,
-): View {
+export function viewOf(trace: Trace, step: number, language: Language, pixel: Pixel | null): View {
+  const { header, timeline } = trace;
   const before = timeline.seek(Math.max(0, step - 1)).values;
   const { values: after, screen } = timeline.seek(step);
   const event = timeline.event(step);
@@ -42,6 +41,7 @@ export function viewOf(
     before,
     after,
     screen,
+    inPlay: valuesInPlay(trace, step),
     language,
     texts: page,
     pixel,

@@ -14,6 +14,7 @@ import { toColor } from '../state/grid.js';
 import type { View } from '../view.js';
 import { hiddenStyle } from './hidden.style.js';
 import { historyStyle } from './history.style.js';
+import { bringInSight } from './in-sight.js';
 import { polygonName, swatch } from './parts.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
@@ -186,9 +187,7 @@ export class HistoryElement extends LitElement {
     const box = this.renderRoot.querySelector('.entries');
     const entry = this.renderRoot.querySelector(`[data-step="${step}"]`);
     if (!(box instanceof HTMLElement) || !(entry instanceof HTMLElement)) return;
-    const { offsetTop: top, offsetHeight: height } = entry;
-    const hidden = top - 32 < box.scrollTop || top + height > box.scrollTop + box.clientHeight;
-    if (hidden) box.scrollTop = top - box.clientHeight / 3;
+    bringInSight(box, entry, 32);
   }
 }
 

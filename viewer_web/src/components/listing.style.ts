@@ -9,19 +9,34 @@ export const listingStyle = css`
   ol {
     list-style: none;
   }
-  .calls {
+  .head {
     display: flex;
     flex: none;
-    flex-wrap: wrap;
     height: 2.6rem;
-    padding: 0 0.75rem;
+    padding: 0 0.5rem 0 0.75rem;
+    border-bottom: 1px solid var(--line);
+  }
+  .head button {
+    align-self: center;
+    padding: 0 0.5rem;
+    font: 600 0.75rem var(--mono);
+  }
+  .head button[aria-pressed='true'] {
+    border-color: var(--accent);
+    background: var(--accent-wash);
+    color: var(--accent);
+  }
+  .calls {
+    display: flex;
+    flex: 1;
+    flex-wrap: wrap;
+    min-width: 0;
     align-content: center;
     overflow: hidden;
     white-space: nowrap;
     font-size: 0.75rem;
     line-height: 1.3;
     color: var(--soft);
-    border-bottom: 1px solid var(--line);
   }
   .calls li + li::before {
     content: '›';
@@ -77,10 +92,25 @@ export const listingStyle = css`
     font: 0.6875rem var(--mono);
   }
   code {
+    display: flow-root;
     padding-left: calc(var(--indent) * 1rem + 0.8rem);
     text-indent: -0.8rem;
     font-family: var(--sans);
     overflow-wrap: anywhere;
+  }
+  var {
+    float: right;
+    box-sizing: border-box;
+    width: 6.5rem;
+    min-height: 1.4em;
+    padding-left: 0.4rem;
+    overflow: hidden;
+    color: var(--accent);
+    font: 0.75rem / 1.4 var(--mono);
+    text-align: right;
+    text-indent: 0;
+    text-overflow: ellipsis;
+    white-space: nowrap;
   }
   .now {
     background: var(--now);

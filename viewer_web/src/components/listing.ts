@@ -1,8 +1,10 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { customElement, property, state } from 'lit/decorators.js';
 import { listingsOf } from '../listing/listings.js';
 import type { Line, Listing } from '../listing/listings.js';
+import { bringInSight } from './in-sight.js';
+import './source.js';
 import type { View } from '../view.js';
 import { listingStyle } from './listing.style.js';
 import { base } from './theme.js';
@@ -14,17 +16,52 @@ export class ListingElement extends LitElement {
 
   @property({ attribute: false }) view!: View;
 
+  /** Whether the C++ of the same procedures is shown instead. */
+  @state() private source = false;
+
+  private listings: readonly Listing[] = [];
+  private shown = '';
+
+  override willUpdate(): void {
+    const { header, language } = this.view;
+    const shown = [header.method, header.edition, header.detail, language].join();
+    if (shown === this.shown) return;
+    this.shown = shown;
+    this.listings = listingsOf(header, language);
+  }
+
   override render(): TemplateResult {
-    const { header, language, texts } = this.view;
-    const listings = listingsOf(header.method, header.edition, language);
+    const { texts, after } = this.view;
     return html`
-      <ol class="calls" aria-label=${texts.callStack}>
-        ${this.view.after.calls.map(({ of, at }) => html`<li>${of} <b>${at ?? ''}</b></li>`)}
-      </ol>
-      <div class="procedures" tabindex="0" role="region" aria-label=${texts.listing}>
-        ${listings.map((listing) => this.procedure(listing))}
+      <div class="head">
+        <ol class="calls" aria-label=${texts.callStack}>
+          ${after.calls.map(({ of, at }) => html`<li>${of} <b>${at ?? ''}</b></li>`)}
+        </ol>
+        <button
+          aria-pressed=${this.source ? 'true' : 'false'}
+          title=${texts.source}
+          @click=${() => this.toggleSource()}
+        >
+          C++
+        </button>
       </div>
+      ${this.source ? html`<vidno-source .view=${this.view}></vidno-source>` : this.procedures()}
     `;
+  }
+
+  toggleSource(): void {
+    this.source = !this.source;
+  }
+
+  private procedures(): TemplateResult {
+    return html`<div
+      class="procedures"
+      tabindex="0"
+      role="region"
+      aria-label=${this.view.texts.listing}
+    >
+      ${this.listings.map((listing) => this.procedure(listing))}
+    </div>`;
   }
 
   private followed: Element | null = null;
@@ -54,16 +91,22 @@ export class ListingElement extends LitElement {
     `;
   }
 
-  private line({ at, indent, text, defects }: Line): TemplateResult {
+  private line({ at, indent, text, defects, speaks }: Line): TemplateResult {
     const now = at === this.current;
     const kind = now && !this.isCaller(at) ? 'now' : this.isCaller(at) ? 'caller' : '';
     return html`
       <li class=${kind} aria-current=${now ? 'step' : nothing}>
         <span class="at">${at}</span>
-        <code .style=${`--indent: ${indent}`}>${text}</code>
+        <code .style=${`--indent: ${indent}`}>${text}${speaks ? this.said(at) : nothing}</code>
         ${defects.map((id) => this.defect(id))}
       </li>
     `;
+  }
+
+  /** What the line last said; its place is kept where it says nothing now, so that no line moves. */
+  private said(at: string): TemplateResult {
+    const said = this.view.inPlay.get(at) ?? '';
+    return html`<var title=${said}>${said}</var>`;
   }
 
   private defect(id: string): TemplateResult {
@@ -75,10 +118,7 @@ export class ListingElement extends LitElement {
     this.follow();
   }
 
-  /**
-   * Scrolls within the listing only, and only when the line is another and out of sight: to look where it is makes the
-   * browser lay out the page.
-   */
+  /** To look where the line is makes the browser lay out the page: only when it is another. */
   private follow(): void {
     const box = this.renderRoot.querySelector('.procedures');
     const mark =
@@ -86,9 +126,7 @@ export class ListingElement extends LitElement {
     if (mark === this.followed) return;
     this.followed = mark;
     if (!(box instanceof HTMLElement) || !(mark instanceof HTMLElement)) return;
-    const { offsetTop: top, offsetHeight: height } = mark;
-    const hidden = top < box.scrollTop || top + 2 * height > box.scrollTop + box.clientHeight;
-    if (hidden) box.scrollTop = top - box.clientHeight / 3;
+    bringInSight(box, mark);
   }
 }
 

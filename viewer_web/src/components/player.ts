@@ -17,13 +17,14 @@ import { viewOf } from '../view.js';
 import type { View } from '../view.js';
 import { Clock } from './clock.js';
 import { Keyboard } from './keyboard.js';
-import type { Actions } from './keyboard.js';
 import './keys.js';
 import type { KeysElement } from './keys.js';
 import './legend.js';
 import './listing.js';
+import type { ListingElement } from './listing.js';
 import type { PictureElement } from './picture.js';
 import './picture.js';
+import { playerActions } from './player-keys.js';
 import { playerStyle } from './player.style.js';
 import { ReadOn } from './read-on.js';
 import './side.js';
@@ -58,14 +59,17 @@ export class PlayerElement extends LitElement {
   @property({ attribute: false }) link: LinkMade | null = null;
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
-  @query('vidno-keys') private keys!: KeysElement;
-  @query('vidno-picture') private picture!: PictureElement;
-  @query('vidno-travel') private travel!: TravelElement;
+  @query('vidno-listing') readonly listing!: ListingElement;
+  @query('vidno-keys') readonly keys!: KeysElement;
+  @query('vidno-picture') readonly picture!: PictureElement;
+  @query('vidno-travel') readonly travel!: TravelElement;
   @query('vidno-side') private panel!: SideElement;
   private view: View | null = null;
   private history: History | null = null;
-  private readonly clock = new Clock(this, (steps) => this.advance(steps));
-  private readonly keyboard = new Keyboard(this, (event) => this.actionsAt(event));
+  readonly clock = new Clock(this, (steps) => this.advance(steps));
+  private readonly keyboard = new Keyboard(this, (event) =>
+    this.trace === null ? {} : playerActions(this, event),
+  );
   private readonly reader = new ReadOn(this, mostPerFrame);
 
   /** The state that is shown, in the form in which readers of a trace are compared. */
@@ -117,7 +121,7 @@ export class PlayerElement extends LitElement {
     this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
   }
 
-  private async openBookmarks(way: 'mark' | 'enter'): Promise<void> {
+  async openBookmarks(way: 'mark' | 'enter'): Promise<void> {
     this.side = 'bookmarks';
     await this.updateComplete;
     await this.panel.bookmark(way);
@@ -202,7 +206,7 @@ export class PlayerElement extends LitElement {
     else this.moveTo(detail.step);
   }
 
-  private moveTo(step: number): void {
+  moveTo(step: number): void {
     this.clock.stop();
     this.step = this.clamped(step);
   }
@@ -210,32 +214,6 @@ export class PlayerElement extends LitElement {
   /** Does what a key means; the page passes on keys that were pressed outside the player. */
   handleKey(event: KeyboardEvent): void {
     this.keyboard.handle(event);
-  }
-
-  private actionsAt({ shiftKey }: KeyboardEvent): Actions {
-    if (this.trace === null) return {};
-    const showKeys = { '?': () => this.showKeys() };
-    if (this.keys.open) return showKeys;
-    const by = shiftKey ? 10 : 1;
-    const way = shiftKey ? 'out' : 'over';
-    const goal = shiftKey ? 'bookmark' : undefined;
-    return {
-      ...showKeys,
-      ArrowRight: () => this.moveTo(this.step + by),
-      ArrowLeft: () => this.moveTo(this.step - by),
-      Home: () => this.moveTo(0),
-      End: () => this.moveTo(this.length),
-      ' ': () => this.togglePlay(),
-      '+': () => this.clock.changeSpeed(1),
-      '=': () => this.clock.changeSpeed(1),
-      '-': () => this.clock.changeSpeed(-1),
-      BracketLeft: () => this.travel.call(way, -1),
-      BracketRight: () => this.travel.call(way, 1),
-      Comma: () => this.travel.next(-1, goal),
-      Period: () => this.travel.next(1, goal),
-      KeyB: () => void this.openBookmarks(shiftKey ? 'enter' : 'mark'),
-      KeyP: () => this.picture.startChoosing(),
-    };
   }
 }
 

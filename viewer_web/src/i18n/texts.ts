@@ -174,6 +174,7 @@ export interface PageTexts extends FileTexts {
   readonly nothingOpen: string;
   readonly picture: string;
   readonly listing: string;
+  readonly source: string;
   readonly callStack: string;
   readonly state: string;
   readonly first: string;
@@ -229,6 +230,7 @@ export type KeyUse =
   | 'bookmark'
   | 'bookmarks'
   | 'toBookmark'
+  | 'source'
   | 'edit'
   | 'draw'
   | 'undo'

@@ -4,19 +4,26 @@ import { allSamples } from '../testing/samples.js';
 import { tables } from '../trace/events.js';
 import { listingsOf } from './listings.js';
 
+const detail = 'signs';
 const methods = ['warnock', 'zbuffer'] as const;
 
 describe('the listings', () => {
   it.each(languages)('hold a line for each label of an event, in %s', (language) => {
     const labels = methods.flatMap((method) =>
-      listingsOf(method, 'corrected', language).flatMap(({ lines }) => lines.map(({ at }) => at)),
+      listingsOf({ method, edition: 'corrected', detail }, language).flatMap(({ lines }) =>
+        lines.map(({ at }) => at),
+      ),
     );
     for (const event of allSamples) expect(labels).toContain(event.at);
   });
 
   it('show the printed text with its defects', () => {
-    const lines = listingsOf('warnock', 'printed', 'en').flatMap((listing) => listing.lines);
-    const corrected = listingsOf('warnock', 'corrected', 'en').flatMap((listing) => listing.lines);
+    const lines = listingsOf({ method: 'warnock', edition: 'printed', detail }, 'en').flatMap(
+      (listing) => listing.lines,
+    );
+    const corrected = listingsOf({ method: 'warnock', edition: 'corrected', detail }, 'en').flatMap(
+      (listing) => listing.lines,
+    );
     const printed = lines.filter(({ defects }) => defects.length > 0);
     expect(printed.flatMap(({ defects }) => defects)).toContain('X-W3');
     expect(corrected.flatMap(({ defects }) => defects)).toEqual([]);
@@ -24,7 +31,9 @@ describe('the listings', () => {
   });
 
   it('belong to a method', () => {
-    const names = listingsOf('zbuffer', 'corrected', 'en').map(({ name }) => name);
+    const names = listingsOf({ method: 'zbuffer', edition: 'corrected', detail }, 'en').map(
+      ({ name }) => name,
+    );
     expect(names).toEqual(['ZBuffer', 'ShowLine', 'Depth', 'InitializePolygon']);
     expect(Object.keys(tables)).toEqual([...methods]);
   });

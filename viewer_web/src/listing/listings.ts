@@ -1,7 +1,8 @@
 import listings from '../../../trace/listings/listings.json' with { type: 'json' };
 import type { Language } from '../i18n/language.js';
 import type { Method } from '../trace/events.js';
-import type { Edition } from '../trace/header.js';
+import type { Edition, Header } from '../trace/header.js';
+import { speaks } from './notes.js';
 
 /** A line of a procedure as it is shown. */
 export interface Line {
@@ -10,6 +11,8 @@ export interface Line {
   readonly text: string;
   /** The defects of the printed text in this line, if that is what is shown. */
   readonly defects: readonly string[];
+  /** Whether it ever says something that is written beside it. */
+  readonly speaks: boolean;
 }
 
 export interface Listing {
@@ -48,24 +51,29 @@ const used: Readonly<Record<Method, readonly string[]>> = {
   zbuffer: ['ZBuffer', 'ShowLine', 'Depth', 'InitializePolygon'],
 };
 
-function line(source: SourceLine, edition: Edition, language: Language): Line {
+function line(source: SourceLine, edition: Edition, language: Language): Omit<Line, 'speaks'> {
   const printed = edition === 'printed' ? source.printed : undefined;
   const { at, indent } = source;
   return { at, indent, text: (printed ?? source)[language], defects: printed?.defects ?? [] };
 }
 
 /** The procedures of a method in the order in which they call one another. */
+export const namesOf = (method: Method): readonly string[] => used[method];
+
+/** What they say in the run's edition, and where its level has values to write beside it. */
 export function listingsOf(
-  method: Method,
-  edition: Edition,
+  { method, edition, detail }: Pick<Header, 'method' | 'edition' | 'detail'>,
   language: Language,
 ): readonly Listing[] {
-  return used[method]
+  return namesOf(method)
     .flatMap((name) => sources.filter((source) => source.name === name))
     .map(({ name, title, takes, lines }) => ({
       name,
       title: title[language],
       takes,
-      lines: lines.map((each) => line(each, edition, language)),
+      lines: lines.map((each) => ({
+        ...line(each, edition, language),
+        speaks: speaks(each.at, method, detail),
+      })),
     }));
 }

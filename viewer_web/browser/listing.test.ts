@@ -1,0 +1,69 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { goTo, launch, open, opened, shown, small } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+/** What stands beside a line. */
+const beside = (page: Page, label: string): Promise<string | null> =>
+  page
+    .locator('vidno-listing section li', { has: page.locator(`.at:text-is("${label}")`) })
+    .locator('var')
+    .textContent();
+
+/** Where each line of the listing stands. */
+const places = (page: Page): Promise<readonly number[]> =>
+  page
+    .locator('vidno-listing section li')
+    .evaluateAll((lines) => lines.map((line) => (line as HTMLElement).offsetTop));
+
+describe('the listing', () => {
+  it('has beside its lines what the events say, and no line moves', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    const still = await places(page);
+    const lines = small.split('\n');
+    for (let step = 0; step < 60; step++) {
+      await page.keyboard.press('ArrowRight');
+      const event = JSON.parse(lines[step + 1] ?? '') as Record<string, unknown>;
+      await shown(page);
+      if (event['e'] === 'count') expect(await beside(page, 'PW4')).toBe(String(event['count']));
+      if (event['e'] === 'nearer')
+        expect(await beside(page, 'PW6')).toBe(`k = ${String(event['k'])}`);
+      if (event['e'] === 'surround') {
+        expect(await beside(page, String(event['at']))).toBe(String(event['inside']));
+      }
+      expect(await places(page)).toEqual(still);
+    }
+    expect(faults).toEqual([]);
+  });
+
+  it('becomes the C++ of the library and back, by key and by button', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    const first = small.split('\n').findIndex((line) => line.includes('"e":"orient"'));
+    await goTo(page, first);
+    await page.locator('input[type=number]').evaluate((input: HTMLElement) => {
+      input.blur();
+    });
+    await page.keyboard.press('c');
+    const source = page.locator('vidno-source');
+    const now = source.locator('[aria-current=step]');
+    expect((await now.textContent())?.trim()).toMatch(/^trace\.orient\(.*S2.*S3.*\);$/);
+    await now.click({ trial: true }); // it is in sight
+    await page.keyboard.press('c');
+    expect(await source.count()).toBe(0);
+    await page.locator('vidno-listing button').focus();
+    await page.keyboard.press('Enter');
+    expect(await source.locator('h3').first().textContent()).toBe('warnock/warnock.h');
+    expect(await violations(page)).toEqual([]);
+    expect(faults).toEqual([]);
+  });
+});

@@ -1,0 +1,63 @@
+import { describe, expect, it } from 'vitest';
+import { headerOf, traceOf } from '../testing/traces.js';
+import { valuesInPlay } from './in-play.js';
+
+/** Two polygons in a window: A is passed, B is being tested at its first corner. */
+const events = [
+  {
+    e: 'push',
+    at: 'W3',
+    window: [0, 0, 8, 8],
+    apl: [
+      ['A', false],
+      ['B', false],
+    ],
+  },
+  { e: 'pop', at: 'W5', window: [0, 0, 8, 8] },
+  { e: 'call', at: 'W6', of: 'ProcessWindow' },
+  { e: 'corners', at: 'PW1', z: '-inf' },
+  { e: 'box', at: 'PW3', polygon: 'A', box: [0, 0, 8, 8], outside: false },
+  { e: 'count', at: 'PW4', polygon: 'A', count: 1 },
+  { e: 'insider', at: 'PW10', polygon: 'A', inside: false },
+  { e: 'box', at: 'PW3', polygon: 'B', box: [0, 0, 8, 8], outside: false },
+  { e: 'count', at: 'PW4', polygon: 'B', count: 2 },
+  { e: 'call', at: 'PW8', of: 'SurroundTest' },
+  { e: 'orient', at: 'S2', polygon: 'B', edge: 3, point: [0, 0], value: -4, sign: -1 },
+  { e: 'orient', at: 'S3', polygon: 'B', edge: 0, point: [0, 0], value: -2, sign: -1 },
+  { e: 'surround', at: 'PW8', polygon: 'B', point: [0, 0], inside: true },
+];
+
+async function at(step: number): Promise<Readonly<Record<string, string>>> {
+  const end = { end: { events: events.length, picture: `sha256:${'0'.repeat(64)}` } };
+  const lines = [headerOf('warnock'), ...events, end].map((line) => JSON.stringify(line));
+  return Object.fromEntries(valuesInPlay(await traceOf(lines.join('\n') + '\n'), step));
+}
+
+describe('the values in play', () => {
+  it('are what each line said last, in the procedure and in those that wait for it', async () => {
+    expect(await at(12)).toEqual({
+      W5: '(0, 0) 8 × 8',
+      PW1: 'z = −∞',
+      PW3: 'false',
+      PW4: '2',
+      S2: '−4 < 0',
+      S3: '−2 < 0',
+    });
+  });
+
+  it('of a later line are over when its loop begins again', async () => {
+    expect(await at(7)).toMatchObject({ PW4: '1', PW10: 'false' });
+    expect(await at(8)).not.toHaveProperty('PW10');
+    expect(await at(8)).not.toHaveProperty('PW4');
+  });
+
+  it('of a procedure are over with it, and its result is the caller’s', async () => {
+    const values = await at(13);
+    expect(values['PW8']).toBe('true');
+    expect(Object.keys(values).filter((label) => label.startsWith('S'))).toEqual([]);
+  });
+
+  it('are none before the first step', async () => {
+    expect(await at(0)).toEqual({});
+  });
+});

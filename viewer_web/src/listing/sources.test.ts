@@ -1,0 +1,59 @@
+import { describe, expect, it } from 'vitest';
+import { allSamples } from '../testing/samples.js';
+import { tables } from '../trace/events.js';
+import { sourcesOf, telling } from './sources.js';
+
+const warnock = { method: 'warnock', edition: 'corrected' } as const;
+
+/** The lines that are marked at an event, as text. */
+const marked = (at: string, e: string, run: Parameters<typeof sourcesOf>[0] = warnock) => {
+  const event = allSamples.find((each) => each.e === e);
+  if (event === undefined) throw new Error(e);
+  return sourcesOf(run).flatMap((source) =>
+    telling({ ...event, at } as typeof event, source).map((i) => source.lines[i]?.text),
+  );
+};
+
+describe('the C++ of a run', () => {
+  it('is a file for each procedure, in the order of the listings', () => {
+    expect(sourcesOf(warnock).map(({ path }) => path)).toEqual([
+      'warnock/warnock.h',
+      'warnock/process_window.h',
+      'warnock/surround_test.h',
+      'warnock/depth.h',
+      'warnock/point_color.h',
+      'warnock/polygon_clip.h',
+      'warnock/fill_polygon.h',
+      'warnock/initialize_polygon.h',
+      'corrected.h',
+    ]);
+  });
+
+  it('is that of the edition', () => {
+    const printed = sourcesOf({ method: 'zbuffer', edition: 'printed' }).map(({ path }) => path);
+    expect(printed).toContain('printed/show_line.h');
+    expect(printed).toContain('warnock/depth.h'); // which the text has right
+    expect(printed.at(-1)).toBe('printed.h');
+  });
+
+  it('marks of the lines with a label the one that tells the event', () => {
+    expect(marked('PW6', 'compare')).toEqual([
+      'trace.compare_corner(PW6, polygon, i, z[i], nearest[i], nearer[i]);',
+    ]);
+    expect(marked('PW6', 'nearer')).toEqual(['trace.nearer(PW6, polygon, nearer, k);']);
+    expect(marked('PW5', 'depth')).toEqual([
+      'for (int i = 0; i < 4; ++i) z[i] = run.depth(PW5, polygon, corners[i]);',
+    ]);
+  });
+
+  it('has a line for each event but that of the planes, which are made before the run', () => {
+    const procedures = ['warnock', 'zbuffer'] as const;
+    for (const method of procedures) {
+      const sources = sourcesOf({ method, edition: 'corrected' });
+      const silent = allSamples
+        .filter(({ e }) => e in tables[method])
+        .filter((event) => sources.every((source) => telling(event, source).length === 0));
+      expect(silent.map(({ e, at }) => `${e} ${at}`)).toEqual([]);
+    }
+  });
+});

@@ -1,0 +1,54 @@
+import type { Event } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import { namesOf } from './listings.js';
+
+const root = '../../../lib/vidno/';
+const texts = import.meta.glob<string>(
+  ['../../../lib/vidno/{warnock,z_buffer,printed}/*.h', '../../../lib/vidno/{corrected,printed}.h'],
+  { query: '?raw', import: 'default', eager: true },
+);
+
+/** A line of C++, its indentation apart. */
+export interface SourceLine {
+  readonly indent: number;
+  readonly text: string;
+}
+
+/** The file of the library that holds a procedure, or the rules in which the editions differ. */
+export interface Source {
+  readonly path: string;
+  readonly lines: readonly SourceLine[];
+}
+
+const fileOf = (name: string): string =>
+  `${name.replace(/(?<=.)(?=[A-Z][a-z])/g, '_').toLowerCase()}.h`;
+
+const linesOf = (text: string): readonly SourceLine[] =>
+  text
+    .trimEnd()
+    .split('\n')
+    .map((line) => ({ indent: line.length - line.trimStart().length, text: line.trim() }));
+
+/** The C++ of a run's procedures, in the order of their listings, and the rules of its edition. */
+export function sourcesOf({
+  method,
+  edition,
+}: Pick<Header, 'method' | 'edition'>): readonly Source[] {
+  const folders = [...(edition === 'printed' ? ['printed/'] : []), 'warnock/', 'z_buffer/'];
+  const paths = namesOf(method).map((name) =>
+    folders.map((folder) => folder + fileOf(name)).find((path) => root + path in texts),
+  );
+  return [...paths, `${edition}.h`]
+    .filter((path) => path !== undefined)
+    .map((path) => ({ path, lines: linesOf(texts[root + path] ?? '') }));
+}
+
+/** Which lines of a source tell the event: those with its label, of several the ones that name the event. */
+export function telling({ e, at }: Event, { lines }: Source): readonly number[] {
+  const calls = new RegExp(`\\b(\\w+)\\((?:[^()]*\\W)?${at}\\b`, 'g');
+  const found = lines.flatMap(({ text }, number) =>
+    [...text.matchAll(calls)].map(([, called = '']) => ({ number, named: called.includes(e) })),
+  );
+  const named = found.filter((each) => each.named);
+  return (named.length > 0 ? named : found).map(({ number }) => number);
+}
