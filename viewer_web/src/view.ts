@@ -1,7 +1,6 @@
 import { sentence, texts } from './i18n/index.js';
 import type { Language } from './i18n/language.js';
 import type { PageTexts } from './i18n/texts.js';
-import { valuesInPlay } from './listing/in-play.js';
 import type { Pixel } from './picture/pixel.js';
 import type { Screen } from './state/screen.js';
 import type { Values } from './state/state.js';
@@ -18,22 +17,26 @@ export interface View {
   readonly before: Values;
   readonly after: Values;
   readonly screen: Screen;
-  /** What each line last said, by its label. */
-  readonly inPlay: ReadonlyMap<string, string>;
   readonly language: Language;
   readonly texts: PageTexts;
   readonly sentence: string;
   /** The pixel whose history is asked for. */
   readonly pixel: Pixel | null;
+  /** What is pointed at, as elements carry it. */
+  readonly pointed: string | null;
 }
 
-export function viewOf(trace: Trace, step: number, language: Language, pixel: Pixel | null): View {
-  const { header, timeline } = trace;
+/** What of a view is chosen rather than told by the trace. */
+export type Choice = Pick<View, 'language' | 'pixel' | 'pointed'>;
+
+export function viewOf({ header, timeline }: Trace, step: number, choice: Choice): View {
+  const { language } = choice;
   const before = timeline.seek(Math.max(0, step - 1)).values;
   const { values: after, screen } = timeline.seek(step);
   const event = timeline.event(step);
   const { page } = texts[language];
   return {
+    ...choice,
     header,
     step,
     length: timeline.length,
@@ -41,10 +44,7 @@ export function viewOf(trace: Trace, step: number, language: Language, pixel: Pi
     before,
     after,
     screen,
-    inPlay: valuesInPlay(trace, step),
-    language,
     texts: page,
-    pixel,
     sentence: event ? sentence(event, before, after, header.scene, language) : page.start,
   };
 }

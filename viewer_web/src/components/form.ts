@@ -2,7 +2,7 @@ import { LitElement } from 'lit';
 import { property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
-import type { SceneTexts } from '../i18n/texts.js';
+import type { SceneTexts } from '../i18n/scene-texts.js';
 import type { Act, Editing } from '../live/editor.js';
 import type { Sketch } from '../live/sketch.js';
 import { act } from './act.js';

@@ -150,4 +150,8 @@ export const historyStyle = css`
       font-size: 0.8125rem;
     }
   }
+  li.pointed {
+    background: none;
+    box-shadow: inset -3px 0 var(--pointed);
+  }
 `;

@@ -1,6 +1,7 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import { classMap } from 'lit/directives/class-map.js';
 import { repeat } from 'lit/directives/repeat.js';
 import type { Entry } from '../history/entry.js';
 import { grouped, shownAround } from '../history/groups.js';
@@ -10,6 +11,7 @@ import { sayEntry, sayWhy } from '../history/say.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../i18n/texts.js';
 import { windowText } from '../i18n/words.js';
+import { polygonThing } from '../pointed.js';
 import { toColor } from '../state/grid.js';
 import type { View } from '../view.js';
 import { hiddenStyle } from './hidden.style.js';
@@ -128,7 +130,10 @@ export class HistoryElement extends LitElement {
     const inSight = step === history.entries[this.centre]?.step;
     const painter = entry === history.painter;
     const said = this.texts.outcomes[outcome];
-    return html`<li class="${outcome} ${place} ${painter ? 'painter' : ''}" data-step=${step}>
+    const thing = 'polygon' in entry.event ? polygonThing(entry.event.polygon) : null;
+    const pointed = thing !== null && thing === view.pointed;
+    const classes = { [outcome]: true, [place]: place !== '', painter, pointed };
+    return html`<li class=${classMap(classes)} data-step=${step} data-thing=${thing ?? nothing}>
       <button
         tabindex=${inSight ? 0 : -1}
         aria-current=${now ? 'step' : nothing}

@@ -18,6 +18,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['bookmark', ['B']],
   ['bookmarks', ['Shift B']],
   ['toBookmark', ['Shift ,', 'Shift .']],
+  ['thing', ['O', 'Shift O']],
   ['source', ['C']],
   ['edit', ['E']],
   ['draw', ['N']],

@@ -116,7 +116,7 @@ export const listingStyle = css`
     background: var(--now);
     box-shadow: inset 3px 0 var(--now-edge);
   }
-  .now .at {
+  .now :is(.at, var) {
     color: inherit;
   }
   .caller {

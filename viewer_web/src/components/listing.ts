@@ -1,10 +1,12 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
+import { valuesInPlay } from '../listing/in-play.js';
 import { listingsOf } from '../listing/listings.js';
 import type { Line, Listing } from '../listing/listings.js';
 import { bringInSight } from './in-sight.js';
 import './source.js';
+import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
 import { listingStyle } from './listing.style.js';
 import { base } from './theme.js';
@@ -14,6 +16,7 @@ import { base } from './theme.js';
 export class ListingElement extends LitElement {
   static override styles = [base, listingStyle];
 
+  @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
 
   /** Whether the C++ of the same procedures is shown instead. */
@@ -21,9 +24,11 @@ export class ListingElement extends LitElement {
 
   private listings: readonly Listing[] = [];
   private shown = '';
+  private values: ReadonlyMap<string, string> = new Map();
 
   override willUpdate(): void {
-    const { header, language } = this.view;
+    const { header, language, step } = this.view;
+    this.values = valuesInPlay(this.trace, step);
     const shown = [header.method, header.edition, header.detail, language].join();
     if (shown === this.shown) return;
     this.shown = shown;
@@ -105,7 +110,7 @@ export class ListingElement extends LitElement {
 
   /** What the line last said; its place is kept where it says nothing now, so that no line moves. */
   private said(at: string): TemplateResult {
-    const said = this.view.inPlay.get(at) ?? '';
+    const said = this.values.get(at) ?? '';
     return html`<var title=${said}>${said}</var>`;
   }
 

@@ -137,6 +137,13 @@ export const panelsStyle = css`
     width: 2.4rem;
     color: var(--soft);
   }
+  .pointed .pointed {
+    background: none;
+    box-shadow: none;
+  }
+  .pointed td {
+    color: var(--ink);
+  }
   .chips {
     overflow: hidden;
     text-overflow: ellipsis;

@@ -2,6 +2,7 @@ import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import { short } from '../i18n/words.js';
+import { polygonThing } from '../pointed.js';
 import type { N } from '../trace/values.js';
 import type { View } from '../view.js';
 
@@ -10,10 +11,13 @@ export function swatch(color: string): TemplateResult {
   return html`<span class="swatch" .style=${`background: ${color}`}></span>`;
 }
 
-/** A polygon's colour and id. */
-export function polygonName(id: string, { header }: View): TemplateResult {
+/** A polygon's colour and id; it lights up with the polygon wherever that is shown. */
+export function polygonName(id: string, { header, pointed }: View): TemplateResult {
   const color = header.scene.byId.get(id)?.color;
-  return html`${color === undefined ? nothing : swatch(color)}${id}`;
+  const thing = polygonThing(id);
+  return html`<span class=${thing === pointed ? 'pointed' : ''} data-thing=${thing}
+    >${color === undefined ? nothing : swatch(color)}${id}</span
+  >`;
 }
 
 /** A named value; `changed` marks what this step altered. */

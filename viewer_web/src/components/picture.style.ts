@@ -46,6 +46,11 @@ export const pictureStyle = css`
     stroke-width: 1;
     stroke-opacity: 0.3;
   }
+  .to-point {
+    stroke: transparent;
+    stroke-width: 11;
+    pointer-events: stroke;
+  }
   .label {
     fill: #10131c;
     stroke: #ffffff;
@@ -164,6 +169,15 @@ export const marksStyle = css`
     stroke-width: 5;
     stroke-opacity: 1;
   }
+  .pointed {
+    stroke: #10131c;
+    stroke-width: 2.5;
+  }
+  .casing.pointed {
+    stroke: var(--pointed);
+    stroke-width: 10;
+    stroke-opacity: 1;
+  }
   .dot {
     stroke: #ffffff;
     stroke-width: 2;
@@ -175,6 +189,11 @@ export const marksStyle = css`
     fill: var(--mark);
     stroke: #ffffff;
     stroke-width: 2;
+  }
+  .dot.pointed {
+    fill: #10131c;
+    stroke: var(--pointed);
+    stroke-width: 5;
   }
   .dot.no {
     fill: #ffffff;

@@ -9,7 +9,8 @@ import { marksOf, target } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
 import { isIn, moved, nearestIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import { outline, shapeOf } from '../picture/shapes.js';
+import { outline, outlineToPoint, shapeOf } from '../picture/shapes.js';
+import { polygonThing } from '../pointed.js';
 import type { Polygon } from '../trace/header.js';
 import type { View } from '../view.js';
 import './handles.js';
@@ -145,6 +146,7 @@ export class PictureElement extends LitElement {
       <g class=${polygons.length > many ? 'many' : nothing}>
         ${polygons.slice(0, mostOutlines).map((polygon) => outline(polygon))}
       </g>
+      ${polygons.length > many ? nothing : polygons.map((polygon) => outlineToPoint(polygon))}
     `;
   }
 
@@ -162,7 +164,7 @@ export class PictureElement extends LitElement {
 
   private label({ id, vertices }: Polygon): SVGTemplateResult {
     const [x, y] = labelSpot(vertices, this.frame.shown);
-    return svg`<text class="label" x=${x} y=${y} font-size=${13 / this.frame.scale}>${id}</text>`;
+    return svg`<text class="label" data-thing=${polygonThing(id)} x=${x} y=${y} font-size=${13 / this.frame.scale}>${id}</text>`;
   }
 }
 

@@ -25,6 +25,7 @@ export function playerActions(player: PlayerElement, { shiftKey }: KeyboardEvent
     Period: () => travel.next(1, goal),
     KeyB: () => void player.openBookmarks(shiftKey ? 'enter' : 'mark'),
     KeyC: () => listing.toggleSource(),
+    KeyO: () => player.point(shiftKey ? -1 : 1),
     KeyP: () => picture.startChoosing(),
   };
 }

@@ -1,6 +1,6 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
-import { customElement, property, query } from 'lit/decorators.js';
+import { customElement, property, query, state } from 'lit/decorators.js';
 import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
 import { isLanguage } from '../i18n/language.js';
@@ -16,6 +16,7 @@ import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
 import { Clock } from './clock.js';
+import { hiddenStyle } from './hidden.style.js';
 import { Keyboard } from './keyboard.js';
 import './keys.js';
 import type { KeysElement } from './keys.js';
@@ -24,6 +25,7 @@ import './listing.js';
 import type { ListingElement } from './listing.js';
 import type { PictureElement } from './picture.js';
 import './picture.js';
+import { nextThing, sayThing, thingAt } from '../pointed.js';
 import { playerActions } from './player-keys.js';
 import { playerStyle } from './player.style.js';
 import { ReadOn } from './read-on.js';
@@ -44,7 +46,7 @@ const mostPerFrame = 60;
  */
 @customElement('vidno-player')
 export class PlayerElement extends LitElement {
-  static override styles = [tokens, base, playerStyle];
+  static override styles = [tokens, base, hiddenStyle, playerStyle];
 
   @property({ attribute: false }) trace: Trace | null = null;
   /** How many steps of the trace are there: more and more while it is read. */
@@ -52,6 +54,8 @@ export class PlayerElement extends LitElement {
   @property({ type: Number }) step = 0;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
+  /** What is pointed at; see `pointed.ts`. */
+  @state() private pointed: string | null = null;
   @property({ type: Boolean }) linked = false;
   @property() override lang = 'en';
   /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
@@ -105,7 +109,8 @@ export class PlayerElement extends LitElement {
     if (changed.has('trace') || changed.has('pixel')) this.openHistory(changed.has('pixel'));
     this.reader.read(this.history);
     const pixel = this.history?.pixel ?? null;
-    this.view = this.trace && viewOf(this.trace, this.step, language, pixel);
+    this.view =
+      this.trace && viewOf(this.trace, this.step, { language, pixel, pointed: this.pointed });
   }
 
   /** While the scene is edited its panel stays, for each run is another trace. */
@@ -143,7 +148,7 @@ export class PlayerElement extends LitElement {
     if (view === null) return nothing;
     const { texts } = view;
     return html`
-      <div class="panels">
+      <div class="panels" @pointerover=${this.onPoint} @pointerleave=${this.onPointerLeave}>
         <section class="picture" aria-label=${texts.picture}>
           <vidno-picture
             .view=${view}
@@ -153,7 +158,7 @@ export class PlayerElement extends LitElement {
           <vidno-legend .view=${view}></vidno-legend>
         </section>
         <section class="listing" aria-label=${texts.listing}>
-          <vidno-listing .view=${view}></vidno-listing>
+          <vidno-listing .trace=${this.trace} .view=${view}></vidno-listing>
         </section>
         <section class="side ${this.side}" aria-label=${texts.state}>
           <vidno-side
@@ -170,6 +175,7 @@ export class PlayerElement extends LitElement {
           ></vidno-side>
         </section>
       </div>
+      <p class="heard pointed-at" aria-live="polite">${sayThing(view)}</p>
       <div class="dock">
         <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
           <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
@@ -193,6 +199,20 @@ export class PlayerElement extends LitElement {
       </div>
       <vidno-keys .texts=${texts}></vidno-keys>
     `;
+  }
+
+  private readonly onPoint = (event: PointerEvent): void => {
+    this.pointed = thingAt(event);
+  };
+
+  /** A finger that was lifted points on. */
+  private readonly onPointerLeave = ({ pointerType }: PointerEvent): void => {
+    if (pointerType !== 'touch') this.pointed = null;
+  };
+
+  /** Points at the next thing of the step, or the one before. */
+  point(by: 1 | -1): void {
+    if (this.view) this.pointed = nextThing(this.pointed, by, this.view);
   }
 
   showKeys(): void {

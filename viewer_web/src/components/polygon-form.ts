@@ -4,6 +4,7 @@ import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import * as sketch from '../live/sketch.js';
 import type { Sketch, Spot } from '../live/sketch.js';
+import { polygonThing } from '../pointed.js';
 import type { Polygon } from '../trace/header.js';
 import { FormElement } from './form.js';
 import { formStyle } from './form.style.js';
@@ -37,7 +38,7 @@ export class PolygonFormElement extends FormElement {
     const { id, color, vertices } = polygon;
     const isOpen = editing.chosen?.polygon === i;
     const last = editing.sketch.polygons.length - 1;
-    return html`<li>
+    return html`<li data-thing=${polygonThing(id)}>
       <div class="polygon">
         <input
           type="color"

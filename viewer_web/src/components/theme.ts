@@ -16,6 +16,7 @@ export const tokens = css`
     --now-edge: #c98a00;
     --caller: #f4f0e2;
     --changed: #ffe9a3;
+    --pointed: #13bfc6;
     --warn: #8a4b00;
     --warn-wash: #fff1dc;
     --good: #17733a;
@@ -112,6 +113,11 @@ export const base = css`
   }
   table {
     border-collapse: collapse;
+  }
+  .pointed:not(svg *) {
+    background: color-mix(in srgb, var(--pointed) 35%, var(--panel));
+    box-shadow: 0 0 0 2px var(--pointed);
+    color: var(--ink);
   }
   .number {
     font-family: var(--mono);

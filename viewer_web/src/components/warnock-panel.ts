@@ -4,6 +4,7 @@ import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { short, windowText } from '../i18n/words.js';
 import { texts } from '../i18n/index.js';
+import { cornerThing, polygonThing, windowThing } from '../pointed.js';
 import { emptyWarnock } from '../state/warnock.js';
 import type { Entry, StackedWindow, Warnock } from '../state/warnock.js';
 import type { Corner } from '../trace/values.js';
@@ -90,7 +91,13 @@ export class WarnockPanel extends LitElement {
   private corner(name: Corner): TemplateResult {
     const z = this.now.corners?.[name];
     const changed = z !== this.old.corners?.[name];
-    return html`<td class=${classMap({ changed })} title=${z === undefined ? nothing : String(z)}>
+    const thing = cornerThing(name);
+    const pointed = thing === this.view.pointed;
+    return html`<td
+      class=${classMap({ changed, pointed })}
+      data-thing=${thing}
+      title=${z === undefined ? nothing : String(z)}
+    >
       <small>${texts[this.view.language].places[name]}</small>
       ${z === undefined ? this.view.texts.none : short(z)}<i>${name}</i>
     </td>`;
@@ -116,7 +123,9 @@ export class WarnockPanel extends LitElement {
     const { event, texts: page } = this.view;
     const inHand = event !== null && 'polygon' in event && event.polygon === id;
     const changed = before !== undefined && before[1] !== surrounds;
-    return html`<tr class=${classMap({ current: inHand })}>
+    const thing = polygonThing(id);
+    const pointed = thing === this.view.pointed;
+    return html`<tr class=${classMap({ current: inHand, pointed })} data-thing=${thing}>
       <td>${polygonName(id, this.view)}</td>
       <td class=${classMap({ changed })}>${surrounds ? page.surrounds : ''}</td>
     </tr>`;
@@ -139,7 +148,9 @@ export class WarnockPanel extends LitElement {
 
   private stacked({ window, apl }: StackedWindow, changed: boolean): TemplateResult {
     const { entries } = apl;
-    return html`<tr>
+    const thing = windowThing(window);
+    const pointed = thing === this.view.pointed;
+    return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ number: true, changed })}>${windowText(window)}</td>
       <td class="number">${entries.length}</td>
       <td class="chips">

@@ -3,6 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { short } from '../i18n/words.js';
+import { edgeThing } from '../pointed.js';
 import { emptyZBuffer } from '../state/zbuffer.js';
 import type { ActiveEdge, ZBuffer } from '../state/zbuffer.js';
 import type { N } from '../trace/values.js';
@@ -80,7 +81,9 @@ export class ZBufferPanel extends LitElement {
 
   private entry({ edge, x, z, until, dx, dz }: ActiveEdge): TemplateResult {
     const before = this.old.ael.find((each) => each.edge === edge);
-    return html`<tr>
+    const thing = edgeThing(edge);
+    const pointed = thing === this.view.pointed;
+    return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ number: true, changed: before === undefined })}>${edge}</td>
       ${numberCell(x, before?.x)} ${numberCell(z, before?.z)} ${numberCell(until, before?.until)}
       ${numberCell(dx, before?.dx)} ${numberCell(dz, before?.dz)}

@@ -25,7 +25,7 @@ describe.each(traceNames)('every pixel of %s', (name) => {
         const missed = entry.outcome === 'fail' && ['draw', 'span'].includes(entry.event.e);
         if (missed) continue;
         for (const language of languages) {
-          const { sentence } = viewOf(trace, entry.step, language, null);
+          const { sentence } = viewOf(trace, entry.step, { language, pixel: null, pointed: null });
           expect(sayEntry(entry, trace.header.scene, language)).toBe(sentence);
         }
       }

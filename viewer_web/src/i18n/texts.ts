@@ -3,11 +3,12 @@ import type { Why } from '../history/why.js';
 import type { LaneName } from '../strip/lanes.js';
 import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
-import type { Detail, Event, EventName, Method, Procedure } from '../trace/events.js';
-import type { Area, Edition } from '../trace/header.js';
+import type { Event, EventName, Method, Procedure } from '../trace/events.js';
+import type { Edition } from '../trace/header.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
+import type { SceneTexts } from './scene-texts.js';
 import type { Words } from './words.js';
 
 /** One sentence an event, made from the event and the step that it belongs to. */
@@ -31,53 +32,6 @@ export interface Texts {
   readonly strip: StripTexts;
   readonly bookmarks: BookmarkTexts;
   readonly scene: SceneTexts;
-}
-
-/** What is said where a scene is edited. */
-export interface SceneTexts {
-  readonly scene: string;
-  readonly how: string;
-  readonly run: string;
-  readonly method: string;
-  readonly kernel: string;
-  readonly edition: string;
-  readonly detail: string;
-  readonly details: Readonly<Record<Detail, string>>;
-  readonly check: string;
-  readonly undo: string;
-  readonly redo: string;
-  readonly draw: string;
-  readonly drawing: string;
-  readonly drawHere: string;
-  readonly clear: string;
-  readonly clearHint: string;
-  readonly save: string;
-  readonly saveHint: string;
-  readonly link: string;
-  readonly linkHint: string;
-  readonly linkCopied: string;
-  readonly linkLong: string;
-  readonly area: string;
-  readonly areaFields: Readonly<Record<keyof Area, string>>;
-  readonly background: string;
-  readonly polygons: string;
-  readonly order: string;
-  readonly colorOf: (id: string) => string;
-  readonly nameOf: (id: string) => string;
-  readonly cornersOf: (id: string) => string;
-  readonly earlier: (id: string) => string;
-  readonly later: (id: string) => string;
-  readonly remove: (id: string) => string;
-  readonly corner: (id: string, n: number, x: number, y: number, z: number) => string;
-  readonly coordinate: (axis: 'x' | 'y' | 'z', n: number) => string;
-  readonly follows: string;
-  readonly split: (n: number) => string;
-  readonly removeCorner: (n: number) => string;
-  readonly refused: (polygon: string | null, reason: string) => string;
-  readonly stands: string;
-  /** Of the library's reasons, those that a drawing can meet. */
-  readonly reasons: Readonly<Record<string, string>>;
-  readonly more: (n: number) => string;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -175,6 +129,7 @@ export interface PageTexts extends FileTexts {
   readonly picture: string;
   readonly listing: string;
   readonly source: string;
+  readonly things: ThingTexts;
   readonly callStack: string;
   readonly state: string;
   readonly first: string;
@@ -212,6 +167,14 @@ export interface PageTexts extends FileTexts {
   readonly defect: (id: string) => string;
 }
 
+/** What is pointed at, as it is called. */
+export interface ThingTexts {
+  readonly polygon: (id: string) => string;
+  readonly edge: (edge: number) => string;
+  readonly corner: (place: string) => string;
+  readonly window: (window: string) => string;
+}
+
 /** The marks on the picture that the legend explains. */
 export type LegendEntry =
   'window' | 'stacked' | 'active' | 'touched' | 'yes' | 'no' | 'scanline' | 'edge' | 'chosen';
@@ -230,6 +193,7 @@ export type KeyUse =
   | 'bookmark'
   | 'bookmarks'
   | 'toBookmark'
+  | 'thing'
   | 'source'
   | 'edit'
   | 'draw'

@@ -1,3 +1,4 @@
+import { thingOf } from '../pointed.js';
 import type { View } from '../view.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
@@ -21,6 +22,7 @@ export type Role =
   | 'yes'
   | 'no'
   | 'point'
+  | 'pointed'
   | 'chosen'
   | 'cursor';
 
@@ -178,9 +180,34 @@ function polygonMark(view: View): readonly Mark[] {
   return polygon ? [{ ...path('active', polygon.vertices, true), color: polygon.color }] : [];
 }
 
+/** What is pointed at anywhere on the page. */
+function pointedMarks(view: View): readonly Mark[] {
+  const thing = thingOf(view.pointed, view);
+  const { scene } = view.header;
+  const { warnock, zbuffer } = view.after;
+  if (thing?.kind === 'polygon') {
+    const polygon = scene.byId.get(thing.id);
+    return polygon ? [path('pointed', polygon.vertices, true)] : [];
+  }
+  if (thing?.kind === 'edge') {
+    return edgeOf(scene.byId.get(zbuffer?.polygon ?? ''), thing.edge, 'pointed');
+  }
+  if (thing?.kind === 'window') return [box('pointed', thing.window)];
+  if (thing?.kind === 'corner' && warnock?.window) {
+    return [point('pointed', cornerOf(warnock.window, thing.corner))];
+  }
+  return [];
+}
+
 /** All marks of a step, those above later. */
 export function marksOf(view: View): readonly Mark[] {
   const ofEvent = view.event ? eventMarks(view.event, view) : [];
   const chosen = view.pixel === null ? [] : [target('chosen', view.pixel)];
-  return [...polygonMark(view), ...stateMarks(view), ...ofEvent, ...chosen].filter(isFinite);
+  return [
+    ...polygonMark(view),
+    ...stateMarks(view),
+    ...ofEvent,
+    ...pointedMarks(view),
+    ...chosen,
+  ].filter(isFinite);
 }

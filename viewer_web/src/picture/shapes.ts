@@ -1,5 +1,6 @@
 import { nothing, svg } from 'lit';
 import type { SVGTemplateResult } from 'lit';
+import { polygonThing } from '../pointed.js';
 import type { Polygon } from '../trace/header.js';
 import type { Mark } from './marks.js';
 import type { Pixel } from './pixel.js';
@@ -41,4 +42,9 @@ export function pathData(points: readonly (readonly number[])[], closed: boolean
 export function outline({ vertices, color }: Polygon): SVGTemplateResult {
   const d = pathData(vertices, true);
   return svg`<path class="outline-casing" d=${d} /><path class="outline" d=${d} stroke=${color} />`;
+}
+
+/** An outline without a look, wide enough to be pointed at. */
+export function outlineToPoint({ id, vertices }: Polygon): SVGTemplateResult {
+  return svg`<path class="to-point" data-thing=${polygonThing(id)} d=${pathData(vertices, true)} />`;
 }

@@ -1,4 +1,4 @@
-import type { SceneTexts } from '../texts.js';
+import type { SceneTexts } from '../scene-texts.js';
 
 export const scene: SceneTexts = {
   scene: 'Сцена',

@@ -1,0 +1,49 @@
+import type { Detail } from '../trace/events.js';
+import type { Area } from '../trace/header.js';
+
+/** What is said where a scene is edited. */
+export interface SceneTexts {
+  readonly scene: string;
+  readonly how: string;
+  readonly run: string;
+  readonly method: string;
+  readonly kernel: string;
+  readonly edition: string;
+  readonly detail: string;
+  readonly details: Readonly<Record<Detail, string>>;
+  readonly check: string;
+  readonly undo: string;
+  readonly redo: string;
+  readonly draw: string;
+  readonly drawing: string;
+  readonly drawHere: string;
+  readonly clear: string;
+  readonly clearHint: string;
+  readonly save: string;
+  readonly saveHint: string;
+  readonly link: string;
+  readonly linkHint: string;
+  readonly linkCopied: string;
+  readonly linkLong: string;
+  readonly area: string;
+  readonly areaFields: Readonly<Record<keyof Area, string>>;
+  readonly background: string;
+  readonly polygons: string;
+  readonly order: string;
+  readonly colorOf: (id: string) => string;
+  readonly nameOf: (id: string) => string;
+  readonly cornersOf: (id: string) => string;
+  readonly earlier: (id: string) => string;
+  readonly later: (id: string) => string;
+  readonly remove: (id: string) => string;
+  readonly corner: (id: string, n: number, x: number, y: number, z: number) => string;
+  readonly coordinate: (axis: 'x' | 'y' | 'z', n: number) => string;
+  readonly follows: string;
+  readonly split: (n: number) => string;
+  readonly removeCorner: (n: number) => string;
+  readonly refused: (polygon: string | null, reason: string) => string;
+  readonly stands: string;
+  /** Of the library's reasons, those that a drawing can meet. */
+  readonly reasons: Readonly<Record<string, string>>;
+  readonly more: (n: number) => string;
+}

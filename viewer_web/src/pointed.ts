@@ -1,0 +1,70 @@
+import { texts } from './i18n/index.js';
+import { windowText } from './i18n/words.js';
+import { corners } from './trace/values.js';
+import type { Box, Corner } from './trace/values.js';
+import type { View } from './view.js';
+
+/**
+ * What may be pointed at, wherever the page shows it: a polygon, an edge of the polygon in hand, a corner of the
+ * current window, or a window. Its elements carry it as `data-thing`: its kind, a space, and which one.
+ */
+export type Thing =
+  | { readonly kind: 'polygon'; readonly id: string }
+  | { readonly kind: 'edge'; readonly edge: number }
+  | { readonly kind: 'corner'; readonly corner: Corner }
+  | { readonly kind: 'window'; readonly window: Box };
+
+export const polygonThing = (id: string): string => `polygon ${id}`;
+export const edgeThing = (edge: number): string => `edge ${edge}`;
+export const cornerThing = (corner: Corner): string => `corner ${corner}`;
+export const windowThing = (window: Box): string => `window ${window.join(' ')}`;
+
+/** The thing of that text; null if the step does not have it. */
+export function thingOf(text: string | null, view: View): Thing | null {
+  if (text === null || !thingsOf(view).includes(text)) return null;
+  const kind = text.slice(0, text.indexOf(' '));
+  const which = text.slice(kind.length + 1);
+  if (kind === 'polygon') return { kind, id: which };
+  if (kind === 'edge') return { kind, edge: Number(which) };
+  if (kind === 'corner') return { kind, corner: which as Corner };
+  return { kind: 'window', window: which.split(' ').map(Number) as unknown as Box };
+}
+
+/** All that can be pointed at in a step, in the order in which the keyboard goes through it. */
+export function thingsOf({ header, after: { warnock, zbuffer } }: View): readonly string[] {
+  return [
+    ...header.scene.polygons.map(({ id }) => polygonThing(id)),
+    ...(zbuffer?.ael ?? []).map(({ edge }) => edgeThing(edge)),
+    ...(warnock?.corners ? corners.map(cornerThing) : []),
+    ...(warnock?.stack ?? []).map(({ window }) => windowThing(window)).reverse(),
+  ];
+}
+
+/** How it is called; nothing if there is none. */
+export function sayThing(view: View): string {
+  const thing = thingOf(view.pointed, view);
+  const { things } = view.texts;
+  if (thing === null) return '';
+  if (thing.kind === 'polygon') return things.polygon(thing.id);
+  if (thing.kind === 'edge') return things.edge(thing.edge);
+  if (thing.kind === 'corner') return things.corner(texts[view.language].places[thing.corner]);
+  return things.window(windowText(thing.window));
+}
+
+/** The thing after another, or before it; from none the first or the last, and after these none. */
+export function nextThing(text: string | null, by: 1 | -1, view: View): string | null {
+  const all = [null, ...thingsOf(view)];
+  const at = Math.max(0, all.indexOf(text));
+  return all.at((at + by) % all.length) ?? null;
+}
+
+/** The thing that an event of the mouse is about, if any. */
+export function thingAt(event: Event): string | null {
+  const shown = event
+    .composedPath()
+    .find((each) => each instanceof Element && 'thing' in dataOf(each));
+  return shown instanceof Element ? (dataOf(shown)['thing'] ?? null) : null;
+}
+
+const dataOf = (element: Element): DOMStringMap =>
+  element instanceof HTMLElement || element instanceof SVGElement ? element.dataset : {};
