@@ -12,12 +12,18 @@ export const pictureStyle = css`
   svg {
     position: absolute;
     inset: 0;
-    width: 100%;
-    height: 100%;
   }
   svg {
+    width: 100%;
+    height: 100%;
     cursor: crosshair;
-    touch-action: manipulation;
+    touch-action: pan-x pan-y;
+  }
+  .zoomed {
+    touch-action: none;
+  }
+  .zoomed:active {
+    cursor: grabbing;
   }
   svg:focus-visible {
     outline-offset: -4px;

@@ -1,5 +1,6 @@
 import type { Outcome } from '../history/entry.js';
 import type { Why } from '../history/why.js';
+import type { Zooming } from '../picture/frame.js';
 import type { LaneName } from '../strip/lanes.js';
 import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
@@ -30,6 +31,7 @@ export interface Texts {
   readonly travel: TravelTexts;
   readonly strip: StripTexts;
   readonly bookmarks: BookmarkTexts;
+  readonly picture: PictureTexts;
   readonly scene: SceneTexts;
 }
 
@@ -78,6 +80,11 @@ export interface SceneTexts {
   /** Of the library's reasons, those that a drawing can meet. */
   readonly reasons: Readonly<Record<string, string>>;
   readonly more: (n: number) => string;
+}
+
+/** What is said of the picture and of what is shown of it. */
+export interface PictureTexts extends Readonly<Record<Zooming, string>> {
+  readonly zoom: string;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -226,6 +233,7 @@ export type KeyUse =
   | 'speed'
   | 'pixel'
   | 'cursor'
+  | 'zoom'
   | 'bookmark'
   | 'bookmarks'
   | 'toBookmark'

@@ -1,0 +1,8 @@
+import type { PictureTexts } from '../texts.js';
+
+export const picture: PictureTexts = {
+  zoom: 'Zoom',
+  out: 'Smaller',
+  in: 'Larger',
+  whole: 'Whole picture',
+};
