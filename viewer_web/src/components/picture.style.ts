@@ -84,11 +84,28 @@ export const marksStyle = css`
     stroke-width: 5;
     stroke-opacity: 0.85;
   }
+  .tree {
+    stroke: #10131c;
+    stroke-width: 1;
+    stroke-opacity: 0.55;
+  }
+  .casing.tree {
+    stroke: #ffffff;
+    stroke-width: 2;
+    stroke-opacity: 0.3;
+  }
+  .way {
+    stroke: #10131c;
+    stroke-width: 1.75;
+    stroke-opacity: 0.75;
+  }
   .stacked {
     stroke: #10131c;
     stroke-width: 1;
     stroke-dasharray: 1.5 4;
     stroke-opacity: 0.8;
+    fill: #10131c;
+    fill-opacity: 0.07;
   }
   .window {
     stroke: #10131c;
@@ -130,6 +147,7 @@ export const marksStyle = css`
     stroke: var(--mark);
     stroke-width: 3;
   }
+  .casing.way,
   .casing.stacked,
   .casing.scanline {
     stroke-width: 3;

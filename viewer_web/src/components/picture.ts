@@ -187,7 +187,7 @@ export class PictureElement extends LitElement {
         @touchmove=${{ handleEvent: gestures.onTouch, passive: false }}
       >
         ${guard([frame], () => grid(frame))} ${guard([header], () => outlines(header.scene))}
-        ${marksOf(this.view).map((mark) => shapeOf(mark, scale))}
+        ${marksOf(this.view, frame.sight).map((mark) => shapeOf(mark, scale))}
         ${guard([header, scale], () => labels(header.scene, frame))}
         ${this.cursor === null ? nothing : shapeOf(target('cursor', this.cursor), scale)}
       </svg>

@@ -1,7 +1,7 @@
 import { LitElement, css, html, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
-import type { PictureTexts } from '../i18n/texts.js';
+import type { PictureTexts } from '../i18n/picture-texts.js';
 import type { Frame, Zooming } from '../picture/frame.js';
 import { base } from './theme.js';
 

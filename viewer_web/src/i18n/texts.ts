@@ -1,6 +1,5 @@
 import type { Outcome } from '../history/entry.js';
 import type { Why } from '../history/why.js';
-import type { Zooming } from '../picture/frame.js';
 import type { LaneName } from '../strip/lanes.js';
 import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
@@ -9,6 +8,7 @@ import type { Area, Edition } from '../trace/header.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
+import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { Words } from './words.js';
 
 /** One sentence an event, made from the event and the step that it belongs to. */
@@ -80,11 +80,6 @@ export interface SceneTexts {
   /** Of the library's reasons, those that a drawing can meet. */
   readonly reasons: Readonly<Record<string, string>>;
   readonly more: (n: number) => string;
-}
-
-/** What is said of the picture and of what is shown of it. */
-export interface PictureTexts extends Readonly<Record<Zooming, string>> {
-  readonly zoom: string;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -217,10 +212,6 @@ export interface PageTexts extends FileTexts {
   readonly notInTrace: string;
   readonly defect: (id: string) => string;
 }
-
-/** The marks on the picture that the legend explains. */
-export type LegendEntry =
-  'window' | 'stacked' | 'active' | 'touched' | 'yes' | 'no' | 'scanline' | 'edge' | 'chosen';
 
 export type KeyUse =
   | 'step'

@@ -1,3 +1,4 @@
+import type { Sight } from '../state/quadtree.js';
 import type { Area } from '../trace/header.js';
 import type { Place } from './paint.js';
 import type { Pixel } from './pixel.js';
@@ -23,6 +24,8 @@ type Rectangle = readonly [x: number, y: number, width: number, height: number];
 const large = 64;
 /** How much any picture may be enlarged. */
 const most = 40;
+/** CSS pixels that lines must be apart. */
+const apart = 5;
 /** What is around the area, as a part of its longer side. */
 const margin = 0.07;
 
@@ -59,6 +62,11 @@ export class Frame {
 
   get isLargest(): boolean {
     return (this.zoom?.by ?? 1) >= this.limited(Infinity);
+  }
+
+  /** What of it can be told apart. */
+  get sight(): Sight {
+    return { shown: this.shown, least: apart / this.scale };
   }
 
   private limited(by: number): number {

@@ -65,6 +65,8 @@ export const page: PageTexts = {
   none: '—',
   legend: {
     window: 'current window',
+    way: 'windows around it',
+    tree: 'windows so far',
     stacked: 'on the stack',
     active: 'polygon in hand',
     touched: 'this step',

@@ -65,6 +65,8 @@ export const page: PageTexts = {
   none: '—',
   legend: {
     window: 'текущее окно',
+    way: 'окна вокруг него',
+    tree: 'все окна',
     stacked: 'в стеке',
     active: 'текущий многоугольник',
     touched: 'этот шаг',
