@@ -9,13 +9,12 @@ import type { Act, Editing } from '../live/editor.js';
 import { refusalOf } from '../live/refusal.js';
 import * as sketch from '../live/sketch.js';
 import type { Spot, Vertex } from '../live/sketch.js';
-import { Frame } from '../picture/frame.js';
+import type { Frame } from '../picture/frame.js';
 import { pathData } from '../picture/shapes.js';
 import type { Polygon } from '../trace/header.js';
 import { act } from './act.js';
 import { handlesStyle } from './handles.style.js';
 import { hiddenStyle } from './hidden.style.js';
-import { OwnSize } from './own-size.js';
 import { base } from './theme.js';
 
 const mostHandles = 400;
@@ -29,16 +28,13 @@ export class HandlesElement extends LitElement {
   static override styles = [base, hiddenStyle, handlesStyle];
 
   @property({ attribute: false }) editing!: Editing;
+  /** How the plane lies in the picture. */
+  @property({ attribute: false }) frame!: Frame;
   @property({ attribute: false }) language: Language = 'en';
   /** Where the next corner would be set. */
   @state() private pen: Place = [0, 0];
 
-  private readonly size = new OwnSize(this);
   private drags = 0;
-
-  private get frame(): Frame {
-    return new Frame(this.editing.sketch.area, this.size.value);
-  }
 
   override updated(changed: PropertyValues<this>): void {
     super.updated(changed);
@@ -48,8 +44,7 @@ export class HandlesElement extends LitElement {
   }
 
   private startDrawing(): void {
-    const { x, y, width, height } = this.editing.sketch.area;
-    this.pen = [x + width / 2, y + height / 2];
+    this.pen = snapped(this.frame.middle, { altKey: false });
     this.renderRoot.querySelector<SVGElement>('.pen')?.focus();
   }
 
@@ -96,7 +91,7 @@ export class HandlesElement extends LitElement {
           data-spot="${i},${vertex}"
           @pointerdown=${(event: PointerEvent) => this.dragVertex(event, spot)}
           @keydown=${(event: KeyboardEvent) => this.onKey(event, spot)}
-          @focus=${() => this.act({ do: 'choose', spot })}
+          @focus=${() => this.onFocus(spot)}
         >
           <circle class="reach" cx=${x} cy=${y} r=${reach / scale} />
           <circle class="knob" cx=${x} cy=${y} r=${radius / scale} />
@@ -192,6 +187,25 @@ export class HandlesElement extends LitElement {
     if (what === null) return;
     event.preventDefault();
     this.act(what);
+    const vertex = this.editing.sketch.polygons[spot.polygon]?.vertices[spot.vertex];
+    const to = vertex && led([vertex[0], vertex[1]], event);
+    if (to) this.follow(to);
+  }
+
+  private onFocus(spot: Spot): void {
+    this.act({ do: 'choose', spot });
+    const vertex = this.editing.sketch.polygons[spot.polygon]?.vertices[spot.vertex];
+    if (vertex !== undefined) this.follow([vertex[0], vertex[1]]);
+  }
+
+  /** What the keyboard is at must be seen. */
+  private follow(detail: Place): void {
+    this.dispatchEvent(new CustomEvent<Place>('follow', { detail }));
+  }
+
+  private movePenTo(to: Place): void {
+    this.pen = to;
+    this.follow(to);
   }
 
   private readonly movePen = (event: PointerEvent): void => {
@@ -214,7 +228,7 @@ export class HandlesElement extends LitElement {
   private onDrawingKey(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey) return;
     const to = led(this.pen, event);
-    if (to !== null) this.pen = to;
+    if (to !== null) this.movePenTo(to);
     else if (event.key === ' ') this.point(this.pen);
     else if (event.key === 'Enter') this.act({ do: 'finish' });
     else if (event.key === 'Backspace') this.act({ do: 'unpoint' });

@@ -15,6 +15,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['speed', ['−', '+']],
   ['pixel', ['P']],
   ['cursor', ['← ↑ ↓ →', 'Enter', 'Esc']],
+  ['zoom', ['+', '−', '0']],
   ['bookmark', ['B']],
   ['bookmarks', ['Shift B']],
   ['toBookmark', ['Shift ,', 'Shift .']],

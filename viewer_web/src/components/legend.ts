@@ -1,14 +1,14 @@
 import { LitElement, css, html, svg } from 'lit';
 import type { SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
-import type { LegendEntry } from '../i18n/texts.js';
+import type { LegendEntry } from '../i18n/picture-texts.js';
 import type { Method } from '../trace/events.js';
 import type { View } from '../view.js';
 import { marksStyle } from './picture.style.js';
 import { base } from './theme.js';
 
 const entries: Readonly<Record<Method, readonly LegendEntry[]>> = {
-  warnock: ['window', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
+  warnock: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
   zbuffer: ['scanline', 'edge', 'active', 'touched', 'chosen'],
 };
 
@@ -66,6 +66,9 @@ function icon(entry: LegendEntry): SVGTemplateResult {
     return svg`<path class="chosen" d="M6 3.5h8v7h-8ZM10 1v2.5M10 10.5v2.5M3 7h3M14 7h3" />`;
   }
   if (dots.includes(entry)) return svg`<circle class="dot ${entry}" cx="10" cy="7" r="4.5" />`;
+  if (entry === 'tree') {
+    return svg`<path class="tree" d="M2.5 1.5h15v11h-15ZM10 1.5v11M2.5 7h15M6.25 7v5.5M2.5 9.75h7.5" />`;
+  }
   if (entry !== 'active') return svg`<rect class=${entry} x="3" y="3" width="14" height="8" />`;
   return svg`<path class="casing active" d="M3 11L17 3" />
     <path class="active" d="M3 11L17 3" stroke="#d08a00" />`;

@@ -12,12 +12,18 @@ export const pictureStyle = css`
   svg {
     position: absolute;
     inset: 0;
-    width: 100%;
-    height: 100%;
   }
   svg {
+    width: 100%;
+    height: 100%;
     cursor: crosshair;
-    touch-action: manipulation;
+    touch-action: pan-x pan-y;
+  }
+  .zoomed {
+    touch-action: none;
+  }
+  .zoomed:active {
+    cursor: grabbing;
   }
   svg:focus-visible {
     outline-offset: -4px;
@@ -83,11 +89,28 @@ export const marksStyle = css`
     stroke-width: 5;
     stroke-opacity: 0.85;
   }
+  .tree {
+    stroke: #10131c;
+    stroke-width: 1;
+    stroke-opacity: 0.55;
+  }
+  .casing.tree {
+    stroke: #ffffff;
+    stroke-width: 2;
+    stroke-opacity: 0.3;
+  }
+  .way {
+    stroke: #10131c;
+    stroke-width: 1.75;
+    stroke-opacity: 0.75;
+  }
   .stacked {
     stroke: #10131c;
     stroke-width: 1;
     stroke-dasharray: 1.5 4;
     stroke-opacity: 0.8;
+    fill: #10131c;
+    fill-opacity: 0.07;
   }
   .window {
     stroke: #10131c;
@@ -129,6 +152,7 @@ export const marksStyle = css`
     stroke: var(--mark);
     stroke-width: 3;
   }
+  .casing.way,
   .casing.stacked,
   .casing.scanline {
     stroke-width: 3;

@@ -1,30 +1,36 @@
-import { LitElement, html, nothing, svg } from 'lit';
-import type { PropertyValues, SVGTemplateResult, TemplateResult } from 'lit';
+import { LitElement, html, nothing } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
 import { texts as allTexts } from '../i18n/index.js';
 import type { Editing } from '../live/editor.js';
 import { Frame } from '../picture/frame.js';
+import type { Point, Zoom, Zooming } from '../picture/frame.js';
 import { marksOf, target } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
 import { isIn, moved, nearestIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import { outline, outlineToPoint, shapeOf } from '../picture/shapes.js';
-import { polygonThing } from '../pointed.js';
-import type { Polygon } from '../trace/header.js';
+import { shapeOf } from '../picture/shapes.js';
+import { grid, labels, outlines } from '../picture/still.js';
+import type { Area } from '../trace/header.js';
 import type { View } from '../view.js';
+import { Gestures } from './gestures.js';
 import './handles.js';
 import { hiddenStyle } from './hidden.style.js';
+import { Keyboard } from './keyboard.js';
+import type { Actions } from './keyboard.js';
 import { OwnSize } from './own-size.js';
 import { marksStyle, pictureStyle } from './picture.style.js';
 import { base } from './theme.js';
+import './zoom-bar.js';
 
-const mostLabels = 26;
-const mostOutlines = 3000;
-const many = 40;
-const gridFrom = 7;
+/** How much larger a key or a button makes the picture. */
+const zoomStep = 1.5;
 
-/** The picture so far, and over it what the step is about. A pixel of it may be chosen, by mouse or keyboard. */
+/**
+ * The picture so far, and over it what the step is about. A pixel of it may be chosen, by mouse or keyboard, and what
+ * is shown of it may be enlarged and moved.
+ */
 @customElement('vidno-picture')
 export class PictureElement extends LitElement {
   static override styles = [base, hiddenStyle, marksStyle, pictureStyle];
@@ -37,17 +43,42 @@ export class PictureElement extends LitElement {
   @query('svg') private stage!: SVGSVGElement;
   @query('canvas') private canvas!: HTMLCanvasElement;
 
+  /** The part of the picture that is shown. */
+  @state() private zoom: Zoom | null = null;
+
   private left: Pixel | null = null;
 
   private readonly size = new OwnSize(this);
+  private readonly gestures = new Gestures(
+    this,
+    () => this.frame,
+    (frame) => (this.zoom = frame.zoom),
+  );
+  private known: Frame | null = null;
 
+  /** The same one as long as nothing about it changes. */
   private get frame(): Frame {
-    return new Frame(this.view.header.scene.area, this.size.value);
+    const { size, zoom, known } = this;
+    const { area } = this.view.header.scene;
+    const isSame = known?.area === area && known.size === size.value && known.wanted === zoom;
+    if (isSame) return known;
+    return (this.known = new Frame(area, size.value, zoom));
   }
 
   /** Gives the keyboard to the choice of a pixel. */
   startChoosing(): void {
     this.stage.focus();
+  }
+
+  constructor() {
+    super();
+    new Keyboard(this, () => this.zoomKeys());
+    this.addEventListener('wheel', this.gestures.onWheel, { passive: false });
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    const before = changed.get('view')?.header.scene.area;
+    if (before && isOtherArea(before, this.view.header.scene.area)) this.zoom = null;
   }
 
   override updated(changed: PropertyValues<this>): void {
@@ -57,17 +88,41 @@ export class PictureElement extends LitElement {
 
   private paint(): void {
     const ratio = window.devicePixelRatio;
-    const { canvas } = this;
-    const { width, height } = this.size.value;
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
-    paint(canvas, this.view.screen.picture, this.frame.place(ratio));
+    const { canvas, frame } = this;
+    const { width, height } = frame.size;
+    canvas.width = Math.ceil(width * ratio);
+    canvas.height = Math.ceil(height * ratio);
+    // A dot of the canvas is one of the device.
+    canvas.style.width = `${canvas.width / ratio}px`;
+    canvas.style.height = `${canvas.height / ratio}px`;
+    paint(canvas, this.view.screen.picture, frame.place(ratio));
+  }
+
+  private zoomTo(way: Zooming): void {
+    const { frame } = this;
+    if (way === 'whole') this.zoom = null;
+    else this.zoom = frame.zoomed(way === 'in' ? zoomStep : 1 / zoomStep).zoom;
+  }
+
+  private zoomKeys(): Actions {
+    return {
+      '+': () => this.zoomTo('in'),
+      '=': () => this.zoomTo('in'),
+      '-': () => this.zoomTo('out'),
+      '0': () => this.zoomTo('whole'),
+    };
+  }
+
+  /** What the keyboard is at must be seen: a pixel, or a point. */
+  private follow(at: Point, side: number): void {
+    this.zoom = this.frame.showing(at, side).zoom;
   }
 
   /** A press of the mouse must not take the focus: arrow keys would no longer be steps. */
   private readonly keepFocus = (event: Event): void => event.preventDefault();
 
   private onClick({ clientX, clientY }: MouseEvent): void {
+    if (this.gestures.dragged) return;
     const { left, top } = this.getBoundingClientRect();
     const pixel = this.frame.pixelAt(clientX - left, clientY - top);
     if (isIn(pixel, this.view.header.scene.area)) this.choose(pixel);
@@ -75,9 +130,14 @@ export class PictureElement extends LitElement {
 
   private onFocus(): void {
     const { area } = this.view.header.scene;
-    const { x, y, width, height } = area;
-    const middle: Pixel = [x + (width >> 1), y + (height >> 1)];
-    this.cursor = nearestIn(this.view.pixel ?? this.left ?? middle, area);
+    const { width, height } = this.frame.size;
+    const middle = this.frame.pixelAt(width / 2, height / 2);
+    this.moveCursor(nearestIn(this.view.pixel ?? this.left ?? middle, area));
+  }
+
+  private moveCursor(to: Pixel): void {
+    this.cursor = to;
+    this.follow(to, 1);
   }
 
   private onBlur(): void {
@@ -90,7 +150,7 @@ export class PictureElement extends LitElement {
     const { cursor } = this;
     if (cursor === null || event.ctrlKey || event.metaKey || event.altKey) return;
     const next = moved(cursor, event.key, event.shiftKey, this.view.header.scene.area);
-    if (next !== null) this.cursor = next;
+    if (next !== null) this.moveCursor(next);
     else if (event.key === 'Enter') this.choose(cursor);
     else if (event.key === 'Escape') this.stage.blur();
     else return;
@@ -102,13 +162,15 @@ export class PictureElement extends LitElement {
   }
 
   override render(): TemplateResult {
+    const { frame, gestures } = this;
     const { header, texts, language } = this.view;
-    const { history } = allTexts[language];
-    const { shown, scale } = this.frame;
+    const { history, picture } = allTexts[language];
+    const { shown, scale } = frame;
     return html`
       <canvas aria-hidden="true"></canvas>
       <svg
         viewBox=${shown.join(' ')}
+        class=${frame.zoom === null ? nothing : 'zoomed'}
         role="application"
         tabindex="0"
         aria-label="${texts.picture}: ${header.scene.name}"
@@ -118,70 +180,42 @@ export class PictureElement extends LitElement {
         @focus=${this.onFocus}
         @blur=${this.onBlur}
         @keydown=${this.onKey}
+        @pointerdown=${gestures.onDown}
+        @pointermove=${gestures.onMove}
+        @pointerup=${gestures.onEnd}
+        @pointercancel=${gestures.onEnd}
+        @touchmove=${{ handleEvent: gestures.onTouch, passive: false }}
       >
-        ${guard([header, scale, language], () => this.still())}
-        ${marksOf(this.view).map((mark) => shapeOf(mark, scale))}
-        ${guard([header, scale], () => this.labels())}
+        ${guard([frame], () => grid(frame))} ${guard([header], () => outlines(header.scene))}
+        ${marksOf(this.view, frame.sight).map((mark) => shapeOf(mark, scale))}
+        ${guard([header, scale], () => labels(header.scene, frame))}
         ${this.cursor === null ? nothing : shapeOf(target('cursor', this.cursor), scale)}
       </svg>
       ${
         this.editing === null
           ? nothing
-          : html`<vidno-handles .editing=${this.editing} .language=${language}></vidno-handles>`
+          : html`<vidno-handles
+              .editing=${this.editing}
+              .frame=${frame}
+              .language=${language}
+              @follow=${({ detail }: CustomEvent<Point>) => this.follow(detail, 0)}
+            ></vidno-handles>`
       }
+      <vidno-zoom-bar
+        .frame=${frame}
+        .texts=${picture}
+        @zoom=${({ detail }: CustomEvent<Zooming>) => this.zoomTo(detail)}
+      ></vidno-zoom-bar>
       <p class="heard" id="how">${history.how}</p>
       <p class="heard" aria-live="polite">
         ${this.cursor === null ? '' : history.at(...this.cursor)}
       </p>
     `;
   }
-
-  /** What does not change from step to step. */
-  private still(): SVGTemplateResult {
-    const { area, polygons } = this.view.header.scene;
-    const { x, y, width, height } = area;
-    return svg`
-      ${this.frame.scale >= gridFrom ? this.grid() : nothing}
-      <rect class="area" x=${x} y=${y} width=${width} height=${height} />
-      <g class=${polygons.length > many ? 'many' : nothing}>
-        ${polygons.slice(0, mostOutlines).map((polygon) => outline(polygon))}
-      </g>
-      ${polygons.length > many ? nothing : polygons.map((polygon) => outlineToPoint(polygon))}
-    `;
-  }
-
-  private grid(): SVGTemplateResult {
-    const { x, y, width, height } = this.view.header.scene.area;
-    const columns = Array.from({ length: width + 1 }, (_, i) => `M${x + i} ${y}v${height}`);
-    const rows = Array.from({ length: height + 1 }, (_, j) => `M${x} ${y + j}h${width}`);
-    return svg`<path class="grid" d=${[...columns, ...rows].join('')} />`;
-  }
-
-  private labels(): readonly SVGTemplateResult[] {
-    const { polygons } = this.view.header.scene;
-    return polygons.length > mostLabels ? [] : polygons.map((polygon) => this.label(polygon));
-  }
-
-  private label({ id, vertices }: Polygon): SVGTemplateResult {
-    const [x, y] = labelSpot(vertices, this.frame.shown);
-    return svg`<text class="label" data-thing=${polygonThing(id)} x=${x} y=${y} font-size=${13 / this.frame.scale}>${id}</text>`;
-  }
 }
 
-/** A little inward from the first vertex: the middles of polygons often coincide. */
-function labelSpot(
-  vertices: Polygon['vertices'],
-  [x, y, width, height]: readonly [number, number, number, number],
-): readonly [number, number] {
-  const within = (value: number, from: number, size: number): number =>
-    Math.min(Math.max(value, from + size * 0.1), from + size * 0.9);
-  const spot = (axis: 0 | 1): number => {
-    const along = vertices.map((vertex) => vertex[axis]);
-    const middle = along.reduce((sum, each) => sum + each, 0) / along.length;
-    return (along[0] ?? 0) * 0.8 + middle * 0.2;
-  };
-  return [within(spot(0), x, width), within(spot(1), y, height)];
-}
+const isOtherArea = (a: Area, b: Area): boolean =>
+  a.x !== b.x || a.y !== b.y || a.width !== b.width || a.height !== b.height;
 
 declare global {
   interface HTMLElementTagNameMap {

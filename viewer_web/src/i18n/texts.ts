@@ -8,6 +8,7 @@ import type { Edition } from '../trace/header.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
+import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { Words } from './words.js';
 
@@ -31,6 +32,7 @@ export interface Texts {
   readonly travel: TravelTexts;
   readonly strip: StripTexts;
   readonly bookmarks: BookmarkTexts;
+  readonly picture: PictureTexts;
   readonly scene: SceneTexts;
 }
 
@@ -175,10 +177,6 @@ export interface ThingTexts {
   readonly window: (window: string) => string;
 }
 
-/** The marks on the picture that the legend explains. */
-export type LegendEntry =
-  'window' | 'stacked' | 'active' | 'touched' | 'yes' | 'no' | 'scanline' | 'edge' | 'chosen';
-
 export type KeyUse =
   | 'step'
   | 'ten'
@@ -190,6 +188,7 @@ export type KeyUse =
   | 'speed'
   | 'pixel'
   | 'cursor'
+  | 'zoom'
   | 'bookmark'
   | 'bookmarks'
   | 'toBookmark'

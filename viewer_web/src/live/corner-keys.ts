@@ -11,7 +11,7 @@ const fine = 64;
 const depthStep = 1 / 16;
 
 /** The nearest place where a corner may stand. */
-export function snapped([x, y]: Place, { altKey }: MouseEvent): Place {
+export function snapped([x, y]: Place, { altKey }: Pick<MouseEvent, 'altKey'>): Place {
   const parts = altKey ? fine : coarse;
   return [Math.round(x * parts) / parts, Math.round(y * parts) / parts];
 }

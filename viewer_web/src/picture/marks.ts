@@ -3,12 +3,16 @@ import type { View } from '../view.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import { toNumber } from '../i18n/words.js';
+import { leaves, wayTo } from '../state/quadtree.js';
+import type { Sight } from '../state/quadtree.js';
 import type { Pixel } from './pixel.js';
 import type { Box, Corner, N, Pair, Triple } from '../trace/values.js';
 
 /** What a mark is about; the style sheet of the picture gives each role its look. */
 export type Role =
   | 'stacked'
+  | 'tree'
+  | 'way'
   | 'window'
   | 'fresh'
   | 'off'
@@ -38,6 +42,7 @@ interface PathMark {
 export type Mark =
   | PathMark
   | { readonly kind: 'box'; readonly role: Role; readonly box: Box }
+  | { readonly kind: 'boxes'; readonly role: Role; readonly boxes: readonly Box[] }
   | { readonly kind: 'point'; readonly role: Role; readonly at: Spot }
   /** A pixel, to be found even where pixels are small. */
   | { readonly kind: 'target'; readonly role: 'chosen' | 'cursor'; readonly at: Pixel };
@@ -71,6 +76,18 @@ function edgeOf(polygon: Polygon | undefined, edge: number, role: Role): readonl
 
 export function cornerOf([x, y, width, height]: Box, corner: Corner): Spot {
   return [corner.startsWith('r') ? x + width : x, corner.endsWith('t') ? y + height : y];
+}
+
+/** How the area is divided into windows, and the way to the current one. */
+function treeMarks({ screen, after, header: { scene } }: View, sight: Sight): readonly Mark[] {
+  const { root, window } = after.warnock ?? {};
+  if (!root) return [];
+  const boxes = leaves(screen.levels, root, scene.area, sight);
+  const way = window ? wayTo(window, root) : [];
+  return [
+    { kind: 'boxes', role: 'tree', boxes },
+    { kind: 'boxes', role: 'way', boxes: way },
+  ];
 }
 
 /** What stands on the picture because of the state. */
@@ -168,7 +185,7 @@ function eventMarks(event: Event, view: View): readonly Mark[] {
 }
 
 function isFinite(mark: Mark): boolean {
-  if (mark.kind === 'box' || mark.kind === 'target') return true;
+  if (mark.kind !== 'point' && mark.kind !== 'path') return true;
   const spots = mark.kind === 'point' ? [mark.at] : mark.points;
   return spots.every(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
 }
@@ -199,15 +216,10 @@ function pointedMarks(view: View): readonly Mark[] {
   return [];
 }
 
-/** All marks of a step, those above later. */
-export function marksOf(view: View): readonly Mark[] {
+/** All marks of a step that are in sight, those above later. */
+export function marksOf(view: View, sight: Sight): readonly Mark[] {
   const ofEvent = view.event ? eventMarks(view.event, view) : [];
   const chosen = view.pixel === null ? [] : [target('chosen', view.pixel)];
-  return [
-    ...polygonMark(view),
-    ...stateMarks(view),
-    ...ofEvent,
-    ...pointedMarks(view),
-    ...chosen,
-  ].filter(isFinite);
+  const ofState = [...treeMarks(view, sight), ...polygonMark(view), ...stateMarks(view)];
+  return [...ofState, ...ofEvent, ...pointedMarks(view), ...chosen].filter(isFinite);
 }

@@ -1,38 +1,43 @@
 import type { Grid } from '../state/grid.js';
 
-/** Where the picture stands on a canvas, in its pixels. */
+/** Where a picture lies on a canvas, in dots of the device. */
 export interface Place {
+  /** The corner of its first pixel, which may be off the canvas. */
   readonly x: number;
   readonly y: number;
-  readonly width: number;
-  readonly height: number;
+  /** The side of a pixel. */
+  readonly scale: number;
 }
 
-/** The picture as an image no larger than it is shown: beyond that the nearest cells stand for all. */
-function sampled(picture: Grid<number>, place: Place): ImageData {
-  const width = Math.max(1, Math.min(picture.width, Math.round(place.width)));
-  const height = Math.max(1, Math.min(picture.height, Math.round(place.height)));
-  const image = new ImageData(width, height);
-  const cells = new Uint32Array(image.data.buffer);
-  for (let j = 0; j < height; j++) {
-    const row = picture.row(Math.floor(((j + 0.5) * picture.height) / height));
-    for (let i = 0; i < width; i++) {
-      cells[j * width + i] = row[Math.floor(((i + 0.5) * picture.width) / width)] ?? 0;
-    }
-  }
-  return image;
+const none = -1;
+
+/** The cell that the middle of each dot lies in. */
+function cellsOf(dots: number, from: number, scale: number, cells: number): readonly number[] {
+  return Array.from({ length: dots }, (_, dot) => {
+    const cell = Math.floor((dot + 0.5 - from) / scale);
+    return cell >= 0 && cell < cells ? cell : none;
+  });
 }
 
-/** Paints the picture, each of its pixels a sharp square. */
+/** Paints the picture dot by dot: each of its pixels is a sharp square, at most half a dot from its place. */
 export function paint(canvas: HTMLCanvasElement, picture: Grid<number>, place: Place): void {
+  const { width, height } = canvas;
   const context = canvas.getContext('2d');
-  if (context === null || place.width < 1 || place.height < 1) return;
-  const image = sampled(picture, place);
-  const small = document.createElement('canvas');
-  small.width = image.width;
-  small.height = image.height;
-  small.getContext('2d')?.putImageData(image, 0, 0);
-  context.clearRect(0, 0, canvas.width, canvas.height);
-  context.imageSmoothingEnabled = false;
-  context.drawImage(small, place.x, place.y, place.width, place.height);
+  if (context === null || width === 0 || height === 0) return;
+  const image = context.createImageData(width, height);
+  const dots = new Uint32Array(image.data.buffer);
+  const columns = cellsOf(width, place.x, place.scale, picture.width);
+  let last = none;
+  cellsOf(height, place.y, place.scale, picture.height).forEach((j, y) => {
+    const start = y * width;
+    if (j === last) dots.copyWithin(start, start - width, start);
+    else if (j !== none) {
+      const row = picture.row(j);
+      columns.forEach((i, x) => {
+        if (i !== none) dots[start + x] = row[i] ?? 0;
+      });
+    }
+    last = j;
+  });
+  context.putImageData(image, 0, 0);
 }

@@ -2,6 +2,7 @@ import { nothing, svg } from 'lit';
 import type { SVGTemplateResult } from 'lit';
 import { polygonThing } from '../pointed.js';
 import type { Polygon } from '../trace/header.js';
+import type { Box } from '../trace/values.js';
 import type { Mark } from './marks.js';
 import type { Pixel } from './pixel.js';
 
@@ -20,11 +21,17 @@ export function shapeOf(mark: Mark, scale: number): SVGTemplateResult {
     return svg`<circle class="dot ${mark.role}" cx=${x} cy=${y} r=${dot / scale} />`;
   }
   const d =
-    mark.kind === 'target' ? aim(mark.at, reach / scale) : pathData(mark.points, mark.closed);
+    mark.kind === 'boxes'
+      ? mark.boxes.map(boxData).join('')
+      : mark.kind === 'target'
+        ? aim(mark.at, reach / scale)
+        : pathData(mark.points, mark.closed);
   const color = mark.kind === 'path' ? mark.color : undefined;
   return svg`<path class="casing ${mark.role}" d=${d} />
     <path class=${mark.role} d=${d} stroke=${color ?? nothing} />`;
 }
+
+const boxData = ([x, y, width, height]: Box): string => `M${x} ${y}h${width}v${height}h${-width}Z`;
 
 /** The outline of a pixel, and lines that lead to it. */
 function aim([x, y]: Pixel, far: number): string {

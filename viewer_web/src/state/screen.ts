@@ -1,12 +1,17 @@
 import type { Polygon, Scene } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
-import type { N } from '../trace/values.js';
+import type { Box, N } from '../trace/values.js';
 import { Grid, toPixel } from './grid.js';
 import type { Row } from './grid.js';
 
-/** What the handlers of events write to: the picture and, where the trace carries it, the buffer of depths. */
+/**
+ * What the handlers of events write to: the picture, how the area is divided into windows and, where the trace carries
+ * it, the buffer of depths.
+ */
 export class Screen {
   readonly picture: Grid<number>;
+  /** How often the first window was halved to get the smallest one that a pixel is in. */
+  readonly levels: Grid<number>;
   z: Grid<N> | null = null;
 
   constructor(
@@ -16,6 +21,7 @@ export class Screen {
     const { width, height } = scene.area;
     const pixel = toPixel(scene.background);
     this.picture = new Grid<number>(width, height, pixel, (n) => new Uint32Array(n));
+    this.levels = new Grid<number>(width, height, 0, (n) => new Uint8Array(n));
   }
 
   polygon(id: string): Polygon {
@@ -36,6 +42,17 @@ export class Screen {
     this.picture.fill(i, j, width, height, toPixel(color));
   }
 
+  /** The pixels whose centres lie in a window are in one of this level. */
+  divide([x, y, width, height]: Box, level: number): void {
+    const { area } = this.scene;
+    const cell = (at: number, from: number, cells: number): number =>
+      Math.min(Math.max(Math.ceil(at - from - 0.5), 0), cells);
+    const i = cell(x, area.x, area.width);
+    const j = cell(y, area.y, area.height);
+    const across = cell(x + width, area.x, area.width) - i;
+    this.levels.fill(i, j, across, cell(y + height, area.y, area.height) - j, level);
+  }
+
   clear(color: string, z: N): void {
     const { x, y, width, height } = this.scene.area;
     this.paint(x, y, width, height, color);
@@ -43,11 +60,13 @@ export class Screen {
   }
 
   save(): SavedScreen {
-    return { picture: this.picture.save(), z: this.z?.save() ?? null };
+    const { picture, levels, z } = this;
+    return { picture: picture.save(), levels: levels.save(), z: z?.save() ?? null };
   }
 
-  load({ picture, z }: SavedScreen): void {
+  load({ picture, levels, z }: SavedScreen): void {
     this.picture.load(picture);
+    this.levels.load(levels);
     if (z === null) this.z = null;
     else (this.z ??= this.depths('-inf')).load(z);
   }
@@ -60,5 +79,6 @@ export class Screen {
 
 export interface SavedScreen {
   readonly picture: readonly Row<number>[];
+  readonly levels: readonly Row<number>[];
   readonly z: readonly Row<N>[] | null;
 }

@@ -4,7 +4,7 @@ import type { Warnock } from './warnock.js';
 import type { ZBuffer } from './zbuffer.js';
 
 /** A part of the state; the stack of calls is followed apart. */
-export type Field = keyof Warnock | keyof ZBuffer | 'picture' | 'z';
+export type Field = keyof Warnock | keyof ZBuffer | 'picture' | 'levels' | 'z';
 
 /** What an event does with the state before it. */
 export interface Use {
@@ -38,7 +38,7 @@ export const uses: Readonly<Record<EventName, Use>> = {
   fault: none,
   disagree: none,
 
-  push: { changes: ['stack'], reads: ['apl'] },
+  push: { changes: ['stack', 'root', 'levels'], reads: ['apl'] },
   skip: none,
   pop: { changes: ['stack'], sets: ['window', 'apl', 'nearest'] },
   corners: { sets: ofWindow },

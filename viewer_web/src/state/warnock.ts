@@ -2,6 +2,7 @@ import { corners as cornerNames } from '../trace/values.js';
 import type { CommonEvents, Event, EventName, WarnockEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, Color, Corner, N, Triple } from '../trace/values.js';
+import { levelOf } from './quadtree.js';
 import type { Screen } from './screen.js';
 
 /** An entry (P, S) of a list of active polygons. */
@@ -23,6 +24,8 @@ export interface Clip {
 }
 
 export interface Warnock {
+  /** The first window, which all others are parts of. */
+  readonly root: Box | null;
   readonly stack: readonly StackedWindow[];
   readonly window: Box | null;
   readonly apl: Apl | null;
@@ -40,6 +43,7 @@ export interface Warnock {
 }
 
 export const emptyWarnock: Warnock = {
+  root: null,
   stack: [],
   window: null,
   apl: null,
@@ -118,7 +122,11 @@ const handlers: Handlers = {
   disagree: nothing,
   push: (event, now, screen) => {
     event.apl?.forEach(([id]) => screen.polygon(id));
-    return { stack: [...now.stack, { window: event.window, apl: pushedApl(event, now) }] };
+    const { window } = event;
+    const stack = [...now.stack, { window, apl: pushedApl(event, now) }];
+    const root = event.at === 'W3' ? window : (now.root ?? window);
+    screen.divide(window, levelOf(window, root));
+    return { stack, root };
   },
   skip: nothing,
   pop: ({ window }, { stack }) => {

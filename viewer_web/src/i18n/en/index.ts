@@ -2,6 +2,7 @@ import type { Texts } from '../texts.js';
 import { bookmarks } from './bookmarks.js';
 import { history } from './history.js';
 import { page, places, purposes } from './page.js';
+import { picture } from './picture.js';
 import { reasons } from './reasons.js';
 import { scene } from './scene.js';
 import { sentences } from './sentences.js';
@@ -18,5 +19,6 @@ export const texts: Texts = {
   travel,
   strip,
   bookmarks,
+  picture,
   scene,
 };

@@ -58,6 +58,7 @@ export const page: PageTexts = {
     speed: 'slower, faster',
     pixel: 'to the picture, to choose a pixel',
     cursor: 'there: another pixel, choose it, leave',
+    zoom: 'there: larger, smaller, the whole picture',
     bookmark: 'bookmark the step, or edit its note',
     bookmarks: 'the list of bookmarks',
     toBookmark: 'to the previous, the next bookmark',
@@ -73,6 +74,8 @@ export const page: PageTexts = {
   none: '—',
   legend: {
     window: 'current window',
+    way: 'windows around it',
+    tree: 'windows so far',
     stacked: 'on the stack',
     active: 'polygon in hand',
     touched: 'this step',

@@ -1,0 +1,8 @@
+import type { PictureTexts } from '../picture-texts.js';
+
+export const picture: PictureTexts = {
+  zoom: 'Zoom',
+  out: 'Smaller',
+  in: 'Larger',
+  whole: 'Whole picture',
+};

@@ -1,0 +1,8 @@
+import type { PictureTexts } from '../picture-texts.js';
+
+export const picture: PictureTexts = {
+  zoom: 'Масштаб',
+  out: 'Мельче',
+  in: 'Крупнее',
+  whole: 'Всё изображение',
+};

@@ -1,0 +1,74 @@
+import { describe, expect, it } from 'vitest';
+import { Frame } from './frame.js';
+import type { Zoom } from './frame.js';
+
+const area = { x: 0, y: 0, width: 100, height: 50 };
+/** 114 x 64 with its margins: 10 CSS pixels a unit, and room above and below. */
+const whole = new Frame(area, { width: 1140, height: 700 });
+
+describe('the whole', () => {
+  it('is the area and a margin, in the middle of the box', () => {
+    expect(whole.scale).toBe(10);
+    expect(whole.at(0, 350)[0]).toBeCloseTo(-7);
+    expect(whole.middle).toEqual([50, 25]);
+    expect(whole.zoom).toBeNull();
+  });
+
+  it('is what remains if it is made smaller, or moved', () => {
+    for (const frame of [whole.zoomed(0.5, [3, 4]), whole.moved(100, -30)]) {
+      expect(frame.zoom).toBeNull();
+      frame.shown.forEach((value, i) => {
+        expect(value).toBeCloseTo(whole.shown[i] ?? NaN);
+      });
+    }
+  });
+});
+
+describe('a zoom', () => {
+  it('keeps the place under the pointer', () => {
+    const at = [300, 400] as const;
+    const [x, y] = whole.at(...at);
+    const near = whole.zoomed(8, at);
+    expect(near.scale).toBe(80);
+    expect(near.at(...at)[0]).toBeCloseTo(x);
+    expect(near.at(...at)[1]).toBeCloseTo(y);
+  });
+
+  it('shows nothing beyond the margin', () => {
+    // 11.4 x 7 units at ten times the size; the margin begins at -7.
+    const [left, top] = whole.zoomed(10).moved(1e6, 1e6).shown;
+    expect(left).toBeCloseTo(-7);
+    expect(top).toBeCloseTo(-7);
+  });
+
+  it('reaches 64 CSS pixels in any picture, and 40 times the whole', () => {
+    const large = new Frame({ ...area, width: 2000, height: 2000 }, { width: 2280, height: 2280 });
+    expect(large.scale).toBeCloseTo(1);
+    expect(large.zoomed(1e9).scale).toBeCloseTo(64);
+    expect(whole.zoomed(1e9).scale).toBeCloseTo(400);
+    expect(whole.zoomed(1e9).isLargest).toBe(true);
+    expect(whole.zoomed(39).isLargest).toBe(false);
+  });
+
+  it('in, and out again about the same point, is the whole', () => {
+    const far = whole.zoomed(20, [10, 10]).zoomed(1 / 20, [1000, 600]);
+    expect(far.zoom).toBeNull();
+    expect(far.scale).toBe(whole.scale);
+  });
+});
+
+describe('what must be seen', () => {
+  const zoom: Zoom = { by: 10, middle: [50, 25] }; // 11.4 x 7 units, from (44.3, 21.5)
+  const near = whole.with(zoom);
+
+  it('moves nothing where it is in sight', () => {
+    expect(near.showing([50, 25], 1).shown).toEqual(near.shown);
+  });
+
+  it('is moved into sight, with as much again on each side', () => {
+    // The pixel 60 and one more end at 62; the pixel 20 and one before it begin at 19.
+    const [x, y, width] = near.showing([60, 20], 1).shown;
+    expect(x + width).toBeCloseTo(62);
+    expect(y).toBeCloseTo(19);
+  });
+});

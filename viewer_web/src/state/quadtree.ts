@@ -1,0 +1,57 @@
+import type { Area } from '../trace/header.js';
+import type { Box } from '../trace/values.js';
+import type { Grid } from './grid.js';
+
+/** How often the first window was halved to get this one; a side of 1 or less is halved no more. */
+export function levelOf([, , width, height]: Box, [, , rootWidth, rootHeight]: Box): number {
+  return Math.round(Math.log2(Math.max(rootWidth / width, rootHeight / height)));
+}
+
+function halved(side: number, level: number): number {
+  let part = side;
+  for (let i = 0; i < level && part > 1; i++) part /= 2;
+  return part;
+}
+
+/** The window of a level that a point lies in. */
+function windowAt([left, top, width, height]: Box, level: number, x: number, y: number): Box {
+  const [w, h] = [halved(width, level), halved(height, level)];
+  return [left + Math.floor((x - left) / w) * w, top + Math.floor((y - top) / h) * h, w, h];
+}
+
+/** The windows that were divided on the way to one, from the first on. */
+export function wayTo(window: Box, root: Box): readonly Box[] {
+  const [x, y, width, height] = window;
+  return Array.from({ length: Math.max(0, levelOf(window, root)) }, (_, level) =>
+    windowAt(root, level, x + width / 2, y + height / 2),
+  );
+}
+
+/** What of the plane is looked at, and how large a window must be to be told apart. */
+export interface Sight {
+  readonly shown: readonly [x: number, y: number, width: number, height: number];
+  readonly least: number;
+}
+
+/**
+ * The windows into which the area is divided: those that hold a pixel which is in no smaller one. Where they are too
+ * small to be told apart the smallest ones that are not stand for them.
+ */
+export function leaves(levels: Grid<number>, root: Box, area: Area, sight: Sight): readonly Box[] {
+  const [x, y, width, height] = sight.shown;
+  let finest = 0;
+  while (finest < 255 && halved(Math.min(root[2], root[3]), finest + 1) >= sight.least) finest++;
+  const found = new Map<string, Box>();
+  const last = Math.min(levels.height, Math.ceil(y + height - area.y));
+  const end = Math.min(levels.width, Math.ceil(x + width - area.x));
+  for (let j = Math.max(0, Math.floor(y - area.y)); j < last; j++) {
+    const row = levels.row(j);
+    for (let i = Math.max(0, Math.floor(x - area.x)); i < end;) {
+      const level = Math.min(row[i] ?? 0, finest);
+      const window = windowAt(root, level, area.x + i + 0.5, area.y + j + 0.5);
+      found.set(`${level} ${window[0]} ${window[1]}`, window);
+      i = Math.max(i + 1, Math.ceil(window[0] + window[2] - area.x - 0.5));
+    }
+  }
+  return [...found.values()];
+}
