@@ -21,7 +21,7 @@ function hashesOf(html: string, tag: RegExp): string {
 
 /**
  * Nothing is loaded, nothing is sent, only the page's own script and style count, and no text is markup. A worker's
- * script is made by the page's, and lives under the same policy.
+ * script is made by the page's, and lives under the same policy; so is the drawing that becomes an image.
  */
 function policy(html: string): string {
   return [
@@ -29,6 +29,7 @@ function policy(html: string): string {
     `script-src ${hashesOf(html, /<script type="module">([^]*?)<\/script>/g)}${html.includes('id="vidno-library"') ? " 'wasm-unsafe-eval'" : ''}`,
     `style-src ${hashesOf(html, /<style>([^]*?)<\/style>/g)}`,
     'worker-src blob:',
+    'img-src blob:',
     "base-uri 'none'",
     "form-action 'none'",
     "require-trusted-types-for 'script'",

@@ -22,6 +22,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['draw', ['N']],
   ['undo', ['Ctrl Z', 'Ctrl Y']],
   ['corner', ['← ↑ ↓ →', 'PgUp', 'PgDn', '+', 'Del']],
+  ['save', ['S', 'Shift S']],
   ['map', ['?']],
 ];
 

@@ -39,10 +39,7 @@ export const pictureStyle = css`
   .outline {
     stroke-width: 1.5;
   }
-  .many .outline-casing {
-    display: none;
-  }
-  .many .outline {
+  .outline.many {
     stroke-width: 1;
     stroke-opacity: 0.3;
   }

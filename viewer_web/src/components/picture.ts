@@ -9,19 +9,14 @@ import { marksOf, target } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
 import { isIn, moved, nearestIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import { outline, shapeOf } from '../picture/shapes.js';
-import type { Polygon } from '../trace/header.js';
+import { drawn, shapesOf } from '../picture/shapes.js';
+import { labelSize, labelsOf, stillShapes } from '../picture/still.js';
 import type { View } from '../view.js';
 import './handles.js';
 import { hiddenStyle } from './hidden.style.js';
 import { OwnSize } from './own-size.js';
 import { marksStyle, pictureStyle } from './picture.style.js';
 import { base } from './theme.js';
-
-const mostLabels = 26;
-const mostOutlines = 3000;
-const many = 40;
-const gridFrom = 7;
 
 /** The picture so far, and over it what the step is about. A pixel of it may be chosen, by mouse or keyboard. */
 @customElement('vidno-picture')
@@ -119,9 +114,9 @@ export class PictureElement extends LitElement {
         @keydown=${this.onKey}
       >
         ${guard([header, scale, language], () => this.still())}
-        ${marksOf(this.view).map((mark) => shapeOf(mark, scale))}
+        ${marksOf(this.view).flatMap((mark) => shapesOf(mark, scale).map(drawn))}
         ${guard([header, scale], () => this.labels())}
-        ${this.cursor === null ? nothing : shapeOf(target('cursor', this.cursor), scale)}
+        ${this.cursor === null ? nothing : shapesOf(target('cursor', this.cursor), scale).map(drawn)}
       </svg>
       ${
         this.editing === null
@@ -136,49 +131,17 @@ export class PictureElement extends LitElement {
   }
 
   /** What does not change from step to step. */
-  private still(): SVGTemplateResult {
-    const { area, polygons } = this.view.header.scene;
-    const { x, y, width, height } = area;
-    return svg`
-      ${this.frame.scale >= gridFrom ? this.grid() : nothing}
-      <rect class="area" x=${x} y=${y} width=${width} height=${height} />
-      <g class=${polygons.length > many ? 'many' : nothing}>
-        ${polygons.slice(0, mostOutlines).map((polygon) => outline(polygon))}
-      </g>
-    `;
-  }
-
-  private grid(): SVGTemplateResult {
-    const { x, y, width, height } = this.view.header.scene.area;
-    const columns = Array.from({ length: width + 1 }, (_, i) => `M${x + i} ${y}v${height}`);
-    const rows = Array.from({ length: height + 1 }, (_, j) => `M${x} ${y + j}h${width}`);
-    return svg`<path class="grid" d=${[...columns, ...rows].join('')} />`;
+  private still(): readonly SVGTemplateResult[] {
+    return stillShapes(this.view.header.scene, this.frame).map(drawn);
   }
 
   private labels(): readonly SVGTemplateResult[] {
-    const { polygons } = this.view.header.scene;
-    return polygons.length > mostLabels ? [] : polygons.map((polygon) => this.label(polygon));
+    const size = labelSize / this.frame.scale;
+    return labelsOf(this.view.header.scene, this.frame).map(
+      ({ text, at: [x, y] }) =>
+        svg`<text class="label" x=${x} y=${y} font-size=${size}>${text}</text>`,
+    );
   }
-
-  private label({ id, vertices }: Polygon): SVGTemplateResult {
-    const [x, y] = labelSpot(vertices, this.frame.shown);
-    return svg`<text class="label" x=${x} y=${y} font-size=${13 / this.frame.scale}>${id}</text>`;
-  }
-}
-
-/** A little inward from the first vertex: the middles of polygons often coincide. */
-function labelSpot(
-  vertices: Polygon['vertices'],
-  [x, y, width, height]: readonly [number, number, number, number],
-): readonly [number, number] {
-  const within = (value: number, from: number, size: number): number =>
-    Math.min(Math.max(value, from + size * 0.1), from + size * 0.9);
-  const spot = (axis: 0 | 1): number => {
-    const along = vertices.map((vertex) => vertex[axis]);
-    const middle = along.reduce((sum, each) => sum + each, 0) / along.length;
-    return (along[0] ?? 0) * 0.8 + middle * 0.2;
-  };
-  return [within(spot(0), x, width), within(spot(1), y, height)];
 }
 
 declare global {

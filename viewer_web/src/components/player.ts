@@ -24,8 +24,11 @@ import './legend.js';
 import './listing.js';
 import type { PictureElement } from './picture.js';
 import './picture.js';
+import { actionsOf } from './player-keys.js';
 import { playerStyle } from './player.style.js';
 import { ReadOn } from './read-on.js';
+import './save.js';
+import type { SaveElement } from './save.js';
 import './side.js';
 import type { Side, SideElement } from './side.js';
 import { base, tokens } from './theme.js';
@@ -59,12 +62,13 @@ export class PlayerElement extends LitElement {
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-keys') private keys!: KeysElement;
-  @query('vidno-picture') private picture!: PictureElement;
-  @query('vidno-travel') private travel!: TravelElement;
+  @query('vidno-picture') readonly picture!: PictureElement;
+  @query('vidno-travel') readonly travel!: TravelElement;
+  @query('vidno-save') readonly saver!: SaveElement;
   @query('vidno-side') private panel!: SideElement;
   private view: View | null = null;
   private history: History | null = null;
-  private readonly clock = new Clock(this, (steps) => this.advance(steps));
+  readonly clock = new Clock(this, (steps) => this.advance(steps));
   private readonly keyboard = new Keyboard(this, (event) => this.actionsAt(event));
   private readonly reader = new ReadOn(this, mostPerFrame);
 
@@ -117,7 +121,7 @@ export class PlayerElement extends LitElement {
     this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
   }
 
-  private async openBookmarks(way: 'mark' | 'enter'): Promise<void> {
+  async openBookmarks(way: 'mark' | 'enter'): Promise<void> {
     this.side = 'bookmarks';
     await this.updateComplete;
     await this.panel.bookmark(way);
@@ -146,7 +150,9 @@ export class PlayerElement extends LitElement {
             .editing=${this.side === 'scene' ? this.editing : null}
             @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
           ></vidno-picture>
-          <vidno-legend .view=${view}></vidno-legend>
+          <vidno-legend .view=${view}>
+            <vidno-save .view=${view}></vidno-save>
+          </vidno-legend>
         </section>
         <section class="listing" aria-label=${texts.listing}>
           <vidno-listing .view=${view}></vidno-listing>
@@ -202,7 +208,7 @@ export class PlayerElement extends LitElement {
     else this.moveTo(detail.step);
   }
 
-  private moveTo(step: number): void {
+  moveTo(step: number): void {
     this.clock.stop();
     this.step = this.clamped(step);
   }
@@ -216,26 +222,7 @@ export class PlayerElement extends LitElement {
     if (this.trace === null) return {};
     const showKeys = { '?': () => this.showKeys() };
     if (this.keys.open) return showKeys;
-    const by = shiftKey ? 10 : 1;
-    const way = shiftKey ? 'out' : 'over';
-    const goal = shiftKey ? 'bookmark' : undefined;
-    return {
-      ...showKeys,
-      ArrowRight: () => this.moveTo(this.step + by),
-      ArrowLeft: () => this.moveTo(this.step - by),
-      Home: () => this.moveTo(0),
-      End: () => this.moveTo(this.length),
-      ' ': () => this.togglePlay(),
-      '+': () => this.clock.changeSpeed(1),
-      '=': () => this.clock.changeSpeed(1),
-      '-': () => this.clock.changeSpeed(-1),
-      BracketLeft: () => this.travel.call(way, -1),
-      BracketRight: () => this.travel.call(way, 1),
-      Comma: () => this.travel.next(-1, goal),
-      Period: () => this.travel.next(1, goal),
-      KeyB: () => void this.openBookmarks(shiftKey ? 'enter' : 'mark'),
-      KeyP: () => this.picture.startChoosing(),
-    };
+    return { ...showKeys, ...actionsOf(this, shiftKey) };
   }
 }
 

@@ -173,6 +173,7 @@ export interface PageTexts extends FileTexts {
   readonly start: string;
   readonly nothingOpen: string;
   readonly picture: string;
+  readonly savePicture: (kind: string) => string;
   readonly listing: string;
   readonly callStack: string;
   readonly state: string;
@@ -233,4 +234,5 @@ export type KeyUse =
   | 'draw'
   | 'undo'
   | 'corner'
+  | 'save'
   | 'map';

@@ -1,0 +1,43 @@
+import type { Clock } from './clock.js';
+import type { Actions } from './keyboard.js';
+import type { PictureElement } from './picture.js';
+import type { SaveElement } from './save.js';
+import type { TravelElement } from './travel.js';
+
+/** What of the player keys reach. */
+export interface Steered {
+  readonly step: number;
+  readonly length: number;
+  readonly clock: Clock;
+  readonly picture: PictureElement;
+  readonly travel: TravelElement;
+  readonly saver: SaveElement;
+  moveTo(step: number): void;
+  togglePlay(): void;
+  openBookmarks(way: 'mark' | 'enter'): Promise<void>;
+}
+
+/** What keys do to the player, with Shift or without. */
+export function actionsOf(player: Steered, shift: boolean): Actions {
+  const { clock, travel, picture, saver } = player;
+  const by = shift ? 10 : 1;
+  const way = shift ? 'out' : 'over';
+  const goal = shift ? 'bookmark' : undefined;
+  return {
+    ArrowRight: () => player.moveTo(player.step + by),
+    ArrowLeft: () => player.moveTo(player.step - by),
+    Home: () => player.moveTo(0),
+    End: () => player.moveTo(player.length),
+    ' ': () => player.togglePlay(),
+    '+': () => clock.changeSpeed(1),
+    '=': () => clock.changeSpeed(1),
+    '-': () => clock.changeSpeed(-1),
+    BracketLeft: () => travel.call(way, -1),
+    BracketRight: () => travel.call(way, 1),
+    Comma: () => travel.next(-1, goal),
+    Period: () => travel.next(1, goal),
+    KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
+    KeyP: () => picture.startChoosing(),
+    KeyS: () => void saver.save(shift ? 'png' : 'svg'),
+  };
+}
