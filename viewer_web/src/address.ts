@@ -13,6 +13,8 @@ export interface Address {
   readonly language: Language | null;
   readonly trace: string | null;
   readonly live: Carried | null;
+  /** Whether it is shown to a hall. */
+  readonly presenting: boolean;
   readonly step: number;
   readonly pixel: Pixel | null;
   readonly bookmarks: Bookmarks;
@@ -32,13 +34,15 @@ export function parseAddress(hash: string): Address {
     language: isLanguage(language) ? language : null,
     trace: fields.get('trace'),
     live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
+    presenting: fields.get('view') === 'present',
     step: Number.isSafeInteger(step) && step > 0 ? step : 0,
     pixel: parsePixel(fields.get('pixel')),
     bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
   };
 }
 
-export function formatAddress({ language, trace, live, step, pixel, bookmarks }: Address): string {
+export function formatAddress(address: Address): string {
+  const { language, trace, live, presenting, step, pixel, bookmarks } = address;
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (trace !== null) fields.set('trace', trace);
@@ -47,6 +51,7 @@ export function formatAddress({ language, trace, live, step, pixel, bookmarks }:
     fields.set('scene', live.scene);
   }
   if (trace !== null || live !== null) {
+    if (presenting) fields.set('view', 'present');
     if (pixel !== null) fields.set('pixel', pixel.join());
     if (bookmarks.length > 0) fields.set('bookmarks', formatBookmarks(bookmarks));
     fields.set('step', String(step));

@@ -85,6 +85,9 @@ export const appStyle = css`
     }
   }
   @media (max-width: 640px) {
+    .present {
+      display: none;
+    }
     :host {
       grid-template: 'header' 3.25rem 'main' auto 'nav' auto / minmax(0, 1fr);
     }

@@ -11,6 +11,11 @@ export class OwnSize implements ReactiveController {
     this.host.requestUpdate();
   });
 
+  /** How many pixels of the page one of its own is; not all browsers know. */
+  get zoom(): number {
+    return (this.host as Partial<Element>).currentCSSZoom ?? 1;
+  }
+
   constructor(private readonly host: ReactiveControllerHost & Element) {
     host.addController(this);
   }

@@ -50,7 +50,7 @@ export class PictureElement extends LitElement {
   }
 
   private paint(): void {
-    const ratio = window.devicePixelRatio;
+    const ratio = window.devicePixelRatio * this.size.zoom;
     const { canvas } = this;
     const { width, height } = this.size.value;
     canvas.width = Math.round(width * ratio);
@@ -63,7 +63,8 @@ export class PictureElement extends LitElement {
 
   private onClick({ clientX, clientY }: MouseEvent): void {
     const { left, top } = this.getBoundingClientRect();
-    const pixel = this.frame.pixelAt(clientX - left, clientY - top);
+    const { zoom } = this.size;
+    const pixel = this.frame.pixelAt((clientX - left) / zoom, (clientY - top) / zoom);
     if (isIn(pixel, this.view.header.scene.area)) this.choose(pixel);
   }
 

@@ -8,12 +8,14 @@ import type { TravelElement } from './travel.js';
 export interface Steered {
   readonly step: number;
   readonly length: number;
+  readonly presenting: boolean;
   readonly clock: Clock;
   readonly picture: PictureElement;
   readonly travel: TravelElement;
   readonly saver: SaveElement;
   moveTo(step: number): void;
   togglePlay(): void;
+  present(on: boolean): void;
   openBookmarks(way: 'mark' | 'enter'): Promise<void>;
 }
 
@@ -38,6 +40,7 @@ export function actionsOf(player: Steered, shift: boolean): Actions {
     Period: () => travel.next(1, goal),
     KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
     KeyP: () => picture.startChoosing(),
+    KeyF: () => player.present(!player.presenting),
     KeyS: () => void saver.save(shift ? 'png' : 'svg'),
   };
 }

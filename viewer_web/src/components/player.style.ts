@@ -45,8 +45,13 @@ export const playerStyle = css`
     border-radius: var(--radius);
     background: var(--panel);
   }
+  .said {
+    display: flex;
+    gap: 0.75rem;
+  }
   .sentence {
     display: flex;
+    flex: 1;
     gap: 0.75rem;
     align-items: center;
     height: 3.1rem;

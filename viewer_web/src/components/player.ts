@@ -1,4 +1,4 @@
-import { LitElement, html, nothing } from 'lit';
+import { html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { historyOf } from '../history/history.js';
@@ -12,10 +12,8 @@ import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
-import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
-import { Clock } from './clock.js';
 import { Keyboard } from './keyboard.js';
 import type { Actions } from './keyboard.js';
 import './keys.js';
@@ -25,6 +23,8 @@ import './listing.js';
 import type { PictureElement } from './picture.js';
 import './picture.js';
 import { actionsOf } from './player-keys.js';
+import { presenterStyle } from './presenter.style.js';
+import { Presenter } from './presenter.js';
 import { playerStyle } from './player.style.js';
 import { ReadOn } from './read-on.js';
 import './save.js';
@@ -32,6 +32,7 @@ import type { SaveElement } from './save.js';
 import './side.js';
 import type { Side, SideElement } from './side.js';
 import { base, tokens } from './theme.js';
+import { TimedElement } from './timed.js';
 import './transport.js';
 import type { Command } from './transport.js';
 import './travel.js';
@@ -45,13 +46,9 @@ const mostPerFrame = 60;
  * the bookmarks, when they change, by `vidno-bookmarks`; `linked` says that these are kept in the page's address.
  */
 @customElement('vidno-player')
-export class PlayerElement extends LitElement {
-  static override styles = [tokens, base, playerStyle];
+export class PlayerElement extends TimedElement {
+  static override styles = [tokens, base, playerStyle, presenterStyle];
 
-  @property({ attribute: false }) trace: Trace | null = null;
-  /** How many steps of the trace are there: more and more while it is read. */
-  @property({ attribute: false }) length = 0;
-  @property({ type: Number }) step = 0;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
@@ -59,6 +56,8 @@ export class PlayerElement extends LitElement {
   /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) link: LinkMade | null = null;
+  /** For a projector: told by `vidno-present` when keys change it. */
+  @property({ type: Boolean, reflect: true }) presenting = false;
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-keys') private keys!: KeysElement;
@@ -68,8 +67,8 @@ export class PlayerElement extends LitElement {
   @query('vidno-side') private panel!: SideElement;
   private view: View | null = null;
   private history: History | null = null;
-  readonly clock = new Clock(this, (steps) => this.advance(steps));
   private readonly keyboard = new Keyboard(this, (event) => this.actionsAt(event));
+  private readonly presenter = new Presenter(this);
   private readonly reader = new ReadOn(this, mostPerFrame);
 
   /** The state that is shown, in the form in which readers of a trace are compared. */
@@ -79,27 +78,9 @@ export class PlayerElement extends LitElement {
     return canonical(timeline.seek(this.clamped(this.step)), header);
   }
 
-  togglePlay(): void {
-    if (this.clock.playing) this.clock.stop();
-    else {
-      if (this.step >= this.length) this.step = 0;
-      this.clock.start();
-    }
-  }
-
-  private advance(steps: number): void {
-    if (steps > 0) this.step = this.clamped(this.step + steps);
-    if (this.step >= this.length && this.trace?.complete !== false) this.clock.stop();
-  }
-
-  private clamped(step: number): number {
-    return Math.min(Math.max(0, Math.trunc(step) || 0), this.length);
-  }
-
   override willUpdate(changed: PropertyValues<this>): void {
     if (isOnlyEdited(changed)) return;
-    if (changed.has('trace')) this.clock.stop();
-    this.step = this.clamped(this.step);
+    super.willUpdate(changed);
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     const language: Language = isLanguage(this.lang) ? this.lang : 'en';
     if (changed.has('trace') || changed.has('pixel')) this.openHistory(changed.has('pixel'));
@@ -132,12 +113,6 @@ export class PlayerElement extends LitElement {
     this.dispatchEvent(new CustomEvent('vidno-bookmarks', { detail: bookmarks }));
   }
 
-  override updated(changed: PropertyValues<this>): void {
-    if (changed.has('step') || changed.has('trace')) {
-      this.dispatchEvent(new CustomEvent('vidno-step', { detail: this.step }));
-    }
-  }
-
   override render(): TemplateResult | typeof nothing {
     const { view } = this;
     if (view === null) return nothing;
@@ -164,6 +139,7 @@ export class PlayerElement extends LitElement {
             .bookmarks=${this.bookmarks}
             .linked=${this.linked}
             .side=${this.side}
+            ?bare=${this.presenting}
             @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
             @command=${this.onCommand}
             @forget=${() => this.choosePixel(null)}
@@ -173,9 +149,12 @@ export class PlayerElement extends LitElement {
         </section>
       </div>
       <div class="dock">
-        <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
-          <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
-        </p>
+        <div class="said">
+          <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
+            <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
+          </p>
+          ${this.presenter.corner(view)}
+        </div>
         <vidno-transport
           .trace=${this.trace}
           .view=${view}
@@ -193,6 +172,7 @@ export class PlayerElement extends LitElement {
           ></vidno-travel>
         </vidno-transport>
       </div>
+      ${this.presenter.curtain()}
       <vidno-keys .texts=${texts}></vidno-keys>
     `;
   }
@@ -201,16 +181,17 @@ export class PlayerElement extends LitElement {
     this.keys.toggle();
   }
 
+  /** Shows itself to a hall, or no longer. */
+  present(on: boolean): void {
+    this.presenting = on;
+    this.dispatchEvent(new CustomEvent('vidno-present', { detail: on }));
+  }
+
   private onCommand({ detail }: CustomEvent<Command>): void {
     if (detail.do === 'play') this.togglePlay();
     else if (detail.do === 'speed') this.clock.speed = detail.speed;
     else if (detail.do === 'bookmarks') this.keepBookmarks(detail.bookmarks);
     else this.moveTo(detail.step);
-  }
-
-  moveTo(step: number): void {
-    this.clock.stop();
-    this.step = this.clamped(step);
   }
 
   /** Does what a key means; the page passes on keys that were pressed outside the player. */
@@ -222,7 +203,8 @@ export class PlayerElement extends LitElement {
     if (this.trace === null) return {};
     const showKeys = { '?': () => this.showKeys() };
     if (this.keys.open) return showKeys;
-    return { ...showKeys, ...actionsOf(this, shiftKey) };
+    const usual = { ...showKeys, ...actionsOf(this, shiftKey) };
+    return this.presenting ? this.presenter.actions(usual) : usual;
   }
 }
 

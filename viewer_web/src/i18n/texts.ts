@@ -189,6 +189,8 @@ export interface PageTexts extends FileTexts {
   readonly perSecond: (n: number) => string;
   readonly keys: string;
   readonly close: string;
+  readonly present: string;
+  readonly leave: string;
   readonly keyMap: Readonly<Record<KeyUse, string>>;
   readonly window: string;
   readonly none: string;
@@ -234,5 +236,7 @@ export type KeyUse =
   | 'draw'
   | 'undo'
   | 'corner'
+  | 'present'
+  | 'remote'
   | 'save'
   | 'map';

@@ -41,6 +41,8 @@ export const page: PageTexts = {
   perSecond: (n) => `${n} steps a second`,
   keys: 'Keys',
   close: 'Close',
+  present: 'Present',
+  leave: 'Leave the presentation',
   keyMap: {
     step: 'one step back, one step forward',
     ten: 'ten steps back, ten steps forward',
@@ -59,6 +61,8 @@ export const page: PageTexts = {
     draw: 'draw a polygon',
     undo: 'undo, redo a change of the scene',
     corner: 'on a corner: move it, change its depth, add, remove',
+    present: 'show to a hall: large type, nothing else',
+    remote: 'there, or on a remote control: on, back, dark screen, leave',
     save: 'save the picture as SVG, as PNG',
     map: 'this map of keys',
   },
