@@ -95,4 +95,22 @@ export const appStyle = css`
       padding: 0.75rem 0 0;
     }
   }
+  @media print {
+    :host {
+      display: flex;
+      flex-direction: column;
+      height: 268mm;
+      min-height: 0;
+      padding: 0;
+      overflow: hidden;
+    }
+    header,
+    nav,
+    vidno-notice {
+      display: none;
+    }
+    main {
+      flex: 1;
+    }
+  }
 `;

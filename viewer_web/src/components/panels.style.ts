@@ -176,4 +176,13 @@ export const panelsStyle = css`
   .empty {
     color: var(--soft);
   }
+  @media print {
+    :host,
+    .list {
+      overflow: hidden;
+    }
+    .apl {
+      height: auto;
+    }
+  }
 `;

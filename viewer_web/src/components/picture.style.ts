@@ -43,6 +43,14 @@ export const pictureStyle = css`
     stroke-width: 1;
     stroke-opacity: 0.3;
   }
+  .pixels {
+    shape-rendering: crispEdges;
+  }
+  @media print {
+    canvas {
+      display: none;
+    }
+  }
   .label {
     fill: #10131c;
     stroke: #ffffff;

@@ -7,6 +7,7 @@ import type { Editing } from '../live/editor.js';
 import { Frame } from '../picture/frame.js';
 import { marksOf, target } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
+import { patchesOf } from '../picture/patches.js';
 import { isIn, moved, nearestIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import { drawn, shapesOf } from '../picture/shapes.js';
@@ -15,6 +16,7 @@ import type { View } from '../view.js';
 import './handles.js';
 import { hiddenStyle } from './hidden.style.js';
 import { OwnSize } from './own-size.js';
+import { Printing } from './printing.js';
 import { marksStyle, pictureStyle } from './picture.style.js';
 import { base } from './theme.js';
 
@@ -34,6 +36,7 @@ export class PictureElement extends LitElement {
   private left: Pixel | null = null;
 
   private readonly size = new OwnSize(this);
+  private readonly printing = new Printing(this);
 
   private get frame(): Frame {
     return new Frame(this.view.header.scene.area, this.size.value);
@@ -114,6 +117,7 @@ export class PictureElement extends LitElement {
         @blur=${this.onBlur}
         @keydown=${this.onKey}
       >
+        ${this.printing.now ? this.pixels() : nothing}
         ${guard([header, scale, language], () => this.still())}
         ${marksOf(this.view).flatMap((mark) => shapesOf(mark, scale).map(drawn))}
         ${guard([header, scale], () => this.labels())}
@@ -129,6 +133,14 @@ export class PictureElement extends LitElement {
         ${this.cursor === null ? '' : history.at(...this.cursor)}
       </p>
     `;
+  }
+
+  /** On paper the pixels are as sharp as the lines. */
+  private pixels(): readonly SVGTemplateResult[] {
+    const { screen, header } = this.view;
+    return patchesOf(screen.picture, header.scene.area).map(
+      ({ color, d }) => svg`<path class="pixels" .style=${`fill: ${color}`} d=${d} />`,
+    );
   }
 
   /** What does not change from step to step. */

@@ -75,6 +75,11 @@ export class SideElement extends LitElement {
         fill: currentColor;
         vertical-align: -0.15em;
       }
+      @media print {
+        .choice {
+          display: none;
+        }
+      }
       button:focus-visible {
         outline-offset: -4px;
       }
