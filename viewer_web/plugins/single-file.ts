@@ -66,9 +66,9 @@ export function singleFile(file: string, workers: readonly Rollup.OutputChunk[] 
       const page = bundle[file];
       if (page?.type !== 'asset') throw new Error(`The build has no ${file}.`);
       const chunk = takeChunk(bundle);
-      page.source =
-        inlined(String(page.source), chunk.code) +
-        licences([chunk, ...workers], libraryIn(String(page.source)));
+      const source = String(page.source);
+      const contained = licences([chunk, ...workers], libraryIn(source)).replaceAll('--', '- -');
+      page.source = `${inlined(source, chunk.code)}<!--\nThis page contains:\n\n${contained}\n-->\n`;
     },
   };
 }

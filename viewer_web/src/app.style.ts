@@ -95,6 +95,18 @@ export const appStyle = css`
       padding: 0.75rem 0 0;
     }
   }
+  :host([embed]) {
+    grid-template: 'main' minmax(0, 1fr) / minmax(0, 1fr);
+    height: 100dvh;
+    padding: 0;
+  }
+  :host([embed]) :is(header, nav, h2, .title p) {
+    display: none;
+  }
+  :host([embed]) .title {
+    min-height: 0;
+    padding: 0;
+  }
   @media print {
     :host {
       display: flex;

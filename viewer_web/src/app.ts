@@ -21,6 +21,7 @@ import type { LessonTrace } from './lessons.js';
 import type { Act } from './live/editor.js';
 import type { Pixel } from './picture/pixel.js';
 import { Session } from './session.js';
+import { plain } from './setting.js';
 import type { Bookmarks } from './time/bookmarks.js';
 
 /** The page: lessons, files of one's own, and the player. */
@@ -38,6 +39,7 @@ export class AppElement extends LitElement {
   });
   private readonly keyboard = new Keyboard(this, () => this.editorActions());
   @state() private presenting = false;
+  @state() private setting = plain;
   private addressTimer = 0;
 
   override connectedCallback(): void {
@@ -55,8 +57,10 @@ export class AppElement extends LitElement {
   }
 
   private readonly followAddress = (): void => {
-    const { language, trace, live, presenting, ...place } = parseAddress(location.hash);
+    const { language, trace, live, presenting, setting, ...place } = parseAddress(location.hash);
     this.presenting = presenting;
+    this.setting = setting;
+    this.toggleAttribute('embed', setting.embed);
     this.language = language ?? this.language;
     const { session } = this;
     if (live !== null) {
@@ -68,7 +72,7 @@ export class AppElement extends LitElement {
       all.find((each) => idOf(each) === trace) ?? (trace === null ? all[0] : undefined);
     if (chosen === undefined) return;
     if (idOf(chosen) === session.lesson) session.move(place);
-    else session.openLesson(chosen, place);
+    else void session.openLesson(chosen, place);
   };
 
   /** Keys that were pressed outside the player are passed on to it. */
@@ -101,9 +105,10 @@ export class AppElement extends LitElement {
   }
 
   private async address(): Promise<string> {
-    const { language, presenting, session } = this;
+    const { language, presenting, setting, session } = this;
     const live = await session.live.carried();
-    return formatAddress({ language, trace: session.lesson, live, presenting, ...session.place });
+    const { lesson: trace, place } = session;
+    return formatAddress({ language, trace, live, presenting, setting, ...place });
   }
 
   private async copyLink(): Promise<void> {
@@ -128,7 +133,7 @@ export class AppElement extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { session, language } = this;
+    const { session, language, setting } = this;
     const { trace, place, live } = session;
     const page = texts[language].page;
     return html`
@@ -174,6 +179,11 @@ export class AppElement extends LitElement {
           ?hidden=${trace === null}
           .pixel=${place.pixel}
           .bookmarks=${place.bookmarks}
+          .from=${setting.from}
+          .to=${setting.to}
+          .speed=${setting.speed}
+          ?play=${setting.play}
+          .controls=${setting.controls}
           ?presenting=${this.presenting}
           ?linked=${session.isLinked}
           .editing=${live.editing}

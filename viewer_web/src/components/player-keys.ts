@@ -7,7 +7,8 @@ import type { TravelElement } from './travel.js';
 /** What of the player keys reach. */
 export interface Steered {
   readonly step: number;
-  readonly length: number;
+  readonly first: number;
+  readonly last: number;
   readonly presenting: boolean;
   readonly clock: Clock;
   readonly picture: PictureElement;
@@ -28,8 +29,8 @@ export function actionsOf(player: Steered, shift: boolean): Actions {
   return {
     ArrowRight: () => player.moveTo(player.step + by),
     ArrowLeft: () => player.moveTo(player.step - by),
-    Home: () => player.moveTo(0),
-    End: () => player.moveTo(player.length),
+    Home: () => player.moveTo(player.first),
+    End: () => player.moveTo(player.last),
     ' ': () => player.togglePlay(),
     '+': () => clock.changeSpeed(1),
     '=': () => clock.changeSpeed(1),

@@ -12,13 +12,16 @@ import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
+import { plain } from '../setting.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
 import { Keyboard } from './keyboard.js';
 import type { Actions } from './keyboard.js';
+import { embeddedStyle } from './embedded.style.js';
 import './keys.js';
 import type { KeysElement } from './keys.js';
 import './legend.js';
+import './notice.js';
 import './listing.js';
 import type { PictureElement } from './picture.js';
 import './picture.js';
@@ -32,6 +35,7 @@ import type { SaveElement } from './save.js';
 import './side.js';
 import type { Side, SideElement } from './side.js';
 import { base, tokens } from './theme.js';
+import { Source } from './source.js';
 import { TimedElement } from './timed.js';
 import './transport.js';
 import type { Command } from './transport.js';
@@ -41,14 +45,17 @@ import type { TravelElement } from './travel.js';
 const mostPerFrame = 60;
 
 /**
- * Replays a trace. Set `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with the
+ * Replays a trace. Set `src`, or `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with the
  * controls. Each step that is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`, and
  * the bookmarks, when they change, by `vidno-bookmarks`; `linked` says that these are kept in the page's address.
  */
 @customElement('vidno-player')
 export class PlayerElement extends TimedElement {
-  static override styles = [tokens, base, playerStyle, presenterStyle];
+  static override styles = [tokens, base, playerStyle, embeddedStyle, presenterStyle];
 
+  /** The address of a trace, or `#id` of a block of JSON Lines in the page; else `trace` and `length` are set. */
+  @property() src = '';
+  @property({ reflect: true }) controls: string = plain.controls;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
@@ -68,6 +75,7 @@ export class PlayerElement extends TimedElement {
   private view: View | null = null;
   private history: History | null = null;
   private readonly keyboard = new Keyboard(this, (event) => this.actionsAt(event));
+  private readonly source = new Source(this);
   private readonly presenter = new Presenter(this);
   private readonly reader = new ReadOn(this, mostPerFrame);
 
@@ -82,11 +90,19 @@ export class PlayerElement extends TimedElement {
     if (isOnlyEdited(changed)) return;
     super.willUpdate(changed);
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
-    const language: Language = isLanguage(this.lang) ? this.lang : 'en';
     if (changed.has('trace') || changed.has('pixel')) this.openHistory(changed.has('pixel'));
     this.reader.read(this.history);
     const pixel = this.history?.pixel ?? null;
-    this.view = this.trace && viewOf(this.trace, this.step, language, pixel);
+    this.view = this.trace && viewOf(this.trace, this.step, this.language, pixel);
+  }
+
+  private get language(): Language {
+    return isLanguage(this.lang) ? this.lang : 'en';
+  }
+
+  /** Whether there are all controls and all panels. */
+  private get isFull(): boolean {
+    return this.controls !== 'small' && this.controls !== 'none';
   }
 
   /** While the scene is edited its panel stays, for each run is another trace. */
@@ -97,6 +113,7 @@ export class PlayerElement extends TimedElement {
   }
 
   private choosePixel(pixel: Pixel | null): void {
+    if (!this.isFull) return;
     this.pixel = pixel;
     this.side = pixel === null ? 'state' : 'pixel';
     this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
@@ -115,7 +132,7 @@ export class PlayerElement extends TimedElement {
 
   override render(): TemplateResult | typeof nothing {
     const { view } = this;
-    if (view === null) return nothing;
+    if (view === null) return this.excuse();
     const { texts } = view;
     return html`
       <div class="panels">
@@ -159,6 +176,9 @@ export class PlayerElement extends TimedElement {
           .trace=${this.trace}
           .view=${view}
           .bookmarks=${this.bookmarks}
+          .first=${this.first}
+          .last=${this.last}
+          ?plain=${!this.isFull}
           .playing=${this.clock.playing}
           .speed=${this.clock.speed}
           @command=${this.onCommand}
@@ -175,6 +195,12 @@ export class PlayerElement extends TimedElement {
       ${this.presenter.curtain()}
       <vidno-keys .texts=${texts}></vidno-keys>
     `;
+  }
+
+  /** What there is to say in its place. */
+  private excuse(): TemplateResult {
+    const { notice } = this.source;
+    return html`<vidno-notice .notice=${notice} .language=${this.language}></vidno-notice>`;
   }
 
   showKeys(): void {
@@ -200,7 +226,7 @@ export class PlayerElement extends TimedElement {
   }
 
   private actionsAt({ shiftKey }: KeyboardEvent): Actions {
-    if (this.trace === null) return {};
+    if (this.trace === null || (this.controls === 'none' && !this.presenting)) return {};
     const showKeys = { '?': () => this.showKeys() };
     if (this.keys.open) return showKeys;
     const usual = { ...showKeys, ...actionsOf(this, shiftKey) };

@@ -6,6 +6,7 @@ import type { Actions } from './keyboard.js';
 /** What of the player is shown to a hall. */
 export interface Presented extends ReactiveControllerHost, HTMLElement {
   readonly step: number;
+  readonly last: number;
   readonly presenting: boolean;
   moveTo(step: number): void;
   present(on: boolean): void;
@@ -66,10 +67,10 @@ export class Presenter implements ReactiveController {
   }
 
   /** Instead of the controls: where one is, and the way out. */
-  corner({ step, length, texts }: View): TemplateResult | typeof nothing {
+  corner({ step, texts }: View): TemplateResult | typeof nothing {
     if (!this.host.presenting) return nothing;
     return html`<div class="corner">
-      <span class="number">${step} / ${length}</span>
+      <span class="number">${step} / ${this.host.last}</span>
       <button
         aria-label=${texts.leave}
         title="${texts.leave} (Esc)"
