@@ -54,7 +54,7 @@ describe('the listing', () => {
       input.blur();
     });
     await page.keyboard.press('c');
-    const source = page.locator('vidno-source');
+    const source = page.locator('vidno-cpp');
     const now = source.locator('[aria-current=step]');
     expect((await now.textContent())?.trim()).toMatch(/^trace\.orient\(.*S2.*S3.*\);$/);
     await now.click({ trial: true }); // it is in sight

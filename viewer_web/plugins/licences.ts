@@ -30,14 +30,13 @@ function packagesOf(chunks: readonly Rollup.OutputChunk[]): readonly string[] {
   return [...new Set(used.flatMap((id) => ofPackage.exec(id)?.[0] ?? []))].sort();
 }
 
-/** Names and licences of all that the page contains, a text that several share once, as a comment. */
-export function licences(chunks: readonly Rollup.OutputChunk[], further: string): string {
+/** Names and licences of all that the page contains, a text that several share once. */
+export function licences(chunks: readonly Rollup.OutputChunk[], further = ''): string {
   const names = new Map<string, string[]>();
   for (const directory of packagesOf(chunks)) {
     const text = licenceIn(directory);
     names.set(text, [...(names.get(text) ?? []), nameIn(directory)]);
   }
   const texts = [...names].map(([text, owners]) => `${owners.join(', ')}:\n\n${text}`);
-  const all = further === '' ? texts : [...texts, further];
-  return `<!--\nThis page contains:\n\n${all.join('\n\n').replaceAll('--', '- -')}\n-->\n`;
+  return (further === '' ? texts : [...texts, further]).join('\n\n');
 }

@@ -21,7 +21,7 @@ function hashesOf(html: string, tag: RegExp): string {
 
 /**
  * Nothing is loaded, nothing is sent, only the page's own script and style count, and no text is markup. A worker's
- * script is made by the page's, and lives under the same policy.
+ * script is made by the page's, and lives under the same policy; so is the drawing that becomes an image.
  */
 function policy(html: string): string {
   return [
@@ -29,6 +29,7 @@ function policy(html: string): string {
     `script-src ${hashesOf(html, /<script type="module">([^]*?)<\/script>/g)}${html.includes('id="vidno-library"') ? " 'wasm-unsafe-eval'" : ''}`,
     `style-src ${hashesOf(html, /<style>([^]*?)<\/style>/g)}`,
     'worker-src blob:',
+    'img-src blob:',
     "base-uri 'none'",
     "form-action 'none'",
     "require-trusted-types-for 'script'",
@@ -65,9 +66,9 @@ export function singleFile(file: string, workers: readonly Rollup.OutputChunk[] 
       const page = bundle[file];
       if (page?.type !== 'asset') throw new Error(`The build has no ${file}.`);
       const chunk = takeChunk(bundle);
-      page.source =
-        inlined(String(page.source), chunk.code) +
-        licences([chunk, ...workers], libraryIn(String(page.source)));
+      const source = String(page.source);
+      const contained = licences([chunk, ...workers], libraryIn(source)).replaceAll('--', '- -');
+      page.source = `${inlined(source, chunk.code)}<!--\nThis page contains:\n\n${contained}\n-->\n`;
     },
   };
 }

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { formatAddress, parseAddress } from './address.js';
+import { plain } from './setting.js';
 
 describe('the address', () => {
   it('comes back as it was written', () => {
@@ -7,6 +8,8 @@ describe('the address', () => {
       language: 'ru',
       trace: '01-near & far.warnock',
       live: null,
+      presenting: true,
+      setting: { embed: true, from: 3, to: 40, speed: 0.5, controls: 'none', play: true },
       step: 17,
       pixel: [3, -4],
       bookmarks: [
@@ -20,13 +23,20 @@ describe('the address', () => {
   it('carries a scene of one’s own', () => {
     const live = { run: 'zbuffer.corrected.bits:8.signs', scene: 'q1YqS8zJBwA-_' };
     const place = { step: 4, pixel: null, bookmarks: [{ step: 3, note: 'x' }] } as const;
-    const address = { language: 'en', trace: null, live, ...place } as const;
+    const address = {
+      language: 'en',
+      trace: null,
+      live,
+      presenting: false,
+      setting: plain,
+      ...place,
+    } as const;
     expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
   it('forgets step, pixel and bookmarks where nothing is open that a link can hold', () => {
     const bookmarks = [{ step: 3, note: 'x' }];
-    const place = { step: 3, pixel: [1, 2], bookmarks } as const;
+    const place = { presenting: true, setting: plain, step: 3, pixel: [1, 2], bookmarks } as const;
     expect(formatAddress({ language: 'en', trace: null, live: null, ...place })).toBe('#lang=en');
   });
 
@@ -38,6 +48,8 @@ describe('the address', () => {
     '#%%%',
     '',
     '#step=abc',
+    '#view=all',
+    '#from=-1&to=x&speed=0&controls=all',
     '#pixel=1',
     '#pixel=1,2,3',
     '#pixel=1.5,2',
@@ -51,6 +63,8 @@ describe('the address', () => {
       language: null,
       trace: null,
       live: null,
+      presenting: false,
+      setting: plain,
       step: 0,
       pixel: null,
       bookmarks: [],

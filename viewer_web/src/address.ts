@@ -2,17 +2,22 @@ import { isLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
 import type { Carried } from './live/live.js';
 import type { Pixel } from './picture/pixel.js';
+import { parseSetting, stepIn, writeSetting } from './setting.js';
+import type { Setting } from './setting.js';
 import { formatBookmarks, parseBookmarks } from './time/bookmarks.js';
 import type { Bookmarks } from './time/bookmarks.js';
 
 /**
- * What the page's address holds behind `#`: language, embedded trace or a scene of one's own, step, chosen pixel and
- * bookmarks.
+ * What the page's address holds behind `#`: language, embedded trace or a scene of one's own, how the page is set up, step,
+ * chosen pixel and bookmarks.
  */
 export interface Address {
   readonly language: Language | null;
   readonly trace: string | null;
   readonly live: Carried | null;
+  /** Whether it is shown to a hall. */
+  readonly presenting: boolean;
+  readonly setting: Setting;
   readonly step: number;
   readonly pixel: Pixel | null;
   readonly bookmarks: Bookmarks;
@@ -26,19 +31,21 @@ function parsePixel(written: string | null): Pixel | null {
 export function parseAddress(hash: string): Address {
   const fields = new URLSearchParams(hash.replace(/^#/, ''));
   const language = fields.get('lang');
-  const step = Number(fields.get('step'));
   const scene = fields.get('scene');
   return {
     language: isLanguage(language) ? language : null,
     trace: fields.get('trace'),
     live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
-    step: Number.isSafeInteger(step) && step > 0 ? step : 0,
+    presenting: fields.get('view') === 'present',
+    setting: parseSetting(fields),
+    step: stepIn(fields.get('step')) ?? 0,
     pixel: parsePixel(fields.get('pixel')),
     bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
   };
 }
 
-export function formatAddress({ language, trace, live, step, pixel, bookmarks }: Address): string {
+export function formatAddress(address: Address): string {
+  const { language, trace, live, presenting, setting, step, pixel, bookmarks } = address;
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (trace !== null) fields.set('trace', trace);
@@ -47,6 +54,8 @@ export function formatAddress({ language, trace, live, step, pixel, bookmarks }:
     fields.set('scene', live.scene);
   }
   if (trace !== null || live !== null) {
+    writeSetting(setting, fields);
+    if (presenting) fields.set('view', 'present');
     if (pixel !== null) fields.set('pixel', pixel.join());
     if (bookmarks.length > 0) fields.set('bookmarks', formatBookmarks(bookmarks));
     fields.set('step', String(step));

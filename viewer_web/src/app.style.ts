@@ -85,11 +85,44 @@ export const appStyle = css`
     }
   }
   @media (max-width: 640px) {
+    .present {
+      display: none;
+    }
     :host {
       grid-template: 'header' 3.25rem 'main' auto 'nav' auto / minmax(0, 1fr);
     }
     nav {
       padding: 0.75rem 0 0;
+    }
+  }
+  :host([embed]) {
+    grid-template: 'main' minmax(0, 1fr) / minmax(0, 1fr);
+    height: 100dvh;
+    padding: 0;
+  }
+  :host([embed]) :is(header, nav, h2, .title p) {
+    display: none;
+  }
+  :host([embed]) .title {
+    min-height: 0;
+    padding: 0;
+  }
+  @media print {
+    :host {
+      display: flex;
+      flex-direction: column;
+      height: 268mm;
+      min-height: 0;
+      padding: 0;
+      overflow: hidden;
+    }
+    header,
+    nav,
+    vidno-notice {
+      display: none;
+    }
+    main {
+      flex: 1;
     }
   }
 `;

@@ -21,6 +21,7 @@ import type { LessonTrace } from './lessons.js';
 import type { Act } from './live/editor.js';
 import type { Pixel } from './picture/pixel.js';
 import { Session } from './session.js';
+import { plain } from './setting.js';
 import type { Bookmarks } from './time/bookmarks.js';
 
 /** The page: lessons, files of one's own, and the player. */
@@ -37,6 +38,8 @@ export class AppElement extends LitElement {
     this.writeAddress();
   });
   private readonly keyboard = new Keyboard(this, () => this.editorActions());
+  @state() private presenting = false;
+  @state() private setting = plain;
   private addressTimer = 0;
 
   override connectedCallback(): void {
@@ -54,7 +57,10 @@ export class AppElement extends LitElement {
   }
 
   private readonly followAddress = (): void => {
-    const { language, trace, live, ...place } = parseAddress(location.hash);
+    const { language, trace, live, presenting, setting, ...place } = parseAddress(location.hash);
+    this.presenting = presenting;
+    this.setting = setting;
+    this.toggleAttribute('embed', setting.embed);
     this.language = language ?? this.language;
     const { session } = this;
     if (live !== null) {
@@ -99,15 +105,21 @@ export class AppElement extends LitElement {
   }
 
   private async address(): Promise<string> {
-    const { language, session } = this;
+    const { language, presenting, setting, session } = this;
     const live = await session.live.carried();
-    return formatAddress({ language, trace: session.lesson, live, ...session.place });
+    const { lesson: trace, place } = session;
+    return formatAddress({ language, trace, live, presenting, setting, ...place });
   }
 
   private async copyLink(): Promise<void> {
     const { live, lesson } = this.session;
     const isHeld = lesson !== null || (await live.carried()) !== null;
     await live.copyLink(isHeld ? new URL(await this.address(), location.href).href : null);
+  }
+
+  private present(on: boolean): void {
+    this.presenting = on;
+    this.writeAddress();
   }
 
   private chooseLanguage(language: Language): void {
@@ -121,16 +133,23 @@ export class AppElement extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { session, language } = this;
+    const { session, language, setting } = this;
     const { trace, place, live } = session;
     const page = texts[language].page;
     return html`
-      <header>
+      <header ?inert=${this.presenting}>
         <h1>vidno</h1>
         <p class="tagline">${page.tagline}</p>
         <div class="tools">
           <button @click=${() => this.player.showKeys()} ?disabled=${trace === null}>
             ${page.keys} <kbd>?</kbd>
+          </button>
+          <button
+            class="present"
+            @click=${() => this.player.present(true)}
+            ?disabled=${trace === null}
+          >
+            ${page.present} <kbd>F</kbd>
           </button>
           <vidno-languages
             .chosen=${language}
@@ -138,7 +157,7 @@ export class AppElement extends LitElement {
           ></vidno-languages>
         </div>
       </header>
-      <nav>
+      <nav ?inert=${this.presenting}>
         <vidno-lesson-list
           .lessons=${this.lessons}
           .chosen=${session.lesson}
@@ -160,6 +179,12 @@ export class AppElement extends LitElement {
           ?hidden=${trace === null}
           .pixel=${place.pixel}
           .bookmarks=${place.bookmarks}
+          .from=${setting.from}
+          .to=${setting.to}
+          .speed=${setting.speed}
+          ?play=${setting.play}
+          .controls=${setting.controls}
+          ?presenting=${this.presenting}
           ?linked=${session.isLinked}
           .editing=${live.editing}
           .link=${live.link}
@@ -167,6 +192,7 @@ export class AppElement extends LitElement {
           @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
           @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
           @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
+          @vidno-present=${({ detail }: CustomEvent<boolean>) => this.present(detail)}
           @vidno-save=${() => live.save()}
           @vidno-link=${this.copyLink}
         ></vidno-player>

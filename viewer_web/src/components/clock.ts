@@ -1,6 +1,11 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 
-export const speeds = [1, 2, 5, 10, 30, 100, 300] as const;
+const speeds: readonly number[] = [1, 2, 5, 10, 30, 100, 300];
+
+/** The speeds to choose from, in steps a second, among them the one that it has. */
+export function speedsWith(speed: number): readonly number[] {
+  return speeds.includes(speed) ? speeds : [...speeds, speed].sort((a, b) => a - b);
+}
 
 /** While it runs, tells at each frame how many steps are due. */
 export class Clock implements ReactiveController {

@@ -1,3 +1,4 @@
+import { pointIn } from './own-size.js';
 import type { Frame, Point } from '../picture/frame.js';
 
 /** CSS pixels that a press may move and still be a click. */
@@ -24,9 +25,8 @@ export class Gestures {
     return this.drags;
   }
 
-  private pointOf({ clientX, clientY }: MouseEvent): Point {
-    const { left, top } = this.box.getBoundingClientRect();
-    return [clientX - left, clientY - top];
+  private pointOf(event: MouseEvent): Point {
+    return pointIn(this.box, event);
   }
 
   /** A wheel that would make the whole smaller moves the page. */

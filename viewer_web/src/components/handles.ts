@@ -15,6 +15,7 @@ import type { Polygon } from '../trace/header.js';
 import { act } from './act.js';
 import { handlesStyle } from './handles.style.js';
 import { hiddenStyle } from './hidden.style.js';
+import { pointIn } from './own-size.js';
 import { base } from './theme.js';
 
 const mostHandles = 400;
@@ -124,9 +125,8 @@ export class HandlesElement extends LitElement {
   }
 
   /** Where a pointer is on the plane. */
-  private planeAt({ clientX, clientY }: PointerEvent): Place {
-    const { left, top } = this.getBoundingClientRect();
-    return this.frame.at(clientX - left, clientY - top);
+  private planeAt(event: PointerEvent): Place {
+    return this.frame.at(...pointIn(this, event));
   }
 
   /** The place for a corner that is nearest to a pointer, or to what it holds so far from itself. */

@@ -25,6 +25,9 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['draw', ['N']],
   ['undo', ['Ctrl Z', 'Ctrl Y']],
   ['corner', ['← ↑ ↓ →', 'PgUp', 'PgDn', '+', 'Del']],
+  ['present', ['F']],
+  ['remote', ['PgDn', 'PgUp', 'B', '.', 'Esc']],
+  ['save', ['S', 'Shift S']],
   ['map', ['?']],
 ];
 

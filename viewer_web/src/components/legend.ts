@@ -4,7 +4,7 @@ import { customElement, property } from 'lit/decorators.js';
 import type { LegendEntry } from '../i18n/picture-texts.js';
 import type { Method } from '../trace/events.js';
 import type { View } from '../view.js';
-import { marksStyle } from './picture.style.js';
+import { marksStyle } from './marks.style.js';
 import { base } from './theme.js';
 
 const entries: Readonly<Record<Method, readonly LegendEntry[]>> = {
@@ -14,7 +14,7 @@ const entries: Readonly<Record<Method, readonly LegendEntry[]>> = {
 
 const dots: readonly LegendEntry[] = ['yes', 'no', 'edge'];
 
-/** What the marks on the picture mean. */
+/** What the marks on the picture mean; in its slot, what can be done with the picture. */
 @customElement('vidno-legend')
 export class LegendElement extends LitElement {
   static override styles = [
@@ -37,6 +37,9 @@ export class LegendElement extends LitElement {
         align-items: center;
         white-space: nowrap;
       }
+      .more {
+        margin-left: auto;
+      }
       svg {
         width: 1.25rem;
         height: 0.875rem;
@@ -57,6 +60,7 @@ export class LegendElement extends LitElement {
             <svg viewBox="0 0 20 14" aria-hidden="true">${icon(entry)}</svg>${texts.legend[entry]}
           </li>`,
       )}
+      <li class="more"><slot></slot></li>
     </ul>`;
   }
 }

@@ -141,4 +141,20 @@ export const listingStyle = css`
     text-decoration: none;
     cursor: help;
   }
+  /* Only the procedures that run: those of the line and of its callers. */
+  @media print {
+    .procedures {
+      overflow: hidden;
+    }
+    section li {
+      padding-block: 0;
+    }
+    .procedures:has(.now, .caller, .entered) section:not(:has(.now, .caller), .entered) {
+      display: none;
+    }
+    .now {
+      border: 0.5mm solid #000000;
+      font-weight: 600;
+    }
+  }
 `;

@@ -4,8 +4,8 @@ import { customElement, property, state } from 'lit/decorators.js';
 import { valuesInPlay } from '../listing/in-play.js';
 import { listingsOf } from '../listing/listings.js';
 import type { Line, Listing } from '../listing/listings.js';
+import './cpp.js';
 import { bringInSight } from './in-sight.js';
-import './source.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
 import { listingStyle } from './listing.style.js';
@@ -50,7 +50,7 @@ export class ListingElement extends LitElement {
           C++
         </button>
       </div>
-      ${this.source ? html`<vidno-source .view=${this.view}></vidno-source>` : this.procedures()}
+      ${this.source ? html`<vidno-cpp .view=${this.view}></vidno-cpp>` : this.procedures()}
     `;
   }
 

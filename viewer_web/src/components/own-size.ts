@@ -1,5 +1,15 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import type { Size } from '../picture/frame.js';
+import type { Point, Size } from '../picture/frame.js';
+
+/** How many pixels of the page one of the element's own is; not all browsers know. */
+const zoomOf = (element: Partial<Element>): number => element.currentCSSZoom ?? 1;
+
+/** Where in an element a pointer is, in the element's own pixels. */
+export function pointIn(element: Element, { clientX, clientY }: MouseEvent): Point {
+  const { left, top } = element.getBoundingClientRect();
+  const zoom = zoomOf(element);
+  return [(clientX - left) / zoom, (clientY - top) / zoom];
+}
 
 /** The size that an element has on the page; when it changes, the element is drawn anew. */
 export class OwnSize implements ReactiveController {
@@ -10,6 +20,10 @@ export class OwnSize implements ReactiveController {
     this.value = { width: entry.contentRect.width, height: entry.contentRect.height };
     this.host.requestUpdate();
   });
+
+  get zoom(): number {
+    return zoomOf(this.host);
+  }
 
   constructor(private readonly host: ReactiveControllerHost & Element) {
     host.addController(this);

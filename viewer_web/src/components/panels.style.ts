@@ -183,4 +183,13 @@ export const panelsStyle = css`
   .empty {
     color: var(--soft);
   }
+  @media print {
+    :host,
+    .list {
+      overflow: hidden;
+    }
+    .apl {
+      height: auto;
+    }
+  }
 `;

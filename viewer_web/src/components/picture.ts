@@ -1,5 +1,5 @@
-import { LitElement, html, nothing } from 'lit';
-import type { PropertyValues, TemplateResult } from 'lit';
+import { LitElement, html, nothing, svg } from 'lit';
+import type { PropertyValues, SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
 import { texts as allTexts } from '../i18n/index.js';
@@ -8,10 +8,12 @@ import { Frame } from '../picture/frame.js';
 import type { Point, Zoom, Zooming } from '../picture/frame.js';
 import { marksOf, target } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
+import { patchesOf } from '../picture/patches.js';
 import { isIn, moved, nearestIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import { shapeOf } from '../picture/shapes.js';
-import { grid, labels, outlines } from '../picture/still.js';
+import { drawn, shapesOf } from '../picture/shapes.js';
+import { gridShapes, labelSize, labelsOf, outlineShapes, shapesToPoint } from '../picture/still.js';
+import { polygonThing } from '../pointed.js';
 import type { Area } from '../trace/header.js';
 import type { View } from '../view.js';
 import { Gestures } from './gestures.js';
@@ -19,8 +21,10 @@ import './handles.js';
 import { hiddenStyle } from './hidden.style.js';
 import { Keyboard } from './keyboard.js';
 import type { Actions } from './keyboard.js';
-import { OwnSize } from './own-size.js';
-import { marksStyle, pictureStyle } from './picture.style.js';
+import { OwnSize, pointIn } from './own-size.js';
+import { Printing } from './printing.js';
+import { marksStyle } from './marks.style.js';
+import { pictureStyle } from './picture.style.js';
 import { base } from './theme.js';
 import './zoom-bar.js';
 
@@ -55,6 +59,7 @@ export class PictureElement extends LitElement {
     (frame) => (this.zoom = frame.zoom),
   );
   private known: Frame | null = null;
+  private readonly printing = new Printing(this);
 
   /** The same one as long as nothing about it changes. */
   private get frame(): Frame {
@@ -87,7 +92,7 @@ export class PictureElement extends LitElement {
   }
 
   private paint(): void {
-    const ratio = window.devicePixelRatio;
+    const ratio = window.devicePixelRatio * this.size.zoom;
     const { canvas, frame } = this;
     const { width, height } = frame.size;
     canvas.width = Math.ceil(width * ratio);
@@ -121,10 +126,9 @@ export class PictureElement extends LitElement {
   /** A press of the mouse must not take the focus: arrow keys would no longer be steps. */
   private readonly keepFocus = (event: Event): void => event.preventDefault();
 
-  private onClick({ clientX, clientY }: MouseEvent): void {
+  private onClick(event: MouseEvent): void {
     if (this.gestures.dragged) return;
-    const { left, top } = this.getBoundingClientRect();
-    const pixel = this.frame.pixelAt(clientX - left, clientY - top);
+    const pixel = this.frame.pixelAt(...pointIn(this, event));
     if (isIn(pixel, this.view.header.scene.area)) this.choose(pixel);
   }
 
@@ -186,10 +190,12 @@ export class PictureElement extends LitElement {
         @pointercancel=${gestures.onEnd}
         @touchmove=${{ handleEvent: gestures.onTouch, passive: false }}
       >
-        ${guard([frame], () => grid(frame))} ${guard([header], () => outlines(header.scene))}
-        ${marksOf(this.view, frame.sight).map((mark) => shapeOf(mark, scale))}
-        ${guard([header, scale], () => labels(header.scene, frame))}
-        ${this.cursor === null ? nothing : shapeOf(target('cursor', this.cursor), scale)}
+        ${this.printing.now ? this.pixels() : nothing}
+        ${guard([frame], () => gridShapes(frame).map(drawn))}
+        ${guard([header], () => this.outlines())}
+        ${marksOf(this.view, frame.sight).flatMap((mark) => shapesOf(mark, scale).map(drawn))}
+        ${guard([header, scale], () => this.labels())}
+        ${this.cursor === null ? nothing : shapesOf(target('cursor', this.cursor), scale).map(drawn)}
       </svg>
       ${
         this.editing === null
@@ -211,6 +217,27 @@ export class PictureElement extends LitElement {
         ${this.cursor === null ? '' : history.at(...this.cursor)}
       </p>
     `;
+  }
+
+  /** On paper the pixels are as sharp as the lines. */
+  private pixels(): readonly SVGTemplateResult[] {
+    const { screen, header } = this.view;
+    return patchesOf(screen.picture, header.scene.area).map(
+      ({ color, d }) => svg`<path class="pixels" .style=${`fill: ${color}`} d=${d} />`,
+    );
+  }
+
+  private outlines(): readonly SVGTemplateResult[] {
+    const { scene } = this.view.header;
+    return [...outlineShapes(scene), ...shapesToPoint(scene)].map(drawn);
+  }
+
+  private labels(): readonly SVGTemplateResult[] {
+    const size = labelSize / this.frame.scale;
+    return labelsOf(this.view.header.scene, this.frame).map(
+      ({ text, at: [x, y] }) =>
+        svg`<text class="label" data-thing=${polygonThing(text)} x=${x} y=${y} font-size=${size}>${text}</text>`,
+    );
   }
 }
 

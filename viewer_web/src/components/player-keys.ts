@@ -1,20 +1,55 @@
+import type { Clock } from './clock.js';
 import type { Actions } from './keyboard.js';
-import type { PlayerElement } from './player.js';
+import type { KeysElement } from './keys.js';
+import type { ListingElement } from './listing.js';
+import type { PictureElement } from './picture.js';
+import type { Presenter } from './presenter.js';
+import type { SaveElement } from './save.js';
+import type { TravelElement } from './travel.js';
 
-/** What the player does at its keys. */
-export function playerActions(player: PlayerElement, { shiftKey }: KeyboardEvent): Actions {
-  const { clock, keys, listing, picture, travel } = player;
+/** What of the player keys reach. */
+export interface Steered {
+  readonly trace: unknown;
+  readonly controls: string;
+  readonly step: number;
+  readonly first: number;
+  readonly last: number;
+  readonly presenting: boolean;
+  readonly presenter: Presenter;
+  readonly keys: KeysElement;
+  readonly clock: Clock;
+  readonly listing: ListingElement;
+  readonly picture: PictureElement;
+  readonly travel: TravelElement;
+  readonly saver: SaveElement;
+  moveTo(step: number): void;
+  togglePlay(): void;
+  showKeys(): void;
+  present(on: boolean): void;
+  point(by: 1 | -1): void;
+  openBookmarks(way: 'mark' | 'enter'): Promise<void>;
+}
+
+/** What keys do to the player now. */
+export function actionsOf(player: Steered, { shiftKey }: KeyboardEvent): Actions {
+  const { trace, controls, keys, presenting, presenter } = player;
+  if (trace === null || (controls === 'none' && !presenting)) return {};
   const showKeys = { '?': () => player.showKeys() };
   if (keys.open) return showKeys;
-  const by = shiftKey ? 10 : 1;
-  const way = shiftKey ? 'out' : 'over';
-  const goal = shiftKey ? 'bookmark' : undefined;
+  const usual = { ...showKeys, ...usualActions(player, shiftKey) };
+  return presenting ? presenter.actions(usual) : usual;
+}
+
+function usualActions(player: Steered, shift: boolean): Actions {
+  const { clock, travel, picture, saver } = player;
+  const by = shift ? 10 : 1;
+  const way = shift ? 'out' : 'over';
+  const goal = shift ? 'bookmark' : undefined;
   return {
-    ...showKeys,
     ArrowRight: () => player.moveTo(player.step + by),
     ArrowLeft: () => player.moveTo(player.step - by),
-    Home: () => player.moveTo(0),
-    End: () => player.moveTo(player.length),
+    Home: () => player.moveTo(player.first),
+    End: () => player.moveTo(player.last),
     ' ': () => player.togglePlay(),
     '+': () => clock.changeSpeed(1),
     '=': () => clock.changeSpeed(1),
@@ -23,9 +58,11 @@ export function playerActions(player: PlayerElement, { shiftKey }: KeyboardEvent
     BracketRight: () => travel.call(way, 1),
     Comma: () => travel.next(-1, goal),
     Period: () => travel.next(1, goal),
-    KeyB: () => void player.openBookmarks(shiftKey ? 'enter' : 'mark'),
-    KeyC: () => listing.toggleSource(),
-    KeyO: () => player.point(shiftKey ? -1 : 1),
+    KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
+    KeyC: () => player.listing.toggleSource(),
+    KeyO: () => player.point(shift ? -1 : 1),
     KeyP: () => picture.startChoosing(),
+    KeyF: () => player.present(!player.presenting),
+    KeyS: () => void saver.save(shift ? 'png' : 'svg'),
   };
 }

@@ -45,8 +45,13 @@ export const playerStyle = css`
     border-radius: var(--radius);
     background: var(--panel);
   }
+  .said {
+    display: flex;
+    gap: 0.75rem;
+  }
   .sentence {
     display: flex;
+    flex: 1;
     gap: 0.75rem;
     align-items: center;
     height: 3.1rem;
@@ -116,6 +121,47 @@ export const playerStyle = css`
     }
     .dock {
       padding: 0.4rem 0.6rem 0.5rem;
+    }
+  }
+  /* One sheet, A4: what happened, the picture beside the state, the listing. */
+  @media print {
+    :host {
+      container-type: normal;
+      gap: 4mm;
+    }
+    .panels {
+      flex: 1;
+      gap: 4mm;
+      grid-template: 92mm minmax(0, 1fr) / 92mm minmax(0, 1fr);
+    }
+    .panels > section {
+      border-radius: 0;
+    }
+    .panels .picture {
+      order: 0;
+      height: auto;
+    }
+    .panels .side {
+      order: 1;
+      height: auto;
+      zoom: 0.72;
+    }
+    .panels .listing {
+      order: 2;
+      grid-row: auto;
+      grid-column: 1 / -1;
+      height: auto;
+      zoom: 0.8;
+    }
+    .dock {
+      position: static;
+      order: -1;
+      padding: 0;
+      border: 0;
+    }
+    vidno-legend,
+    vidno-transport {
+      display: none;
     }
   }
 `;

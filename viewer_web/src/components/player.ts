@@ -1,37 +1,44 @@
-import { LitElement, html, nothing } from 'lit';
+import { html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
-import { customElement, property, query, state } from 'lit/decorators.js';
+import { customElement, property, query } from 'lit/decorators.js';
 import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import { canonical } from '../state/canonical.js';
 import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
-import type { Trace } from '../trace/trace.js';
+import { plain } from '../setting.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
-import { Clock } from './clock.js';
+import { embeddedStyle } from './embedded.style.js';
 import { hiddenStyle } from './hidden.style.js';
 import { Keyboard } from './keyboard.js';
 import './keys.js';
 import type { KeysElement } from './keys.js';
 import './legend.js';
+import './notice.js';
 import './listing.js';
 import type { ListingElement } from './listing.js';
 import type { PictureElement } from './picture.js';
 import './picture.js';
-import { nextThing, sayThing, thingAt } from '../pointed.js';
-import { playerActions } from './player-keys.js';
+import { sayThing } from '../pointed.js';
+import { actionsOf } from './player-keys.js';
+import { Pointing } from './pointing.js';
+import { presenterStyle } from './presenter.style.js';
+import { Presenter } from './presenter.js';
 import { playerStyle } from './player.style.js';
 import { ReadOn } from './read-on.js';
+import './save.js';
+import type { SaveElement } from './save.js';
 import './side.js';
 import type { Side, SideElement } from './side.js';
 import { base, tokens } from './theme.js';
+import { Source } from './source.js';
+import { TimedElement } from './timed.js';
 import './transport.js';
 import type { Command } from './transport.js';
 import './travel.js';
@@ -40,77 +47,61 @@ import type { TravelElement } from './travel.js';
 const mostPerFrame = 60;
 
 /**
- * Replays a trace. Set `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with the
+ * Replays a trace. Set `src`, or `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with the
  * controls. Each step that is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`, and
  * the bookmarks, when they change, by `vidno-bookmarks`; `linked` says that these are kept in the page's address.
  */
 @customElement('vidno-player')
-export class PlayerElement extends LitElement {
-  static override styles = [tokens, base, hiddenStyle, playerStyle];
+export class PlayerElement extends TimedElement {
+  static override styles = [tokens, base, hiddenStyle, playerStyle, embeddedStyle, presenterStyle];
 
-  @property({ attribute: false }) trace: Trace | null = null;
-  /** How many steps of the trace are there: more and more while it is read. */
-  @property({ attribute: false }) length = 0;
-  @property({ type: Number }) step = 0;
+  /** The address of a trace, or `#id` of a block of JSON Lines in the page; else `trace` and `length` are set. */
+  @property() src = '';
+  @property({ reflect: true }) controls: string = plain.controls;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
-  /** What is pointed at; see `pointed.ts`. */
-  @state() private pointed: string | null = null;
   @property({ type: Boolean }) linked = false;
   @property() override lang = 'en';
   /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) link: LinkMade | null = null;
+  /** For a projector: told by `vidno-present` when keys change it. */
+  @property({ type: Boolean, reflect: true }) presenting = false;
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
-  @query('vidno-listing') readonly listing!: ListingElement;
   @query('vidno-keys') readonly keys!: KeysElement;
+  @query('vidno-listing') readonly listing!: ListingElement;
   @query('vidno-picture') readonly picture!: PictureElement;
   @query('vidno-travel') readonly travel!: TravelElement;
+  @query('vidno-save') readonly saver!: SaveElement;
   @query('vidno-side') private panel!: SideElement;
   private view: View | null = null;
   private history: History | null = null;
-  readonly clock = new Clock(this, (steps) => this.advance(steps));
-  private readonly keyboard = new Keyboard(this, (event) =>
-    this.trace === null ? {} : playerActions(this, event),
-  );
+  private readonly keyboard = new Keyboard(this, (event) => actionsOf(this, event));
+  private readonly source = new Source(this);
+  private readonly pointing = new Pointing(this);
+  readonly presenter = new Presenter(this);
   private readonly reader = new ReadOn(this, mostPerFrame);
-
-  /** The state that is shown, in the form in which readers of a trace are compared. */
-  canonicalState(): unknown {
-    if (this.trace === null) return null;
-    const { header, timeline } = this.trace;
-    return canonical(timeline.seek(this.clamped(this.step)), header);
-  }
-
-  togglePlay(): void {
-    if (this.clock.playing) this.clock.stop();
-    else {
-      if (this.step >= this.length) this.step = 0;
-      this.clock.start();
-    }
-  }
-
-  private advance(steps: number): void {
-    if (steps > 0) this.step = this.clamped(this.step + steps);
-    if (this.step >= this.length && this.trace?.complete !== false) this.clock.stop();
-  }
-
-  private clamped(step: number): number {
-    return Math.min(Math.max(0, Math.trunc(step) || 0), this.length);
-  }
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (isOnlyEdited(changed)) return;
-    if (changed.has('trace')) this.clock.stop();
-    this.step = this.clamped(this.step);
+    super.willUpdate(changed);
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
-    const language: Language = isLanguage(this.lang) ? this.lang : 'en';
     if (changed.has('trace') || changed.has('pixel')) this.openHistory(changed.has('pixel'));
     this.reader.read(this.history);
     const pixel = this.history?.pixel ?? null;
     this.view =
-      this.trace && viewOf(this.trace, this.step, { language, pixel, pointed: this.pointed });
+      this.trace &&
+      viewOf(this.trace, this.step, { language: this.language, pixel, pointed: this.pointing.at });
+  }
+
+  private get language(): Language {
+    return isLanguage(this.lang) ? this.lang : 'en';
+  }
+
+  /** Whether there are all controls and all panels. */
+  private get isFull(): boolean {
+    return this.controls !== 'small' && this.controls !== 'none';
   }
 
   /** While the scene is edited its panel stays, for each run is another trace. */
@@ -121,6 +112,7 @@ export class PlayerElement extends LitElement {
   }
 
   private choosePixel(pixel: Pixel | null): void {
+    if (!this.isFull) return;
     this.pixel = pixel;
     this.side = pixel === null ? 'state' : 'pixel';
     this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
@@ -137,25 +129,25 @@ export class PlayerElement extends LitElement {
     this.dispatchEvent(new CustomEvent('vidno-bookmarks', { detail: bookmarks }));
   }
 
-  override updated(changed: PropertyValues<this>): void {
-    if (changed.has('step') || changed.has('trace')) {
-      this.dispatchEvent(new CustomEvent('vidno-step', { detail: this.step }));
-    }
-  }
-
   override render(): TemplateResult | typeof nothing {
     const { view } = this;
-    if (view === null) return nothing;
+    if (view === null) return this.excuse();
     const { texts } = view;
     return html`
-      <div class="panels" @pointerover=${this.onPoint} @pointerleave=${this.onPointerLeave}>
+      <div
+        class="panels"
+        @pointerover=${this.pointing.onOver}
+        @pointerleave=${this.pointing.onLeave}
+      >
         <section class="picture" aria-label=${texts.picture}>
           <vidno-picture
             .view=${view}
             .editing=${this.side === 'scene' ? this.editing : null}
             @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
           ></vidno-picture>
-          <vidno-legend .view=${view}></vidno-legend>
+          <vidno-legend .view=${view}>
+            <vidno-save .view=${view}></vidno-save>
+          </vidno-legend>
         </section>
         <section class="listing" aria-label=${texts.listing}>
           <vidno-listing .trace=${this.trace} .view=${view}></vidno-listing>
@@ -167,6 +159,7 @@ export class PlayerElement extends LitElement {
             .bookmarks=${this.bookmarks}
             .linked=${this.linked}
             .side=${this.side}
+            ?bare=${this.presenting}
             @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
             @command=${this.onCommand}
             @forget=${() => this.choosePixel(null)}
@@ -177,13 +170,19 @@ export class PlayerElement extends LitElement {
       </div>
       <p class="heard pointed-at" aria-live="polite">${sayThing(view)}</p>
       <div class="dock">
-        <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
-          <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
-        </p>
+        <div class="said">
+          <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
+            <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
+          </p>
+          ${this.presenter.corner(view)}
+        </div>
         <vidno-transport
           .trace=${this.trace}
           .view=${view}
           .bookmarks=${this.bookmarks}
+          .first=${this.first}
+          .last=${this.last}
+          ?plain=${!this.isFull}
           .playing=${this.clock.playing}
           .speed=${this.clock.speed}
           @command=${this.onCommand}
@@ -197,26 +196,30 @@ export class PlayerElement extends LitElement {
           ></vidno-travel>
         </vidno-transport>
       </div>
+      ${this.presenter.curtain()}
       <vidno-keys .texts=${texts}></vidno-keys>
     `;
   }
 
-  private readonly onPoint = (event: PointerEvent): void => {
-    this.pointed = thingAt(event);
-  };
-
-  /** A finger that was lifted points on. */
-  private readonly onPointerLeave = ({ pointerType }: PointerEvent): void => {
-    if (pointerType !== 'touch') this.pointed = null;
-  };
-
   /** Points at the next thing of the step, or the one before. */
   point(by: 1 | -1): void {
-    if (this.view) this.pointed = nextThing(this.pointed, by, this.view);
+    if (this.view) this.pointing.move(by, this.view);
+  }
+
+  /** What there is to say in its place. */
+  private excuse(): TemplateResult {
+    const { notice } = this.source;
+    return html`<vidno-notice .notice=${notice} .language=${this.language}></vidno-notice>`;
   }
 
   showKeys(): void {
     this.keys.toggle();
+  }
+
+  /** Shows itself to a hall, or no longer. */
+  present(on: boolean): void {
+    this.presenting = on;
+    this.dispatchEvent(new CustomEvent('vidno-present', { detail: on }));
   }
 
   private onCommand({ detail }: CustomEvent<Command>): void {
@@ -224,11 +227,6 @@ export class PlayerElement extends LitElement {
     else if (detail.do === 'speed') this.clock.speed = detail.speed;
     else if (detail.do === 'bookmarks') this.keepBookmarks(detail.bookmarks);
     else this.moveTo(detail.step);
-  }
-
-  moveTo(step: number): void {
-    this.clock.stop();
-    this.step = this.clamped(step);
   }
 
   /** Does what a key means; the page passes on keys that were pressed outside the player. */

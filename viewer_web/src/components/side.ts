@@ -41,6 +41,9 @@ export class SideElement extends LitElement {
         padding: 0 0.5rem;
         border-bottom: 1px solid var(--line);
       }
+      :host([bare]) .choice {
+        display: none;
+      }
       button {
         padding: 0.2rem 0.5rem 0;
         border: 0;
@@ -72,6 +75,11 @@ export class SideElement extends LitElement {
         fill: currentColor;
         vertical-align: -0.15em;
       }
+      @media print {
+        .choice {
+          display: none;
+        }
+      }
       button:focus-visible {
         outline-offset: -4px;
       }
@@ -83,6 +91,8 @@ export class SideElement extends LitElement {
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
   @property({ attribute: false }) side: Side = 'state';
+  /** Without the choice between panels. */
+  @property({ type: Boolean, reflect: true }) bare = false;
   /** None where the scene cannot be changed. */
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) link: LinkMade | null = null;

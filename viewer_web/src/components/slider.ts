@@ -32,6 +32,12 @@ export class SliderElement extends LitElement {
   @state() private pointed: number | null = null;
   @query('.strip') private strip!: HTMLElement;
 
+  /** The steps that can be reached: if they are not all, there is no strip. */
+  @property({ attribute: false }) first = 0;
+  @property({ attribute: false }) last = 0;
+  /** Without the strip. */
+  @property({ type: Boolean }) plain = false;
+
   @state() private rested = false;
 
   private course!: Course;
@@ -54,19 +60,29 @@ export class SliderElement extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { view, course } = this;
-    const { step, length, language } = view;
+    const { view } = this;
+    const { step } = view;
+    const strip = this.plain || this.first > 0 || this.last < view.length ? nothing : this.whole();
     return html`
       <input
         class="slider"
         type="range"
-        min="0"
-        max=${length}
+        min=${this.first}
+        max=${this.last}
         .value=${String(step)}
         aria-label=${view.texts.step}
         aria-valuetext=${this.say(step)}
         @input=${this.onInput}
       />
+      ${strip}
+    `;
+  }
+
+  /** The strip, with what it means. */
+  private whole(): TemplateResult {
+    const { view, course } = this;
+    const { step, language } = view;
+    return html`
       <vidno-strip-legend .header=${view.header} .language=${language}></vidno-strip-legend>
       <div
         class="strip"

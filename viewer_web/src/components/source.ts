@@ -1,114 +1,87 @@
-import { LitElement, css, html, nothing } from 'lit';
-import type { TemplateResult } from 'lit';
-import { customElement, property, query } from 'lit/decorators.js';
-import { sourcesOf, telling } from '../listing/sources.js';
-import type { Source, SourceLine } from '../listing/sources.js';
-import type { View } from '../view.js';
-import { bringInSight } from './in-sight.js';
-import { base } from './theme.js';
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import { openTrace } from '../trace/open.js';
+import type { Trace } from '../trace/trace.js';
+import type { Notice } from './notice.js';
 
-/** The C++ of the procedures, and the lines that told the step. */
-@customElement('vidno-source')
-export class SourceElement extends LitElement {
-  static override styles = [
-    base,
-    css`
-      :host {
-        flex: 1;
-        min-height: 0;
-      }
-      .files {
-        position: relative;
-        height: 100%;
-        padding-bottom: 0.75rem;
-        overflow: auto;
-        scrollbar-width: thin;
-      }
-      h3 {
-        position: sticky;
-        top: 0;
-        z-index: 1;
-        padding: 0.35rem 0.75rem;
-        border-bottom: 1px solid var(--line);
-        background: var(--panel);
-        font: 600 0.75rem / 1.4 var(--mono);
-        color: var(--ink);
-      }
-      ol {
-        padding: 0.4rem 0;
-        list-style: none;
-      }
-      li {
-        display: flow-root;
-        min-height: 1.45em;
-        padding: 0 0.75rem 0 calc(0.75rem + var(--indent) * 0.5ch + 2ch);
-        font: 0.75rem / 1.45 var(--mono);
-        text-indent: -2ch;
-        overflow-wrap: anywhere;
-      }
-      .comment {
-        color: var(--soft);
-        font-family: var(--sans);
-      }
-      .now {
-        background: var(--now);
-        box-shadow: inset 3px 0 var(--now-edge);
-      }
-      @container (min-width: 1500px) {
-        li {
-          font-size: 0.875rem;
-        }
-      }
-    `,
-  ];
+/** What shows the trace that `src` names. */
+export interface Sourced extends ReactiveControllerHost {
+  readonly src: string;
+  readonly step: number;
+  trace: Trace | null;
+  length: number;
+}
 
-  @property({ attribute: false }) view!: View;
+/** The document is read to its end: what stands behind the player is there, too. */
+async function documentRead(): Promise<void> {
+  if (document.readyState !== 'loading') return;
+  await new Promise((resolve) => {
+    document.addEventListener('DOMContentLoaded', resolve, { once: true });
+  });
+}
 
-  @query('.files') private files!: HTMLElement;
-  private sources: readonly Source[] = [];
-  private shown = '';
-  private followed: Element | null = null;
+/** The file at an address, or, for `#id`, the text of a block of data in the page. */
+async function fileOf(src: string): Promise<Blob> {
+  if (!src.startsWith('#')) {
+    const response = await fetch(src);
+    if (!response.ok) throw new Error(`${response.status}`);
+    return response.blob();
+  }
+  await documentRead();
+  const block = document.getElementById(src.slice(1));
+  if (block === null) throw new Error('not in the page');
+  return new Blob([`${block.textContent.trim()}\n`]);
+}
 
-  override willUpdate(): void {
-    const { method, edition } = this.view.header;
-    if (this.shown === `${method} ${edition}`) return;
-    this.shown = `${method} ${edition}`;
-    this.sources = sourcesOf({ method, edition });
+/** Reads the trace that its host's `src` names, again whenever that changes. */
+export class Source implements ReactiveController {
+  /** What there is to say instead of a trace. */
+  notice: Notice | null = null;
+  private opened = '';
+  private stopReading = (): void => undefined;
+
+  constructor(private readonly host: Sourced) {
+    host.addController(this);
   }
 
-  override render(): TemplateResult {
-    return html`<div class="files" tabindex="0" role="region" aria-label=${this.view.texts.source}>
-      ${this.sources.map((source) => this.file(source))}
-    </div>`;
+  hostUpdate(): void {
+    const { src } = this.host;
+    if (src === this.opened) return;
+    this.opened = src;
+    this.stopReading();
+    if (src !== '') void this.open(src);
   }
 
-  private file(source: Source): TemplateResult {
-    const { event } = this.view;
-    const now = event === null ? [] : telling(event, source);
-    return html`<section>
-      <h3>${source.path}</h3>
-      <ol>
-        ${source.lines.map((line, i) => this.line(line, now.includes(i)))}
-      </ol>
-    </section>`;
+  hostDisconnected(): void {
+    this.stopReading();
   }
 
-  private line({ indent, text }: SourceLine, now: boolean): TemplateResult {
-    const kind = now ? 'now' : text.startsWith('//') ? 'comment' : nothing;
-    return html`<li
-      class=${kind}
-      aria-current=${now ? 'step' : nothing}
-      .style=${`--indent: ${indent}`}
-    >
-      ${text}
-    </li>`;
+  private async open(src: string): Promise<void> {
+    this.notice = { kind: 'reading', name: src };
+    try {
+      const file = await fileOf(src);
+      if (src === this.opened) this.read(file, src);
+    } catch (error) {
+      if (src === this.opened) this.fail(src, error);
+    }
   }
 
-  /** To look where the line is makes the browser lay out the page: only when it is another. */
-  override updated(): void {
-    const mark = this.renderRoot.querySelector<HTMLElement>('.now');
-    if (mark === this.followed) return;
-    this.followed = mark;
-    if (mark !== null) bringInSight(this.files, mark, 32);
+  private read(file: Blob, name: string): void {
+    const { host } = this;
+    this.stopReading = openTrace(file, {
+      grown: (trace) => {
+        const { length } = trace.timeline;
+        if (!trace.complete && length < host.step) return;
+        this.notice = null;
+        host.length = length;
+        host.trace = trace;
+      },
+      failed: (error) => this.fail(name, error),
+    });
+  }
+
+  private fail(name: string, error: unknown): void {
+    this.notice = { kind: 'failed', name, error };
+    this.host.trace = null;
+    this.host.requestUpdate();
   }
 }

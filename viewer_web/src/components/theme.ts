@@ -29,7 +29,7 @@ export const tokens = css`
     font: 0.9375rem / 1.45 var(--sans);
     color-scheme: light;
   }
-  @media (prefers-color-scheme: dark) {
+  @media screen and (prefers-color-scheme: dark) {
     :host {
       --paper: #0f1218;
       --panel: #181c24;
@@ -50,6 +50,16 @@ export const tokens = css`
       --bad: #ff9aa8;
       --bad-wash: #3a151c;
       color-scheme: dark;
+    }
+  }
+  @media print {
+    :host {
+      --paper: #ffffff;
+      --well: #ffffff;
+      --ink: #000000;
+      --soft: #333333;
+      --line: #8a8a8a;
+      print-color-adjust: exact;
     }
   }
 `;

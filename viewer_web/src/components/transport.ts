@@ -1,10 +1,10 @@
-import { LitElement, html, svg } from 'lit';
+import { LitElement, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
-import { speeds } from './clock.js';
+import { speedsWith } from './clock.js';
 import './slider.js';
 import { base } from './theme.js';
 import { transportStyle } from './transport.style.js';
@@ -33,14 +33,21 @@ export class TransportElement extends LitElement {
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
+  /** The steps that can be reached. */
+  @property({ attribute: false }) first = 0;
+  @property({ attribute: false }) last = 0;
+  /** Without the strip and the choice of speed. */
+  @property({ type: Boolean }) plain = false;
   @property({ type: Boolean }) playing = false;
   @property({ type: Number }) speed = 5;
 
   override render(): TemplateResult {
-    const { step, length, texts } = this.view;
+    const { first, last } = this;
+    const { step, texts } = this.view;
     return html`
       <div class="buttons">
-        ${this.button('first', 0, step === 0)} ${this.button('back', step - 1, step === 0)}
+        ${this.button('first', first, step === first)}
+        ${this.button('back', step - 1, step === first)}
         <button
           class="play"
           aria-label=${this.playing ? texts.pause : texts.play}
@@ -49,30 +56,44 @@ export class TransportElement extends LitElement {
         >
           ${icon(this.playing ? 'pause' : 'play')}
         </button>
-        ${this.button('forward', step + 1, step === length)}
-        ${this.button('last', length, step === length)}
+        ${this.button('forward', step + 1, step === last)}
+        ${this.button('last', last, step === last)}
       </div>
       <vidno-slider
         .trace=${this.trace}
         .view=${this.view}
         .bookmarks=${this.bookmarks}
+        .first=${first}
+        .last=${last}
+        ?plain=${this.plain}
         @command=${({ detail }: CustomEvent<Command>) => this.ask(detail)}
       ></vidno-slider>
       <slot></slot>
       <label class="step">
         <span>${texts.step}</span>
-        <input type="number" min="0" max=${length} .value=${String(step)} @change=${this.onInput} />
-        <span class="number">${texts.ofSteps(String(length))}</span>
+        <input
+          type="number"
+          min=${first}
+          max=${last}
+          .value=${String(step)}
+          @change=${this.onInput}
+        />
+        <span class="number">${texts.ofSteps(String(last))}</span>
       </label>
-      <label class="speed">
-        <span>${texts.speed}</span>
-        <select @change=${this.onSpeed} title=${texts.perSecond(this.speed)}>
-          ${speeds.map(
-            (n) => html`<option value=${n} ?selected=${n === this.speed}>${n}/s</option>`,
-          )}
-        </select>
-      </label>
+      ${this.plain ? nothing : this.speedChoice()}
     `;
+  }
+
+  private speedChoice(): TemplateResult {
+    const { texts } = this.view;
+    return html`<label class="speed">
+      <span>${texts.speed}</span>
+      <select @change=${this.onSpeed} title=${texts.perSecond(this.speed)}>
+        ${speedsWith(this.speed).map(
+          (n) => html`<option value=${n} ?selected=${n === this.speed}>${n}/s</option>`,
+        )}
+      </select>
+    </label>`;
   }
 
   private button(

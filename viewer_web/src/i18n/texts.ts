@@ -129,6 +129,7 @@ export interface PageTexts extends FileTexts {
   readonly start: string;
   readonly nothingOpen: string;
   readonly picture: string;
+  readonly savePicture: (kind: string) => string;
   readonly listing: string;
   readonly source: string;
   readonly things: ThingTexts;
@@ -146,6 +147,8 @@ export interface PageTexts extends FileTexts {
   readonly perSecond: (n: number) => string;
   readonly keys: string;
   readonly close: string;
+  readonly present: string;
+  readonly leave: string;
   readonly keyMap: Readonly<Record<KeyUse, string>>;
   readonly window: string;
   readonly none: string;
@@ -198,4 +201,7 @@ export type KeyUse =
   | 'draw'
   | 'undo'
   | 'corner'
+  | 'present'
+  | 'remote'
+  | 'save'
   | 'map';

@@ -1,3 +1,4 @@
+import { download, fileName } from '../download.js';
 import type { Header } from '../trace/header.js';
 import { Editor } from './editor.js';
 import type { Act, Editing, Followers } from './editor.js';
@@ -69,12 +70,8 @@ export class Live {
   save(): void {
     if (this.editing === null) return;
     const { sketch } = this.editing;
-    const name = sketch.name.replace(/[^\p{L}\p{N}]+/gu, '-').toLowerCase();
-    const anchor = document.createElement('a');
-    anchor.href = URL.createObjectURL(new Blob([sceneFile(sketch)], { type: 'application/json' }));
-    anchor.download = `${name || 'scene'}.json`;
-    anchor.click();
-    URL.revokeObjectURL(anchor.href);
+    const file = new Blob([sceneFile(sketch)], { type: 'application/json' });
+    download(file, `${fileName(sketch.name) || 'scene'}.json`);
   }
 
   /** What an address must hold to show this run again; null if there is none, or it is too long for one. */

@@ -1,5 +1,6 @@
 import { follow } from './trace.js';
 import type { Trace } from './trace.js';
+import { read } from './read.js';
 import type { News } from './read.js';
 import { starterOf } from './start-worker.js';
 import code from './worker.js?code';
@@ -17,10 +18,12 @@ export interface Readers {
   failed(error: unknown): void;
 }
 
-/** Reads a file in a worker. Gives the way to stop that. */
+/** Reads a file in a worker, or here where the policy of another page allows none. Gives the way to stop that. */
 export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
   const worker = startWorker();
+  let isOver = false;
   const stop = (): void => {
+    isOver = true;
     worker.onmessage = null;
     worker.terminate();
   };
@@ -34,19 +37,28 @@ export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
     grown(trace);
     told = performance.now();
   };
+  const fail = (error: unknown): void => {
+    stop();
+    failed(error);
+  };
+  const readHere = async (): Promise<void> => {
+    worker.terminate();
+    for await (const news of read(file)) {
+      if (isOver) return;
+      take(news);
+    }
+  };
   worker.onmessage = ({ data }: MessageEvent<News>): void => {
     try {
       take(data);
     } catch (error) {
-      stop();
-      failed(error);
+      fail(error);
     }
   };
-  const fail = (event: Event): void => {
-    stop();
-    failed(event);
-  };
-  worker.addEventListener('error', fail);
+  worker.addEventListener('error', (event) => {
+    if (trace === null && !isOver) void readHere().catch(fail);
+    else fail(event);
+  });
   worker.addEventListener('messageerror', fail);
   worker.postMessage(file);
   return stop;

@@ -25,6 +25,7 @@ export const page: PageTexts = {
   start: 'Nothing has happened yet. Press → for the first step.',
   nothingOpen: 'Choose a lesson, or open a scene or a trace of your own.',
   picture: 'Picture',
+  savePicture: (kind) => `Save the picture as ${kind}`,
   listing: 'Procedure',
   things: {
     polygon: (id) => `Polygon ${id}`,
@@ -47,6 +48,8 @@ export const page: PageTexts = {
   perSecond: (n) => `${n} steps a second`,
   keys: 'Keys',
   close: 'Close',
+  present: 'Present',
+  leave: 'Leave the presentation',
   keyMap: {
     step: 'one step back, one step forward',
     ten: 'ten steps back, ten steps forward',
@@ -68,6 +71,9 @@ export const page: PageTexts = {
     draw: 'draw a polygon',
     undo: 'undo, redo a change of the scene',
     corner: 'on a corner: move it, change its depth, add, remove',
+    present: 'show to a hall: large type, nothing else',
+    remote: 'there, or on a remote control: on, back, dark screen, leave',
+    save: 'save the picture as SVG, as PNG',
     map: 'this map of keys',
   },
   window: 'Window',

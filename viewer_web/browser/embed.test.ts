@@ -1,0 +1,185 @@
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { launch, openUrl, small } from './page.js';
+
+const dist = new URL('../dist/', import.meta.url).href;
+const script = `${dist}vidno-player.js`;
+const folder = mkdtempSync(join(tmpdir(), 'vidno-embed-'));
+const evil = '<img src=x onerror=alert(1)>';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+});
+
+interface Opened {
+  readonly page: Page;
+  readonly faults: readonly string[];
+}
+
+/** Someone's page of a course, opened from disk. */
+async function course(body: string, head = ''): Promise<Opened> {
+  const file = join(folder, 'course.html');
+  const start = `<!doctype html><html lang="en"><head><meta charset="utf-8">${head}<title>Course</title>`;
+  writeFileSync(
+    file,
+    `${start}<script src="${script}"></script></head><body>${body}</body></html>`,
+  );
+  return openUrl(browser, pathToFileURL(file).href);
+}
+
+const block = `<script type="application/jsonl" id="run">${small.replaceAll('"A"', JSON.stringify(evil)).replaceAll('<', '\\u003c')}</script>`;
+
+const step = (page: Page): Promise<number> =>
+  page
+    .locator('vidno-player')
+    .evaluate((player) => (player as HTMLElement & { step: number }).step);
+
+describe('the element', () => {
+  it('shows a trace that stands in the page, from the step that it is told, in the language that it is told', async () => {
+    const { page, faults } = await course(
+      `<vidno-player src="#run" step="3" lang="ru"></vidno-player>${block}`,
+    );
+    await page.locator('.sentence').waitFor();
+    expect(await step(page)).toBe(3);
+    expect(await page.locator('.sentence').textContent()).toMatch(/[а-я]/);
+    expect(await page.locator('vidno-picture text').first().textContent()).toBe(evil);
+    expect(await page.locator('img').count()).toBe(0);
+    expect((await page.locator('vidno-player').boundingBox())?.height).toBe(576);
+    expect(faults).toEqual([]);
+  });
+
+  it('goes no farther than from its first step to its last', async () => {
+    const { page } = await course(
+      `<vidno-player src="#run" from="10" to="20"></vidno-player>${block}`,
+    );
+    await page.locator('.sentence').waitFor();
+    expect(await step(page)).toBe(10);
+    await page.locator('.play').focus();
+    await page.keyboard.press('End');
+    expect(await step(page)).toBe(20);
+    await page.keyboard.press('ArrowRight');
+    expect(await step(page)).toBe(20);
+    await page.keyboard.press('Shift+ArrowLeft');
+    await page.keyboard.press('ArrowLeft');
+    expect(await step(page)).toBe(10);
+    const slider = page.locator('.slider');
+    expect([await slider.getAttribute('min'), await slider.getAttribute('max')]).toEqual([
+      '10',
+      '20',
+    ]);
+  });
+
+  it('plays by itself, as fast as it is told, to its last step', async () => {
+    const { page } = await course(
+      `<vidno-player src="#run" to="12" speed="300" play></vidno-player>${block}`,
+    );
+    await page.waitForFunction(
+      () => (document.querySelector('vidno-player') as unknown as { step: number }).step === 12,
+    );
+    await page.locator('.play[aria-label="Play"]').waitFor();
+  });
+
+  it('follows attributes that change', async () => {
+    const { page } = await course(`<vidno-player src="#run"></vidno-player>${block}`);
+    await page.locator('.sentence').waitFor();
+    await page.locator('vidno-player').evaluate((player) => {
+      player.setAttribute('step', '7');
+      player.setAttribute('lang', 'ru');
+      player.setAttribute('controls', 'none');
+    });
+    await page.locator('vidno-transport').waitFor({ state: 'hidden' });
+    expect(await step(page)).toBe(7);
+    expect(await page.locator('.sentence').textContent()).toMatch(/[а-я]/);
+    await page.locator('vidno-player').evaluate((player) => player.setAttribute('src', '#no'));
+    await page.locator('vidno-notice').getByText('#no').waitFor();
+  });
+
+  it.each([
+    ['full', true, true],
+    ['small', true, false],
+    ['none', false, false],
+  ])('has the controls that it is told: %s', async (controls, transport, side) => {
+    const { page } = await course(
+      `<vidno-player src="#run" controls="${controls}"></vidno-player>${block}`,
+    );
+    await page.locator('.sentence').waitFor();
+    expect(await page.locator('vidno-transport').isVisible()).toBe(transport);
+    expect(await page.locator('.side').isVisible()).toBe(side);
+    await page.locator('vidno-picture > svg').focus();
+    await page.keyboard.press('Escape');
+    await page.locator('.procedures').focus();
+    await page.keyboard.press('ArrowRight');
+    expect(await step(page)).toBe(transport ? 1 : 0);
+  });
+
+  it.each([
+    ['#nowhere', /#nowhere could not be read/],
+    ['missing.jsonl', /missing.jsonl could not be read/],
+    ['#text', /#text is not a trace that can be read. Line 1/],
+  ])('says in its place what is wrong: %s', async (src, message) => {
+    const { page } = await course(
+      `<vidno-player src="${src}"></vidno-player><script type="application/jsonl" id="text">hello</script>`,
+    );
+    await page.locator('vidno-notice p.failed').waitFor();
+    expect(await page.locator('vidno-notice p.failed').textContent()).toMatch(message);
+  });
+
+  it('reads the trace itself where the policy of the page allows no worker', async () => {
+    const policy = `<meta http-equiv="Content-Security-Policy" content="worker-src 'none'">`;
+    const { page } = await course(`<vidno-player src="#run"></vidno-player>${block}`, policy);
+    await page.locator('.sentence').waitFor();
+    await page.locator('.play').focus();
+    await page.keyboard.press('End');
+    expect(await step(page)).toBe(small.trim().split('\n').length - 2);
+  });
+
+  it('can be used by everyone', async () => {
+    const { page } = await course(
+      `<h1>Course</h1><vidno-player src="#run" controls="small"></vidno-player>${block}`,
+    );
+    await page.locator('.sentence').waitFor();
+    expect(await violations(page)).toEqual([]);
+  });
+});
+
+describe('the page in a frame', () => {
+  it('is the player alone, set up by the address', async () => {
+    const first = await openUrl(browser, `${dist}index.html`);
+    const button = first.page.locator('vidno-lesson-list button').first();
+    if ((await button.count()) === 0) return;
+    const trace = (await button.getAttribute('data-trace')) ?? '';
+    const hash = `#embed&trace=${trace}&from=5&to=30&step=12&lang=ru&controls=small&speed=2`;
+    const file = join(folder, 'frame.html');
+    writeFileSync(
+      file,
+      `<!doctype html><iframe width="800" height="450" src="${dist}index.html${hash}"></iframe>`,
+    );
+    const { page, faults } = await openUrl(browser, pathToFileURL(file).href);
+    const frame = page.frameLocator('iframe');
+    await frame.locator('.sentence').waitFor();
+    for (const hidden of ['header', 'nav', 'h2']) {
+      expect(await frame.locator(hidden).first().isVisible()).toBe(false);
+    }
+    const player = frame.locator('vidno-player');
+    const box = await player.evaluate((e) => {
+      const { x, y, width, height } = e.getBoundingClientRect();
+      return [x, y, width, height, document.documentElement.scrollHeight];
+    });
+    expect(box).toEqual([0, 0, 800, 450, 450]);
+    expect(await frame.locator('input[type=number]').inputValue()).toBe('12');
+    expect(await frame.locator('.sentence').textContent()).toMatch(/[а-я]/);
+    await frame.locator('.procedures').press('Home');
+    await expect.poll(() => frame.locator('input[type=number]').inputValue()).toBe('5');
+    expect(faults).toEqual([]);
+  });
+});

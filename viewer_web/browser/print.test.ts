@@ -1,0 +1,50 @@
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { goTo, launch, open, opened, small } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+describe('on paper', () => {
+  it.each([390, 1280])('a step is one sheet of A4, from a window of %s px', async (width) => {
+    const { page, faults } = await open(browser, '#lang=ru', { viewport: { width, height: 800 } });
+    await opened(page, 'small.jsonl', small);
+    await goTo(page, 60);
+    const pdf = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
+    expect(pdf.match(/\/Type\s*\/Page\b/g)).toHaveLength(1);
+    // 210 x 297 mm in points, as whole numbers.
+    expect(pdf).toMatch(/\/MediaBox \[0 0 59[45][.\d]* 84[12][.\d]*\]/);
+    expect(faults).toEqual([]);
+  });
+
+  it('there are the picture, the sentence, the state and the lines that run, black on white', async () => {
+    const { page } = await open(browser, '#lang=en', { colorScheme: 'dark' });
+    await opened(page, 'small.jsonl', small);
+    await goTo(page, 60);
+    await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    await page.locator('.pixels').first().waitFor();
+    for (const shown of ['h2', 'vidno-picture', '.sentence', 'vidno-listing .now', '.side']) {
+      expect(await page.locator(shown).first().isVisible(), shown).toBe(true);
+    }
+    for (const hidden of [
+      'header',
+      'nav',
+      'vidno-transport',
+      'vidno-legend',
+      '.choice',
+      'canvas',
+    ]) {
+      expect(await page.locator(hidden).first().isVisible(), hidden).toBe(false);
+    }
+    const ink = await page.locator('.sentence').evaluate((e) => getComputedStyle(e).color);
+    expect(ink).toBe('rgb(0, 0, 0)');
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    await page.locator('.pixels').first().waitFor({ state: 'detached' });
+  });
+});

@@ -1,0 +1,37 @@
+import { css } from 'lit';
+
+/** As a part of another page: of a size of its own, and with few controls or none. */
+export const embeddedStyle = css`
+  :host([src]) {
+    height: 36rem;
+  }
+  :host(:is([controls='small'], [controls='none'])) {
+    & .panels {
+      flex: 1;
+      grid-template: minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1fr);
+    }
+    & .panels .picture {
+      height: auto;
+    }
+    & .panels .listing {
+      grid-area: auto;
+      height: auto;
+    }
+    & .side,
+    & vidno-legend,
+    & vidno-travel {
+      display: none;
+    }
+    & .dock {
+      position: static;
+    }
+  }
+  :host([controls='none']) vidno-transport {
+    display: none;
+  }
+  @container (max-width: 620px) {
+    :host(:is([controls='small'], [controls='none'])) .panels {
+      grid-template: minmax(0, 1.6fr) minmax(0, 1fr) / minmax(0, 1fr);
+    }
+  }
+`;

@@ -1,0 +1,25 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+
+/** Whether the page is being printed: what is drawn for paper is drawn only then. */
+export class Printing implements ReactiveController {
+  now = false;
+
+  constructor(private readonly host: ReactiveControllerHost) {
+    host.addController(this);
+  }
+
+  hostConnected(): void {
+    window.addEventListener('beforeprint', this.follow);
+    window.addEventListener('afterprint', this.follow);
+  }
+
+  hostDisconnected(): void {
+    window.removeEventListener('beforeprint', this.follow);
+    window.removeEventListener('afterprint', this.follow);
+  }
+
+  private readonly follow = ({ type }: Event): void => {
+    this.now = type === 'beforeprint';
+    this.host.requestUpdate();
+  };
+}

@@ -1,0 +1,64 @@
+import { LitElement, css, html } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { download, fileName } from '../download.js';
+import { figureOf } from '../picture/figure.js';
+import { pngOf } from '../picture/png.js';
+import type { View } from '../view.js';
+import { base } from './theme.js';
+
+/** Pixels: enough for a slide or a column of print. */
+const width = 2000;
+
+const kinds = [
+  ['svg', 'S'],
+  ['png', 'Shift S'],
+] as const;
+
+type Kind = (typeof kinds)[number][0];
+
+/** Saves the picture at the step that is shown. */
+@customElement('vidno-save')
+export class SaveElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        gap: 0.25rem;
+      }
+      button {
+        min-height: 1.5rem;
+        padding: 0 0.4rem;
+        color: var(--soft);
+        font-size: 0.75rem;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) view!: View;
+
+  async save(kind: Kind): Promise<void> {
+    const { view } = this;
+    const { header, step } = view;
+    const name = `${fileName(header.scene.name, header.method, `step-${step}`)}.${kind}`;
+    const figure = figureOf(view);
+    const svg = new Blob([figure], { type: 'image/svg+xml' });
+    download(kind === 'svg' ? svg : await pngOf(figure, width), name);
+  }
+
+  override render(): TemplateResult {
+    return html`${kinds.map(([kind, key]) => this.button(kind, key))}`;
+  }
+
+  private button(kind: Kind, key: string): TemplateResult {
+    const label = this.view.texts.savePicture(kind.toUpperCase());
+    return html`<button
+      aria-label=${label}
+      title="${label} (${key})"
+      @click=${() => void this.save(kind)}
+    >
+      ${kind.toUpperCase()}
+    </button>`;
+  }
+}

@@ -1,0 +1,107 @@
+import type { View } from '../view.js';
+import { Frame } from './frame.js';
+import { lookOf, short } from './looks.js';
+import { marksOf } from './marks.js';
+import { patchesOf } from './patches.js';
+import { shapesOf } from './shapes.js';
+import type { Shape } from './shapes.js';
+import { labelSize, gridShapes, labelsOf, outlineShapes } from './still.js';
+import type { Label } from './still.js';
+
+/** The longer side, in CSS pixels. */
+const side = 720;
+
+const references: Readonly<Record<string, string>> = {
+  '&': '&amp;',
+  '<': '&lt;',
+  '>': '&gt;',
+  '"': '&quot;',
+};
+
+/** Text as XML may have it: it has no way to write some characters. */
+function escaped(text: string): string {
+  return text
+    .replace(/[^\t\n\r\u{20}-\u{d7ff}\u{e000}-\u{fffd}\u{10000}-\u{10ffff}]/gu, '\u{fffd}')
+    .replace(/[&<>"]/g, (character) => references[character] ?? '');
+}
+
+function element(
+  name: string,
+  attributes: Iterable<readonly [string, string | number]>,
+  content = '',
+): string {
+  const written = [...attributes].map(([key, value]) => ` ${key}="${escaped(String(value))}"`);
+  return `<${name}${written.join('')}${content === '' ? '/>' : `>${content}</${name}>`}\n`;
+}
+
+function path({ look, d, color }: Shape, scale: number): string {
+  const attributes = new Map([...lookOf(look, scale), ['d', d]]);
+  if (color !== undefined) attributes.set('stroke', color);
+  return element('path', attributes);
+}
+
+/** Written twice, first as a light rim: few programs can do both at once. */
+function label({ text, at: [x, y] }: Label, { whole, scale }: Frame): string {
+  const attributes = {
+    x: short((x - whole[0]) * scale),
+    y: short((y - whole[1]) * scale + labelSize * 0.36),
+    'text-anchor': 'middle',
+    'font-family': 'sans-serif',
+    'font-weight': 'bold',
+    'font-size': labelSize,
+  };
+  const look = lookOf('label', 1);
+  const fill = look.get('fill') ?? '';
+  const rim = [...Object.entries(attributes), ...look];
+  return (
+    element('text', rim, escaped(text)) +
+    element('text', Object.entries({ ...attributes, fill }), escaped(text))
+  );
+}
+
+/**
+ * The picture at a step, with its marks and names, as an SVG document of its own, which looks as on the page wherever it
+ * is opened: vectors alone, looks as attributes, on white. The same view gives the same bytes.
+ */
+export function figureOf(view: View): string {
+  const { header, step, texts } = view;
+  const { scene } = header;
+  const frame = new Frame(scene.area, { width: side, height: side });
+  const { whole, scale } = frame;
+  const width = Math.round(whole[2] * scale);
+  const height = Math.round(whole[3] * scale);
+
+  const patches = patchesOf(view.screen.picture, scene.area);
+  const pixels = patches.map(({ color, d }) => element('path', Object.entries({ fill: color, d })));
+  const marks = marksOf({ ...view, pointed: null }, frame.sight).flatMap((mark) => shapesOf(mark, scale));
+  const shapes = [...gridShapes(frame), ...outlineShapes(scene), ...marks].map((shape) =>
+    path(shape, scale),
+  );
+  const place = `scale(${scale}) translate(${-whole[0]} ${-whole[1]})`;
+
+  const title = [scene.name, texts.methods[header.method], `${texts.step} ${step}`];
+  const content = [
+    element('title', [], escaped(title.filter(Boolean).join(' · '))),
+    element('desc', [], escaped(view.sentence)),
+    element('rect', Object.entries({ width, height, fill: '#ffffff' })),
+    element(
+      'g',
+      [['transform', place]],
+      [
+        '\n',
+        // Neighbours must meet without a seam.
+        element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`),
+        ...shapes,
+      ].join(''),
+    ),
+    ...labelsOf(scene, frame).map((each) => label(each, frame)),
+  ];
+  const document = Object.entries({
+    xmlns: 'http://www.w3.org/2000/svg',
+    width,
+    height,
+    viewBox: `0 0 ${width} ${height}`,
+    'xml:lang': view.language,
+  });
+  return `<?xml version="1.0" encoding="UTF-8"?>\n${element('svg', document, `\n${content.join('')}`)}`;
+}

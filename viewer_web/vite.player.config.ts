@@ -1,0 +1,21 @@
+import { defineConfig } from 'vite';
+import type { Rollup } from 'vite';
+import { licensed } from './plugins/licensed.js';
+import { workerCode } from './plugins/worker-code.js';
+
+const workers: Rollup.OutputChunk[] = [];
+
+/** The player as one script for pages of others, which defines the element `vidno-player`. */
+export default defineConfig({
+  plugins: [workerCode(workers), licensed(workers)],
+  build: {
+    target: 'es2022',
+    emptyOutDir: false,
+    lib: {
+      entry: 'src/player.ts',
+      formats: ['iife'],
+      name: 'vidno',
+      fileName: () => 'vidno-player.js',
+    },
+  },
+});
