@@ -21,8 +21,8 @@ struct Outcome {
     std::string text;  // standard output and error
 };
 
-Outcome program(const std::string& arguments) {
-    std::FILE* pipe = popen(("'" VIDNO_FILE "' " + arguments + " 2>&1 </dev/null").c_str(), "r");
+Outcome program(const std::string& arguments, const std::string& file = VIDNO_FILE) {
+    std::FILE* pipe = popen(("'" + file + "' " + arguments + " 2>&1 </dev/null").c_str(), "r");
     REQUIRE(pipe != nullptr);
     std::string text;
     std::array<char, 4096> block{};
@@ -60,6 +60,19 @@ struct Workplace {
 
 const std::string square_scene = R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":1},"polygons":[)"
                                  R"({"color":"#ff0000","vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}]})";
+
+/// As RFC 4648 has it.
+std::string base64_of(const std::string& bytes) {
+    constexpr auto* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        unsigned group = 0;
+        for (std::size_t j = i; j < i + 3; ++j) group = group << 8 | (j < bytes.size() ? (unsigned char)bytes[j] : 0u);
+        for (int part = 0; part < 4; ++part) text += letters[group >> (18 - 6 * part) & 63];
+    }
+    for (std::size_t i = 0; i < (3 - bytes.size() % 3) % 3; ++i) text[text.size() - 1 - i] = '=';
+    return text;
+}
 
 // The left pixel red, the right one background.
 const std::string square_picture("P6\n2 1\n255\n\xff\0\0\xff\xff\xff", 17);
@@ -263,6 +276,10 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "chart " + wide + " -o " + work.file("a.json"),
              "chart " + scene + " --cost money -o " + work.file("a.svg"),
              "chart " + work.file("missing.json") + " -o " + work.file("a.json"),
+             "page " + scene,
+             "page " + scene + " -o " + work.file("a.htm"),
+             "page " + question + " -o " + work.file("a.html"),
+             "page " + work.file("missing.jsonl") + " -o " + work.file("a.html"),
              "map " + scene,
              "map " + work.file("missing.json"),
              "map " + question + " --kernel half",
@@ -356,6 +373,83 @@ TEST_CASE("chart: the name decides what is written") {
     CHECK(figure.find("operations times bits") != std::string::npos);
 }
 
+TEST_CASE("page: the built page with what was given in place of its lessons") {
+    const Workplace work;
+    // The page that the program finds beside its own folder.
+    const std::string before = R"(<html><script type="module">let a = '</body>'</script><body><p>page</p>)";
+    const std::string library = R"(<script type="application/octet-stream" id="vidno-library">H4sI</script>)";
+    const std::string after = "</body></html><!-- licences -->\n";
+    const std::string lessons = R"(<script type="application/json" id="vidno-lessons">[{"id":"a"}]</script>)"
+                                R"(<script type="application/octet-stream" data-vidno-file="a.jsonl.gz">H4sI</script>)"
+                                R"(<script type="application/octet-stream" data-vidno-file="b.jsonl.gz">H4sI</script>)";
+    fs::create_directories(work.directory / "bin");
+    fs::create_directories(work.directory / "share/vidno");
+    fs::copy_file(VIDNO_FILE, work.directory / "bin/vidno");
+    const std::string vidno = work.file("bin/vidno");
+    const auto page = [&](const std::string& arguments) { return program("page " + arguments, vidno); };
+
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string trace = work.file("run.jsonl.gz");
+    REQUIRE(program("trace " + scene + " --method zbuffer -o " + trace).status == 0);
+    const std::string output = " -o " + work.file("out.html");
+
+    SUBCASE("a trace that is packed already: its bytes, as base64") {
+        work.write("share/vidno/index.html", before + lessons + library + after);
+        REQUIRE(page(trace + output).status == 0);
+        REQUIRE(program("trace " + scene + " --method zbuffer -o " + work.file("plain.jsonl")).status == 0);
+        const std::string made = work.read("out.html");
+        const std::string index =
+            R"([{"id":"1.jsonl.gz","title":{"en":"run.jsonl.gz","ru":"run.jsonl.gz"},"traces":[{"file":"1.jsonl.gz",)"
+            R"("method":"zbuffer","kernel":"double","edition":"corrected","detail":"signs"}]}])";
+        const std::string blocks = R"(<script type="application/json" id="vidno-lessons">)" + index +
+                                   R"(</script><script type="application/octet-stream" data-vidno-file="1.jsonl.gz">)" +
+                                   base64_of(work.read("run.jsonl.gz")) + "</script>";
+        CHECK(made == before + blocks + library + after);
+    }
+    SUBCASE(
+        "a scene, with the options of a run; no name ends the block; a page without lessons takes them at its end") {
+        work.write("share/vidno/index.html", before + library + after);
+        const std::string named = R"({"name":"</script><b>",)" + square_scene.substr(1);
+        REQUIRE(page(work.write("named.json", named) + " " + trace + output).status == 0);
+        const std::string made = work.read("out.html");
+        CHECK(made.rfind(before + library + R"(<script type="application/json" id="vidno-lessons">[)", 0) == 0);
+        CHECK(made.find(R"("title":{"en":"\u003c/script>\u003cb>",)") != std::string::npos);
+        CHECK(made.find(
+                  R"("file":"1.json","method":"warnock","kernel":"double","edition":"corrected","detail":"signs")") !=
+              std::string::npos);
+        // {"format" in base64: seven of its bytes in whole letters.
+        CHECK(made.find(R"(data-vidno-file="1.json">eyJmb3JtYX)") != std::string::npos);
+        CHECK(made.find(R"(data-vidno-file="2.jsonl.gz">)") != std::string::npos);
+    }
+    SUBCASE("nothing given: the page with its lessons") {
+        work.write("share/vidno/index.html", before + lessons + library + after);
+        REQUIRE(page(output).status == 0);
+        CHECK(work.read("out.html") == before + lessons + library + after);
+    }
+    SUBCASE("a trace that was cut short is taken as far as it goes, exit 1") {
+        work.write("share/vidno/index.html", before + lessons + library + after);
+        REQUIRE(program("trace " + scene + " -o " + work.file("whole.jsonl")).status == 0);
+        const std::string whole = work.read("whole.jsonl");
+        const auto cut = page(work.write("cut.jsonl", whole.substr(0, whole.size() - 120)) + output);
+        CHECK(cut.status == 1);
+        CHECK(cut.text.find("cut short") != std::string::npos);
+        CHECK(work.has("out.html"));
+    }
+    SUBCASE("refused: what is neither, a scene for a page that cannot run one, and where no page was built") {
+        const std::string text = work.write("text.jsonl", "hello\n");
+        work.write("share/vidno/index.html", before + lessons + after);
+        CHECK(page(text + output).text.find("text.jsonl:1: not JSON") != std::string::npos);
+        CHECK(page(scene + output).text.find("without the library") != std::string::npos);
+        CHECK(page(trace + output).status == 0);
+        fs::remove(work.file("out.html"));
+        fs::remove(work.file("share/vidno/index.html"));
+        const auto unbuilt = page(trace + output);
+        CHECK(unbuilt.status == 2);
+        CHECK(unbuilt.text.find("index.html: not there; ./dev demo builds the page") != std::string::npos);
+        CHECK_FALSE(work.has("out.html"));
+    }
+}
+
 TEST_CASE("map: a table, a picture or counts; exit 1 if any place is answered wrongly") {
     const Workplace work;
     const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
@@ -375,7 +469,7 @@ TEST_CASE("map: a table, a picture or counts; exit 1 if any place is answered wr
 TEST_CASE("Help says what there is, exit 0") {
     for (const std::string call :
          {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "chart --help",
-          "map --help", "stability --help", "import --help", "methods", "--version"}) {
+          "page --help", "map --help", "stability --help", "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <utility>
 
@@ -44,6 +45,29 @@ std::string read_file(const std::string& name) {
         bytes << in.rdbuf();
     }
     return std::move(bytes).str();
+}
+
+std::string gzipped(std::string_view bytes) {
+    z_stream stream{};
+    constexpr int gzip_window = 15 + 16;
+    if (deflateInit2(&stream, 6, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
+    std::string packed;
+    std::string part(std::size_t{1} << 16, '\0');
+    int status = Z_OK;
+    while (status != Z_STREAM_END) {
+        if (stream.avail_in == 0 && !bytes.empty()) {
+            const auto given = bytes.substr(0, std::size_t{1} << 30);
+            stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(given.data()));
+            stream.avail_in = uInt(given.size());
+            bytes.remove_prefix(given.size());
+        }
+        stream.next_out = reinterpret_cast<Bytef*>(part.data());
+        stream.avail_out = uInt(part.size());
+        status = deflate(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
+        packed.append(part, 0, part.size() - stream.avail_out);
+    }
+    deflateEnd(&stream);
+    return packed;
 }
 
 struct OutputFile::Stream {

@@ -2,8 +2,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace vidno {
+
+/// What a page of traces has beside each other: a trace, or a scene that it runs when it is opened.
+struct PageFile {
+    std::string title;
+    std::string method, kernel, edition, detail;  // of the run
+    std::string bytes;                            // a trace, gzipped; or a scene
+    bool is_scene = false;
+};
+
+/// The page that shows traces, with these files instead of its lessons, or, if there are none, with the lessons. Throws
+/// Refused if no page was built, or if it cannot run a scene.
+std::string trace_page(const std::vector<PageFile>& files);
 
 /// The page that shows a chart, with the chart in it. Throws Refused if no page was built.
 std::string chart_page(const std::string& json);

@@ -13,7 +13,7 @@ namespace {
 
 /// What a trace says of its run, or for a scene the defaults.
 TraceHeader run_of(const std::string& file) {
-    if (file.ends_with(".jsonl") || file.ends_with(".jsonl.gz")) return TraceReader(LineReader(file), file).header();
+    if (is_trace(file)) return TraceReader(LineReader(file), file).header();
     const RunOptions defaults;
     return {Method::warnock, defaults.edition, defaults.kernel, Detail::signs, scene_from(file)};
 }

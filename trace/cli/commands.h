@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "import.h"
 #include "run.h"
 #include "stability.h"
+#include "trace_reader.h"
 
 namespace CLI {
 class App;
@@ -64,6 +66,11 @@ struct DiffOptions {
     std::string first, second;
 };
 
+struct PageOptions {
+    std::vector<std::string> files;
+    std::string output;
+};
+
 struct MeshOptions {
     std::string mesh, output;
     ImportOptions import;
@@ -90,6 +97,12 @@ NamedKernel kernel_of(const RunOptions& options);
 /// The scene of a file; warnings go to standard error.
 Scene scene_from(const std::string& file);
 
+/// Whether a file is a trace, by its name.
+inline bool is_trace(const std::string& file) { return file.ends_with(".jsonl") || file.ends_with(".jsonl.gz"); }
+
+/// After the last event: whether the trace is of a whole run. If not, it is said on standard error.
+bool is_whole(const TraceReader& reader);
+
 /// The scene as the kernel runs it: snapped for `grid`, which is said on standard error; else as it is.
 Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file);
 
@@ -115,6 +128,7 @@ int map(const MapOptions& options);
 int chart(const ChartOptions& options);
 int replay(const ReplayOptions& options);
 int diff(const DiffOptions& options);
+int page(const PageOptions& options);
 int import(const MeshOptions& options);
 int stability(const StabilityOptions& options);
 int methods();

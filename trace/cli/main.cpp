@@ -156,6 +156,18 @@ CLI::App& add_diff(CLI::App& app, DiffOptions& options) {
     return command;
 }
 
+CLI::App& add_page(CLI::App& app, PageOptions& options) {
+    auto& command = *app.add_subcommand("page", "Make one page of traces and scenes that opens from disk");
+    command.add_option("SCENE|TRACE", options.files,
+                       "Scene files, and traces (.jsonl, .jsonl.gz); without any, the page has the lessons");
+    command.add_option("-o", options.output, "The page, .html; - for standard output")->required();
+    command.footer(
+        "The page has all it shows in itself and opens the first one; a scene it runs itself.\n"
+        "Example: vidno page run.jsonl.gz scene.json -o lecture.html\n"
+        "Exit status 1: a trace was cut short or is partial; the page has what there is of it.");
+    return command;
+}
+
 CLI::App& add_import(CLI::App& app, MeshOptions& options) {
     auto& command = *app.add_subcommand("import", "Make a scene from a mesh seen by a camera");
     command.add_option("MESH", options.mesh, "A mesh: .obj, .off, .ply or .stl")->required();
@@ -213,6 +225,7 @@ int main(int argc, char** argv) {
     ChartOptions charted;
     ReplayOptions replayed;
     DiffOptions compared;
+    PageOptions paged;
     MeshOptions mesh;
     StabilityOptions campaign;
     int status = 0;
@@ -226,6 +239,7 @@ int main(int argc, char** argv) {
     add_chart(app, charted).callback([&] { status = chart(charted); });
     add_replay(app, replayed).callback([&] { status = replay(replayed); });
     add_diff(app, compared).callback([&] { status = diff(compared); });
+    add_page(app, paged).callback([&] { status = page(paged); });
     add_import(app, mesh).callback([&] { status = import(mesh); });
     add_stability(app, campaign).callback([&] { status = stability(campaign); });
     app.add_subcommand("methods", "What there is: methods, kernels, editions, levels")->callback([&] {

@@ -25,23 +25,28 @@ bool advance(TraceReader& reader, State& state) {
 
 /// What the file says of itself against what was read.
 int verdict(const TraceReader& reader, const State& state) {
-    const std::string& place = reader.place();
-    if (!reader.end()) {
-        std::cerr << place << ": cut short: " << reader.events() << " events read, the last line is missing\n";
-        return 1;
-    }
-    if (reader.end()->partial) {
-        std::cerr << place << ": partial: the run was stopped after " << reader.events() << " events\n";
-        return 1;
-    }
+    if (!is_whole(reader)) return 1;
     if (reader.end()->picture != picture_hash(state.picture())) {
-        std::cerr << place << ": the events paint another picture than the trace says\n";
+        std::cerr << reader.place() << ": the events paint another picture than the trace says\n";
         return 1;
     }
     return 0;
 }
 
 }  // namespace
+
+bool is_whole(const TraceReader& reader) {
+    const std::string& place = reader.place();
+    if (!reader.end()) {
+        std::cerr << place << ": cut short: " << reader.events() << " events read, the last line is missing\n";
+        return false;
+    }
+    if (reader.end()->partial) {
+        std::cerr << place << ": partial: the run was stopped after " << reader.events() << " events\n";
+        return false;
+    }
+    return true;
+}
 
 int replay(const ReplayOptions& options) {
     const bool all_states = options.output.ends_with(".jsonl");

@@ -4,7 +4,10 @@ import type { Checked } from './trace/check.js';
 import { details, tables } from './trace/events.js';
 import type { Method } from './trace/events.js';
 
-/** What `index.json` beside the lessons' traces says; the build embeds it together with them. */
+/**
+ * What `index.json` beside the lessons' traces says; the build embeds it together with them. `vidno page` may put a scene
+ * in the place of a trace: what is said of the run is then how to run it.
+ */
 const entry = part({
   file: text,
   method: oneOf(...(Object.keys(tables) as Method[])),
@@ -22,7 +25,7 @@ export type Lesson = Checked<typeof lessonList>[number];
 
 /** The name of an embedded trace in the page's address. */
 export function idOf({ file }: LessonTrace): string {
-  return file.replace(/\.jsonl(\.gz)?$/, '');
+  return file.replace(/\.(json|jsonl|jsonl\.gz)$/, '');
 }
 
 /** The lessons that stand in the page as blocks of data, which no browser executes. */

@@ -60,9 +60,12 @@ export class Session implements ReactiveController {
     this.stopReading();
   }
 
-  openLesson(chosen: LessonTrace, place = beginning): void {
+  async openLesson(chosen: LessonTrace, place = beginning): Promise<void> {
+    const { file: name, ...run } = chosen;
     const file = embeddedFile(document, chosen);
-    if (file !== null) this.open(file, chosen.file, idOf(chosen), place);
+    if (file === null) return;
+    if (!name.endsWith('.json')) this.open(file, name, idOf(chosen), place);
+    else this.openScene(await file.text(), name, { ...run, check: false }, place);
   }
 
   async openFile(file: File): Promise<void> {

@@ -5,29 +5,22 @@ export const embeddedStyle = css`
   :host([src]) {
     height: 36rem;
   }
-  :host(:is([controls='small'], [controls='none'])) {
-    & .panels {
-      flex: 1;
-      grid-template: minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1fr);
-    }
-    & .panels .picture {
-      height: auto;
-    }
-    & .panels .listing {
-      grid-area: auto;
-      height: auto;
-    }
-    & .side,
-    & vidno-legend,
-    & vidno-travel {
-      display: none;
-    }
-    & .dock {
-      position: static;
-    }
+  :host(:is([controls='small'], [controls='none'])) :is(.side, vidno-legend, vidno-travel) {
+    display: none;
   }
   :host([controls='none']) vidno-transport {
     display: none;
+  }
+  :host(:is([controls='small'], [controls='none'])) .panels {
+    flex: 1;
+    grid-template: minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1fr);
+  }
+  :host(:is([controls='small'], [controls='none'])) .panels > section {
+    grid-area: auto;
+    height: auto;
+  }
+  :host(:is([controls='small'], [controls='none'])) .dock {
+    position: static;
   }
   @container (max-width: 620px) {
     :host(:is([controls='small'], [controls='none'])) .panels {

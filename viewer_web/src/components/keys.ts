@@ -38,7 +38,7 @@ export class KeysElement extends LitElement {
     base,
     css`
       dialog {
-        max-width: min(32rem, calc(100vw - 2rem));
+        max-width: min(54rem, calc(100vw - 2rem));
         padding: 1.25rem 1.5rem;
         border: 1px solid var(--line);
         border-radius: var(--radius);
@@ -56,7 +56,7 @@ export class KeysElement extends LitElement {
       dl {
         display: grid;
         grid-template-columns: auto 1fr;
-        gap: 0.5rem 1.25rem;
+        gap: 0.3rem 1.25rem;
         align-items: baseline;
       }
       dt {

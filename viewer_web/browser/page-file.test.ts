@@ -1,0 +1,47 @@
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { run } from './live.js';
+import { launch, openUrl, whole } from './page.js';
+
+/** A page that the program made of the scene of lesson 5 and the trace of lesson 7. */
+const file = join(process.env['VIDNO_STATES'] ?? '', 'page.html');
+
+describe.runIf(existsSync(file))('a page made by the program', () => {
+  let browser: Browser;
+  beforeAll(async () => {
+    browser = await launch();
+  });
+  afterAll(async () => {
+    await browser.close();
+  });
+
+  it('opens its first file, a scene that it runs itself, and has the others instead of the lessons', async () => {
+    const { page, faults } = await openUrl(browser, `${pathToFileURL(file).href}#lang=en`);
+    await page.locator('vidno-listing').waitFor();
+    const scene = await run(page);
+    expect([scene.method, scene.kernel]).toEqual(['warnock', 'double']);
+    expect(scene.lines[0]).toContain('"e":"plane"');
+
+    const buttons = page.locator('vidno-lesson-list button');
+    expect(await buttons.count()).toBe(2);
+    await buttons.last().click();
+    await buttons.last().and(page.locator('[aria-pressed="true"]')).waitFor();
+    await whole(page);
+    expect((await run(page)).method).toBe('zbuffer');
+    await page.waitForFunction(() => location.hash.includes('trace=2'));
+    await buttons.first().click();
+    await page.waitForFunction(() => location.hash.includes('scene='));
+    expect((await run(page)).lines).toEqual(scene.lines);
+    expect(faults).toEqual([]);
+  });
+
+  it('opens a trace by its link', async () => {
+    const { page } = await openUrl(browser, `${pathToFileURL(file).href}#lang=en&trace=2&step=9`);
+    await page.locator('vidno-listing').waitFor();
+    expect((await run(page)).method).toBe('zbuffer');
+    expect(await page.locator('input[type=number]').inputValue()).toBe('9');
+  });
+});
