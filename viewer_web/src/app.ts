@@ -72,7 +72,7 @@ export class AppElement extends LitElement {
       all.find((each) => idOf(each) === trace) ?? (trace === null ? all[0] : undefined);
     if (chosen === undefined) return;
     if (idOf(chosen) === session.lesson) session.move(place);
-    else session.openLesson(chosen, place);
+    else void session.openLesson(chosen, place);
   };
 
   /** Keys that were pressed outside the player are passed on to it. */

@@ -17,6 +17,7 @@ export const listingStyle = css`
     border-bottom: 1px solid var(--line);
   }
   .head button {
+    display: var(--tools, block);
     align-self: center;
     padding: 0 0.5rem;
     font: 600 0.75rem var(--mono);

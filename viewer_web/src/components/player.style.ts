@@ -8,6 +8,16 @@ export const playerStyle = css`
     min-height: 0;
     container-type: inline-size;
   }
+  /* What is only there to be pressed. */
+  :host([presenting]),
+  :host([controls='none']) {
+    --tools: none;
+  }
+  @media print {
+    :host {
+      --tools: none;
+    }
+  }
   .panels {
     display: grid;
     flex: 1;

@@ -19,6 +19,7 @@ export class ZoomBarElement extends LitElement {
     base,
     css`
       :host {
+        display: var(--tools, block);
         position: absolute;
         top: 0.375rem;
         right: 0.375rem;

@@ -73,7 +73,9 @@ export function figureOf(view: View): string {
 
   const patches = patchesOf(view.screen.picture, scene.area);
   const pixels = patches.map(({ color, d }) => element('path', Object.entries({ fill: color, d })));
-  const marks = marksOf({ ...view, pointed: null }, frame.sight).flatMap((mark) => shapesOf(mark, scale));
+  const marks = marksOf({ ...view, pointed: null }, frame.sight).flatMap((mark) =>
+    shapesOf(mark, scale),
+  );
   const shapes = [...gridShapes(frame), ...outlineShapes(scene), ...marks].map((shape) =>
     path(shape, scale),
   );
