@@ -9,6 +9,7 @@ describe('the address', () => {
       live: null,
       step: 17,
       pixel: [3, -4],
+      layer: 'difference',
       bookmarks: [
         { step: 3, note: 'здесь z = 1/2 & всё' },
         { step: 17, note: '' },
@@ -19,14 +20,19 @@ describe('the address', () => {
 
   it('carries a scene of one’s own', () => {
     const live = { run: 'zbuffer.corrected.bits:8.signs', scene: 'q1YqS8zJBwA-_' };
-    const place = { step: 4, pixel: null, bookmarks: [{ step: 3, note: 'x' }] } as const;
+    const place = {
+      step: 4,
+      pixel: null,
+      layer: 'picture',
+      bookmarks: [{ step: 3, note: 'x' }],
+    } as const;
     const address = { language: 'en', trace: null, live, ...place } as const;
     expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
   it('forgets step, pixel and bookmarks where nothing is open that a link can hold', () => {
     const bookmarks = [{ step: 3, note: 'x' }];
-    const place = { step: 3, pixel: [1, 2], bookmarks } as const;
+    const place = { step: 3, pixel: [1, 2], layer: 'exact', bookmarks } as const;
     expect(formatAddress({ language: 'en', trace: null, live: null, ...place })).toBe('#lang=en');
   });
 
@@ -38,6 +44,7 @@ describe('the address', () => {
     '#%%%',
     '',
     '#step=abc',
+    '#layer=x',
     '#pixel=1',
     '#pixel=1,2,3',
     '#pixel=1.5,2',
@@ -53,6 +60,7 @@ describe('the address', () => {
       live: null,
       step: 0,
       pixel: null,
+      layer: 'picture',
       bookmarks: [],
     });
   });

@@ -2,12 +2,14 @@ import { isLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
 import type { Carried } from './live/live.js';
 import type { Pixel } from './picture/pixel.js';
+import { isLayer } from './picture/layers.js';
+import type { Layer } from './picture/layers.js';
 import { formatBookmarks, parseBookmarks } from './time/bookmarks.js';
 import type { Bookmarks } from './time/bookmarks.js';
 
 /**
- * What the page's address holds behind `#`: language, embedded trace or a scene of one's own, step, chosen pixel and
- * bookmarks.
+ * What the page's address holds behind `#`: language, embedded trace or a scene of one's own, step, chosen pixel, what
+ * the pixels show, and bookmarks.
  */
 export interface Address {
   readonly language: Language | null;
@@ -15,6 +17,7 @@ export interface Address {
   readonly live: Carried | null;
   readonly step: number;
   readonly pixel: Pixel | null;
+  readonly layer: Layer;
   readonly bookmarks: Bookmarks;
 }
 
@@ -28,17 +31,27 @@ export function parseAddress(hash: string): Address {
   const language = fields.get('lang');
   const step = Number(fields.get('step'));
   const scene = fields.get('scene');
+  const layer = fields.get('layer');
   return {
     language: isLanguage(language) ? language : null,
     trace: fields.get('trace'),
     live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
     step: Number.isSafeInteger(step) && step > 0 ? step : 0,
     pixel: parsePixel(fields.get('pixel')),
+    layer: isLayer(layer) ? layer : 'picture',
     bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
   };
 }
 
-export function formatAddress({ language, trace, live, step, pixel, bookmarks }: Address): string {
+export function formatAddress({
+  language,
+  trace,
+  live,
+  step,
+  pixel,
+  layer,
+  bookmarks,
+}: Address): string {
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (trace !== null) fields.set('trace', trace);
@@ -48,6 +61,7 @@ export function formatAddress({ language, trace, live, step, pixel, bookmarks }:
   }
   if (trace !== null || live !== null) {
     if (pixel !== null) fields.set('pixel', pixel.join());
+    if (layer !== 'picture') fields.set('layer', layer);
     if (bookmarks.length > 0) fields.set('bookmarks', formatBookmarks(bookmarks));
     fields.set('step', String(step));
   }

@@ -19,6 +19,8 @@ import type { Language } from './i18n/language.js';
 import { embeddedLessons, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
 import type { Act } from './live/editor.js';
+import { needsExact } from './picture/layers.js';
+import type { Exact, Layer } from './picture/layers.js';
 import type { Pixel } from './picture/pixel.js';
 import { Session } from './session.js';
 import type { Bookmarks } from './time/bookmarks.js';
@@ -29,6 +31,7 @@ export class AppElement extends LitElement {
   static override styles = [tokens, base, headerStyle, appStyle];
 
   @state() private language: Language = 'en';
+  @state() private layer: Layer = 'picture';
   @query('vidno-player') private player!: PlayerElement;
 
   private readonly lessons = embeddedLessons(document);
@@ -54,8 +57,9 @@ export class AppElement extends LitElement {
   }
 
   private readonly followAddress = (): void => {
-    const { language, trace, live, ...place } = parseAddress(location.hash);
+    const { language, trace, live, layer, ...place } = parseAddress(location.hash);
     this.language = language ?? this.language;
+    this.layer = layer;
     const { session } = this;
     if (live !== null) {
       void session.openCarried(live, place);
@@ -99,9 +103,9 @@ export class AppElement extends LitElement {
   }
 
   private async address(): Promise<string> {
-    const { language, session } = this;
+    const { language, layer, session } = this;
     const live = await session.live.carried();
-    return formatAddress({ language, trace: session.lesson, live, ...session.place });
+    return formatAddress({ language, trace: session.lesson, live, layer, ...session.place });
   }
 
   private async copyLink(): Promise<void> {
@@ -113,6 +117,19 @@ export class AppElement extends LitElement {
   private chooseLanguage(language: Language): void {
     this.language = language;
     this.writeAddress();
+  }
+
+  private chooseLayer(layer: Layer): void {
+    this.layer = layer;
+    this.writeAddress();
+  }
+
+  /** The exact picture is asked for only when it is shown. */
+  private get exact(): Exact {
+    const { trace, exact } = this.session;
+    if (trace === null) return null;
+    const { scene } = trace.header;
+    return needsExact(this.layer) ? exact.of(scene) : exact.unasked(scene);
   }
 
   override updated(): void {
@@ -161,10 +178,13 @@ export class AppElement extends LitElement {
           .pixel=${place.pixel}
           .bookmarks=${place.bookmarks}
           ?linked=${session.isLinked}
+          .layer=${this.layer}
+          .exact=${this.exact}
           .editing=${live.editing}
           .link=${live.link}
           @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
           @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
+          @vidno-layer=${({ detail }: CustomEvent<Layer>) => this.chooseLayer(detail)}
           @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
           @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
           @vidno-save=${() => live.save()}

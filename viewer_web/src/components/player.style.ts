@@ -29,12 +29,6 @@ export const playerStyle = css`
     flex: 1;
     min-width: 0;
   }
-  .panels > .picture {
-    flex-direction: column;
-  }
-  .picture vidno-legend {
-    flex: none;
-  }
   .dock {
     display: grid;
     grid-template-columns: minmax(0, 1fr);
@@ -95,7 +89,7 @@ export const playerStyle = css`
     }
     .picture {
       order: -2;
-      height: 92cqw;
+      height: 106cqw;
     }
     .listing {
       grid-row: auto;

@@ -5,6 +5,7 @@ import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
+import type { Exact, Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import { canonical } from '../state/canonical.js';
@@ -20,10 +21,10 @@ import { Keyboard } from './keyboard.js';
 import type { Actions } from './keyboard.js';
 import './keys.js';
 import type { KeysElement } from './keys.js';
-import './legend.js';
 import './listing.js';
-import type { PictureElement } from './picture.js';
-import './picture.js';
+import { isOnlyEdited } from './only-edited.js';
+import './picture-panel.js';
+import type { PicturePanelElement } from './picture-panel.js';
 import { playerStyle } from './player.style.js';
 import { ReadOn } from './read-on.js';
 import './side.js';
@@ -51,6 +52,10 @@ export class PlayerElement extends LitElement {
   @property({ type: Number }) step = 0;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
+  /** What the pixels show, if the trace has it; another layer is asked for by `vidno-layer`. */
+  @property({ attribute: false }) layer: Layer = 'picture';
+  /** The exact picture of the scene. */
+  @property({ attribute: false }) exact: Exact = null;
   @property({ type: Boolean }) linked = false;
   @property() override lang = 'en';
   /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
@@ -59,7 +64,7 @@ export class PlayerElement extends LitElement {
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-keys') private keys!: KeysElement;
-  @query('vidno-picture') private picture!: PictureElement;
+  @query('vidno-picture-panel') private picture!: PicturePanelElement;
   @query('vidno-travel') private travel!: TravelElement;
   @query('vidno-side') private panel!: SideElement;
   private view: View | null = null;
@@ -141,12 +146,13 @@ export class PlayerElement extends LitElement {
     return html`
       <div class="panels">
         <section class="picture" aria-label=${texts.picture}>
-          <vidno-picture
+          <vidno-picture-panel
             .view=${view}
             .editing=${this.side === 'scene' ? this.editing : null}
+            .layer=${this.layer}
+            .exact=${this.exact}
             @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
-          ></vidno-picture>
-          <vidno-legend .view=${view}></vidno-legend>
+          ></vidno-picture-panel>
         </section>
         <section class="listing" aria-label=${texts.listing}>
           <vidno-listing .view=${view}></vidno-listing>
@@ -234,16 +240,10 @@ export class PlayerElement extends LitElement {
       Comma: () => this.travel.next(-1, goal),
       Period: () => this.travel.next(1, goal),
       KeyB: () => void this.openBookmarks(shiftKey ? 'enter' : 'mark'),
+      KeyL: () => this.picture.nextLayer(),
       KeyP: () => this.picture.startChoosing(),
     };
   }
-}
-
-/** A change of the scene is shown by the form and the handles; the rest waits for its run. */
-function isOnlyEdited(changed: ReadonlyMap<PropertyKey, unknown>): boolean {
-  return (
-    changed.size > 0 && [...changed.keys()].every((key) => /^(editing|link)$/.test(String(key)))
-  );
 }
 
 declare global {

@@ -225,6 +225,7 @@ export type KeyUse =
   | 'pixel'
   | 'cursor'
   | 'zoom'
+  | 'layer'
   | 'bookmark'
   | 'bookmarks'
   | 'toBookmark'
