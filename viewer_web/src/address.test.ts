@@ -12,6 +12,7 @@ describe('the address', () => {
       setting: { embed: true, from: 3, to: 40, speed: 0.5, controls: 'none', play: true },
       step: 17,
       pixel: [3, -4],
+      layer: 'difference',
       bookmarks: [
         { step: 3, note: 'здесь z = 1/2 & всё' },
         { step: 17, note: '' },
@@ -22,7 +23,12 @@ describe('the address', () => {
 
   it('carries a scene of one’s own', () => {
     const live = { run: 'zbuffer.corrected.bits:8.signs', scene: 'q1YqS8zJBwA-_' };
-    const place = { step: 4, pixel: null, bookmarks: [{ step: 3, note: 'x' }] } as const;
+    const place = {
+      step: 4,
+      pixel: null,
+      layer: 'picture',
+      bookmarks: [{ step: 3, note: 'x' }],
+    } as const;
     const address = {
       language: 'en',
       trace: null,
@@ -36,7 +42,14 @@ describe('the address', () => {
 
   it('forgets step, pixel and bookmarks where nothing is open that a link can hold', () => {
     const bookmarks = [{ step: 3, note: 'x' }];
-    const place = { presenting: true, setting: plain, step: 3, pixel: [1, 2], bookmarks } as const;
+    const place = {
+      presenting: true,
+      setting: plain,
+      step: 3,
+      pixel: [1, 2],
+      layer: 'exact',
+      bookmarks,
+    } as const;
     expect(formatAddress({ language: 'en', trace: null, live: null, ...place })).toBe('#lang=en');
   });
 
@@ -50,6 +63,7 @@ describe('the address', () => {
     '#step=abc',
     '#view=all',
     '#from=-1&to=x&speed=0&controls=all',
+    '#layer=x',
     '#pixel=1',
     '#pixel=1,2,3',
     '#pixel=1.5,2',
@@ -67,6 +81,7 @@ describe('the address', () => {
       setting: plain,
       step: 0,
       pixel: null,
+      layer: 'picture',
       bookmarks: [],
     });
   });

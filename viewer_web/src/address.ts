@@ -2,6 +2,8 @@ import { isLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
 import type { Carried } from './live/live.js';
 import type { Pixel } from './picture/pixel.js';
+import { isLayer } from './picture/layers.js';
+import type { Layer } from './picture/layers.js';
 import { parseSetting, stepIn, writeSetting } from './setting.js';
 import type { Setting } from './setting.js';
 import { formatBookmarks, parseBookmarks } from './time/bookmarks.js';
@@ -9,7 +11,7 @@ import type { Bookmarks } from './time/bookmarks.js';
 
 /**
  * What the page's address holds behind `#`: language, embedded trace or a scene of one's own, how the page is set up, step,
- * chosen pixel and bookmarks.
+ * chosen pixel, what the pixels show, and bookmarks.
  */
 export interface Address {
   readonly language: Language | null;
@@ -20,6 +22,7 @@ export interface Address {
   readonly setting: Setting;
   readonly step: number;
   readonly pixel: Pixel | null;
+  readonly layer: Layer;
   readonly bookmarks: Bookmarks;
 }
 
@@ -32,6 +35,7 @@ export function parseAddress(hash: string): Address {
   const fields = new URLSearchParams(hash.replace(/^#/, ''));
   const language = fields.get('lang');
   const scene = fields.get('scene');
+  const layer = fields.get('layer');
   return {
     language: isLanguage(language) ? language : null,
     trace: fields.get('trace'),
@@ -40,12 +44,13 @@ export function parseAddress(hash: string): Address {
     setting: parseSetting(fields),
     step: stepIn(fields.get('step')) ?? 0,
     pixel: parsePixel(fields.get('pixel')),
+    layer: isLayer(layer) ? layer : 'picture',
     bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
   };
 }
 
 export function formatAddress(address: Address): string {
-  const { language, trace, live, presenting, setting, step, pixel, bookmarks } = address;
+  const { language, trace, live, presenting, setting, step, pixel, layer, bookmarks } = address;
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (trace !== null) fields.set('trace', trace);
@@ -57,6 +62,7 @@ export function formatAddress(address: Address): string {
     writeSetting(setting, fields);
     if (presenting) fields.set('view', 'present');
     if (pixel !== null) fields.set('pixel', pixel.join());
+    if (layer !== 'picture') fields.set('layer', layer);
     if (bookmarks.length > 0) fields.set('bookmarks', formatBookmarks(bookmarks));
     fields.set('step', String(step));
   }

@@ -19,6 +19,8 @@ import type { Language } from './i18n/language.js';
 import { embeddedLessons, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
 import type { Act } from './live/editor.js';
+import { needsExact } from './picture/layers.js';
+import type { Exact, Layer } from './picture/layers.js';
 import type { Pixel } from './picture/pixel.js';
 import { Session } from './session.js';
 import { plain } from './setting.js';
@@ -30,6 +32,7 @@ export class AppElement extends LitElement {
   static override styles = [tokens, base, headerStyle, appStyle];
 
   @state() private language: Language = 'en';
+  @state() private layer: Layer = 'picture';
   @query('vidno-player') private player!: PlayerElement;
 
   private readonly lessons = embeddedLessons(document);
@@ -57,11 +60,14 @@ export class AppElement extends LitElement {
   }
 
   private readonly followAddress = (): void => {
-    const { language, trace, live, presenting, setting, ...place } = parseAddress(location.hash);
+    const { language, trace, live, presenting, setting, layer, ...place } = parseAddress(
+      location.hash,
+    );
     this.presenting = presenting;
     this.setting = setting;
     this.toggleAttribute('embed', setting.embed);
     this.language = language ?? this.language;
+    this.layer = layer;
     const { session } = this;
     if (live !== null) {
       void session.openCarried(live, place);
@@ -105,10 +111,10 @@ export class AppElement extends LitElement {
   }
 
   private async address(): Promise<string> {
-    const { language, presenting, setting, session } = this;
+    const { language, presenting, setting, layer, session } = this;
     const live = await session.live.carried();
     const { lesson: trace, place } = session;
-    return formatAddress({ language, trace, live, presenting, setting, ...place });
+    return formatAddress({ language, trace, live, presenting, setting, layer, ...place });
   }
 
   private async copyLink(): Promise<void> {
@@ -125,6 +131,19 @@ export class AppElement extends LitElement {
   private chooseLanguage(language: Language): void {
     this.language = language;
     this.writeAddress();
+  }
+
+  private chooseLayer(layer: Layer): void {
+    this.layer = layer;
+    this.writeAddress();
+  }
+
+  /** The exact picture is asked for only when it is shown. */
+  private get exact(): Exact {
+    const { trace, exact } = this.session;
+    if (trace === null) return null;
+    const { scene } = trace.header;
+    return needsExact(this.layer) ? exact.of(scene) : exact.unasked(scene);
   }
 
   override updated(): void {
@@ -186,10 +205,13 @@ export class AppElement extends LitElement {
           .controls=${setting.controls}
           ?presenting=${this.presenting}
           ?linked=${session.isLinked}
+          .layer=${this.layer}
+          .exact=${this.exact}
           .editing=${live.editing}
           .link=${live.link}
           @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
           @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
+          @vidno-layer=${({ detail }: CustomEvent<Layer>) => this.chooseLayer(detail)}
           @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
           @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
           @vidno-present=${({ detail }: CustomEvent<boolean>) => this.present(detail)}

@@ -3,6 +3,7 @@ import type { Address } from './address.js';
 import type { Notice } from './components/notice.js';
 import { embeddedFile, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
+import { ExactPicture } from './live/exact.js';
 import { Live } from './live/live.js';
 import type { Carried } from './live/live.js';
 import { usual } from './live/options.js';
@@ -33,6 +34,7 @@ export class Session implements ReactiveController {
   place = beginning;
   notice: Notice | null = null;
   readonly live: Live;
+  readonly exact: ExactPicture;
 
   /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
   private goal: Place | null = null;
@@ -43,7 +45,9 @@ export class Session implements ReactiveController {
     private readonly changed: () => void,
   ) {
     host.addController(this);
-    this.live = new Live(embeddedLibrary(document), {
+    const library = embeddedLibrary(document);
+    this.exact = new ExactPicture(library, changed);
+    this.live = new Live(library, {
       changed,
       traced: (trace) => this.showRun(trace),
       refused: (messages) => this.say({ kind: 'refused', name: this.name, messages }),

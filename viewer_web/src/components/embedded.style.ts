@@ -5,7 +5,7 @@ export const embeddedStyle = css`
   :host([src]) {
     height: 36rem;
   }
-  :host(:is([controls='small'], [controls='none'])) :is(.side, vidno-legend, vidno-travel) {
+  :host(:is([controls='small'], [controls='none'])) :is(.side, vidno-travel) {
     display: none;
   }
   :host([controls='none']) vidno-transport {

@@ -16,6 +16,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['pixel', ['P']],
   ['cursor', ['← ↑ ↓ →', 'Enter', 'Esc']],
   ['zoom', ['+', '−', '0']],
+  ['layer', ['L']],
   ['bookmark', ['B']],
   ['bookmarks', ['Shift B']],
   ['toBookmark', ['Shift ,', 'Shift .']],

@@ -25,8 +25,7 @@ export class LegendElement extends LitElement {
         display: flex;
         flex-wrap: wrap;
         gap: 0.1rem 0.9rem;
-        padding: 0.4rem 0.75rem;
-        border-top: 1px solid var(--line);
+        padding: 0 0.75rem 0.4rem;
         list-style: none;
         font-size: 0.75rem;
         color: var(--soft);

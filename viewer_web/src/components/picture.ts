@@ -6,6 +6,8 @@ import { texts as allTexts } from '../i18n/index.js';
 import type { Editing } from '../live/editor.js';
 import { Frame } from '../picture/frame.js';
 import type { Point, Zoom, Zooming } from '../picture/frame.js';
+import { cellsOf } from '../picture/layers.js';
+import type { Exact, Layer } from '../picture/layers.js';
 import { marksOf, target } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
 import { patchesOf } from '../picture/patches.js';
@@ -40,6 +42,9 @@ export class PictureElement extends LitElement {
   static override styles = [base, hiddenStyle, marksStyle, pictureStyle];
 
   @property({ attribute: false }) view!: View;
+  /** What the pixels show. */
+  @property({ attribute: false }) layer: Layer = 'picture';
+  @property({ attribute: false }) exact: Exact = null;
   /** The scene while its corners may be dragged. */
   @property({ attribute: false }) editing: Editing | null = null;
   /** Where the keyboard is about to choose, while it does. */
@@ -100,7 +105,7 @@ export class PictureElement extends LitElement {
     // A dot of the canvas is one of the device.
     canvas.style.width = `${canvas.width / ratio}px`;
     canvas.style.height = `${canvas.height / ratio}px`;
-    paint(canvas, this.view.screen.picture, frame.place(ratio));
+    paint(canvas, cellsOf(this.layer, this.view.screen, this.exact), frame.place(ratio));
   }
 
   private zoomTo(way: Zooming): void {

@@ -2,9 +2,8 @@ import type { Clock } from './clock.js';
 import type { Actions } from './keyboard.js';
 import type { KeysElement } from './keys.js';
 import type { ListingElement } from './listing.js';
-import type { PictureElement } from './picture.js';
+import type { PicturePanelElement } from './picture-panel.js';
 import type { Presenter } from './presenter.js';
-import type { SaveElement } from './save.js';
 import type { TravelElement } from './travel.js';
 
 /** What of the player keys reach. */
@@ -19,9 +18,8 @@ export interface Steered {
   readonly keys: KeysElement;
   readonly clock: Clock;
   readonly listing: ListingElement;
-  readonly picture: PictureElement;
+  readonly picture: PicturePanelElement;
   readonly travel: TravelElement;
-  readonly saver: SaveElement;
   moveTo(step: number): void;
   togglePlay(): void;
   showKeys(): void;
@@ -41,7 +39,7 @@ export function actionsOf(player: Steered, { shiftKey }: KeyboardEvent): Actions
 }
 
 function usualActions(player: Steered, shift: boolean): Actions {
-  const { clock, travel, picture, saver } = player;
+  const { clock, travel, picture } = player;
   const by = shift ? 10 : 1;
   const way = shift ? 'out' : 'over';
   const goal = shift ? 'bookmark' : undefined;
@@ -60,9 +58,10 @@ function usualActions(player: Steered, shift: boolean): Actions {
     Period: () => travel.next(1, goal),
     KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
     KeyC: () => player.listing.toggleSource(),
+    KeyL: () => picture.nextLayer(),
     KeyO: () => player.point(shift ? -1 : 1),
     KeyP: () => picture.startChoosing(),
     KeyF: () => player.present(!player.presenting),
-    KeyS: () => void saver.save(shift ? 'png' : 'svg'),
+    KeyS: () => void picture.save(shift ? 'png' : 'svg'),
   };
 }

@@ -12,10 +12,15 @@ export const playerStyle = css`
   :host([presenting]),
   :host([controls='none']) {
     --tools: none;
+    --legend: none;
+  }
+  :host([controls='small']) {
+    --legend: none;
   }
   @media print {
     :host {
       --tools: none;
+      --legend: none;
     }
   }
   .panels {
@@ -38,12 +43,6 @@ export const playerStyle = css`
   .panels > section > * {
     flex: 1;
     min-width: 0;
-  }
-  .panels > .picture {
-    flex-direction: column;
-  }
-  .picture vidno-legend {
-    flex: none;
   }
   .dock {
     display: grid;
@@ -110,7 +109,7 @@ export const playerStyle = css`
     }
     .picture {
       order: -2;
-      height: 92cqw;
+      height: 106cqw;
     }
     .listing {
       grid-row: auto;
@@ -169,7 +168,6 @@ export const playerStyle = css`
       padding: 0;
       border: 0;
     }
-    vidno-legend,
     vidno-transport {
       display: none;
     }

@@ -5,6 +5,7 @@ import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
+import type { Exact, Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Editing } from '../live/editor.js';
@@ -19,12 +20,12 @@ import { hiddenStyle } from './hidden.style.js';
 import { Keyboard } from './keyboard.js';
 import './keys.js';
 import type { KeysElement } from './keys.js';
-import './legend.js';
-import './notice.js';
 import './listing.js';
 import type { ListingElement } from './listing.js';
-import type { PictureElement } from './picture.js';
-import './picture.js';
+import './notice.js';
+import { isOnlyEdited } from './only-edited.js';
+import './picture-panel.js';
+import type { PicturePanelElement } from './picture-panel.js';
 import { sayThing } from '../pointed.js';
 import { actionsOf } from './player-keys.js';
 import { Pointing } from './pointing.js';
@@ -32,8 +33,6 @@ import { presenterStyle } from './presenter.style.js';
 import { Presenter } from './presenter.js';
 import { playerStyle } from './player.style.js';
 import { ReadOn } from './read-on.js';
-import './save.js';
-import type { SaveElement } from './save.js';
 import './side.js';
 import type { Side, SideElement } from './side.js';
 import { base, tokens } from './theme.js';
@@ -60,6 +59,10 @@ export class PlayerElement extends TimedElement {
   @property({ reflect: true }) controls: string = plain.controls;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
+  /** What the pixels show, if the trace has it; another layer is asked for by `vidno-layer`. */
+  @property({ attribute: false }) layer: Layer = 'picture';
+  /** The exact picture of the scene. */
+  @property({ attribute: false }) exact: Exact = null;
   @property({ type: Boolean }) linked = false;
   @property() override lang = 'en';
   /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
@@ -71,9 +74,8 @@ export class PlayerElement extends TimedElement {
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-keys') readonly keys!: KeysElement;
   @query('vidno-listing') readonly listing!: ListingElement;
-  @query('vidno-picture') readonly picture!: PictureElement;
+  @query('vidno-picture-panel') readonly picture!: PicturePanelElement;
   @query('vidno-travel') readonly travel!: TravelElement;
-  @query('vidno-save') readonly saver!: SaveElement;
   @query('vidno-side') private panel!: SideElement;
   private view: View | null = null;
   private history: History | null = null;
@@ -140,14 +142,13 @@ export class PlayerElement extends TimedElement {
         @pointerleave=${this.pointing.onLeave}
       >
         <section class="picture" aria-label=${texts.picture}>
-          <vidno-picture
+          <vidno-picture-panel
             .view=${view}
             .editing=${this.side === 'scene' ? this.editing : null}
+            .layer=${this.layer}
+            .exact=${this.exact}
             @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
-          ></vidno-picture>
-          <vidno-legend .view=${view}>
-            <vidno-save .view=${view}></vidno-save>
-          </vidno-legend>
+          ></vidno-picture-panel>
         </section>
         <section class="listing" aria-label=${texts.listing}>
           <vidno-listing .trace=${this.trace} .view=${view}></vidno-listing>
@@ -233,13 +234,6 @@ export class PlayerElement extends TimedElement {
   handleKey(event: KeyboardEvent): void {
     this.keyboard.handle(event);
   }
-}
-
-/** A change of the scene is shown by the form and the handles; the rest waits for its run. */
-function isOnlyEdited(changed: ReadonlyMap<PropertyKey, unknown>): boolean {
-  return (
-    changed.size > 0 && [...changed.keys()].every((key) => /^(editing|link)$/.test(String(key)))
-  );
 }
 
 declare global {

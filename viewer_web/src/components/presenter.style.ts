@@ -63,7 +63,7 @@ export const presenterStyle = css`
     font-size: 1.25rem;
     line-height: 1.3;
   }
-  :host([presenting]) :is(vidno-legend, vidno-transport) {
+  :host([presenting]) vidno-transport {
     display: none;
   }
   .corner {

@@ -15,7 +15,7 @@ const kinds = [
   ['png', 'Shift S'],
 ] as const;
 
-type Kind = (typeof kinds)[number][0];
+export type Kind = (typeof kinds)[number][0];
 
 /** Saves the picture at the step that is shown. */
 @customElement('vidno-save')

@@ -1,8 +1,18 @@
+import type { Layer } from '../picture/layers.js';
 import type { Zooming } from '../picture/frame.js';
 
 /** What is said of the picture and of what is shown of it. */
 export interface PictureTexts extends Readonly<Record<Zooming, string>> {
   readonly zoom: string;
+  readonly layer: string;
+  readonly layers: Readonly<Record<Layer, string>>;
+  readonly soFar: string;
+  readonly exactly: string;
+  readonly computing: string;
+  readonly ramp: string;
+  readonly fromTo: (far: string, near: string) => string;
+  readonly wrong: (n: number) => string;
+  readonly lacking: (n: number) => string;
 }
 
 /** The marks on the picture that the legend explains. */

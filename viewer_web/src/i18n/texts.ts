@@ -192,6 +192,7 @@ export type KeyUse =
   | 'pixel'
   | 'cursor'
   | 'zoom'
+  | 'layer'
   | 'bookmark'
   | 'bookmarks'
   | 'toBookmark'

@@ -118,7 +118,7 @@ export class Frame {
   place(ratio: number): Place {
     const { area, shown, scale } = this;
     const dots = scale * ratio;
-    return { x: (area.x - shown[0]) * dots, y: (area.y - shown[1]) * dots, scale: dots };
+    return { x: (area.x - shown[0]) * dots, y: (area.y - shown[1]) * dots, scale: dots, ratio };
   }
 
   private get center(): Point {

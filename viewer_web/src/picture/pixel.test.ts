@@ -12,7 +12,7 @@ describe('a pixel of the picture', () => {
     expect(frame.pixelAt(79.9, 109.9)).toEqual([2, -1]);
     expect(frame.pixelAt(80.1, 110.1)).toEqual([3, 0]);
     expect(frame.pixelAt(69, 99)).toEqual([1, -2]);
-    expect(frame.place(2)).toEqual({ x: 140, y: 200, scale: 20 });
+    expect(frame.place(2)).toEqual({ x: 140, y: 200, scale: 20, ratio: 2 });
   });
 
   it('is left by the arrows, but never the picture', () => {

@@ -70,6 +70,10 @@ export function toPixel(color: string): number {
   return (0xff000000 | ((rgb & 0xff) << 16) | (rgb & 0xff00) | (rgb >> 16)) >>> 0;
 }
 
+/** The same where nothing was painted yet: the byte that tells how opaque a canvas takes it is 0. */
+export const toGround = (color: string): number => toPixel(color) & 0xffffff;
+export const isPainted = (pixel: number): boolean => pixel >>> 24 !== 0;
+
 export function toColor(pixel: number): string {
   const rgb = ((pixel & 0xff) << 16) | (pixel & 0xff00) | ((pixel >> 16) & 0xff);
   return `#${rgb.toString(16).padStart(6, '0')}`;

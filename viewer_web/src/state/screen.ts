@@ -1,7 +1,7 @@
 import type { Polygon, Scene } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, N } from '../trace/values.js';
-import { Grid, toPixel } from './grid.js';
+import { Grid, toGround, toPixel } from './grid.js';
 import type { Row } from './grid.js';
 
 /**
@@ -9,6 +9,7 @@ import type { Row } from './grid.js';
  * it, the buffer of depths.
  */
 export class Screen {
+  /** Pixels; where nothing was painted yet those of the ground. */
   readonly picture: Grid<number>;
   /** How often the first window was halved to get the smallest one that a pixel is in. */
   readonly levels: Grid<number>;
@@ -19,8 +20,8 @@ export class Screen {
     private readonly hasDepths: boolean,
   ) {
     const { width, height } = scene.area;
-    const pixel = toPixel(scene.background);
-    this.picture = new Grid<number>(width, height, pixel, (n) => new Uint32Array(n));
+    const ground = toGround(scene.background);
+    this.picture = new Grid<number>(width, height, ground, (n) => new Uint32Array(n));
     this.levels = new Grid<number>(width, height, 0, (n) => new Uint8Array(n));
   }
 
@@ -54,8 +55,8 @@ export class Screen {
   }
 
   clear(color: string, z: N): void {
-    const { x, y, width, height } = this.scene.area;
-    this.paint(x, y, width, height, color);
+    const { width, height } = this.scene.area;
+    this.picture.fill(0, 0, width, height, toGround(color));
     if (this.hasDepths) this.z = this.depths(z);
   }
 

@@ -62,6 +62,7 @@ export const page: PageTexts = {
     pixel: 'to the picture, to choose a pixel',
     cursor: 'there: another pixel, choose it, leave',
     zoom: 'there: larger, smaller, the whole picture',
+    layer: 'the next of what the pixels show',
     bookmark: 'bookmark the step, or edit its note',
     bookmarks: 'the list of bookmarks',
     toBookmark: 'to the previous, the next bookmark',

@@ -5,4 +5,18 @@ export const picture: PictureTexts = {
   out: 'Smaller',
   in: 'Larger',
   whole: 'Whole picture',
+  layer: 'What the pixels show',
+  layers: {
+    picture: 'Picture so far',
+    depths: 'Depths',
+    exact: 'Exact picture',
+    difference: 'Difference',
+  },
+  soFar: 'what this run has painted',
+  exactly: 'the nearest polygon at the centre of each pixel',
+  computing: 'Computing the exact picture…',
+  ramp: 'The lighter, the nearer',
+  fromTo: (far, near) => `depths from ${far}, dark, to ${near}, light`,
+  wrong: (n) => `${n} pixels wrong so far`,
+  lacking: (n) => `${n} lack their colour`,
 };

@@ -1,0 +1,184 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { rerun, scene, square, title, triangle } from './live.js';
+import { goTo, launch, open, openFile, shown, whole } from './page.js';
+import type { Opened } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+const printed = (method: string): string => `10-printed-text.${method}.double.printed.signs`;
+
+async function openLesson(
+  trace: string,
+  options: Parameters<typeof open>[2] = {},
+  hash = '',
+): Promise<Opened> {
+  const found = await open(browser, `#lang=en&trace=${trace}${hash}`, options);
+  await found.page.locator(title, { hasText: /./u }).waitFor();
+  await whole(found.page);
+  return found;
+}
+
+const choice = (page: Page) => page.locator('vidno-layers select');
+const status = (page: Page) => page.locator('vidno-layers .status');
+const image = (page: Page): Promise<string> =>
+  page
+    .locator('vidno-picture > canvas')
+    .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+const box = (page: Page) => page.locator('vidno-picture').boundingBox();
+
+describe('the difference', () => {
+  it.each([
+    // All 64 pixels of N are lost: the defect X-W3 of the printed text.
+    ['warnock', 64],
+    // Rows and columns 4 to 12, both included (X-Z3, X-Z5), of which 4 to 11 are right: 9 x 9 - 8 x 8.
+    ['zbuffer', 17],
+  ])('of the printed text by %s is %d wrong pixels', async (method, wrong) => {
+    const { page, faults } = await openLesson(printed(method));
+    await page.keyboard.press('End');
+    await choice(page).selectOption('difference');
+    await expect.poll(() => status(page).textContent()).toContain(`${wrong} pixels wrong`);
+    expect(await status(page).textContent()).toContain('0 lack');
+    expect(faults).toEqual([]);
+  });
+
+  it('falls as the run goes on', async () => {
+    const { page } = await openLesson(
+      '10-printed-text.warnock.double.corrected.signs',
+      {},
+      '&layer=difference',
+    );
+    await page.keyboard.press('Home');
+    await expect.poll(() => status(page).textContent()).toContain('256 lack');
+    await page.keyboard.press('End');
+    await expect.poll(() => status(page).textContent()).toContain('0 lack');
+    expect(await status(page).textContent()).toContain('0 pixels wrong');
+  });
+});
+
+describe('the exact picture', () => {
+  it('is there before the first step, and is what a right run ends with', async () => {
+    const { page, faults } = await openLesson('03-subdivision.warnock.double.corrected.signs');
+    await page.keyboard.press('End');
+    const last = await image(page);
+    await page.keyboard.press('Home');
+    expect(await image(page)).not.toBe(last);
+    await choice(page).selectOption('exact');
+    await expect.poll(() => image(page)).toBe(last);
+    expect(faults).toEqual([]);
+  });
+
+  it('follows a scene that is edited', async () => {
+    const { page } = await open(browser, '#lang=en&layer=difference');
+    await page.locator(title, { hasText: /./u }).waitFor();
+    await rerun(page, () => openFile(page, 'one.json', scene([square])));
+    // The square is 5 x 5 pixels.
+    await page.keyboard.press('Home');
+    await expect.poll(() => status(page).textContent()).toContain('25 lack');
+    await rerun(page, () => openFile(page, 'two.json', scene([triangle, square])));
+    await page.keyboard.press('End');
+    await expect.poll(() => status(page).textContent()).toContain('0 lack');
+    expect(await status(page).textContent()).toContain('0 pixels wrong');
+  });
+});
+
+describe('the choice of a layer', () => {
+  it('goes round by L, is told, and is kept in the link', async () => {
+    const { page } = await openLesson('08-show-line.zbuffer.float.corrected.signs');
+    expect(await choice(page).inputValue()).toBe('picture');
+    const seen: string[] = [];
+    for (let i = 0; i < 4; i++) {
+      await page.keyboard.press('l');
+      await expect.poll(() => choice(page).inputValue()).not.toBe(seen.at(-1) ?? 'picture');
+      seen.push(await choice(page).inputValue());
+    }
+    expect(seen).toEqual(['depths', 'exact', 'difference', 'picture']);
+    await page.keyboard.press('l');
+    await expect
+      .poll(() => page.locator('vidno-layers [aria-live]').textContent())
+      .toMatch(/^Depths: /);
+    await page.waitForURL(/layer=depths/);
+    const again = await open(browser, new URL(page.url()).hash);
+    await again.page.locator(title, { hasText: /./u }).waitFor();
+    expect(await choice(again.page).inputValue()).toBe('depths');
+  });
+
+  it('has no depths where the trace has none', async () => {
+    const { page } = await openLesson(printed('warnock'), {}, '&layer=depths');
+    const names = await choice(page)
+      .locator('option')
+      .evaluateAll((options) => options.map((option) => (option as HTMLOptionElement).value));
+    expect(names).toEqual(['picture', 'exact', 'difference']);
+    expect(await choice(page).inputValue()).toBe('picture');
+  });
+
+  it.each([
+    [390, 'RU'],
+    [1280, 'RU'],
+    [1280, 'EN'],
+  ])('moves and cuts off nothing at %d px in %s', async (width, language) => {
+    const trace = '08-show-line.zbuffer.float.corrected.signs';
+    const { page } = await openLesson(trace, { viewport: { width, height: 800 } });
+    await page.getByRole('button', { name: language, exact: true }).click();
+    const before = await box(page);
+    for (const layer of ['depths', 'exact', 'difference']) {
+      await choice(page).selectOption(layer);
+      for (const step of [0, 300, 900]) {
+        await goTo(page, step);
+        expect((await shown(page)).step).toBe(step);
+        expect(await box(page)).toEqual(before);
+        const { scrollWidth, clientWidth, scrollHeight, clientHeight } = await status(
+          page,
+        ).evaluate((element) => ({
+          scrollWidth: element.scrollWidth,
+          clientWidth: element.clientWidth,
+          scrollHeight: element.scrollHeight,
+          clientHeight: element.clientHeight,
+        }));
+        expect(scrollWidth).toBeLessThanOrEqual(clientWidth);
+        expect(scrollHeight).toBeLessThanOrEqual(clientHeight);
+      }
+    }
+  });
+
+  it.each(['light', 'dark'] as const)(
+    'can be used by all (WCAG 2.2 AA, %s)',
+    async (colorScheme) => {
+      const { page } = await openLesson('08-show-line.zbuffer.float.corrected.signs', {
+        colorScheme,
+      });
+      for (const layer of ['depths', 'difference']) {
+        await choice(page).selectOption(layer);
+        expect(await violations(page)).toEqual([]);
+      }
+    },
+  );
+});
+
+describe('the windows so far', () => {
+  it('are drawn, and those around the current one', async () => {
+    const { page } = await openLesson('10-printed-text.warnock.double.corrected.signs');
+    const boxes = async (role: string): Promise<number> => {
+      const d = await page.locator(`vidno-picture > svg > .${role}:not(.casing)`).getAttribute('d');
+      return (d?.match(/M/g) ?? []).length;
+    };
+    // To the first window of 8 x 8: the quarters of 16 x 16, and itself around none but the whole.
+    const quarter = await page.evaluate(() => {
+      const app = document.querySelector('vidno-app');
+      const timeline = app?.shadowRoot?.querySelector('vidno-player')?.trace?.timeline;
+      let step = 1;
+      while (!/^\{"e":"pop".*,8,8\]/.test(timeline?.line(step) ?? '{"e":"pop",8,8]')) step++;
+      return step;
+    });
+    await goTo(page, quarter);
+    expect(await boxes('tree')).toBe(4);
+    expect(await boxes('way')).toBe(1);
+  });
+});

@@ -1,0 +1,179 @@
+import { LitElement, css, html, unsafeCSS } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { texts } from '../i18n/index.js';
+import type { PictureTexts } from '../i18n/picture-texts.js';
+import { short } from '../i18n/words.js';
+import { depthRange, differenceOf, layersOf, needsExact } from '../picture/layers.js';
+import type { Exact, Layer } from '../picture/layers.js';
+import { stops } from '../picture/ramp.js';
+import type { View } from '../view.js';
+import { hiddenStyle } from './hidden.style.js';
+import { base } from './theme.js';
+
+/** Asks whoever holds the player for another layer. */
+export function askForLayer(from: EventTarget, detail: Layer): void {
+  from.dispatchEvent(new CustomEvent('vidno-layer', { detail, bubbles: true, composed: true }));
+}
+
+/** The choice of what the pixels show, and what that means. */
+@customElement('vidno-layers')
+export class LayersElement extends LitElement {
+  static override styles = [
+    base,
+    hiddenStyle,
+    css`
+      :host {
+        position: relative;
+        display: flex;
+        gap: 0.6rem;
+        align-items: center;
+        height: 2.75rem;
+        padding: 0 0.75rem;
+        border-top: 1px solid var(--line);
+        font-size: 0.75rem;
+        line-height: 1.3;
+        color: var(--soft);
+      }
+      select {
+        flex: none;
+        width: 8.5rem;
+        padding: 0 0.3rem;
+        font-size: 0.8125rem;
+        color: var(--ink);
+        text-overflow: ellipsis;
+      }
+      .status {
+        flex: 1;
+        min-width: 0;
+        max-height: 100%;
+        overflow: hidden;
+      }
+      .depths {
+        display: flex;
+        gap: 0.4rem;
+        align-items: center;
+        white-space: nowrap;
+      }
+      .ramp {
+        flex: 1;
+        min-width: 2rem;
+        max-width: 12rem;
+        height: 0.75rem;
+        border-radius: 2px;
+        background: linear-gradient(to right, ${unsafeCSS(stops.join(', '))});
+      }
+      .difference > span {
+        display: inline-block;
+        margin-right: 0.75rem;
+        white-space: nowrap;
+      }
+      i {
+        display: inline-block;
+        width: 1rem;
+        height: 0.75rem;
+        margin-right: 0.3rem;
+        border-radius: 2px;
+        vertical-align: -0.05em;
+        background: #ffffff;
+      }
+      .wrong {
+        background: repeating-linear-gradient(135deg, #10131c 0 3px, #ffffff 3px 6px);
+      }
+      .lacking {
+        background: radial-gradient(#10131c 1px, #ffffff 1.4px) 0 0 / 4px 4px;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) layer: Layer = 'picture';
+  @property({ attribute: false }) exact: Exact = null;
+
+  /** Said when another layer is shown, and not at each step of it. */
+  private said = '';
+
+  private get say(): PictureTexts {
+    return texts[this.view.language].picture;
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    const { say, layer } = this;
+    const isOther = changed.get('layer') !== undefined;
+    const isThere = changed.has('exact') && needsExact(layer);
+    if (isOther || isThere) this.said = `${say.layers[layer]}: ${this.words()}`;
+  }
+
+  override render(): TemplateResult {
+    const { say, layer, exact } = this;
+    return html`
+      <select
+        aria-label=${say.layer}
+        aria-keyshortcuts="L"
+        .value=${layer}
+        @change=${this.onChoose}
+      >
+        ${layersOf(this.view.header, exact).map(
+          (each) =>
+            html`<option value=${each} ?selected=${each === layer}>${say.layers[each]}</option>`,
+        )}
+      </select>
+      ${this.status()}
+      <p class="heard" aria-live="polite">${this.said}</p>
+    `;
+  }
+
+  private onChoose(event: Event): void {
+    askForLayer(this, (event.target as HTMLSelectElement).value as Layer);
+  }
+
+  private get isComputing(): boolean {
+    return needsExact(this.layer) && typeof this.exact !== 'object';
+  }
+
+  /** What the layer means, in words alone. */
+  private words(): string {
+    const { say, layer, exact, view } = this;
+    if (this.isComputing) return say.computing;
+    if (layer === 'depths') {
+      const [far, near] = this.ends();
+      return say.fromTo(far, near);
+    }
+    if (layer !== 'difference' || typeof exact !== 'object' || exact === null) {
+      return layer === 'exact' ? say.exactly : say.soFar;
+    }
+    const { wrong, lacking } = differenceOf(view.screen.picture, exact);
+    return `${say.wrong(wrong)}, ${say.lacking(lacking)}`;
+  }
+
+  private ends(): readonly [far: string, near: string] {
+    const [far, near] = depthRange(this.view.header.scene);
+    return [short(far), short(near)];
+  }
+
+  private status(): TemplateResult {
+    const { say, layer, exact, view } = this;
+    if (layer === 'depths') {
+      const [far, near] = this.ends();
+      return html`<p class="status depths">
+        <span class="number">${far}</span
+        ><span class="ramp" role="img" aria-label=${say.ramp}></span
+        ><span class="number">${near}</span>
+      </p>`;
+    }
+    if (layer === 'difference' && typeof exact === 'object' && exact !== null) {
+      const { wrong, lacking } = differenceOf(view.screen.picture, exact);
+      return html`<p class="status difference">
+        <span><i class="wrong"></i>${say.wrong(wrong)}</span>
+        <span><i class="lacking"></i>${say.lacking(lacking)}</span>
+      </p>`;
+    }
+    return html`<p class="status">${this.words()}</p>`;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-layers': LayersElement;
+  }
+}

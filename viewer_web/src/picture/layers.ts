@@ -1,0 +1,110 @@
+import { toNumber } from '../i18n/words.js';
+import { isPainted } from '../state/grid.js';
+import type { Grid } from '../state/grid.js';
+import type { Screen } from '../state/screen.js';
+import type { Header, Scene } from '../trace/header.js';
+import type { N } from '../trace/values.js';
+import { opaque, textured } from './paint.js';
+import type { Cells } from './paint.js';
+import { inkAt } from './ramp.js';
+
+/** What the pixels show: the picture so far, the Z-buffer, the exact picture, or where the first differs from that. */
+export const layers = ['picture', 'depths', 'exact', 'difference'] as const;
+export type Layer = (typeof layers)[number];
+
+/** The picture by exact decisions; it may be on its way, or there is none. */
+export type Exact = Grid<number> | 'computing' | null;
+
+export function isLayer(name: string | null): name is Layer {
+  return (layers as readonly (string | null)[]).includes(name);
+}
+
+export const needsExact = (layer: Layer): boolean => layer === 'exact' || layer === 'difference';
+
+/** The layers that a trace has. */
+export function layersOf({ method, detail }: Header, exact: Exact): readonly Layer[] {
+  const hasDepths = method === 'zbuffer' && detail !== 'windows';
+  return layers.filter(
+    (layer) => (layer !== 'depths' || hasDepths) && (!needsExact(layer) || exact !== null),
+  );
+}
+
+/** The depths of the scene's farthest and nearest vertices. */
+export function depthRange({ polygons }: Scene): readonly [far: number, near: number] {
+  const depths = polygons.flatMap(({ vertices }) => vertices.map(([, , z]) => z));
+  return depths.reduce<readonly [number, number]>(
+    ([far, near], z) => [Math.min(far, z), Math.max(near, z)],
+    [Infinity, -Infinity],
+  );
+}
+
+/** What a layer paints; null as long as that is not known. */
+export function cellsOf(layer: Layer, { picture, z, scene }: Screen, exact: Exact): Cells | null {
+  const { width, height } = picture;
+  const known = typeof exact === 'object' ? exact : null;
+  const cells = (row: Cells['row']): Cells => ({ width, height, row });
+  switch (layer) {
+    case 'picture':
+      return cells((j) => mapped(picture.row(j), opaque));
+    case 'depths': {
+      const range = depthRange(scene);
+      return cells((j) =>
+        mapped(picture.row(j), (pixel, i) => {
+          const depth = isPainted(pixel) ? z?.row(j)[i] : undefined;
+          return depthInk(depth ?? '-inf', range);
+        }),
+      );
+    }
+    case 'exact':
+      return known && cells((j) => mapped(known.row(j), opaque));
+    case 'difference':
+      return cells((j) => {
+        const right = known?.row(j);
+        return mapped(picture.row(j), (pixel, i) => differing(pixel, right?.[i] ?? pixel));
+      });
+  }
+}
+
+const mapped = <T>(row: ArrayLike<T>, ink: (cell: T, i: number) => number): Uint32Array =>
+  Uint32Array.from(row, ink);
+
+function depthInk(z: N, [far, near]: readonly [number, number]): number {
+  const depth = toNumber(z);
+  if (!Number.isFinite(depth)) return textured('nothing', 0);
+  return inkAt(near > far ? (depth - far) / (near - far) : 1);
+}
+
+const isSame = (a: number, b: number): boolean => opaque(a) === opaque(b);
+
+function differing(pixel: number, right: number): number {
+  const pale = faded(pixel);
+  if (isSame(pixel, right)) return opaque(pale);
+  return textured(isPainted(pixel) ? 'wrong' : 'lacking', pale);
+}
+
+/** A third of the colour, and white. */
+const faded = (pixel: number): number =>
+  [0, 8, 16].reduce((all, shift) => {
+    const channel = (pixel >>> shift) & 0xff;
+    return all | (Math.round(170 + channel / 3) << shift);
+  }, 0);
+
+export interface Difference {
+  /** Pixels that were painted and do not have the exact colour. */
+  readonly wrong: number;
+  /** Pixels that nothing was painted on yet, though they are not to stay background. */
+  readonly lacking: number;
+}
+
+/** How far the picture is from the exact one. */
+export function differenceOf(picture: Grid<number>, exact: Grid<number>): Difference {
+  const count = { wrong: 0, lacking: 0 };
+  for (let j = 0; j < picture.height; j++) {
+    const [row, right] = [picture.row(j), exact.row(j)];
+    for (let i = 0; i < picture.width; i++) {
+      const pixel = row[i] ?? 0;
+      if (!isSame(pixel, right[i] ?? 0)) count[isPainted(pixel) ? 'wrong' : 'lacking']++;
+    }
+  }
+  return count;
+}
