@@ -48,7 +48,7 @@ describe('the picture', () => {
 
   it('is still clicked where a press moves by 3 CSS pixels', async () => {
     const { page } = await openSmall();
-    await wheel(page, 5, 2, 4);
+    await wheel(page, 5.5, 2.5, 4);
     const { x, y } = await dotOf(page, 5.5, 2.5);
     await page.mouse.move(x, y);
     await page.mouse.down();
@@ -142,7 +142,7 @@ describe('the picture', () => {
 describe('a scene that is edited', () => {
   it('is dragged where it is shown, and the zoom stays', async () => {
     const { page, faults } = await editing(browser);
-    await wheel(page, 5, 2, 2);
+    await wheel(page, 6, 1.5, 2);
     const before = await page.locator(stage).getAttribute('viewBox');
     const from = await spotOf(page, 6, 1);
     const to = await spotOf(page, 5.5, 2.25);
