@@ -2,17 +2,21 @@ import { describe, expect, it } from 'vitest';
 import { formatAddress, parseAddress } from './address.js';
 import { plain } from './setting.js';
 
+const usual = { language: 'en', presenting: false, layer: 'picture', setting: plain } as const;
+
 describe('the address', () => {
   it('comes back as it was written', () => {
     const address = {
-      language: 'ru',
+      setup: {
+        language: 'ru',
+        presenting: true,
+        layer: 'difference',
+        setting: { embed: true, from: 3, to: 40, speed: 0.5, controls: 'none', play: true },
+      },
       trace: '01-near & far.warnock',
       live: null,
-      presenting: true,
-      setting: { embed: true, from: 3, to: 40, speed: 0.5, controls: 'none', play: true },
       step: 17,
       pixel: [3, -4],
-      layer: 'difference',
       bookmarks: [
         { step: 3, note: 'здесь z = 1/2 & всё' },
         { step: 17, note: '' },
@@ -23,34 +27,16 @@ describe('the address', () => {
 
   it('carries a scene of one’s own', () => {
     const live = { run: 'zbuffer.corrected.bits:8.signs', scene: 'q1YqS8zJBwA-_' };
-    const place = {
-      step: 4,
-      pixel: null,
-      layer: 'picture',
-      bookmarks: [{ step: 3, note: 'x' }],
-    } as const;
-    const address = {
-      language: 'en',
-      trace: null,
-      live,
-      presenting: false,
-      setting: plain,
-      ...place,
-    } as const;
+    const place = { step: 4, pixel: null, bookmarks: [{ step: 3, note: 'x' }] } as const;
+    const address = { setup: usual, trace: null, live, ...place } as const;
     expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
   it('forgets step, pixel and bookmarks where nothing is open that a link can hold', () => {
     const bookmarks = [{ step: 3, note: 'x' }];
-    const place = {
-      presenting: true,
-      setting: plain,
-      step: 3,
-      pixel: [1, 2],
-      layer: 'exact',
-      bookmarks,
-    } as const;
-    expect(formatAddress({ language: 'en', trace: null, live: null, ...place })).toBe('#lang=en');
+    const setup = { ...usual, presenting: true, layer: 'exact' } as const;
+    const place = { setup, step: 3, pixel: [1, 2], bookmarks } as const;
+    expect(formatAddress({ trace: null, live: null, ...place })).toBe('#lang=en');
   });
 
   it.each([
@@ -74,14 +60,11 @@ describe('the address', () => {
     '#bookmarks=MTIg_w', // "12 ", then a byte that is no UTF-8
   ])('takes no nonsense: %s', (hash) => {
     expect(parseAddress(hash)).toEqual({
-      language: null,
+      setup: { ...usual, language: null },
       trace: null,
       live: null,
-      presenting: false,
-      setting: plain,
       step: 0,
       pixel: null,
-      layer: 'picture',
       bookmarks: [],
     });
   });

@@ -9,20 +9,26 @@ import type { Setting } from './setting.js';
 import { formatBookmarks, parseBookmarks } from './time/bookmarks.js';
 import type { Bookmarks } from './time/bookmarks.js';
 
-/**
- * What the page's address holds behind `#`: language, embedded trace or a scene of one's own, how the page is set up, step,
- * chosen pixel, what the pixels show, and bookmarks.
- */
-export interface Address {
-  readonly language: Language | null;
-  readonly trace: string | null;
-  readonly live: Carried | null;
+/** How the page is set up, whatever is open. */
+export interface Setup {
+  readonly language: Language;
   /** Whether it is shown to a hall. */
   readonly presenting: boolean;
+  /** What the pixels show. */
+  readonly layer: Layer;
   readonly setting: Setting;
+}
+
+/**
+ * What the page's address holds behind `#`: how it is set up, embedded trace or a scene of one's own, step, chosen pixel,
+ * and bookmarks.
+ */
+export interface Address {
+  readonly setup: Omit<Setup, 'language'> & { readonly language: Language | null };
+  readonly trace: string | null;
+  readonly live: Carried | null;
   readonly step: number;
   readonly pixel: Pixel | null;
-  readonly layer: Layer;
   readonly bookmarks: Bookmarks;
 }
 
@@ -37,20 +43,22 @@ export function parseAddress(hash: string): Address {
   const scene = fields.get('scene');
   const layer = fields.get('layer');
   return {
-    language: isLanguage(language) ? language : null,
+    setup: {
+      language: isLanguage(language) ? language : null,
+      presenting: fields.get('view') === 'present',
+      layer: isLayer(layer) ? layer : 'picture',
+      setting: parseSetting(fields),
+    },
     trace: fields.get('trace'),
     live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
-    presenting: fields.get('view') === 'present',
-    setting: parseSetting(fields),
     step: stepIn(fields.get('step')) ?? 0,
     pixel: parsePixel(fields.get('pixel')),
-    layer: isLayer(layer) ? layer : 'picture',
     bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
   };
 }
 
-export function formatAddress(address: Address): string {
-  const { language, trace, live, presenting, setting, step, pixel, layer, bookmarks } = address;
+export function formatAddress({ setup, trace, live, step, pixel, bookmarks }: Address): string {
+  const { language, presenting, layer, setting } = setup;
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (trace !== null) fields.set('trace', trace);

@@ -2,6 +2,7 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { formatAddress, parseAddress } from './address.js';
+import type { Setup } from './address.js';
 import { appStyle } from './app.style.js';
 import './components/file-drop.js';
 import { headerStyle } from './components/header.style.js';
@@ -31,8 +32,12 @@ import type { Bookmarks } from './time/bookmarks.js';
 export class AppElement extends LitElement {
   static override styles = [tokens, base, headerStyle, appStyle];
 
-  @state() private language: Language = 'en';
-  @state() private layer: Layer = 'picture';
+  @state() private setup: Setup = {
+    language: preferredLanguage(),
+    presenting: false,
+    layer: 'picture',
+    setting: plain,
+  };
   @query('vidno-player') private player!: PlayerElement;
 
   private readonly lessons = embeddedLessons(document);
@@ -41,13 +46,10 @@ export class AppElement extends LitElement {
     this.writeAddress();
   });
   private readonly keyboard = new Keyboard(this, () => this.editorActions());
-  @state() private presenting = false;
-  @state() private setting = plain;
   private addressTimer = 0;
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.language = preferredLanguage();
     this.followAddress();
     window.addEventListener('hashchange', this.followAddress);
     window.addEventListener('keydown', this.onKey);
@@ -60,14 +62,9 @@ export class AppElement extends LitElement {
   }
 
   private readonly followAddress = (): void => {
-    const { language, trace, live, presenting, setting, layer, ...place } = parseAddress(
-      location.hash,
-    );
-    this.presenting = presenting;
-    this.setting = setting;
-    this.toggleAttribute('embed', setting.embed);
-    this.language = language ?? this.language;
-    this.layer = layer;
+    const { setup, trace, live, ...place } = parseAddress(location.hash);
+    this.setup = { ...setup, language: setup.language ?? this.setup.language };
+    this.toggleAttribute('embed', setup.setting.embed);
     const { session } = this;
     if (live !== null) {
       void session.openCarried(live, place);
@@ -111,10 +108,9 @@ export class AppElement extends LitElement {
   }
 
   private async address(): Promise<string> {
-    const { language, presenting, setting, layer, session } = this;
-    const live = await session.live.carried();
-    const { lesson: trace, place } = session;
-    return formatAddress({ language, trace, live, presenting, setting, layer, ...place });
+    const live = await this.session.live.carried();
+    const { lesson: trace, place } = this.session;
+    return formatAddress({ setup: this.setup, ...place, trace, live });
   }
 
   private async copyLink(): Promise<void> {
@@ -123,18 +119,8 @@ export class AppElement extends LitElement {
     await live.copyLink(isHeld ? new URL(await this.address(), location.href).href : null);
   }
 
-  private present(on: boolean): void {
-    this.presenting = on;
-    this.writeAddress();
-  }
-
-  private chooseLanguage(language: Language): void {
-    this.language = language;
-    this.writeAddress();
-  }
-
-  private chooseLayer(layer: Layer): void {
-    this.layer = layer;
+  private change(part: Partial<Setup>): void {
+    this.setup = { ...this.setup, ...part };
     this.writeAddress();
   }
 
@@ -143,20 +129,21 @@ export class AppElement extends LitElement {
     const { trace, exact } = this.session;
     if (trace === null) return null;
     const { scene } = trace.header;
-    return needsExact(this.layer) ? exact.of(scene) : exact.unasked(scene);
+    return needsExact(this.setup.layer) ? exact.of(scene) : exact.unasked(scene);
   }
 
   override updated(): void {
-    document.documentElement.lang = this.language;
+    document.documentElement.lang = this.setup.language;
     document.title = this.session.trace ? `${this.name} · vidno` : 'vidno';
   }
 
   override render(): TemplateResult {
-    const { session, language, setting } = this;
+    const { session } = this;
+    const { language, presenting, layer, setting } = this.setup;
     const { trace, place, live } = session;
     const page = texts[language].page;
     return html`
-      <header ?inert=${this.presenting}>
+      <header ?inert=${presenting}>
         <h1>vidno</h1>
         <p class="tagline">${page.tagline}</p>
         <div class="tools">
@@ -172,11 +159,11 @@ export class AppElement extends LitElement {
           </button>
           <vidno-languages
             .chosen=${language}
-            @choose=${({ detail }: CustomEvent<Language>) => this.chooseLanguage(detail)}
+            @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
           ></vidno-languages>
         </div>
       </header>
-      <nav ?inert=${this.presenting}>
+      <nav ?inert=${presenting}>
         <vidno-lesson-list
           .lessons=${this.lessons}
           .chosen=${session.lesson}
@@ -203,18 +190,18 @@ export class AppElement extends LitElement {
           .speed=${setting.speed}
           ?play=${setting.play}
           .controls=${setting.controls}
-          ?presenting=${this.presenting}
+          ?presenting=${presenting}
           ?linked=${session.isLinked}
-          .layer=${this.layer}
+          .layer=${layer}
           .exact=${this.exact}
           .editing=${live.editing}
           .link=${live.link}
           @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
           @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
-          @vidno-layer=${({ detail }: CustomEvent<Layer>) => this.chooseLayer(detail)}
+          @vidno-layer=${({ detail }: CustomEvent<Layer>) => this.change({ layer: detail })}
           @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
           @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
-          @vidno-present=${({ detail }: CustomEvent<boolean>) => this.present(detail)}
+          @vidno-present=${({ detail }: CustomEvent<boolean>) => this.change({ presenting: detail })}
           @vidno-save=${() => live.save()}
           @vidno-link=${this.copyLink}
         ></vidno-player>
@@ -227,11 +214,11 @@ export class AppElement extends LitElement {
     const found = this.lessons.find(({ traces }) =>
       traces.some((each) => idOf(each) === this.session.lesson),
     );
-    return found?.title[this.language] ?? this.session.name;
+    return found?.title[this.setup.language] ?? this.session.name;
   }
 
   private heading(): TemplateResult {
-    const { page } = texts[this.language];
+    const { page } = texts[this.setup.language];
     const { session, name } = this;
     const { trace, notice } = session;
     const header = trace?.header;
@@ -248,7 +235,7 @@ export class AppElement extends LitElement {
       <vidno-notice
         class=${notice?.kind ?? nothing}
         .notice=${notice}
-        .language=${this.language}
+        .language=${this.setup.language}
       ></vidno-notice>
     </div>`;
   }
