@@ -55,7 +55,7 @@ function look(png: Buffer, spots: readonly (readonly [number, number])[]): Promi
 async function elsewhere<T, R>(act: (given: T) => R | Promise<R>, given: T): Promise<R> {
   const page = await browser.newPage();
   try {
-    return (await page.evaluate(act as never, given));
+    return await page.evaluate(act as never, given);
   } finally {
     await page.close();
   }

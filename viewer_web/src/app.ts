@@ -22,6 +22,7 @@ import type { Act } from './live/editor.js';
 import type { Pixel } from './picture/pixel.js';
 import { Session } from './session.js';
 import { plain } from './setting.js';
+import type { Setting } from './setting.js';
 import type { Bookmarks } from './time/bookmarks.js';
 
 /** The page: lessons, files of one's own, and the player. */
@@ -30,6 +31,8 @@ export class AppElement extends LitElement {
   static override styles = [tokens, base, headerStyle, appStyle];
 
   @state() private language: Language = 'en';
+  @state() private presenting = false;
+  @state() private setting: Setting = plain;
   @query('vidno-player') private player!: PlayerElement;
 
   private readonly lessons = embeddedLessons(document);
@@ -38,8 +41,6 @@ export class AppElement extends LitElement {
     this.writeAddress();
   });
   private readonly keyboard = new Keyboard(this, () => this.editorActions());
-  @state() private presenting = false;
-  @state() private setting = plain;
   private addressTimer = 0;
 
   override connectedCallback(): void {

@@ -16,8 +16,8 @@ import type { View } from '../view.js';
 import './handles.js';
 import { hiddenStyle } from './hidden.style.js';
 import { OwnSize } from './own-size.js';
-import { Printing } from './printing.js';
 import { marksStyle, pictureStyle } from './picture.style.js';
+import { Printing } from './printing.js';
 import { base } from './theme.js';
 
 /** The picture so far, and over it what the step is about. A pixel of it may be chosen, by mouse or keyboard. */
