@@ -18,7 +18,7 @@ describe('a scene', () => {
     const { page } = await editing(browser);
     const [download] = await Promise.all([
       page.waitForEvent('download'),
-      page.getByRole('button', { name: 'Save' }).click(),
+      page.getByRole('button', { name: 'Save', exact: true }).click(),
     ]);
     expect(download.suggestedFilename()).toBe('two.json');
     const saved = readFileSync(await download.path(), 'utf8');

@@ -29,7 +29,7 @@ function block(attrs: Record<string, string>, children: string): HtmlTagDescript
 
 /**
  * Puts the lessons' index and traces into the page as blocks of data. They are no scripts to the browser, so
- * that another program may exchange them without touching what the page's security policy has hashed.
+ * that another program, `vidno page`, may exchange them without touching what the page's security policy has hashed.
  */
 export function lessons(directory: string): Plugin {
   return {

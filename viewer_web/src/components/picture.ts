@@ -23,10 +23,10 @@ import './handles.js';
 import { hiddenStyle } from './hidden.style.js';
 import { Keyboard } from './keyboard.js';
 import type { Actions } from './keyboard.js';
-import { OwnSize, pointIn } from './own-size.js';
-import { Printing } from './printing.js';
 import { marksStyle } from './marks.style.js';
+import { OwnSize, pointIn } from './own-size.js';
 import { pictureStyle } from './picture.style.js';
+import { Printing } from './printing.js';
 import { base } from './theme.js';
 import './zoom-bar.js';
 

@@ -10,9 +10,10 @@ import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
+import { sayThing } from '../pointed.js';
+import { plain } from '../setting.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
-import { plain } from '../setting.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
 import { embeddedStyle } from './embedded.style.js';
@@ -26,17 +27,16 @@ import './notice.js';
 import { isOnlyEdited } from './only-edited.js';
 import './picture-panel.js';
 import type { PicturePanelElement } from './picture-panel.js';
-import { sayThing } from '../pointed.js';
 import { actionsOf } from './player-keys.js';
 import { Pointing } from './pointing.js';
-import { presenterStyle } from './presenter.style.js';
-import { Presenter } from './presenter.js';
 import { playerStyle } from './player.style.js';
+import { Presenter } from './presenter.js';
+import { presenterStyle } from './presenter.style.js';
 import { ReadOn } from './read-on.js';
 import './side.js';
 import type { Side, SideElement } from './side.js';
-import { base, tokens } from './theme.js';
 import { Source } from './source.js';
+import { base, tokens } from './theme.js';
 import { TimedElement } from './timed.js';
 import './transport.js';
 import type { Command } from './transport.js';
@@ -46,8 +46,8 @@ import type { TravelElement } from './travel.js';
 const mostPerFrame = 60;
 
 /**
- * Replays a trace. Set `src`, or `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with the
- * controls. Each step that is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`, and
+ * Replays a trace. Set `src`, or `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with
+ * the controls. Each step that is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`, and
  * the bookmarks, when they change, by `vidno-bookmarks`; `linked` says that these are kept in the page's address.
  */
 @customElement('vidno-player')
@@ -56,6 +56,7 @@ export class PlayerElement extends TimedElement {
 
   /** The address of a trace, or `#id` of a block of JSON Lines in the page; else `trace` and `length` are set. */
   @property() src = '';
+  /** What there is to steer by, see `Controls`; anything else is `full`. */
   @property({ reflect: true }) controls: string = plain.controls;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
@@ -121,6 +122,7 @@ export class PlayerElement extends TimedElement {
   }
 
   async openBookmarks(way: 'mark' | 'enter'): Promise<void> {
+    if (!this.isFull) return;
     this.side = 'bookmarks';
     await this.updateComplete;
     await this.panel.bookmark(way);
@@ -183,6 +185,7 @@ export class PlayerElement extends TimedElement {
           .bookmarks=${this.bookmarks}
           .first=${this.first}
           .last=${this.last}
+          ?bounded=${this.isBounded}
           ?plain=${!this.isFull}
           .playing=${this.clock.playing}
           .speed=${this.clock.speed}

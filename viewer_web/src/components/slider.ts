@@ -28,15 +28,14 @@ export class SliderElement extends LitElement {
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
-  /** The step that the mouse points at. */
-  @state() private pointed: number | null = null;
-  @query('.strip') private strip!: HTMLElement;
-
-  /** The steps that can be reached: if they are not all, there is no strip. */
+  /** The steps that can be reached. */
   @property({ attribute: false }) first = 0;
   @property({ attribute: false }) last = 0;
   /** Without the strip. */
   @property({ type: Boolean }) plain = false;
+  /** The step that the mouse points at. */
+  @state() private pointed: number | null = null;
+  @query('.strip') private strip!: HTMLElement;
 
   @state() private rested = false;
 
@@ -62,7 +61,6 @@ export class SliderElement extends LitElement {
   override render(): TemplateResult {
     const { view } = this;
     const { step } = view;
-    const strip = this.plain || this.first > 0 || this.last < view.length ? nothing : this.whole();
     return html`
       <input
         class="slider"
@@ -74,7 +72,7 @@ export class SliderElement extends LitElement {
         aria-valuetext=${this.say(step)}
         @input=${this.onInput}
       />
-      ${strip}
+      ${this.plain ? nothing : this.whole()}
     `;
   }
 

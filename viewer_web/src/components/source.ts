@@ -51,8 +51,14 @@ export class Source implements ReactiveController {
     if (src !== '') void this.open(src);
   }
 
+  hostConnected(): void {
+    this.host.requestUpdate();
+  }
+
+  /** What is put in elsewhere is read anew. */
   hostDisconnected(): void {
     this.stopReading();
+    this.opened = '';
   }
 
   private async open(src: string): Promise<void> {

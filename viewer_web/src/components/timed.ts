@@ -37,6 +37,11 @@ export class TimedElement extends LitElement {
     return Math.max(this.first, Math.min(Number.isNaN(to) ? this.length : to, this.length));
   }
 
+  /** Whether there are steps that cannot be reached. */
+  get isBounded(): boolean {
+    return this.first > 0 || this.last < this.length;
+  }
+
   togglePlay(): void {
     if (this.clock.playing) this.clock.stop();
     else {

@@ -36,6 +36,8 @@ export class TransportElement extends LitElement {
   /** The steps that can be reached. */
   @property({ attribute: false }) first = 0;
   @property({ attribute: false }) last = 0;
+  /** They are not all: the strip, which shows the whole run, would lead astray. */
+  @property({ type: Boolean }) bounded = false;
   /** Without the strip and the choice of speed. */
   @property({ type: Boolean }) plain = false;
   @property({ type: Boolean }) playing = false;
@@ -65,7 +67,7 @@ export class TransportElement extends LitElement {
         .bookmarks=${this.bookmarks}
         .first=${first}
         .last=${last}
-        ?plain=${this.plain}
+        ?plain=${this.plain || this.bounded}
         @command=${({ detail }: CustomEvent<Command>) => this.ask(detail)}
       ></vidno-slider>
       <slot></slot>

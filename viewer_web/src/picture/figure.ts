@@ -73,6 +73,8 @@ export function figureOf(view: View): string {
 
   const patches = patchesOf(view.screen.picture, scene.area);
   const pixels = patches.map(({ color, d }) => element('path', Object.entries({ fill: color, d })));
+  // Neighbours must meet without a seam.
+  const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
   const marks = marksOf({ ...view, pointed: null }, frame.sight).flatMap((mark) =>
     shapesOf(mark, scale),
   );
@@ -86,16 +88,7 @@ export function figureOf(view: View): string {
     element('title', [], escaped(title.filter(Boolean).join(' · '))),
     element('desc', [], escaped(view.sentence)),
     element('rect', Object.entries({ width, height, fill: '#ffffff' })),
-    element(
-      'g',
-      [['transform', place]],
-      [
-        '\n',
-        // Neighbours must meet without a seam.
-        element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`),
-        ...shapes,
-      ].join(''),
-    ),
+    element('g', [['transform', place]], `\n${sharp}${shapes.join('')}`),
     ...labelsOf(scene, frame).map((each) => label(each, frame)),
   ];
   const document = Object.entries({
