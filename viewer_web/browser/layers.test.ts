@@ -34,6 +34,20 @@ const image = (page: Page): Promise<string> =>
     .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
 const box = (page: Page) => page.locator('vidno-picture').boundingBox();
 
+describe('the choice of a layer', () => {
+  it.each([390, 1280, 1920])('and what it says stand above the legend at %d px', async (width) => {
+    const viewport = { width, height: width < 500 ? 844 : 800 };
+    const { page } = await openLesson(printed('zbuffer'), { viewport });
+    await choice(page).selectOption('difference');
+    await expect.poll(() => status(page).textContent()).toContain('wrong');
+    const legend = (await page.locator('vidno-legend').boundingBox())?.y ?? 0;
+    for (const part of [choice(page), status(page)]) {
+      const { y, height } = (await part.boundingBox()) ?? { y: Infinity, height: 0 };
+      expect(y + height).toBeLessThanOrEqual(legend + 1);
+    }
+  });
+});
+
 describe('the difference', () => {
   it.each([
     // All 64 pixels of N are lost: the defect X-W3 of the printed text.

@@ -38,7 +38,7 @@ export class PicturePanelElement extends LitElement {
         display: var(--legend, block);
       }
       vidno-layers {
-        display: var(--tools, var(--legend, block));
+        display: var(--tools, var(--legend, flex));
       }
     `,
   ];
