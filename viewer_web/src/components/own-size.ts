@@ -14,16 +14,15 @@ export function pointIn(element: Element, { clientX, clientY }: MouseEvent): Poi
 /** The size that an element has on the page; when it changes, the element is drawn anew. */
 export class OwnSize implements ReactiveController {
   value: Size = { width: 0, height: 0 };
+  /** How many pixels of the page one of its own is. To ask for it makes the browser lay out the page. */
+  zoom = 1;
 
   private readonly observer = new ResizeObserver(([entry]) => {
     if (entry === undefined) return;
     this.value = { width: entry.contentRect.width, height: entry.contentRect.height };
+    this.zoom = zoomOf(this.host);
     this.host.requestUpdate();
   });
-
-  get zoom(): number {
-    return zoomOf(this.host);
-  }
 
   constructor(private readonly host: ReactiveControllerHost & Element) {
     host.addController(this);
