@@ -4,8 +4,8 @@ import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
 import type { PictureTexts } from '../i18n/picture-texts.js';
 import { short } from '../i18n/words.js';
-import { depthRange, differenceOf, layersOf, needsExact } from '../picture/layers.js';
-import type { Exact, Layer } from '../picture/layers.js';
+import { depthRange, differenceOf, known, layersOf, needsExact } from '../picture/layers.js';
+import type { Difference, Exact, Layer } from '../picture/layers.js';
 import { stops } from '../picture/ramp.js';
 import type { View } from '../view.js';
 import { hiddenStyle } from './hidden.style.js';
@@ -128,22 +128,23 @@ export class LayersElement extends LitElement {
   }
 
   private get isComputing(): boolean {
-    return needsExact(this.layer) && typeof this.exact !== 'object';
+    return needsExact(this.layer) && this.exact === 'computing';
+  }
+
+  /** How many pixels differ; null where another layer is shown, or that is not known yet. */
+  private get difference(): Difference | null {
+    const right = known(this.exact);
+    if (this.layer !== 'difference' || right === null) return null;
+    return differenceOf(this.view.screen.picture, right);
   }
 
   /** What the layer means, in words alone. */
   private words(): string {
-    const { say, layer, exact, view } = this;
+    const { say, layer, difference } = this;
     if (this.isComputing) return say.computing;
-    if (layer === 'depths') {
-      const [far, near] = this.ends();
-      return say.fromTo(far, near);
-    }
-    if (layer !== 'difference' || typeof exact !== 'object' || exact === null) {
-      return layer === 'exact' ? say.exactly : say.soFar;
-    }
-    const { wrong, lacking } = differenceOf(view.screen.picture, exact);
-    return `${say.wrong(wrong)}, ${say.lacking(lacking)}`;
+    if (layer === 'depths') return say.fromTo(...this.ends());
+    if (difference === null) return layer === 'exact' ? say.exactly : say.soFar;
+    return `${say.wrong(difference.wrong)}, ${say.lacking(difference.lacking)}`;
   }
 
   private ends(): readonly [far: string, near: string] {
@@ -152,7 +153,7 @@ export class LayersElement extends LitElement {
   }
 
   private status(): TemplateResult {
-    const { say, layer, exact, view } = this;
+    const { say, layer, difference } = this;
     if (layer === 'depths') {
       const [far, near] = this.ends();
       return html`<p class="status depths">
@@ -161,11 +162,10 @@ export class LayersElement extends LitElement {
         ><span class="number">${near}</span>
       </p>`;
     }
-    if (layer === 'difference' && typeof exact === 'object' && exact !== null) {
-      const { wrong, lacking } = differenceOf(view.screen.picture, exact);
+    if (difference !== null) {
       return html`<p class="status difference">
-        <span><i class="wrong"></i>${say.wrong(wrong)}</span>
-        <span><i class="lacking"></i>${say.lacking(lacking)}</span>
+        <span><i class="wrong"></i>${say.wrong(difference.wrong)}</span>
+        <span><i class="lacking"></i>${say.lacking(difference.lacking)}</span>
       </p>`;
     }
     return html`<p class="status">${this.words()}</p>`;

@@ -4,10 +4,10 @@ import { customElement, property, state } from 'lit/decorators.js';
 import { valuesInPlay } from '../listing/in-play.js';
 import { listingsOf } from '../listing/listings.js';
 import type { Line, Listing } from '../listing/listings.js';
-import './cpp.js';
-import { bringInSight } from './in-sight.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
+import './cpp.js';
+import { bringInSight } from './in-sight.js';
 import { listingStyle } from './listing.style.js';
 import { base } from './theme.js';
 
@@ -27,8 +27,7 @@ export class ListingElement extends LitElement {
   private values: ReadonlyMap<string, string> = new Map();
 
   override willUpdate(): void {
-    const { header, language, step } = this.view;
-    this.values = valuesInPlay(this.trace, step);
+    const { header, language } = this.view;
     const shown = [header.method, header.edition, header.detail, language].join();
     if (shown === this.shown) return;
     this.shown = shown;
@@ -59,6 +58,7 @@ export class ListingElement extends LitElement {
   }
 
   private procedures(): TemplateResult {
+    this.values = valuesInPlay(this.trace, this.view.step);
     return html`<div
       class="procedures"
       tabindex="0"

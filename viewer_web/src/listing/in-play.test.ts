@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf, traceOf } from '../testing/traces.js';
+import { headerOf, textWith, traceOf } from '../testing/traces.js';
+import type { Event } from '../trace/events.js';
 import { valuesInPlay } from './in-play.js';
 
 /** Two polygons in a window: A is passed, B is being tested at its first corner. */
-const events = [
+const events: readonly Event[] = [
   {
     e: 'push',
     at: 'W3',
@@ -28,9 +29,8 @@ const events = [
 ];
 
 async function at(step: number): Promise<Readonly<Record<string, string>>> {
-  const end = { end: { events: events.length, picture: `sha256:${'0'.repeat(64)}` } };
-  const lines = [headerOf('warnock'), ...events, end].map((line) => JSON.stringify(line));
-  return Object.fromEntries(valuesInPlay(await traceOf(lines.join('\n') + '\n'), step));
+  const trace = await traceOf(textWith(headerOf('warnock'), events));
+  return Object.fromEntries(valuesInPlay(trace, step));
 }
 
 describe('the values in play', () => {

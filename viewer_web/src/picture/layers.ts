@@ -15,6 +15,9 @@ export type Layer = (typeof layers)[number];
 /** The picture by exact decisions; it may be on its way, or there is none. */
 export type Exact = Grid<number> | 'computing' | null;
 
+/** That picture, if it is there. */
+export const known = (exact: Exact): Grid<number> | null => (exact === 'computing' ? null : exact);
+
 export function isLayer(name: string | null): name is Layer {
   return (layers as readonly (string | null)[]).includes(name);
 }
@@ -41,7 +44,7 @@ export function depthRange({ polygons }: Scene): readonly [far: number, near: nu
 /** What a layer paints; null as long as that is not known. */
 export function cellsOf(layer: Layer, { picture, z, scene }: Screen, exact: Exact): Cells | null {
   const { width, height } = picture;
-  const known = typeof exact === 'object' ? exact : null;
+  const rightly = known(exact);
   const cells = (row: Cells['row']): Cells => ({ width, height, row });
   switch (layer) {
     case 'picture':
@@ -56,10 +59,10 @@ export function cellsOf(layer: Layer, { picture, z, scene }: Screen, exact: Exac
       );
     }
     case 'exact':
-      return known && cells((j) => mapped(known.row(j), opaque));
+      return rightly && cells((j) => mapped(rightly.row(j), opaque));
     case 'difference':
       return cells((j) => {
-        const right = known?.row(j);
+        const right = rightly?.row(j);
         return mapped(picture.row(j), (pixel, i) => differing(pixel, right?.[i] ?? pixel));
       });
   }
