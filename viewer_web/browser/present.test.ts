@@ -84,8 +84,8 @@ describe('the presentation', () => {
         .evaluate((e) => Number.parseFloat(getComputedStyle(e).fontSize) * e.currentCSSZoom);
     expect(await size('vidno-listing code')).toBeGreaterThanOrEqual(18);
     expect(await size('.sentence')).toBeGreaterThanOrEqual(27);
-    expect(await page.locator('header').isVisible()).toBe(true);
-    expect(await page.locator('header').getAttribute('inert')).not.toBe(null);
+    expect(await page.locator('vidno-page-header').isVisible()).toBe(true);
+    expect(await page.locator('vidno-page-header').getAttribute('inert')).not.toBe(null);
   });
 
   it('lets a pixel be pointed at', async () => {

@@ -10,13 +10,8 @@ export const appStyle = css`
     grid-template: 'header header' 3.25rem 'nav main' minmax(0, 1fr) / 14rem minmax(0, 1fr);
     background: var(--paper);
   }
-  .tools button {
-    padding: 0 0.7rem;
-    white-space: nowrap;
-  }
-  kbd {
-    font: 0.8125rem var(--mono);
-    color: var(--soft);
+  vidno-page-header {
+    grid-area: header;
   }
   nav {
     grid-area: nav;
@@ -85,9 +80,6 @@ export const appStyle = css`
     }
   }
   @media (max-width: 640px) {
-    .present {
-      display: none;
-    }
     :host {
       grid-template: 'header' 3.25rem 'main' auto 'nav' auto / minmax(0, 1fr);
     }
@@ -100,7 +92,7 @@ export const appStyle = css`
     height: 100dvh;
     padding: 0;
   }
-  :host([embed]) :is(header, nav, h2, .title p) {
+  :host([embed]) :is(vidno-page-header, nav, h2, .title p) {
     display: none;
   }
   :host([embed]) .title {
@@ -116,7 +108,7 @@ export const appStyle = css`
       padding: 0;
       overflow: hidden;
     }
-    header,
+    vidno-page-header,
     nav,
     vidno-notice {
       display: none;

@@ -5,12 +5,11 @@ import { formatAddress, parseAddress } from './address.js';
 import type { Setup } from './address.js';
 import { appStyle } from './app.style.js';
 import './components/file-drop.js';
-import { headerStyle } from './components/header.style.js';
 import { Keyboard } from './components/keyboard.js';
 import type { Actions } from './components/keyboard.js';
-import './components/languages.js';
 import './components/lesson-list.js';
 import './components/notice.js';
+import './components/page-header.js';
 import './components/player.js';
 import type { PlayerElement } from './components/player.js';
 import { base, tokens } from './components/theme.js';
@@ -30,7 +29,7 @@ import type { Bookmarks } from './time/bookmarks.js';
 /** The page: lessons, files of one's own, and the player. */
 @customElement('vidno-app')
 export class AppElement extends LitElement {
-  static override styles = [tokens, base, headerStyle, appStyle];
+  static override styles = [tokens, base, appStyle];
 
   @state() private setup: Setup = {
     language: preferredLanguage(),
@@ -143,26 +142,14 @@ export class AppElement extends LitElement {
     const { trace, place, live } = session;
     const page = texts[language].page;
     return html`
-      <header ?inert=${presenting}>
-        <h1>vidno</h1>
-        <p class="tagline">${page.tagline}</p>
-        <div class="tools">
-          <button @click=${() => this.player.showKeys()} ?disabled=${trace === null}>
-            ${page.keys} <kbd>?</kbd>
-          </button>
-          <button
-            class="present"
-            @click=${() => this.player.present(true)}
-            ?disabled=${trace === null}
-          >
-            ${page.present} <kbd>F</kbd>
-          </button>
-          <vidno-languages
-            .chosen=${language}
-            @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
-          ></vidno-languages>
-        </div>
-      </header>
+      <vidno-page-header
+        ?inert=${presenting}
+        .language=${language}
+        ?open=${trace !== null}
+        @keys=${() => this.player.showKeys()}
+        @present=${() => this.player.present(true)}
+        @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
+      ></vidno-page-header>
       <nav ?inert=${presenting}>
         <vidno-lesson-list
           .lessons=${this.lessons}

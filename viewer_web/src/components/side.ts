@@ -39,6 +39,8 @@ export class SideElement extends LitElement {
         gap: 0.25rem;
         height: 2.6rem;
         padding: 0 0.5rem;
+        overflow-x: auto;
+        scrollbar-width: none;
         border-bottom: 1px solid var(--line);
       }
       :host([bare]) .choice {
@@ -125,32 +127,40 @@ export class SideElement extends LitElement {
 
   private panel(): TemplateResult {
     const { view, history, side, editing } = this;
-    if (side === 'scene' && editing !== null) {
-      return html`<vidno-scene-panel
-        .editing=${editing}
-        .language=${view.language}
-        .link=${this.link}
-      ></vidno-scene-panel>`;
+    switch (side) {
+      case 'pixel':
+        return html`<vidno-history
+          .view=${view}
+          .history=${history}
+          @command=${this.passOn}
+          @forget=${this.passOn}
+        ></vidno-history>`;
+      case 'bookmarks':
+        return html`<vidno-bookmarks
+          .view=${view}
+          .bookmarks=${this.bookmarks}
+          .linked=${this.linked}
+          @command=${this.passOn}
+        ></vidno-bookmarks>`;
+      case 'scene':
+        return editing === null ? this.state() : this.scene(editing);
+      case 'state':
+        return this.state();
     }
-    if (side === 'bookmarks') {
-      return html`<vidno-bookmarks
-        .view=${view}
-        .bookmarks=${this.bookmarks}
-        .linked=${this.linked}
-        @command=${this.passOn}
-      ></vidno-bookmarks>`;
-    }
-    if (side === 'pixel') {
-      return html`<vidno-history
-        .view=${view}
-        .history=${history}
-        @command=${this.passOn}
-        @forget=${this.passOn}
-      ></vidno-history>`;
-    }
-    return view.header.method === 'warnock'
-      ? html`<vidno-warnock .view=${view}></vidno-warnock>`
-      : html`<vidno-zbuffer .view=${view}></vidno-zbuffer>`;
+  }
+
+  private state(): TemplateResult {
+    return this.view.header.method === 'warnock'
+      ? html`<vidno-warnock .view=${this.view}></vidno-warnock>`
+      : html`<vidno-zbuffer .view=${this.view}></vidno-zbuffer>`;
+  }
+
+  private scene(editing: Editing): TemplateResult {
+    return html`<vidno-scene-panel
+      .editing=${editing}
+      .language=${this.view.language}
+      .link=${this.link}
+    ></vidno-scene-panel>`;
   }
 
   private button(side: Side, shown: unknown, label?: string): TemplateResult {

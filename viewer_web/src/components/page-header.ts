@@ -1,0 +1,63 @@
+import { LitElement, css, html } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
+import { headerStyle } from './header.style.js';
+import './languages.js';
+import { base } from './theme.js';
+
+/** The line at the top of the page. Events `keys`, `present` and `choose`, of a language, tell what is asked for. */
+@customElement('vidno-page-header')
+export class PageHeaderElement extends LitElement {
+  static override styles = [
+    base,
+    headerStyle,
+    css`
+      button {
+        padding: 0 0.7rem;
+        white-space: nowrap;
+      }
+      kbd {
+        font: 0.8125rem var(--mono);
+        color: var(--soft);
+      }
+      header {
+        height: 100%;
+      }
+      @media (max-width: 640px) {
+        .present {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) language: Language = 'en';
+  /** Whether a run is shown, which the tools are for. */
+  @property({ type: Boolean }) open = false;
+
+  override render(): TemplateResult {
+    const { page } = texts[this.language];
+    return html`<header>
+      <h1>vidno</h1>
+      <p class="tagline">${page.tagline}</p>
+      <div class="tools">
+        <button @click=${() => this.ask('keys')} ?disabled=${!this.open}>
+          ${page.keys} <kbd>?</kbd>
+        </button>
+        <button class="present" @click=${() => this.ask('present')} ?disabled=${!this.open}>
+          ${page.present} <kbd>F</kbd>
+        </button>
+        <vidno-languages
+          .chosen=${this.language}
+          @choose=${({ detail }: CustomEvent<Language>) => this.ask('choose', detail)}
+        ></vidno-languages>
+      </div>
+    </header>`;
+  }
+
+  private ask(what: 'keys' | 'present' | 'choose', detail: Language | null = null): void {
+    this.dispatchEvent(new CustomEvent(what, { detail }));
+  }
+}
