@@ -17,7 +17,7 @@ using namespace vidno::test;
 
 namespace {
 
-constexpr int side = SignMap::side;
+constexpr int side = Question::side;
 constexpr double u = 0x1p-53;
 
 Question lesson(const std::string& name) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -686,5 +687,22 @@ using Event =
                  event::Scanline, event::AelAdd, event::Horizontal, event::Leave, event::AelSort, event::AelDrop,
                  event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel,
                  event::Span>;
+
+/// The place of a type in Event.
+template <class E, class... Events>
+constexpr std::size_t place_in(const std::variant<Events...>*) {
+    std::size_t place = 0;
+    ((!std::is_same_v<E, Events> && ++place) && ...);
+    return place;
+}
+template <class E>
+inline constexpr std::size_t event_place = place_in<E>(static_cast<const Event*>(nullptr));
+
+/// The names, each at the place of its type.
+template <class... Events>
+constexpr auto names_in(const std::variant<Events...>*) {
+    return std::array{Events::kind.name...};
+}
+inline constexpr auto event_names = names_in(static_cast<const Event*>(nullptr));
 
 }  // namespace vidno

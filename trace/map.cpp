@@ -1,6 +1,7 @@
 #include "map.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "kernels.h"
 #include "vidno/corrected.h"
@@ -10,12 +11,12 @@ namespace vidno {
 namespace {
 
 /// What a kernel is to see: the polygons that are asked about, and one that reaches as far as all else.
-Scene scene_of(const Question& question) {
+Scene scene_of(const Question& question, int side) {
     Scene scene;
     scene.area = {0, 0, 1, 1};
     std::vector<glm::dvec3> reach;
     const auto reaches = [&](const glm::dvec2& v) { reach.emplace_back(v, 0); };
-    constexpr int last = SignMap::side - 1;
+    const int last = side - 1;
     for (const auto& corner : {question.p, question.place(last, 0), question.place(last, last)}) reaches(corner);
     std::visit(
         [&]<class Asked>(const Asked& asked) {
@@ -63,13 +64,13 @@ Sign decide(const DepthQuestion&, auto& run, const glm::dvec2& p) {
 }
 
 template <Kernel K>
-std::vector<Sign> answers_under(const K& kernel, const Question& question) {
-    const Scene scene = scene_of(question);
+std::vector<Sign> answers_under(const K& kernel, const Question& question, int side) {
+    const Scene scene = scene_of(question, side);
     Picture unused({0, 0, 1, 1}, {});
     Run<Corrected, K, NoTrace> run(scene, kernel, {}, unused);
     std::vector<Sign> answers;
-    for (int y = 0; y < SignMap::side; ++y) {
-        for (int x = 0; x < SignMap::side; ++x) {
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
             const auto answer = [&](const auto& asked) { return decide(asked, run, question.place(x, y)); };
             answers.push_back(std::visit(answer, question.asked));
         }
@@ -89,14 +90,15 @@ int SignMap::differing() const {
     return int(std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.differs(); }));
 }
 
-SignMap sign_map(const Question& question, const NamedKernel& named) {
+SignMap sign_map(const Question& question, const NamedKernel& named, int side) {
+    assert(0 < side && side <= Question::side);
     SignMap map = std::visit(
         [&](const auto& asked) {
-            return SignMap{question.name, asked.decision, asked.answers, named.name(), {}};
+            return SignMap{question.name, asked.decision, asked.answers, named.name(), side, {}};
         },
         question.asked);
-    const auto exact = answers_under(Exact{}, question);
-    const auto computed = with_kernel(named, [&](const auto& kernel) { return answers_under(kernel, question); });
+    const auto exact = answers_under(Exact{}, question, side);
+    const auto computed = with_kernel(named, [&](const auto& kernel) { return answers_under(kernel, question, side); });
     for (std::size_t i = 0; i < exact.size(); ++i) map.cells.push_back({computed[i], exact[i]});
     return map;
 }

@@ -13,8 +13,6 @@
 namespace vidno {
 
 struct SignMap {
-    static constexpr int side = Question::side;
-
     struct Cell {
         Sign computed, exact;
 
@@ -26,6 +24,7 @@ struct SignMap {
     std::string_view decision;
     AnswerNames answers;
     std::string kernel;
+    int side;                 // so many places in a row, and rows
     std::vector<Cell> cells;  // the row of p first
 
     const Cell& at(int x, int y) const { return cells[std::size_t(y) * side + std::size_t(x)]; }
@@ -35,8 +34,8 @@ struct SignMap {
     int differing() const;
 };
 
-/// The decision is taken as the corrected procedures take it.
-SignMap sign_map(const Question& question, const NamedKernel& kernel);
+/// Of the places 0 <= i, j < side <= Question::side. The decision is taken as the corrected procedures take it.
+SignMap sign_map(const Question& question, const NamedKernel& kernel, int side = Question::side);
 
 /// p at the lower left, as in the published maps. The computed answer is the hue; dark where it differs from the exact
 /// one, which changes where black and white pixels run side by side.

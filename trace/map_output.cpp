@@ -19,7 +19,7 @@ Color color_of(const SignMap::Cell& cell) { return (cell.differs() ? differing :
 }  // namespace
 
 Picture picture_of(const SignMap& map) {
-    constexpr int side = SignMap::side;
+    const int side = map.side;
     Picture picture({0, 0, side * zoom, side * zoom}, {});
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {

@@ -24,28 +24,28 @@ std::string picture_hash(const Picture& picture) {
     return text;
 }
 
-TraceWriter::TraceWriter(const TraceHeader& header, Write write, std::uint64_t most_events)
-    : lines_(polygon_names(header.scene)), write_(std::move(write)), most_events_(most_events) {
+TraceWriter::TraceWriter(const TraceHeader& header, Write write, std::uint64_t most_events, LineIndex* index)
+    : lines_(polygon_names(header.scene)), write_(std::move(write)), most_events_(most_events), index_(index) {
     text_ += std::string_view(header_json(header));
 }
 
-void TraceWriter::finish(const Picture& picture) {
-    text_ += std::string_view(R"({"end":{"events":)");
-    append_integer(text_, events_);
-    text_ += std::string_view(R"(,"picture":")" + picture_hash(picture) + "\"}}\n");
-    flush();
-}
+void TraceWriter::finish(const Picture& picture) { finish_with(R"("picture":")" + picture_hash(picture) + '"'); }
 
-void TraceWriter::finish_partial() {
+void TraceWriter::finish_partial() { finish_with(R"("partial":true)"); }
+
+void TraceWriter::finish_with(std::string_view rest) {
+    if (index_) mark_line();
     text_ += std::string_view(R"({"end":{"events":)");
     append_integer(text_, events_);
-    text_ += R"(,"partial":true}})"
-             "\n";
+    text_ += ',';
+    text_ += rest;
+    text_ += std::string_view("}}\n");
     flush();
 }
 
 void TraceWriter::flush() {
     write_(text_.view());
+    written_ += text_.size();
     text_.clear();
 }
 

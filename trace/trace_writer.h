@@ -27,17 +27,29 @@ std::string picture_hash(const Picture& picture);
 /// Thrown out of a run that has told as many events as it may; finish_partial keeps what was told.
 struct EventLimitReached {};
 
+/// Where the lines of a trace are in its text, for who would else have to look for them.
+struct LineIndex {
+    std::vector<std::uint32_t> starts;  // of each event, and of the last line
+    std::vector<std::uint8_t> names;    // of each event, the place in Event
+};
+
 class TraceWriter {
 public:
     using Write = std::function<void(std::string_view)>;
     static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
 
-    TraceWriter(const TraceHeader& header, Write write, std::uint64_t most_events = no_limit);
+    /// The index, if there is one, is for a text of less than 2^32 bytes.
+    TraceWriter(const TraceHeader& header, Write write, std::uint64_t most_events = no_limit,
+                LineIndex* index = nullptr);
 
     template <class E>
     void operator()(const E& event) {
         if (events_ == most_events_) throw EventLimitReached{};
         ++events_;
+        if (index_) {
+            mark_line();
+            index_->names.push_back(std::uint8_t(event_place<E>));
+        }
         lines_.line(text_, event);
         if (text_.size() > block) flush();
     }
@@ -50,12 +62,16 @@ public:
 private:
     static constexpr std::size_t block = std::size_t{1} << 16;
 
+    void mark_line() { index_->starts.push_back(std::uint32_t(written_ + text_.size())); }
+    void finish_with(std::string_view rest);
     void flush();
 
     EventText lines_;
     Write write_;
     std::uint64_t most_events_;
+    LineIndex* index_;
     std::uint64_t events_ = 0;
+    std::uint64_t written_ = 0;  // bytes
     Text text_;
 };
 

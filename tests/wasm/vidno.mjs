@@ -38,4 +38,4 @@ bytes(wasm.request(request.length), request.length).set(request);
 const ran = wasm.run();
 process.stderr.write(bytes(wasm.messages(), wasm.messages_size()));
 if (!ran) process.exit(2);
-writeFileSync(output, bytes(wasm.trace(), wasm.trace_size()));
+writeFileSync(output, bytes(wasm.made(), wasm.made_size()));

@@ -1,16 +1,24 @@
-/// The library in a page: WebAssembly that makes a trace of a scene, the same bytes as `vidno trace`.
+/// The library in a page: WebAssembly that makes a trace of a scene, the same bytes as `vidno trace`, and sign maps.
 ///
-/// A caller takes room for a request, writes it there, asks for the trace, and reads the bytes where they are. A request
-/// is a line of JSON with the fields of a trace's header, but for the scene, and two more; then the scene's file:
+/// A caller takes room for a request, writes it there, asks for what it wants, and reads the bytes where they are. A
+/// request is a line of JSON, then a file. For a trace, the fields of its header but for the scene, and two more; and the
+/// scene's file:
 ///
 ///     {"method":"warnock","edition":"corrected","kernel":"double","detail":"signs","check":false,"most_events":1000}
 ///     {"format":"vidno-scene/1",...}
+///
+/// For a map, the kernel and how many places it has in a row; and the file of a question:
+///
+///     {"kernel":"double","side":48}
+///     {"format":"vidno-question/1",...}
 
 #include <string>
 #include <string_view>
 
 #include "check.h"
 #include "json_node.h"
+#include "map.h"
+#include "question_json.h"
 #include "scene_json.h"
 #include "snapped_scene.h"
 
@@ -19,7 +27,8 @@ namespace {
 
 /// One request after the other; no thread but the caller's.
 struct Live {
-    std::string request, trace, messages;
+    std::string request, made, messages;
+    LineIndex lines;  // of a trace
 };
 
 Live& live() {
@@ -45,17 +54,21 @@ std::size_t place_of(const JsonNode& node, const Names& names) {
     return std::size_t(found - names.begin());
 }
 
+NamedKernel read_kernel(const JsonNode& node) {
+    const auto kernel = kernel_named(node.text());
+    if (!kernel) node.refuse("not one of " + kernel_names());
+    return *kernel;
+}
+
 Options read_options(const JsonNode& root) {
     root.require_keys({"method", "edition", "kernel", "detail", "check", "most_events"});
     Options options;
     options.method = Method(place_of(root.at("method"), method_names));
     options.printed = place_of(root.at("edition"), edition_names) == 1;
-    const auto kernel = kernel_named(root.at("kernel").text());
-    if (!kernel) root.at("kernel").refuse("not one of " + kernel_names());
-    if (!kernel->choice->runs(options.method, options.printed)) {
+    options.kernel = read_kernel(root.at("kernel"));
+    if (!options.kernel.choice->runs(options.method, options.printed)) {
         root.at("kernel").refuse("does not run this method and edition");
     }
-    options.kernel = *kernel;
     options.detail = Detail(place_of(root.at("detail"), detail_names));
     options.check = root.at("check").truth();
     options.most_events = std::uint64_t(root.at("most_events").whole_number(0, std::numeric_limits<int>::max()));
@@ -72,16 +85,50 @@ Scene read_scene_for(const NamedKernel& kernel, std::string_view text, std::stri
     return std::move(snapped.scene);
 }
 
-void make_trace(std::string_view request, Live& live) {
+/// The first line of a request, and the file that follows.
+std::pair<std::string_view, std::string_view> parts(std::string_view request) {
     const auto line = request.substr(0, request.find('\n'));
+    return {line, request.substr(std::min(line.size() + 1, request.size()))};
+}
+
+void make_trace(Live& live) {
+    const auto [line, file] = parts(live.request);
     const Options options = read_json(line, "request", read_options);
-    const Scene scene =
-        read_scene_for(options.kernel, request.substr(std::min(line.size() + 1, request.size())), live.messages);
-    const auto write = [&](std::string_view text) { live.trace += text; };
+    const Scene scene = read_scene_for(options.kernel, file, live.messages);
+    const auto write = [&](std::string_view text) { live.made += text; };
     TraceWriter writer(
         {options.method, std::string(edition_names[options.printed]), options.kernel.name(), options.detail, scene},
-        write, options.most_events);
+        write, options.most_events, &live.lines);
     write_trace({options.method, options.kernel, options.printed, scene, options.detail}, writer, options.check);
+}
+
+void make_map(Live& live) {
+    const auto [line, file] = parts(live.request);
+    const auto [kernel, side] = read_json(line, "request", [](const JsonNode& root) {
+        root.require_keys({"kernel", "side"});
+        const NamedKernel named = read_kernel(root.at("kernel"));
+        if (named.snaps()) root.at("kernel").refuse("the places of a map lie on no grid");
+        return std::pair(named, root.at("side").whole_number(1, Question::side));
+    });
+    for (const auto& [computed, exact] : sign_map(read_question(std::string(file), "question"), kernel, side).cells) {
+        live.made += char('0' + 3 * place_of(computed) + place_of(exact));
+    }
+}
+
+/// Whether it was made; else the messages say why not.
+bool make(void (*what)(Live&)) {
+    Live& live = vidno::live();
+    live.made.clear();
+    live.messages.clear();
+    live.lines.starts.clear();
+    live.lines.names.clear();
+    try {
+        what(live);
+        return true;
+    } catch (const std::exception& error) {
+        live.messages = error.what();
+        return false;
+    }
 }
 
 }  // namespace
@@ -95,22 +142,28 @@ extern "C" {
     return vidno::live().request.data();
 }
 
-/// Runs the request. False if it was refused; then the messages say why, else what the caller should know (a line each).
-[[clang::export_name("run")]] bool vidno_run() {
-    auto& live = vidno::live();
-    live.trace.clear();
-    live.messages.clear();
-    try {
-        vidno::make_trace(live.request, live);
-        return true;
-    } catch (const std::exception& error) {
-        live.messages = error.what();
-        return false;
-    }
+/// Makes the trace that is asked for. False if it was refused; then the messages say why, else what the caller should
+/// know (a line each).
+[[clang::export_name("run")]] bool vidno_run() { return vidno::make(vidno::make_trace); }
+
+/// Makes the map that is asked for, or is refused likewise: a character a place, '0' to '8', the row of p first. It is three
+/// times the computed sign and once the exact one, of which each is 0, negative, 1, zero, or 2, positive.
+[[clang::export_name("map")]] bool vidno_map() { return vidno::make(vidno::make_map); }
+
+/// The bytes of what was made.
+[[clang::export_name("made")]] const char* vidno_made() { return vidno::live().made.data(); }
+[[clang::export_name("made_size")]] std::size_t vidno_made_size() { return vidno::live().made.size(); }
+
+/// Of a trace: how many events it has; where in its bytes each event's line begins, and then its last line, 32 bits each;
+/// and the number of each event's name, 8 bits.
+[[clang::export_name("events")]] std::size_t vidno_events() { return vidno::live().lines.names.size(); }
+[[clang::export_name("starts")]] const std::uint32_t* vidno_starts() { return vidno::live().lines.starts.data(); }
+[[clang::export_name("names")]] const std::uint8_t* vidno_names() { return vidno::live().lines.names.data(); }
+/// The name with that number, ended by a zero; null if there is none.
+[[clang::export_name("name")]] const char* vidno_name(std::size_t number) {
+    return number < vidno::event_names.size() ? vidno::event_names[number].data() : nullptr;
 }
 
-[[clang::export_name("trace")]] const char* vidno_trace() { return vidno::live().trace.data(); }
-[[clang::export_name("trace_size")]] std::size_t vidno_trace_size() { return vidno::live().trace.size(); }
 [[clang::export_name("messages")]] const char* vidno_messages() { return vidno::live().messages.data(); }
 [[clang::export_name("messages_size")]] std::size_t vidno_messages_size() { return vidno::live().messages.size(); }
 }

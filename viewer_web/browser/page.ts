@@ -116,8 +116,9 @@ export async function whole(page: Page): Promise<void> {
 }
 
 export async function goTo(page: Page, step: number): Promise<void> {
-  await page.locator('input[type=number]').fill(String(step));
-  await page.locator('input[type=number]').press('Enter');
+  const field = page.locator('.dock input[type=number]');
+  await field.fill(String(step));
+  await field.press('Enter');
 }
 
 /** The canonical states of steps `from` up to, not including, `end`, or down if `end` is less. */

@@ -90,7 +90,7 @@ export class AppElement extends LitElement {
     const { live } = this.session;
     if (live.editing === null) return {};
     return {
-      KeyE: () => (player.side = player.side === 'scene' ? 'state' : 'scene'),
+      KeyE: () => player.toggleSide('scene'),
       KeyN: () => {
         player.side = 'scene';
         live.act({ do: 'draw' });
@@ -181,6 +181,7 @@ export class AppElement extends LitElement {
           ?linked=${session.isLinked}
           .layer=${layer}
           .exact=${this.exact}
+          .maps=${session.maps}
           .editing=${live.editing}
           .link=${live.link}
           @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}

@@ -10,7 +10,9 @@ import { usual } from './live/options.js';
 import type { Options } from './live/options.js';
 import { optionsOf, unpacked } from './live/packed.js';
 import { isScene } from './live/scene-file.js';
-import { embeddedLibrary } from './live/tracer.js';
+import { embeddedLibrary } from './live/maker.js';
+import { SignMaps } from './live/sign-maps.js';
+import { ownStep } from './time/own-step.js';
 import { openTrace } from './trace/open.js';
 import type { Trace } from './trace/trace.js';
 
@@ -35,6 +37,7 @@ export class Session implements ReactiveController {
   notice: Notice | null = null;
   readonly live: Live;
   readonly exact: ExactPicture;
+  readonly maps: SignMaps | null;
 
   /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
   private goal: Place | null = null;
@@ -46,6 +49,7 @@ export class Session implements ReactiveController {
   ) {
     host.addController(this);
     const library = embeddedLibrary(document);
+    this.maps = library && new SignMaps(library);
     this.exact = new ExactPicture(library, changed);
     this.live = new Live(library, {
       changed,
@@ -102,7 +106,8 @@ export class Session implements ReactiveController {
   private showRun(trace: Trace): void {
     const { length } = trace.timeline;
     const atEnd = this.steps > 0 && this.place.step === this.steps;
-    const step = atEnd ? length : Math.min(this.place.step, length);
+    const old = this.trace?.timeline ?? trace.timeline;
+    const step = atEnd ? length : ownStep(old, this.place.step, trace.timeline);
     this.show(trace, trace.header.scene.name, null, this.goal ?? { ...this.place, step });
     this.goal = null;
     this.say(noticeOf(trace));

@@ -22,6 +22,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['toBookmark', ['Shift ,', 'Shift .']],
   ['thing', ['O', 'Shift O']],
   ['source', ['C']],
+  ['exact', ['X']],
   ['edit', ['E']],
   ['draw', ['N']],
   ['undo', ['Ctrl Z', 'Ctrl Y']],

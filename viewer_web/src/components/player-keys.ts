@@ -4,6 +4,7 @@ import type { KeysElement } from './keys.js';
 import type { ListingElement } from './listing.js';
 import type { PicturePanelElement } from './picture-panel.js';
 import type { Presenter } from './presenter.js';
+import type { Side } from './side.js';
 import type { TravelElement } from './travel.js';
 
 /** What of the player keys reach. */
@@ -25,6 +26,7 @@ export interface Steered {
   showKeys(): void;
   present(on: boolean): void;
   point(by: 1 | -1): void;
+  toggleSide(side: Side): void;
   openBookmarks(way: 'mark' | 'enter'): Promise<void>;
 }
 
@@ -58,6 +60,7 @@ function usualActions(player: Steered, shift: boolean): Actions {
     Period: () => travel.next(1, goal),
     KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
     KeyC: () => player.listing.toggleSource(),
+    KeyX: () => player.toggleSide('exact'),
     KeyL: () => picture.nextLayer(),
     KeyO: () => player.point(shift ? -1 : 1),
     KeyP: () => picture.startChoosing(),

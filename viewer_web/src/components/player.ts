@@ -10,6 +10,7 @@ import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
+import type { SignMaps } from '../live/sign-maps.js';
 import { sayThing } from '../pointed.js';
 import { plain } from '../setting.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
@@ -62,6 +63,8 @@ export class PlayerElement extends TimedElement {
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   /** What the pixels show, if the trace has it; another layer is asked for by `vidno-layer`. */
   @property({ attribute: false }) layer: Layer = 'picture';
+  /** Who draws sign maps; null where there is no library. */
+  @property({ attribute: false }) maps: SignMaps | null = null;
   /** The exact picture of the scene. */
   @property({ attribute: false }) exact: Exact = null;
   @property({ type: Boolean }) linked = false;
@@ -107,11 +110,11 @@ export class PlayerElement extends TimedElement {
     return this.controls !== 'small' && this.controls !== 'none';
   }
 
-  /** While the scene is edited its panel stays, for each run is another trace. */
+  /** A panel stays, for each run of a scene is another trace; but there may be no pixel any more. */
   private openHistory(isChosen: boolean): void {
     this.history = historyOf(this.trace, this.pixel);
-    if (this.side === 'scene' && !isChosen) return;
-    this.side = this.history === null ? 'state' : 'pixel';
+    if (this.history !== null && isChosen) this.side = 'pixel';
+    if (this.history === null && this.side === 'pixel') this.side = 'state';
   }
 
   private choosePixel(pixel: Pixel | null): void {
@@ -119,6 +122,11 @@ export class PlayerElement extends TimedElement {
     this.pixel = pixel;
     this.side = pixel === null ? 'state' : 'pixel';
     this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
+  }
+
+  /** Opens a panel, or the state where it is open. */
+  toggleSide(side: Side): void {
+    if (this.isFull) this.side = this.side === side ? 'state' : side;
   }
 
   async openBookmarks(way: 'mark' | 'enter'): Promise<void> {
@@ -158,6 +166,8 @@ export class PlayerElement extends TimedElement {
         <section class="side ${this.side}" aria-label=${texts.state}>
           <vidno-side
             .view=${view}
+            .trace=${this.trace}
+            .maps=${this.maps}
             .history=${this.history}
             .bookmarks=${this.bookmarks}
             .linked=${this.linked}

@@ -8,17 +8,20 @@ import type { Bookmarks } from '../time/bookmarks.js';
 import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
 import type { View } from '../view.js';
+import type { SignMaps } from '../live/sign-maps.js';
+import type { Trace } from '../trace/trace.js';
 import './bookmarks.js';
 import type { BookmarksElement } from './bookmarks.js';
+import './exactness.js';
 import './history.js';
 import './scene-panel.js';
 import { base } from './theme.js';
 import './warnock-panel.js';
 import './zbuffer-panel.js';
 
-export type Side = 'state' | 'pixel' | 'bookmarks' | 'scene';
+export type Side = 'state' | 'pixel' | 'exact' | 'bookmarks' | 'scene';
 
-/** One of the panels: the state of the procedure, the history of a pixel, the bookmarks, or the scene as a form. */
+/** One of the panels: the state of the procedure, the history of a pixel, the truth of a decision, and so on. */
 @customElement('vidno-side')
 export class SideElement extends LitElement {
   static override styles = [
@@ -36,18 +39,16 @@ export class SideElement extends LitElement {
       .choice {
         display: flex;
         flex: none;
-        gap: 0.25rem;
-        height: 2.6rem;
-        padding: 0 0.5rem;
-        overflow-x: auto;
-        scrollbar-width: none;
+        flex-wrap: wrap;
+        padding: 0.15rem 0.4rem 0;
         border-bottom: 1px solid var(--line);
       }
       :host([bare]) .choice {
         display: none;
       }
       button {
-        padding: 0.2rem 0.5rem 0;
+        min-height: 1.9rem;
+        padding: 0.1rem 0.45rem 0;
         border: 0;
         border-bottom: 3px solid transparent;
         border-radius: 0;
@@ -61,14 +62,7 @@ export class SideElement extends LitElement {
         border-color: var(--accent);
         color: var(--ink);
       }
-      .pixel {
-        flex: 0 1 auto;
-        min-width: 0;
-        overflow: hidden;
-        text-overflow: ellipsis;
-      }
       .bookmarks {
-        flex: none;
         margin-left: auto;
       }
       .bookmarks svg {
@@ -89,6 +83,8 @@ export class SideElement extends LitElement {
   ];
 
   @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) trace!: Trace;
+  @property({ attribute: false }) maps: SignMaps | null = null;
   @property({ attribute: false }) history: History | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
@@ -108,11 +104,12 @@ export class SideElement extends LitElement {
 
   override render(): TemplateResult {
     const { view, history, editing } = this;
-    const { history: say, bookmarks: marks, scene } = texts[view.language];
+    const { history: say, bookmarks: marks, scene, exact } = texts[view.language];
     const pixel = history === null ? say.pixel : say.at(...history.pixel);
     return html`
       <div class="choice" role="group">
         ${this.button('state', view.texts.state)} ${this.button('pixel', pixel)}
+        ${this.button('exact', exact.exactness)}
         ${editing === null ? nothing : this.button('scene', scene.scene)}
         ${this.button('bookmarks', this.count(), marks.title)}
       </div>
@@ -135,6 +132,13 @@ export class SideElement extends LitElement {
           @command=${this.passOn}
           @forget=${this.passOn}
         ></vidno-history>`;
+      case 'exact':
+        return html`<vidno-exactness
+          .view=${view}
+          .trace=${this.trace}
+          .maps=${this.maps}
+          ?editable=${editing !== null}
+        ></vidno-exactness>`;
       case 'bookmarks':
         return html`<vidno-bookmarks
           .view=${view}

@@ -8,6 +8,7 @@ import type { Edition } from '../trace/header.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
+import type { ExactTexts } from './exact-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { Words } from './words.js';
@@ -34,6 +35,7 @@ export interface Texts {
   readonly bookmarks: BookmarkTexts;
   readonly picture: PictureTexts;
   readonly scene: SceneTexts;
+  readonly exact: ExactTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -198,6 +200,7 @@ export type KeyUse =
   | 'toBookmark'
   | 'thing'
   | 'source'
+  | 'exact'
   | 'edit'
   | 'draw'
   | 'undo'

@@ -1,11 +1,22 @@
 import { describe, expect, it } from 'vitest';
-import { textOf, traceNames } from '../testing/traces.js';
-import { eventNames } from '../trace/events.js';
+import { eventNames, numberOf } from '../trace/events.js';
+import type { EventName } from '../trace/events.js';
 import type { Block } from '../trace/store.js';
-import { linesOf } from './block.js';
+import { textOf, traceNames } from '../testing/traces.js';
+import { writtenOf } from './block.js';
+import type { Written } from './block.js';
 
-const blocksOf = (text: string): ReturnType<typeof linesOf> =>
-  linesOf(new TextEncoder().encode(text));
+/** As the library gives a trace: with the places of its lines but the first. */
+function written(text: string): Written {
+  const starts = [...text.matchAll(/\n/g)].map(({ index }) => index + 1).slice(0, -1);
+  const name = (start: number): EventName =>
+    (JSON.parse(text.slice(start, text.indexOf('\n', start))) as { e: EventName }).e;
+  return writtenOf({
+    bytes: new TextEncoder().encode(text),
+    starts: Uint32Array.from(starts),
+    names: Uint8Array.from(starts.slice(0, -1), (start) => numberOf.get(name(start)) ?? 255),
+  });
+}
 
 /** The lines of a block, as they can be cut out of its bytes. */
 function linesIn({ bytes, starts }: Block): readonly string[] {
@@ -15,21 +26,21 @@ function linesIn({ bytes, starts }: Block): readonly string[] {
   return [...starts.slice(0, -1)].map(line);
 }
 
-describe.each(traceNames)('the lines of %s', (name) => {
+describe.each(traceNames)('%s', (name) => {
   const text = textOf(name);
   const lines = text.trimEnd().split('\n');
-  const { header, blocks, end } = blocksOf(text);
+  const { header, blocks, end } = written(text);
 
-  it('are found with their events', () => {
-    const found = blocks.flatMap(({ names }) => [...names].map((number) => eventNames[number]));
-    const told = lines.slice(1, -1).map((line) => (JSON.parse(line) as { e: string }).e);
-    expect(found).toEqual(told);
+  it('has a first and a last line, and between them those of the events', () => {
     expect(header.trimEnd()).toBe(lines[0]);
+    expect(blocks.flatMap(linesIn)).toEqual(lines.slice(1, -1));
     expect(end.trimEnd()).toBe(lines.at(-1));
   });
 
-  it('begin and end where they do', () => {
-    expect(blocks.flatMap(linesIn)).toEqual(lines.slice(1, -1));
+  it('has each event with the number of its name', () => {
+    const found = blocks.flatMap(({ names }) => [...names].map((number) => eventNames[number]));
+    const told = lines.slice(1, -1).map((line) => (JSON.parse(line) as { e: string }).e);
+    expect(found).toEqual(told);
   });
 });
 
@@ -37,12 +48,12 @@ it('a long trace is in many blocks', () => {
   const [header = '', ...rest] = textOf('small.warnock.signs.jsonl').trimEnd().split('\n');
   const body = rest.slice(0, -1);
   const many = Array.from({ length: 40 }, () => body).flat();
-  const { blocks } = blocksOf([header, ...many, rest.at(-1), ''].join('\n'));
+  const { blocks } = written([header, ...many, rest.at(-1), ''].join('\n'));
   expect(blocks.length).toBeGreaterThan(3);
   expect(blocks.flatMap(linesIn)).toEqual(many);
 });
 
 it('a trace without events has no block', () => {
   const lines = textOf('small.warnock.signs.jsonl').trimEnd().split('\n');
-  expect(blocksOf(`${lines[0] ?? ''}\n${lines.at(-1) ?? ''}\n`).blocks).toEqual([]);
+  expect(written(`${lines[0] ?? ''}\n${lines.at(-1) ?? ''}\n`).blocks).toEqual([]);
 });

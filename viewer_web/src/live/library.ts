@@ -1,4 +1,6 @@
 import { sha256 } from '@noble/hashes/sha2';
+import { numberOf } from '../trace/events.js';
+import type { EventName } from '../trace/events.js';
 
 /** What vidno.wasm gives; `trace/wasm/live.cpp` documents it. */
 interface Exports {
@@ -6,41 +8,83 @@ interface Exports {
   _initialize(): void;
   request(size: number): number;
   run(): number;
-  trace(): number;
-  trace_size(): number;
+  map(): number;
+  made(): number;
+  made_size(): number;
+  events(): number;
+  starts(): number;
+  names(): number;
+  name(number: number): number;
   messages(): number;
   messages_size(): number;
 }
 
-export interface Outcome {
-  /** The trace's bytes; null if the request was refused. */
-  readonly trace: Uint8Array<ArrayBuffer> | null;
+/** A whole trace in bytes, and where its lines are. */
+export interface MadeTrace {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Where the line of each event begins, and then the last line. */
+  readonly starts: Uint32Array<ArrayBuffer>;
+  /** The number of each event's name. */
+  readonly names: Uint8Array<ArrayBuffer>;
+}
+
+export interface Outcome<T> {
+  /** Null if the request was refused. */
+  readonly made: T | null;
   /** Why it was refused, or what there is to know about the scene: a line each. */
   readonly messages: string;
 }
 
 const nothing = (): number => 0;
 
-/** The library compiled to WebAssembly: makes traces, with the same bytes as the program. */
+/** The library compiled to WebAssembly: makes traces, with the same bytes as the program, and sign maps. */
 export class Library {
   private readonly exports: Exports;
+  /** For the library's numbers of events' names those of the page. */
+  private readonly numbers: Uint8Array;
 
   constructor(module: WebAssembly.Module) {
     const { exports } = new WebAssembly.Instance(module, this.imports(module));
     this.exports = exports as unknown as Exports;
     this.exports._initialize();
+    this.numbers = Uint8Array.from(this.names(), (name) => numberOf.get(name) ?? 255);
   }
 
-  run(request: string): Outcome {
+  run(request: string): Outcome<MadeTrace> {
+    const { run, made, made_size, events, starts, names } = this.exports;
+    return this.outcome(request, run, () => {
+      const count = events();
+      const { buffer } = this.exports.memory;
+      return {
+        bytes: this.bytes(made(), made_size()).slice(),
+        starts: new Uint32Array(buffer, starts(), count + 1).slice(),
+        names: this.bytes(names(), count).map((number) => this.numbers[number] ?? 255),
+      };
+    });
+  }
+
+  /** A character a place; see `live.cpp`. */
+  map(request: string): Outcome<string> {
+    const { map, made, made_size } = this.exports;
+    return this.outcome(request, map, () => this.text(made(), made_size()));
+  }
+
+  private outcome<T>(request: string, make: () => number, take: () => T): Outcome<T> {
     const bytes = new TextEncoder().encode(request);
-    const at = this.exports.request(bytes.length);
-    this.bytes(at, bytes.length).set(bytes);
-    const ran = this.exports.run() !== 0;
-    const { trace, trace_size, messages, messages_size } = this.exports;
-    return {
-      trace: ran ? this.bytes(trace(), trace_size()).slice() : null,
-      messages: new TextDecoder().decode(this.bytes(messages(), messages_size())),
-    };
+    this.bytes(this.exports.request(bytes.length), bytes.length).set(bytes);
+    const isMade = make() !== 0;
+    const { messages, messages_size } = this.exports;
+    return { made: isMade ? take() : null, messages: this.text(messages(), messages_size()) };
+  }
+
+  /** All names of events in the library's order. */
+  private names(): readonly EventName[] {
+    const found: EventName[] = [];
+    for (let at = this.exports.name(0); at !== 0; at = this.exports.name(found.length)) {
+      const rest = new Uint8Array(this.exports.memory.buffer, at);
+      found.push(this.text(at, rest.indexOf(0)) as EventName);
+    }
+    return found;
   }
 
   /** Its standard library would also read and write files: there are none. */
@@ -52,6 +96,10 @@ export class Library {
     const hash = (at: number, size: number, to: number): void =>
       this.bytes(to, 32).set(sha256(this.bytes(at, size)));
     return { ...imports, vidno: { sha256: hash } };
+  }
+
+  private text(at: number, size: number): string {
+    return new TextDecoder().decode(this.bytes(at, size));
   }
 
   /** Never kept: the memory moves as it grows. */

@@ -3,48 +3,44 @@ import { parseHeader } from '../trace/header.js';
 import { parseJson, parseLine } from '../trace/parse.js';
 import type { End } from '../trace/parse.js';
 import type { Block } from '../trace/store.js';
-import { linesOf } from './block.js';
+import { writtenOf } from './block.js';
 import { Library } from './library.js';
+import type { MadeTrace, Outcome } from './library.js';
 
-/** What the page asks for: at first the library, then runs. */
-export type Order =
-  { readonly library: WebAssembly.Module } | { readonly turn: number; readonly request: string };
-
-/** A run, whole; or why there is none. */
-export interface Answer {
-  readonly turn: number;
-  readonly messages: string;
-  readonly made: {
+/** What the library makes for the page. */
+export interface Makes {
+  readonly trace: {
     readonly header: Header;
     readonly blocks: readonly Block[];
     readonly end: End;
-  } | null;
+  };
+  readonly map: string;
 }
+export type What = keyof Makes;
+
+/** What the page asks for: at first the library, then what it makes. */
+export type Order =
+  | { readonly library: WebAssembly.Module }
+  | { readonly turn: number; readonly what: What; readonly request: string };
+
+/** What was made, whole; or why there is nothing. */
+export type Answer<W extends What> = Outcome<Makes[W]> & { readonly turn: number };
 
 /** What of the global scope a worker has and a page has not. */
 interface Scope {
   onmessage: ((message: MessageEvent<Order>) => void) | null;
-  postMessage(answer: Answer, transfer: readonly Transferable[]): void;
+  postMessage(answer: Answer<What>, transfer: readonly Transferable[]): void;
 }
 const scope = globalThis as unknown as Scope;
 
 let library: Library | null = null;
 
-function answerTo(turn: number, request: string): Answer {
-  if (library === null) throw new Error('no library yet');
-  const { trace, messages } = library.run(request);
-  if (trace === null) return { turn, messages, made: null };
-  const { header: first, blocks, end: last } = linesOf(trace);
+function read(trace: MadeTrace): Makes['trace'] {
+  const { header: first, blocks, end: last } = writtenOf(trace);
   const header = parseHeader(parseJson(first));
   const line = parseLine(last, header);
   if (!('end' in line)) throw new Error('the trace has no end');
-  return { turn, messages, made: { header, blocks, end: line.end } };
-}
-
-/** The bytes, which all blocks share, are given away and not copied. */
-function given({ made }: Answer): readonly Transferable[] {
-  const [first] = made?.blocks ?? [];
-  return first === undefined ? [] : [first.bytes.buffer];
+  return { header, blocks, end: line.end };
 }
 
 scope.onmessage = ({ data }) => {
@@ -52,6 +48,14 @@ scope.onmessage = ({ data }) => {
     library = new Library(data.library);
     return;
   }
-  const answer = answerTo(data.turn, data.request);
-  scope.postMessage(answer, given(answer));
+  if (library === null) throw new Error('no library yet');
+  const { turn, what, request } = data;
+  if (what === 'map') {
+    scope.postMessage({ turn, ...library.map(request) }, []);
+    return;
+  }
+  const { made, messages } = library.run(request);
+  // The bytes, which all blocks share, are given away and not copied.
+  const given = made === null ? [] : [made.bytes.buffer];
+  scope.postMessage({ turn, messages, made: made && read(made) }, given);
 };

@@ -68,6 +68,7 @@ export const page: PageTexts = {
     toBookmark: 'to the previous, the next bookmark',
     thing: 'point at the next, the previous polygon, edge, corner, window',
     source: 'the procedures in C++, and back',
+    exact: 'the decision against exact arithmetic, and back',
     edit: 'edit the scene, and back to the state',
     draw: 'draw a polygon',
     undo: 'undo, redo a change of the scene',

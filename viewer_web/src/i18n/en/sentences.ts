@@ -1,8 +1,7 @@
-import type { Decision } from '../../trace/events.js';
-import type { Answer } from '../../trace/values.js';
 import type { Sentences } from '../texts.js';
 import { cells, onlyOf, point, short, windowText } from '../words.js';
 import type { Words } from '../words.js';
+import { exact } from './exact.js';
 import { purposes } from './page.js';
 
 const pixels = { one: 'pixel', other: 'pixels' };
@@ -32,32 +31,7 @@ const sides = ['top', 'left', 'bottom', 'right'];
 const when = (next: number | string, before: string): string =>
   next === 'inf' ? '' : `; ${before} ${short(next)}`;
 
-const decided: Readonly<Record<Decision, string>> = {
-  comparison: 'a comparison of two numbers',
-  orientation: 'the side of the line',
-  nearer: 'the comparison of depths',
-  outside: 'whether the box lies outside the window',
-  inside: 'whether the box lies inside the window',
-  first_centre: 'the first pixel',
-  last_centre: 'the last pixel',
-  rows: 'the rows',
-  columns: 'the columns',
-  same_rounded: 'whether two numbers round alike',
-  pixel: 'the pixel of a number',
-};
-
-const causes = {
-  rounded: 'The operation rounded.',
-  drifted: 'It is right for its numbers: they had drifted before.',
-};
-
-const answer = (value: Answer): string => {
-  if (typeof value === 'boolean') return value ? 'yes' : 'no';
-  if (typeof value === 'number') return String(value);
-  const [first, end] = value;
-  if (end - first === 1) return String(first);
-  return first < end ? `${first} to ${end - 1}` : 'none';
-};
+const { answer, causes, decided } = exact;
 
 export const sentences: Sentences = {
   plane: ({ polygon, plane }) =>

@@ -1,8 +1,7 @@
-import type { Decision } from '../../trace/events.js';
-import type { Answer } from '../../trace/values.js';
 import type { Sentences } from '../texts.js';
 import { cells, onlyOf, point, short, windowText } from '../words.js';
 import type { Words } from '../words.js';
+import { exact } from './exact.js';
 import { purposes } from './page.js';
 
 const pixels = { one: 'пиксель', few: 'пикселя', other: 'пикселей' };
@@ -39,32 +38,7 @@ const sides = ['верхняя', 'левая', 'нижняя', 'правая'];
 const when = (next: number | string, before: string): string =>
   next === 'inf' ? '' : `; ${before} ${short(next)}`;
 
-const decided: Readonly<Record<Decision, string>> = {
-  comparison: 'сравнение двух чисел',
-  orientation: 'сторона прямой',
-  nearer: 'сравнение глубин',
-  outside: 'лежит ли рамка вне окна',
-  inside: 'лежит ли рамка внутри окна',
-  first_centre: 'первый пиксель',
-  last_centre: 'последний пиксель',
-  rows: 'строки',
-  columns: 'столбцы',
-  same_rounded: 'одинаково ли округляются два числа',
-  pixel: 'пиксель числа',
-};
-
-const causes = {
-  rounded: 'Операция округлила.',
-  drifted: 'Для своих чисел это верно: они сместились раньше.',
-};
-
-const answer = (value: Answer): string => {
-  if (typeof value === 'boolean') return value ? 'да' : 'нет';
-  if (typeof value === 'number') return String(value);
-  const [first, end] = value;
-  if (end - first === 1) return String(first);
-  return first < end ? `${first}–${end - 1}` : 'нет ни одного';
-};
+const { answer, causes, decided } = exact;
 
 export const sentences: Sentences = {
   plane: ({ polygon, plane }) =>

@@ -1,0 +1,135 @@
+import { readFileSync } from 'node:fs';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { edit, rerun, run, title } from './live.js';
+import { goTo, launch, open, openFile } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+interface Failure {
+  readonly scene: object;
+}
+
+/** The page with the scene of an entry of the atlas of failures, run by Warnock's algorithm under double. */
+async function failing(name: string, hash = '#lang=en'): Promise<Page> {
+  const { page } = await open(browser, hash);
+  await page.locator(title, { hasText: /./u }).waitFor();
+  const file = new URL(`../../lessons/failures/${name}.json`, import.meta.url);
+  const { scene } = JSON.parse(readFileSync(file, 'utf8')) as Failure;
+  await rerun(page, () => openFile(page, `${name}.json`, JSON.stringify(scene)));
+  return page;
+}
+
+/** The steps whose events pass, from 1. */
+async function steps(page: Page, passes: (event: { e: string }) => boolean): Promise<number[]> {
+  const { lines } = await run(page);
+  return lines.flatMap((line, i) => (passes(JSON.parse(line) as { e: string }) ? [i + 1] : []));
+}
+
+const wrongOnes = (page: Page): Promise<number[]> => steps(page, ({ e }) => e === 'disagree');
+const panel = (page: Page, part = ''): ReturnType<Page['locator']> =>
+  page.locator(`vidno-exactness ${part}`);
+
+describe('what is right', () => {
+  it('is found by a check of the run, which stays at its step', async () => {
+    const page = await failing('orientation-inverted');
+    const [first = 0] = await steps(page, ({ e }) => e === 'orient');
+    await goTo(page, first);
+    await page.locator('vidno-side button.exact').click();
+    await panel(page, '.verdict').getByText('not held against').waitFor();
+    await rerun(page, () => panel(page, '.check').click());
+    await panel(page, '.right').waitFor();
+    expect((await wrongOnes(page)).length).toBeGreaterThan(0);
+
+    // SurroundTest puts the centre of pixel (4, 6) on the wrong side of an edge.
+    const [told = 0] = await wrongOnes(page);
+    for (const step of [told - 1, told]) {
+      await goTo(page, step);
+      await expect.poll(() => panel(page, 'dd.computed').textContent()).toBe('negative');
+      expect(await panel(page, 'dd.exact').textContent()).toBe('positive');
+      expect(await panel(page, '.wrong').textContent()).toContain('The operation rounded');
+      await panel(page, 'h3').getByText('(4.5, 6.5)').waitFor();
+    }
+  });
+});
+
+describe('the lens', () => {
+  it('has the decision of the run in its middle, and is read by keys and mouse', async () => {
+    const page = await failing('orientation-inverted');
+    await edit(page);
+    await rerun(page, () => page.locator('[name=check]').check());
+    const [told = 0] = await wrongOnes(page);
+    await goTo(page, told - 1);
+    await page.locator('h1').click();
+    await page.keyboard.press('x');
+    const read = page.locator('vidno-lens p');
+    await expect.poll(() => read.textContent()).toBe('x 0, y 0 ulp: negative, exactly positive');
+    await page.locator('vidno-lens canvas').focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('ArrowDown');
+    expect(await read.textContent()).toMatch(/^x −1, y \+1 ulp: /u);
+    expect((await run(page)).lines.length).toBeGreaterThan(told); // the arrows read, they do not step
+    await page.locator('vidno-lens canvas').hover({ position: { x: 2, y: 2 } });
+    expect(await read.textContent()).toMatch(/^x −24, y −24 ulp: /u);
+    expect(await violations(page)).toEqual([]);
+  });
+
+  it('says of every sign what the checked run says', async () => {
+    const page = await failing('orientation-zero');
+    await edit(page);
+    await rerun(page, () => page.locator('[name=check]').check());
+    await page.locator('h1').click();
+    await page.keyboard.press('x');
+    const signs = ['negative', 'zero', 'positive'];
+    const { lines } = await run(page);
+    const all = await steps(page, ({ e }) => e === 'orient' || e === 'clip_sign');
+    // Each tenth, and all that are wrong.
+    const wrong = new Set((await wrongOnes(page)).map((step) => step - 1));
+    for (const step of all.filter((each, i) => i % 10 === 0 || wrong.has(each))) {
+      const event = JSON.parse(lines[step - 1] ?? '') as { sign: number; exact: number };
+      await goTo(page, step);
+      await expect
+        .poll(() => page.locator('vidno-lens p').textContent())
+        .toBe(
+          `x 0, y 0 ulp: ${signs[event.sign + 1] ?? ''}, exactly ${signs[event.exact + 1] ?? ''}`,
+        );
+    }
+  });
+
+  it('is about yes and no where depths are compared, in Russian too', async () => {
+    const page = await failing('depth-by-an-ulp', '#lang=ru');
+    await edit(page);
+    await rerun(page, () => page.locator('[name=check]').check());
+    const [told = 0] = await wrongOnes(page);
+    await goTo(page, told);
+    await page.locator('h1').click();
+    await page.keyboard.press('x');
+    await expect
+      .poll(() => page.locator('vidno-lens p').textContent())
+      .toBe('x 0, y 0 ulp: нет, точно да');
+    await panel(page, '.hint').getByText('Неверно в').waitFor();
+  });
+
+  it('there is none on a grid, or where no point is asked about', async () => {
+    const page = await failing('orientation-inverted');
+    await edit(page);
+    await rerun(page, () => page.locator('[name=kernel]').selectOption('grid:8'));
+    const [first = 0] = await steps(page, ({ e }) => e === 'orient');
+    await goTo(page, first);
+    await page.locator('h1').click();
+    await page.keyboard.press('x');
+    await panel(page, '.hint').getByText('There is no map').waitFor();
+    await goTo(page, 1);
+    await panel(page, '.hint').getByText('decides nothing').waitFor();
+    await page.locator('h1').click();
+    await page.keyboard.press('x');
+    await page.locator('vidno-warnock').waitFor();
+  });
+});

@@ -1,0 +1,223 @@
+import { LitElement, css, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, state } from 'lit/decorators.js';
+import { side } from '../exactness/places.js';
+import { questionOf } from '../exactness/question.js';
+import type { Question } from '../exactness/question.js';
+import type { SignMap } from '../exactness/sign-map.js';
+import { isWrong, verdictOf } from '../exactness/verdict.js';
+import type { Verdict } from '../exactness/verdict.js';
+import type { ExactTexts } from '../i18n/exact-texts.js';
+import { texts } from '../i18n/index.js';
+import { point } from '../i18n/words.js';
+import type { SignMaps } from '../live/sign-maps.js';
+import type { Answer } from '../trace/values.js';
+import type { Trace } from '../trace/trace.js';
+import type { View } from '../view.js';
+import { act } from './act.js';
+import './lens.js';
+import { panelsStyle } from './panels.style.js';
+import { base } from './theme.js';
+
+/** Longer numbers, fractions most of all, are shown in part. */
+const longest = 60;
+
+/** The decision of the step: by which numbers it fell, what is right, and what the same decision gives in its neighbourhood. */
+@customElement('vidno-exactness')
+export class ExactnessElement extends LitElement {
+  static override styles = [
+    base,
+    panelsStyle,
+    css`
+      dl {
+        display: grid;
+        grid-template-columns: auto minmax(0, 1fr);
+        gap: 0.2rem 0.9rem;
+      }
+      dt,
+      dd {
+        font-size: 0.8125rem;
+        line-height: 1.45;
+      }
+      dd {
+        white-space: normal;
+        overflow-wrap: anywhere;
+      }
+      dd.words {
+        font-family: inherit;
+      }
+      .hint {
+        color: var(--soft);
+        font-size: 0.8125rem;
+      }
+      .verdict {
+        margin-top: 0.5rem;
+        padding: 0.3rem 0.5rem;
+        border-radius: 5px;
+        background: var(--well);
+      }
+      .verdict.wrong {
+        background: var(--bad-wash);
+        color: var(--bad);
+      }
+      .verdict.right {
+        color: var(--good);
+      }
+      button {
+        margin-top: 0.5rem;
+        padding: 0 0.8rem;
+      }
+      vidno-lens {
+        display: block;
+        max-width: 26rem;
+        margin-top: 0.4rem;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) trace!: Trace;
+  /** Who draws maps; null where the page has no library. */
+  @property({ attribute: false }) maps: SignMaps | null = null;
+  /** Whether the run may be made anew. */
+  @property({ type: Boolean }) editable = false;
+  @state() private map: SignMap | 'drawing' | null = null;
+  private question: Question | null = null;
+
+  private get texts(): ExactTexts {
+    return texts[this.view.language].exact;
+  }
+
+  override willUpdate(): void {
+    const { trace, view } = this;
+    const question = questionOf(trace, view.step);
+    if (JSON.stringify(question) === JSON.stringify(this.question)) return;
+    this.question = question;
+    this.map = null;
+    if (question !== null && this.maps !== null) void this.ask(question, this.maps);
+  }
+
+  private async ask(question: Question, maps: SignMaps): Promise<void> {
+    this.map = 'drawing';
+    const map = await maps.of(question, this.trace.header.kernel);
+    if (this.question === question) this.map = map;
+  }
+
+  override render(): TemplateResult {
+    const { question } = this;
+    const verdict = verdictOf(this.trace, this.view.step);
+    if (verdict === null && question === null) {
+      return html`<section><p class="hint">${this.texts.nothing}</p></section>`;
+    }
+    return html`
+      ${verdict && this.decision(verdict)}
+      ${question === null ? this.noLens() : this.lens(question, verdict)}
+    `;
+  }
+
+  private decision(verdict: Verdict): TemplateResult {
+    const say = this.texts;
+    const { of, numbers, taken, exact, by } = verdict;
+    const title = say.decided[of];
+    return html`<section>
+      <h3>${title.charAt(0).toUpperCase() + title.slice(1)}</h3>
+      <dl>
+        ${numbers.map(
+          ([name, value]) =>
+            html`<dt>${name}</dt>
+              <dd title=${String(value)}>${written(value)}</dd>`,
+        )}
+        <dt>${say.computed}</dt>
+        <dd class="words computed">${this.answer(verdict, taken)}</dd>
+        ${
+          exact === undefined || exact === null
+            ? nothing
+            : html`<dt>${say.exact}</dt>
+                <dd class="words exact">${this.answer(verdict, exact)}</dd>`
+        }
+        ${
+          by === undefined
+            ? nothing
+            : html`<dt>${say.decidedBy}</dt>
+                <dd class="words">${say.stages[by]}</dd>`
+        }
+      </dl>
+      ${this.judgement(verdict)}
+    </section>`;
+  }
+
+  private answer({ of }: Verdict, answer: Answer): string {
+    const { signs, answer: say } = this.texts;
+    return of === 'orientation' ? signs[String(answer) as keyof typeof signs] : say(answer);
+  }
+
+  private judgement(verdict: Verdict): TemplateResult {
+    const say = this.texts;
+    if (verdict.exact === null) return html`<p class="verdict">${say.undefined}</p>`;
+    if (verdict.exact === undefined) {
+      return html`<p class="verdict">${say.unchecked}</p>
+        ${this.editable ? this.offer() : nothing}`;
+    }
+    if (!isWrong(verdict)) return html`<p class="verdict right">✓ ${say.right}</p>`;
+    const cause = verdict.cause === undefined ? '' : say.causes[verdict.cause];
+    return html`<p class="verdict wrong">✗ ${say.wrong} ${cause}</p>`;
+  }
+
+  private offer(): TemplateResult {
+    return html`<button
+      class="check"
+      @click=${() => act(this, { do: 'options', options: { check: true } })}
+    >
+      ${this.texts.check}
+    </button>`;
+  }
+
+  private lens({ at, places, asked }: Question, verdict: Verdict | null): TemplateResult {
+    const say = this.texts;
+    const { map } = this;
+    const title = say.lens(point(at));
+    if (map === null) return this.noLens();
+    return html`<section>
+      <h3>${title}</h3>
+      ${
+        map === 'drawing'
+          ? html`<p class="hint">${say.drawing}</p>`
+          : html`<p class="hint">
+                ${say.apart(power(places.step))} ${say.wrongPlaces(map.wrong, side ** 2)}
+              </p>
+              <vidno-lens
+                .map=${map}
+                .texts=${say}
+                .label=${title}
+                ?plain=${!('orientation' in asked)}
+              ></vidno-lens>
+              ${this.driftOf(map, verdict)}`
+      }
+    </section>`;
+  }
+
+  /** The Z-buffer adds depths up: the map, which does not, may say otherwise in the middle. */
+  private driftOf(map: SignMap, verdict: Verdict | null): TemplateResult | typeof nothing {
+    const isOther =
+      typeof verdict?.taken === 'boolean' &&
+      verdict.of === 'nearer' &&
+      verdict.taken !== (map.centre.computed === 1);
+    return isOther ? html`<p class="hint">${this.texts.drifted}</p>` : nothing;
+  }
+
+  private noLens(): TemplateResult {
+    return html`<section><p class="hint">${this.texts.noLens}</p></section>`;
+  }
+}
+
+/** In full, so that the last bit is seen. */
+function written(value: number | string): string {
+  const text = String(value).replace(/^-/, '−').replace('inf', '∞');
+  return text.length > longest ? `${text.slice(0, longest)}…` : text;
+}
+
+/** A power of two as such. */
+function power(value: number): string {
+  const raised = String(Math.abs(Math.log2(value)));
+  return `2${value < 1 ? '⁻' : ''}${raised.replace(/\d/g, (digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)] ?? '')}`;
+}

@@ -1,0 +1,68 @@
+import { expect, it } from 'vitest';
+import { headerOf, textWith, traceOf } from '../testing/traces.js';
+import type { Event } from '../trace/events.js';
+import { isWrong, verdictOf } from './verdict.js';
+
+const orient: Event = {
+  e: 'orient',
+  at: 'S3',
+  polygon: 'A',
+  edge: 0,
+  point: [4, 0],
+  value: -1e-17,
+  sign: -1,
+  exact: 0,
+};
+const disagree: Event = {
+  e: 'disagree',
+  at: 'S3',
+  of: 'orientation',
+  taken: -1,
+  exact: 0,
+  cause: 'rounded',
+};
+const clear: Event = { e: 'clear', at: 'Z1', color: '#ffffff', z: '-inf' };
+
+it('a wrong decision and the step that tells so have one verdict', async () => {
+  const trace = await traceOf(textWith(headerOf('warnock'), [orient, disagree]));
+  const verdict = verdictOf(trace, 1);
+  expect(verdict).toEqual({
+    of: 'orientation',
+    numbers: [['f', -1e-17]],
+    taken: -1,
+    exact: 0,
+    by: undefined,
+    cause: 'rounded',
+  });
+  expect(verdictOf(trace, 2)).toEqual(verdict);
+  expect(verdict && isWrong(verdict)).toBe(true);
+});
+
+it('ranges are compared as a whole', async () => {
+  const row = { e: 'row', at: 'F2', row: 1, left: 0.5, right: 2.5, first: 0, end: 3 } as const;
+  const wrong = async (exact: readonly [number, number]): Promise<boolean> => {
+    const trace = await traceOf(textWith(headerOf('warnock'), [{ ...row, exact }]));
+    const verdict = verdictOf(trace, 1);
+    return verdict !== null && isWrong(verdict);
+  };
+  expect(await wrong([0, 3])).toBe(false);
+  expect(await wrong([0, 2])).toBe(true);
+});
+
+it('what is not known to be wrong is not wrong', async () => {
+  const { exact, ...unchecked } = orient;
+  expect(exact).toBe(0);
+  const trace = await traceOf(
+    textWith(headerOf('warnock'), [unchecked, { ...orient, exact: null }]),
+  );
+  for (const step of [1, 2]) {
+    const verdict = verdictOf(trace, step);
+    expect(verdict && isWrong(verdict)).toBe(false);
+  }
+});
+
+it('a step that decides nothing by numbers has none', async () => {
+  const trace = await traceOf(textWith(headerOf('zbuffer'), [clear]));
+  expect(verdictOf(trace, 0)).toBeNull();
+  expect(verdictOf(trace, 1)).toBeNull();
+});

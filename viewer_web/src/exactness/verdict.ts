@@ -1,0 +1,93 @@
+import type { Decision, Event } from '../trace/events.js';
+import type { Trace } from '../trace/trace.js';
+import type { Answer, N } from '../trace/values.js';
+
+/** Whose sign, or which two numbers compared, a decision went by; as the listing calls them. */
+type Number = readonly [name: string, value: N];
+
+/** A decision of a step: what was decided by which numbers, what came out, and what is right. */
+export interface Verdict {
+  readonly of: Decision;
+  readonly numbers: readonly Number[];
+  readonly taken: Answer;
+  /** Null where there is no truth; undefined where the run was not held against it. */
+  readonly exact: Answer | null | undefined;
+  /** What decided, in a run that knows its errors. */
+  readonly by: Stage | undefined;
+  /** Of a wrong one. */
+  readonly cause: Event<'disagree'>['cause'] | undefined;
+}
+export type Stage = NonNullable<Event<'orient'>['by']>;
+
+type Deciding =
+  'orient' | 'clip_sign' | 'compare' | 'box' | 'insider' | 'row' | 'columns' | 'pixel';
+type Decided = Pick<Verdict, 'of' | 'numbers' | 'taken'>;
+
+const decided: { readonly [K in Deciding]: (event: Event<K>) => Decided } = {
+  orient: ({ value, sign }) => ({ of: 'orientation', numbers: [['f', value]], taken: sign }),
+  clip_sign: ({ value, sign }) => ({ of: 'orientation', numbers: [['f', value]], taken: sign }),
+  compare: ({ z, against, nearer }) => ({
+    of: 'nearer',
+    numbers: [
+      ['z', z],
+      ['z₀', against],
+    ],
+    taken: nearer,
+  }),
+  box: ({ box, outside }) => ({
+    of: 'outside',
+    numbers: [
+      ['x₁', box[0]],
+      ['y₁', box[1]],
+      ['x₂', box[2]],
+      ['y₂', box[3]],
+    ],
+    taken: outside,
+  }),
+  insider: ({ inside }) => ({ of: 'inside', numbers: [], taken: inside }),
+  row: ({ left, right, first, end }) => ({
+    of: 'columns',
+    numbers: [
+      ['x₁', left],
+      ['x₂', right],
+    ],
+    taken: [first, end],
+  }),
+  columns: ({ first, end }) => ({ of: 'columns', numbers: [], taken: [first, end] }),
+  pixel: ({ z, stored, shown }) => ({
+    of: 'nearer',
+    numbers: [
+      ['z', z],
+      ['Z', stored],
+    ],
+    taken: shown,
+  }),
+};
+
+const isDeciding = (event: Event): event is Event<Deciding> => event.e in decided;
+
+/** Null if the step decides nothing by numbers. A wrong decision and the step that tells so have the same verdict. */
+export function verdictOf({ timeline }: Trace, step: number): Verdict | null {
+  const event = timeline.event(step);
+  if (event?.e === 'disagree') return judged(ownVerdict(timeline.event(step - 1)), event);
+  const own = ownVerdict(event);
+  const next = own && timeline.event(step + 1);
+  return own && next?.e === 'disagree' ? judged(own, next) : own;
+}
+
+function ownVerdict(event: Event | null): Verdict | null {
+  if (event === null || !isDeciding(event)) return null;
+  const { exact, by } = event;
+  const how = decided[event.e] as (event: Event) => Decided;
+  return { ...how(event), exact, by, cause: undefined };
+}
+
+/** A step may decide more than one thing, or one that has no event of its own: the wrong one is what counts. */
+function judged(own: Verdict | null, { of, taken, exact, cause }: Event<'disagree'>): Verdict {
+  return { numbers: own?.numbers ?? [], by: undefined, of, taken, exact, cause };
+}
+
+/** Whether an answer is not the right one; where that is not known it is taken for right. */
+export function isWrong({ taken, exact }: Verdict): boolean {
+  return exact !== null && exact !== undefined && String(taken) !== String(exact);
+}

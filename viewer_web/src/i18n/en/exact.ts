@@ -1,0 +1,64 @@
+import type { Answer } from '../../trace/values.js';
+import type { ExactTexts } from '../exact-texts.js';
+
+const answer = (value: Answer): string => {
+  if (typeof value === 'boolean') return value ? 'yes' : 'no';
+  if (typeof value === 'number') return String(value).replace('-', '−');
+  const [first, end] = value;
+  if (end - first === 1) return String(first);
+  return first < end ? `${first} to ${end - 1}` : 'none';
+};
+
+const ulps = (n: number): string => `${n > 0 ? '+' : n < 0 ? '−' : ''}${Math.abs(n)}`;
+
+export const exact: ExactTexts = {
+  exactness: 'Exact?',
+  decided: {
+    comparison: 'a comparison of two numbers',
+    orientation: 'the side of the line',
+    nearer: 'the comparison of depths',
+    outside: 'whether the box lies outside the window',
+    inside: 'whether the box lies inside the window',
+    first_centre: 'the first pixel',
+    last_centre: 'the last pixel',
+    rows: 'the rows',
+    columns: 'the columns',
+    same_rounded: 'whether two numbers round alike',
+    pixel: 'the pixel of a number',
+  },
+  causes: {
+    rounded: 'The operation rounded.',
+    drifted: 'It is right for its numbers: they had drifted before.',
+  },
+  answer,
+  computed: 'Computed',
+  exact: 'Exactly',
+  decidedBy: 'Decided by',
+  stages: {
+    given: 'the coordinates as they stand',
+    scene: 'a bound for the whole scene',
+    operands: 'a bound for these numbers',
+    exact: 'exact arithmetic',
+  },
+  right: 'Right.',
+  wrong: 'Wrong.',
+  undefined: 'After a wrong turn there is no right answer here.',
+  unchecked: 'This run was not held against exact arithmetic.',
+  check: 'Check every decision',
+  nothing:
+    'This step decides nothing by numbers. Go to a sign, a comparison or a range; “Go to: a wrong decision” finds those that are wrong.',
+  lens: (at) => `The same decision around ${at}`,
+  apart: (ulp) => `Each square is a neighbour in this kernel’s numbers, ${ulp} apart.`,
+  noLens: 'There is no map of this decision: it is about no point that could move by an ulp.',
+  drawing: 'Asking at each neighbour…',
+  wrongPlaces: (wrong, all) =>
+    wrong === 0 ? `Right at all ${all} places.` : `Wrong at ${wrong} of ${all} places.`,
+  drifted:
+    'The map computes both depths from the planes. This run has another answer: its depth was added up along the row.',
+  cell: (x, y, computed, exactly) =>
+    `x ${ulps(x)}, y ${ulps(y)} ulp: ${computed}, exactly ${exactly}`,
+  signs: { '-1': 'negative', 0: 'zero', 1: 'positive' },
+  yesNo: { '-1': 'no', 0: 'no', 1: 'yes' },
+  pale: 'pale: right',
+  dark: 'dark: wrong',
+};

@@ -1,0 +1,35 @@
+import type { Stage } from '../exactness/verdict.js';
+import type { Cell } from '../exactness/sign-map.js';
+import type { Decision, Event } from '../trace/events.js';
+import type { Answer } from '../trace/values.js';
+
+/** What is said of a decision and its truth. */
+export interface ExactTexts {
+  readonly exactness: string;
+  /** In the middle of a sentence. */
+  readonly decided: Readonly<Record<Decision, string>>;
+  readonly causes: Readonly<Record<Event<'disagree'>['cause'], string>>;
+  readonly answer: (answer: Answer) => string;
+  readonly computed: string;
+  readonly exact: string;
+  readonly decidedBy: string;
+  readonly stages: Readonly<Record<Stage, string>>;
+  readonly right: string;
+  readonly wrong: string;
+  readonly undefined: string;
+  readonly unchecked: string;
+  readonly check: string;
+  readonly nothing: string;
+  readonly lens: (at: string) => string;
+  readonly apart: (ulp: string) => string;
+  readonly noLens: string;
+  readonly drawing: string;
+  readonly wrongPlaces: (wrong: number, all: number) => string;
+  readonly drifted: string;
+  /** What is seen at a place so many ulps away. */
+  readonly cell: (x: number, y: number, computed: string, exact: string) => string;
+  readonly signs: Readonly<Record<`${Cell['exact']}`, string>>;
+  readonly yesNo: Readonly<Record<`${Cell['exact']}`, string>>;
+  readonly pale: string;
+  readonly dark: string;
+}

@@ -1,0 +1,64 @@
+import type { Answer } from '../../trace/values.js';
+import type { ExactTexts } from '../exact-texts.js';
+
+const answer = (value: Answer): string => {
+  if (typeof value === 'boolean') return value ? 'да' : 'нет';
+  if (typeof value === 'number') return String(value).replace('-', '−');
+  const [first, end] = value;
+  if (end - first === 1) return String(first);
+  return first < end ? `от ${first} до ${end - 1}` : 'пусто';
+};
+
+const ulps = (n: number): string => `${n > 0 ? '+' : n < 0 ? '−' : ''}${Math.abs(n)}`;
+
+export const exact: ExactTexts = {
+  exactness: 'Точно?',
+  decided: {
+    comparison: 'сравнение двух чисел',
+    orientation: 'сторона прямой',
+    nearer: 'сравнение глубин',
+    outside: 'лежит ли рамка вне окна',
+    inside: 'лежит ли рамка внутри окна',
+    first_centre: 'первый пиксель',
+    last_centre: 'последний пиксель',
+    rows: 'строки',
+    columns: 'столбцы',
+    same_rounded: 'одинаково ли округляются два числа',
+    pixel: 'пиксель числа',
+  },
+  causes: {
+    rounded: 'Операция округлила.',
+    drifted: 'Для своих чисел это верно: они сместились раньше.',
+  },
+  answer,
+  computed: 'Вычислено',
+  exact: 'Точно',
+  decidedBy: 'Чем решено',
+  stages: {
+    given: 'координатами, как они заданы',
+    scene: 'оценкой погрешности для всей сцены',
+    operands: 'оценкой погрешности этих чисел',
+    exact: 'точной арифметикой',
+  },
+  right: 'Верно.',
+  wrong: 'Неверно.',
+  undefined: 'После неверного поворота верного ответа здесь нет.',
+  unchecked: 'Этот прогон не сверялся с точной арифметикой.',
+  check: 'Сверить все решения',
+  nothing:
+    'Этот шаг ничего не решает по числам. Перейдите к знаку, сравнению или диапазону; «К: неверному решению» находит неверные.',
+  lens: (at) => `То же решение вокруг ${at}`,
+  apart: (ulp) => `Клетка — соседнее число этого ядра, шаг ${ulp}.`,
+  noLens: 'Карты этого решения нет: в нём нет точки, которую можно сдвинуть на ulp.',
+  drawing: 'Спрашиваем у каждого соседа…',
+  wrongPlaces: (wrong, all) =>
+    wrong === 0 ? `Верно во всех ${all} местах.` : `Неверно в ${wrong} местах из ${all}.`,
+  drifted:
+    'На карте обе глубины вычислены по плоскостям. В прогоне ответ другой: глубина накоплена сложением вдоль строки.',
+  cell: (x, y, computed, exactly) =>
+    `x ${ulps(x)}, y ${ulps(y)} ulp: ${computed}, точно ${exactly}`,
+  signs: { '-1': 'минус', 0: 'ноль', 1: 'плюс' },
+  yesNo: { '-1': 'нет', 0: 'нет', 1: 'да' },
+  pale: 'бледное — верно',
+  dark: 'тёмное — неверно',
+};

@@ -1,0 +1,33 @@
+import { side } from '../exactness/places.js';
+import { questionText } from '../exactness/question.js';
+import type { Question } from '../exactness/question.js';
+import { SignMap } from '../exactness/sign-map.js';
+import { Maker } from './maker.js';
+
+/** Asks a kernel and exact arithmetic the same question at all its places, by the library that the page brings along. */
+export class SignMaps {
+  private readonly maker: Maker<'map'>;
+  private tell: (map: SignMap | null) => void = () => undefined;
+
+  constructor(library: Blob) {
+    this.maker = new Maker(
+      library,
+      'map',
+      ({ made }) => this.take(made),
+      () => this.take(null),
+    );
+  }
+
+  /** Null if there is no map under this kernel, or if another was asked for meanwhile. */
+  of(question: Question, kernel: string): Promise<SignMap | null> {
+    this.tell(null);
+    return new Promise((tell) => {
+      this.tell = tell;
+      this.maker.ask(`${JSON.stringify({ kernel, side })}\n${questionText(question)}`);
+    });
+  }
+
+  private take(made: string | null): void {
+    if (!this.maker.isBusy) this.tell(made === null ? null : new SignMap(made));
+  }
+}
