@@ -244,6 +244,22 @@ TEST_CASE("The map as JSON: every computed answer with every exact one") {
     CHECK(json["counts"][1]["places"] == map.counts()[0][2]);
 }
 
+TEST_CASE("A smaller map is the lower left part of the whole one") {
+    for (const auto& name : all_lessons) {
+        CAPTURE(name);
+        const Question question = lesson(name);
+        const SignMap whole = map_of(question, "double");
+        const SignMap part = sign_map(question, *kernel_named("double"), 5);
+        REQUIRE(part.cells.size() == 5 * 5);
+        for (int j = 0; j < 5; ++j) {
+            for (int i = 0; i < 5; ++i) {
+                CHECK(part.at(i, j).computed == whole.at(i, j).computed);
+                CHECK(part.at(i, j).exact == whole.at(i, j).exact);
+            }
+        }
+    }
+}
+
 TEST_CASE("The questions of the published maps are those of the paper") {
     const std::array names{"kettner-2a", "kettner-2b", "kettner-2c"};
     for (std::size_t n = 0; n < names.size(); ++n) {

@@ -26,10 +26,13 @@ export function changesAel(event: Event | null): boolean {
   return event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0);
 }
 
-const isGoal: Readonly<Record<SearchedName, (event: Event | null) => boolean>> = {
-  split: (event) => event?.e === 'decide' && event.case === 'split',
-  ael: changesAel,
-  wrong: (event) => event?.e === 'disagree',
+const pushes: Wanted = only('push', 'skip');
+
+/** Most goals are known by their names, or by the next one: a long run is gone through without its events. */
+const isGoal: Readonly<Record<SearchedName, (timeline: Timeline, step: number) => boolean>> = {
+  split: ({ names }, step) => pushes[names[step] ?? -1] === true,
+  ael: (timeline, step) => changesAel(timeline.event(step)),
+  wrong: () => true,
 };
 
 const wanted: Readonly<Record<SearchedName, Wanted>> = {
@@ -54,14 +57,16 @@ class Search {
   private seen = 0;
 
   constructor(
-    private readonly timeline: Timeline,
+    private readonly trace: Trace,
     private readonly wanted: Wanted,
     private readonly isGoal: Test,
   ) {}
 
   goOn(): readonly number[] {
-    const { names } = this.timeline;
-    for (; this.seen < names.length; this.seen++) {
+    const { complete, timeline } = this.trace;
+    const { names } = timeline;
+    const end = complete ? names.length : names.length - 1; // the last one's next is still to come
+    for (; this.seen < end; this.seen++) {
       const step = this.seen + 1;
       const name = names[this.seen] ?? 0;
       if (this.wanted[name] === true && this.isGoal(step, name)) this.steps.push(step);
@@ -96,9 +101,9 @@ export class Goals {
   }
 
   private searchFor(goal: Exclude<Goal, Given>): Search {
-    const { timeline } = this.trace;
-    if (typeof goal === 'object') return new Search(timeline, all, this.isOf(goal.polygon));
-    return new Search(timeline, wanted[goal], (step) => isGoal[goal](timeline.event(step)));
+    const { trace } = this;
+    if (typeof goal === 'object') return new Search(trace, all, this.isOf(goal.polygon));
+    return new Search(trace, wanted[goal], (step) => isGoal[goal](trace.timeline, step));
   }
 
   /** In the Z-buffer algorithm all from one `polygon` to the next concerns that one. */
