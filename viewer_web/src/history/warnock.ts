@@ -82,7 +82,7 @@ export class WarnockWatch implements Watch {
   private readonly elsewhere: Wanted;
   private inside = false;
   private seen = 0;
-  private hasSurround = false;
+  private covering: string | null = null;
 
   constructor(pixel: Pixel, detail: Detail) {
     this.place = { pixel, detail, row: null, centre: false };
@@ -114,25 +114,29 @@ export class WarnockWatch implements Watch {
     if (event.e === 'push') this.lists.push(event);
     else if (event.e === 'discard') this.lists.discard(event.polygon);
     else if (event.e === 'pop') this.enter(event.window);
-    else if (event.e === 'decide' && this.inside) this.know({ apl: this.lists.apl });
-    else if (event.e === 'cover') this.hasSurround = true;
+    else if (event.e === 'decide' || event.e === 'summary') this.knowLists();
+    else if (event.e === 'cover') this.covering = event.polygon;
     else if (event.e === 'call') this.place.centre = event.at === 'PC2';
     else if (event.e === 'uncover') {
-      this.know({ hasSurround: this.hasSurround });
-      this.hasSurround = false;
+      this.know({ covering: this.covering });
+      this.covering = null;
     }
   }
 
   private enter(window: Box): void {
     this.lists.pop();
     this.inside = overlaps(window, this.place.pixel);
-    this.hasSurround = false;
+    this.covering = null;
     if (this.inside) this.know({ window, apl: this.lists.apl });
+  }
+
+  private knowLists(): void {
+    this.know({ apl: this.lists.apl, covering: this.covering });
   }
 
   private know(news: Partial<NonNullable<Known['warnock']>>): void {
     if (!this.inside) return;
-    const old = this.known.warnock ?? { window: null, apl: null, hasSurround: false };
+    const old = this.known.warnock ?? { window: null, apl: null, covering: null };
     this.known = { warnock: { ...old, ...news }, zbuffer: null };
   }
 }

@@ -60,6 +60,20 @@ describe('sentences', () => {
     );
   });
 
+  it('name what hides everything, and what it no longer hides', () => {
+    const uncover: Event = { e: 'uncover', at: 'PW7', polygon: 'B' };
+    const covered = { ...values, warnock: { ...emptyWarnock, hasSurround: true, covering: 'A' } };
+    expect(sentence(uncover, covered, values, scene, 'en')).toBe(
+      'B is nearer somewhere, so A no longer hides everything.',
+    );
+    expect(sentence(uncover, covered, values, scene, 'ru')).toBe(
+      'B где-то ближе, и A больше не закрывает всего.',
+    );
+    expect(say(uncover, 'en')).toMatch(/nothing is known to hide/u);
+    const surrounded: Event = { e: 'decide', at: 'W8', case: 'surrounded' };
+    expect(sentence(surrounded, covered, covered, scene, 'en')).toMatch(/^A hides everything/u);
+  });
+
   it('count as the language does', () => {
     const fill = (n: number): Event => ({
       e: 'fill',

@@ -70,7 +70,7 @@ export interface PluralForms {
 
 /** What of a state the sentences use. */
 export interface Known {
-  readonly warnock: Pick<Warnock, 'window' | 'apl' | 'hasSurround'> | null;
+  readonly warnock: Pick<Warnock, 'window' | 'apl' | 'covering'> | null;
   readonly zbuffer: Pick<ZBuffer, 'polygon'> | null;
 }
 

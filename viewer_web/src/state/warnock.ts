@@ -33,6 +33,8 @@ export interface Warnock {
   readonly k: number | null;
   readonly count: number;
   readonly hasSurround: boolean;
+  /** Which polygon surrounds the window and hides all so far; a coarse trace does not tell it. */
+  readonly covering: string | null;
   readonly color: Color | null;
   readonly insider: boolean;
   readonly clip: Clip | null;
@@ -51,6 +53,7 @@ export const emptyWarnock: Warnock = {
   k: null,
   count: 0,
   hasSurround: false,
+  covering: null,
   color: null,
   insider: false,
   clip: null,
@@ -140,6 +143,7 @@ const handlers: Handlers = {
     k: null,
     count: 0,
     hasSurround: false,
+    covering: null,
     color: null,
     insider: false,
     depths: [],
@@ -164,7 +168,7 @@ const handlers: Handlers = {
     if (now.corners === null) throw new Refusal('', 'noWindow');
     return { k, corners: { ...now.corners, ...depths } };
   },
-  uncover: () => ({ hasSurround: false }),
+  uncover: () => ({ hasSurround: false, covering: null }),
   surround: nothing,
   mark: ({ polygon }, now) => {
     const index = entryIndex(now, polygon);
@@ -173,7 +177,7 @@ const handlers: Handlers = {
       currentApl(now).entries.map((entry, i) => (i === index ? [polygon, true] : entry)),
     );
   },
-  cover: ({ color }) => ({ hasSurround: true, color }),
+  cover: ({ polygon, color }) => ({ hasSurround: true, covering: polygon, color }),
   insider: ({ inside }) => ({ insider: inside }),
   summary: ({ count, hasSurround, color, insider }) => ({
     count,

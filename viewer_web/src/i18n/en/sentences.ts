@@ -75,10 +75,12 @@ export const sentences: Sentences = {
     const where = k === 4 ? '' : ` (${words.places(corners)})`;
     return `${polygon} is nearer at ${k} of 4 corners${where}.`;
   },
-  uncover: ({ polygon }, { before }) =>
-    before.warnock?.hasSurround === true
-      ? `${polygon} comes before it, so what surrounds the window no longer hides everything.`
-      : `${polygon} is nearer somewhere: for now nothing is known to hide everything.`,
+  uncover: ({ polygon }, { before }) => {
+    const hidden = before.warnock?.covering ?? null;
+    return hidden === null
+      ? `${polygon} is nearer somewhere: for now nothing is known to hide everything.`
+      : `${polygon} is nearer somewhere, so ${hidden} no longer hides everything.`;
+  },
   surround: ({ polygon, point: at, inside }, words) =>
     `The ${place(at, words)} lies ${inside ? 'in' : 'outside'} ${polygon}.`,
   mark: ({ polygon }) => `All four corners lie in ${polygon}: it surrounds the window.`,
@@ -90,13 +92,15 @@ export const sentences: Sentences = {
       : `${polygon}, the first in the window, does not lie wholly inside it.`,
   summary: ({ count, hasSurround }, words) => {
     const found = words.counted(count, { one: 'polygon', other: 'polygons' });
-    return `${found} in the window; ${hasSurround ? 'one hides all others' : 'none is known to hide the others'}.`;
+    const one = words.after.warnock?.covering ?? 'one';
+    return `${found} in the window; ${hasSurround ? `${one} hides all others` : 'none is known to hide the others'}.`;
   },
   decide: (event, { after }) => {
     const only = onlyOf(after);
+    const covering = after.warnock?.covering ?? 'One polygon';
     return {
       empty: 'No polygon is left in the window: it takes the background.',
-      surrounded: 'One polygon hides everything: the window takes its colour.',
+      surrounded: `${covering} hides everything: the window takes its colour.`,
       pixel: 'The window is no larger than a pixel: the point at its centre decides.',
       single: `Only ${only ?? 'one polygon'} is in the window: background first, then ${only ?? 'the polygon'}.`,
       split: 'None of the simple cases: the window is split.',

@@ -82,10 +82,12 @@ export const sentences: Sentences = {
     const list = k === 4 ? '' : ` (${words.places(corners)})`;
     return `${polygon} ближе в ${k} из 4 углов${list}.`;
   },
-  uncover: ({ polygon }, { before }) =>
-    before.warnock?.hasSurround === true
-      ? `${polygon} оказался ближе, и охватывающий многоугольник больше не закрывает всего.`
-      : `${polygon} где-то ближе: пока неизвестно, закрывает ли что-нибудь остальное.`,
+  uncover: ({ polygon }, { before }) => {
+    const hidden = before.warnock?.covering ?? null;
+    return hidden === null
+      ? `${polygon} где-то ближе: пока неизвестно, закрывает ли что-нибудь остальное.`
+      : `${polygon} где-то ближе, и ${hidden} больше не закрывает всего.`;
+  },
   surround: ({ polygon, point: at, inside }, words) => {
     const corner = words.placeOf(at);
     const subject = corner === null ? `Точка ${point(at)}` : `${capital(corner)} угол`;
@@ -104,13 +106,15 @@ export const sentences: Sentences = {
       few: 'многоугольника',
       other: 'многоугольников',
     });
-    return `В окне ${found}; ${hasSurround ? 'один из них закрывает остальные' : 'неизвестно, закрывает ли один остальные'}.`;
+    const one = words.after.warnock?.covering ?? 'один из них';
+    return `В окне ${found}; ${hasSurround ? `${one} закрывает остальные` : 'неизвестно, закрывает ли один остальные'}.`;
   },
   decide: (event, { after }) => {
     const only = onlyOf(after);
+    const covering = after.warnock?.covering ?? 'Один многоугольник';
     return {
       empty: 'В окне не осталось многоугольников: оно получает цвет фона.',
-      surrounded: 'Один многоугольник закрывает всё: окно получает его цвет.',
+      surrounded: `${covering} закрывает всё: окно получает его цвет.`,
       pixel: 'Окно не больше пикселя: решает точка в его центре.',
       single: `В окне только ${only ?? 'один многоугольник'}: сначала фон, затем ${only ?? 'он сам'}.`,
       split: 'Ни один из простых случаев: окно делится.',
