@@ -22,6 +22,8 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['toBookmark', ['Shift ,', 'Shift .']],
   ['thing', ['O', 'Shift O']],
   ['source', ['C']],
+  ['solid', ['V']],
+  ['turn', ['← ↑ ↓ →', '+', '−', '0']],
   ['edit', ['E']],
   ['draw', ['N']],
   ['undo', ['Ctrl Z', 'Ctrl Y']],

@@ -25,6 +25,7 @@ export interface Steered {
   showKeys(): void;
   present(on: boolean): void;
   point(by: 1 | -1): void;
+  toggleSolid(): void;
   openBookmarks(way: 'mark' | 'enter'): Promise<void>;
 }
 
@@ -61,6 +62,7 @@ function usualActions(player: Steered, shift: boolean): Actions {
     KeyL: () => picture.nextLayer(),
     KeyO: () => player.point(shift ? -1 : 1),
     KeyP: () => picture.startChoosing(),
+    KeyV: () => player.toggleSolid(),
     KeyF: () => player.present(!player.presenting),
     KeyS: () => void picture.save(shift ? 'png' : 'svg'),
   };

@@ -33,7 +33,7 @@ import { playerStyle } from './player.style.js';
 import { Presenter } from './presenter.js';
 import { presenterStyle } from './presenter.style.js';
 import { ReadOn } from './read-on.js';
-import './side.js';
+import { hasSolid } from './side.js';
 import type { Side, SideElement } from './side.js';
 import { Source } from './source.js';
 import { base, tokens } from './theme.js';
@@ -107,10 +107,10 @@ export class PlayerElement extends TimedElement {
     return this.controls !== 'small' && this.controls !== 'none';
   }
 
-  /** While the scene is edited its panel stays, for each run is another trace. */
+  /** While the scene is edited its panel stays, for each run is another trace; so does the scene in 3D. */
   private openHistory(isChosen: boolean): void {
     this.history = historyOf(this.trace, this.pixel);
-    if (this.side === 'scene' && !isChosen) return;
+    if ((this.side === 'scene' || this.side === 'solid') && !isChosen) return;
     this.side = this.history === null ? 'state' : 'pixel';
   }
 
@@ -119,6 +119,11 @@ export class PlayerElement extends TimedElement {
     this.pixel = pixel;
     this.side = pixel === null ? 'state' : 'pixel';
     this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
+  }
+
+  /** To the scene in 3D, and back to the state. */
+  toggleSolid(): void {
+    if (this.isFull && hasSolid()) this.side = this.side === 'solid' ? 'state' : 'solid';
   }
 
   async openBookmarks(way: 'mark' | 'enter'): Promise<void> {

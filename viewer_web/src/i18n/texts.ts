@@ -10,6 +10,7 @@ import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { SceneTexts } from './scene-texts.js';
+import type { SolidTexts } from './solid-texts.js';
 import type { Words } from './words.js';
 
 /** One sentence an event, made from the event and the step that it belongs to. */
@@ -34,6 +35,7 @@ export interface Texts {
   readonly bookmarks: BookmarkTexts;
   readonly picture: PictureTexts;
   readonly scene: SceneTexts;
+  readonly solid: SolidTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -198,6 +200,8 @@ export type KeyUse =
   | 'toBookmark'
   | 'thing'
   | 'source'
+  | 'solid'
+  | 'turn'
   | 'edit'
   | 'draw'
   | 'undo'
