@@ -60,6 +60,7 @@ export class SolidStageElement extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.stage = Stage.on(this);
+    this.toggleAttribute('flat', this.stage === null);
     this.stage?.canvas.addEventListener('webglcontextrestored', () => this.requestUpdate());
     this.requestUpdate('space');
   }

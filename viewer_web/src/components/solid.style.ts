@@ -3,18 +3,22 @@ import { css } from 'lit';
 /** The scene in 3D: over what the picture has. */
 export const solidStyle = css`
   :host {
-    --bar: 2.5rem;
-    padding-top: var(--bar);
+    padding: var(--bar, 2.5rem) 0 var(--foot, 0px);
+  }
+  :host([flat]) {
+    --foot: 2.75rem;
   }
   canvas,
   svg {
-    inset: var(--bar) 0 0;
+    inset: var(--bar, 2.5rem) 0 auto;
+    width: 100%;
+    height: calc(100% - var(--bar, 2.5rem) - var(--foot, 0px));
   }
   canvas {
+    object-fit: contain;
     pointer-events: none;
   }
   svg {
-    height: calc(100% - var(--bar));
     cursor: grab;
     touch-action: none;
   }
@@ -40,7 +44,7 @@ export const solidStyle = css`
   }
   .views button {
     min-height: 1.75rem;
-    padding: 0 0.5rem;
+    padding: 0 0.35rem;
     border: 0;
     border-radius: 0;
     font-size: 0.75rem;
@@ -59,12 +63,16 @@ export const solidStyle = css`
   .missing {
     position: absolute;
     inset: auto 0 0;
+    height: var(--foot);
     padding: 0.3rem 0.75rem;
     background: var(--warn-wash);
     color: var(--warn);
     font-size: 0.75rem;
   }
   @media print {
+    :host {
+      --bar: 0px;
+    }
     canvas {
       display: block;
     }

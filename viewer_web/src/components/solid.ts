@@ -24,6 +24,7 @@ export class SolidElement extends LitElement {
         min-height: 0;
       }
       .caption {
+        display: var(--caption, block);
         flex: none;
         height: 11em;
         padding: 0.4rem 0.75rem;

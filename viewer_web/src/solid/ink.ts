@@ -70,7 +70,8 @@ export class Ink {
     const isCasing = name.includes('casing');
     const look: Look = {
       color: this.resolved(values.get('stroke') ?? '#10131c'),
-      seen: material(width, opacity, dash),
+      // What is pointed at lights up wherever it is.
+      seen: Object.assign(material(width, opacity, dash), { depthTest: !name.includes('pointed') }),
       hidden: isCasing ? null : hidden(Math.min(width, 1.5), opacity * hiddenOpacity),
     };
     this.looks.set(name, look);

@@ -10,7 +10,7 @@ import { seen } from './turn.js';
 import type { Turn } from './turn.js';
 
 /** CSS pixels. */
-const textSize = 12;
+const textSize = 11.5;
 /** Width of a letter of the fixed-width type, as a part of its size. */
 const letter = 0.61;
 /** CSS pixels between a point and its label. */

@@ -109,7 +109,7 @@ export class Stage {
     if (now === this.fitted) return;
     this.fitted = now;
     this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(width, height);
+    this.renderer.setSize(width, height, false);
   }
 
   dispose(): void {

@@ -53,12 +53,16 @@ export function upward({ right, above }: Turn): Spot {
   return [-sr * sa, ca, -cr * sa];
 }
 
-/** What a box of this size takes up when it is seen. */
+/** What is left around for labels, as a part of the longer side. */
+const room = 0.03;
+
+/** What a box of this size takes up when it is seen, with room for labels. */
 export function extent(turn: Turn, [width, height, depth]: Spot): Area {
   const corners = [-0.5, 0.5].flatMap((i) =>
     [-0.5, 0.5].map((j) => seen(turn, [width * i, height * j, depth / 2])),
   );
   const reach = (axis: 0 | 1): number => Math.max(...corners.map((at) => Math.abs(at[axis])));
-  const [x, y] = [reach(0), reach(1)];
+  const around = Math.max(reach(0), reach(1)) * room;
+  const [x, y] = [reach(0) + around, reach(1) + around];
   return { x: -x, y: -y, width: 2 * x, height: 2 * y };
 }

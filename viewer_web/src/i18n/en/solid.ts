@@ -8,14 +8,14 @@ export const solid: SolidTexts = {
   views: { front: 'Front', side: 'Side', askew: 'Askew' },
   missing: 'This browser has no WebGL: the polygons are drawn as outlines only.',
   depths: (far, near, part) =>
-    `Depth z runs toward you from ${far} to ${near}: ${part} of the area’s longer side.`,
+    `z toward you, from ${far} to ${near}, is ${part} of the longer side.`,
   window: (window) => `Window ${window}: the column along z.`,
   corners: (depths) => `Nearest so far at its corners: ${depths}.`,
   plane: (polygon, depths) => `On the plane of ${polygon}: ${depths}.`,
   clip: 'Dashed: the clipped polygon so far.',
   point: (point, depths) => `On the line through ${point}: ${depths}.`,
   noPolygon: 'no polygon',
-  scanline: (row, edges) => `Row ${row}: the plane parallel to z. Active edges: ${edges}.`,
-  span: (from, to) => `The line (x, z) runs from ${from} to ${to}.`,
-  pixel: (pixel, own, stored) => `Pixel ${pixel}: its depth is ${own}, stored is ${stored}.`,
+  scanline: (row, edges) => `Row ${row}: the plane along z. Active edges: ${edges}.`,
+  span: (from, to) => `Line (x, z): from ${from} to ${to}.`,
+  pixel: (pixel, own, stored) => `Pixel ${pixel}: depth ${own}, stored ${stored}.`,
 };

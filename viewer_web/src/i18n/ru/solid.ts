@@ -7,8 +7,7 @@ export const solid: SolidTexts = {
   turn: 'Вид',
   views: { front: 'Спереди', side: 'Сбоку', askew: 'Наискось' },
   missing: 'В этом браузере нет WebGL: многоугольники показаны только контурами.',
-  depths: (far, near, part) =>
-    `Глубина z идёт к зрителю от ${far} до ${near}: ${part} большей стороны кадра.`,
+  depths: (far, near, part) => `z — к зрителю, от ${far} до ${near}: ${part} большей стороны.`,
   window: (window) => `Окно ${window}: столб вдоль z.`,
   corners: (depths) => `Наибольшие пока в его углах: ${depths}.`,
   plane: (polygon, depths) => `На плоскости ${polygon}: ${depths}.`,
@@ -16,6 +15,6 @@ export const solid: SolidTexts = {
   point: (point, depths) => `На прямой через ${point}: ${depths}.`,
   noPolygon: 'нет многоугольников',
   scanline: (row, edges) => `Строка ${row}: плоскость вдоль z. Активные рёбра: ${edges}.`,
-  span: (from, to) => `Отрезок (x, z) — от ${from} до ${to}.`,
-  pixel: (pixel, own, stored) => `Пиксель ${pixel}: его глубина ${own}, в буфере ${stored}.`,
+  span: (from, to) => `Отрезок (x, z): от ${from} до ${to}.`,
+  pixel: (pixel, own, stored) => `Пиксель ${pixel}: глубина ${own}, в буфере ${stored}.`,
 };
