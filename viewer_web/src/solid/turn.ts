@@ -53,7 +53,7 @@ export function upward({ right, above }: Turn): Spot {
   return [-sr * sa, ca, -cr * sa];
 }
 
-/** What is left around for labels, as a part of the longer side. */
+/** What is left around for labels, as a part of half the longer side. */
 const room = 0.03;
 
 /** What a box of this size takes up when it is seen, with room for labels. */
