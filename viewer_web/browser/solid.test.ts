@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 import { headerOf, textWith } from '../src/testing/traces.js';
 import { violations } from './axe.js';
 import { goTo, launch, open, opened, sampleTrace, shown, small } from './page.js';
@@ -11,6 +11,10 @@ let flat: Browser;
 beforeAll(async () => {
   browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader');
   flat = await launch('--disable-3d-apis');
+});
+afterEach(async () => {
+  const contexts = [browser, flat].flatMap((each) => each.contexts());
+  await Promise.all(contexts.map((each) => each.close()));
 });
 afterAll(async () => {
   await Promise.all([browser.close(), flat.close()]);
@@ -115,9 +119,9 @@ describe('the scene in 3D', () => {
   it('follows the steps, and says in words what it shows', async () => {
     const at = small.split('\n').findIndex((line) => line.includes('"e":"compare"'));
     const { page, faults } = await solid(small, at);
-    expect(await caption(page)).toMatch(
-      /Window .*: the column along z\.[^]*On the plane of .: lb /,
-    );
+    await expect
+      .poll(() => caption(page))
+      .toMatch(/Window .*: the column along z\.[^]*On the plane of .: lb /);
     await goTo(page, 0);
     await expect.poll(() => caption(page)).not.toContain('Window');
     expect(faults).toEqual([]);
@@ -129,7 +133,7 @@ describe('the scene in 3D', () => {
       text,
       text.split('\n').findIndex((line) => line.includes('"e":"pixel"')),
     );
-    expect(await caption(page)).toMatch(/Row .*Active edges: \d[^]*Line [^]*Pixel /);
+    await expect.poll(() => caption(page)).toMatch(/Row .*Active edges: \d[^]*Line [^]*Pixel /);
     expect(await page.locator(`${drawing} .dot.edge`).count()).toBe(2);
   });
 
@@ -187,7 +191,6 @@ describe('the scene in 3D', () => {
       expect(box.width).toBeGreaterThan(panel.width - 4);
       expect(box.height).toBeGreaterThan(110);
       expect(box.y + box.height).toBeLessThan(panel.y + panel.height);
-      await page.context().close();
     }
   });
 

@@ -4,17 +4,18 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { lookOf } from '../picture/looks.js';
 import type { Line } from './drawing.js';
 import { segmentsOf } from './geometry.js';
+import { order } from './order.js';
 
-/** Above all faces, what is hidden first; a casing is under the lines. */
-const order = { hidden: 5, casing: 6, line: 7 } as const;
 /** As in technical drawing, what is hidden is dashed; CSS pixels. */
 const hiddenDash = [3, 4] as const;
 const hiddenOpacity = 0.45;
 
+/** Of these only what is seen is drawn: casings, and lines so many or so faint that the hidden ones would disturb. */
+const onlySeen = /casing|many|grid/;
+
 interface Look {
   readonly color: string;
   readonly seen: LineMaterial;
-  /** A casing has none. */
   readonly hidden: LineMaterial | null;
 }
 
@@ -56,7 +57,7 @@ export class Ink {
       object.renderOrder = at;
       return object.computeLineDistances();
     };
-    const seen = segments(look.seen, look.hidden ? order.line : order.casing);
+    const seen = segments(look.seen, name.includes('casing') ? order.casing : order.line);
     return look.hidden ? [segments(look.hidden, order.hidden), seen] : [seen];
   }
 
@@ -67,12 +68,11 @@ export class Ink {
     const width = Number(values.get('stroke-width') ?? 1);
     const opacity = Number(values.get('stroke-opacity') ?? 1);
     const dash = values.get('stroke-dasharray')?.split(' ').map(Number) ?? null;
-    const isCasing = name.includes('casing');
     const look: Look = {
       color: this.resolved(values.get('stroke') ?? '#10131c'),
       // What is pointed at lights up wherever it is.
       seen: Object.assign(material(width, opacity, dash), { depthTest: !name.includes('pointed') }),
-      hidden: isCasing ? null : hidden(Math.min(width, 1.5), opacity * hiddenOpacity),
+      hidden: onlySeen.test(name) ? null : hidden(Math.min(width, 1.5), opacity * hiddenOpacity),
     };
     this.looks.set(name, look);
     return look;

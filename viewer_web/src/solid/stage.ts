@@ -6,7 +6,6 @@ import {
   MeshBasicMaterial,
   OrthographicCamera,
   Scene,
-  SRGBColorSpace,
   WebGLRenderer,
 } from 'three';
 import type { Object3D } from 'three';
@@ -15,13 +14,12 @@ import type { Screen } from '../state/screen.js';
 import type { Drawing } from './drawing.js';
 import { facesOf } from './geometry.js';
 import { Ink } from './ink.js';
+import { order } from './order.js';
 import type { Space } from './space.js';
 import { toViewer, upward } from './turn.js';
 import type { Turn } from './turn.js';
 import { Wall } from './wall.js';
 
-/** In which order things are drawn over one another. */
-const order = { wall: 0, behind: 1, depth: 2, front: 3, glass: 4 } as const;
 /** How much lines are before the faces they lie in. */
 const offset = { polygonOffset: true, polygonOffsetFactor: 3, polygonOffsetUnits: 3 };
 
@@ -33,7 +31,7 @@ export class Stage {
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
   private readonly ink: Ink;
-  private readonly wall = new Wall(order.wall);
+  private readonly wall = new Wall();
   private still = new Group();
   private step = new Group();
   private fitted = '';
@@ -53,7 +51,6 @@ export class Stage {
     host: Element,
   ) {
     this.renderer = new WebGLRenderer({ canvas, context });
-    this.renderer.outputColorSpace = SRGBColorSpace;
     this.ink = new Ink(host);
     this.scene.scale.y = -1;
     this.scene.add(this.wall.mesh, this.still, this.step);
@@ -93,8 +90,8 @@ export class Stage {
     this.fit(frame.size, ratio);
     const [left, top, across, down] = frame.shown;
     const far = Math.hypot(...space.size);
-    Object.assign(camera, { left, right: left + across, top: -top, bottom: -top - down });
-    Object.assign(camera, { near: 0, far: 2 * far });
+    const sides = { left, right: left + across, top: -top, bottom: -top - down };
+    Object.assign(camera, { ...sides, near: 0, far: 2 * far });
     camera.position.set(...toViewer(turn)).multiplyScalar(far);
     camera.up.set(...upward(turn));
     camera.lookAt(0, 0, 0);

@@ -7,6 +7,7 @@ import {
   SRGBColorSpace,
 } from 'three';
 import type { Grid } from '../state/grid.js';
+import { order } from './order.js';
 import type { Space } from './space.js';
 
 /** Texels along a side up to which every pixel has one. */
@@ -20,8 +21,8 @@ export class Wall {
   );
   private texture: DataTexture | null = null;
 
-  constructor(order: number) {
-    this.mesh.renderOrder = order;
+  constructor() {
+    this.mesh.renderOrder = order.wall;
   }
 
   fit({ size: [width, height, depth] }: Space): void {
