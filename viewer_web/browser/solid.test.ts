@@ -39,6 +39,10 @@ async function solid(
   return { page, faults };
 }
 
+/** Without what the software that stands in for a graphics card says of its own speed. */
+const ofPage = (faults: readonly string[]): readonly string[] =>
+  faults.filter((fault) => !/GL Driver Message .*Performance/.test(fault));
+
 const caption = (page: Page): Promise<string> => page.locator('vidno-solid .caption').innerText();
 const press = (page: Page, name: string): Promise<void> =>
   page.locator(stage).getByRole('button', { name }).click();
@@ -124,7 +128,7 @@ describe('the scene in 3D', () => {
       .toMatch(/Window .*: the column along z\.[^]*On the plane of .: lb /);
     await goTo(page, 0);
     await expect.poll(() => caption(page)).not.toContain('Window');
-    expect(faults).toEqual([]);
+    expect(ofPage(faults)).toEqual([]);
   });
 
   it('shows the scanline of the Z-buffer', async () => {
@@ -207,7 +211,7 @@ describe('the scene in 3D', () => {
   it.each(['light', 'dark'] as const)('can be used by everyone (%s)', async (colorScheme) => {
     const { page, faults } = await solid(small, 200, { hash: '#lang=ru', colorScheme });
     expect(await violations(page)).toEqual([]);
-    expect(faults).toEqual([]);
+    expect(ofPage(faults)).toEqual([]);
   });
 });
 
@@ -217,7 +221,7 @@ describe('without WebGL', () => {
     expect(await page.locator(`${stage} .missing`).innerText()).toMatch(/нет WebGL/);
     expect(await page.locator(`${drawing} .outline`).count()).toBeGreaterThan(1);
     expect(await violations(page)).toEqual([]);
-    expect(faults).toEqual([]);
+    expect(ofPage(faults)).toEqual([]);
   });
 });
 
