@@ -21,7 +21,6 @@ import type { Actions } from './keyboard.js';
 import { marksStyle } from './marks.style.js';
 import { OwnSize } from './own-size.js';
 import { pictureStyle } from './picture.style.js';
-import { Printing } from './printing.js';
 import { solidStyle } from './solid.style.js';
 import { base } from './theme.js';
 import './zoom-bar.js';
@@ -30,8 +29,6 @@ import './zoom-bar.js';
 const degrees = { pixel: 0.5, key: 5 };
 /** CSS pixels to a key. */
 const way = 40;
-/** How much finer it is drawn for paper. */
-const finer = 3;
 /** How much larger a key or a button makes what is shown. */
 const zoomStep = 1.5;
 
@@ -49,7 +46,6 @@ export class SolidStageElement extends LitElement {
   private still: Drawing = noDrawing;
   private step: Drawing = noDrawing;
   private readonly size = new OwnSize(this);
-  private readonly printing = new Printing(this);
   private readonly gestures = new Gestures(
     () => this.frame,
     (frame) => (this.zoom = frame.zoom),
@@ -87,12 +83,11 @@ export class SolidStageElement extends LitElement {
   }
 
   override updated(changed: PropertyValues<this>): void {
-    const { stage, view, space, printing } = this;
+    const { stage, view, space, size } = this;
     if (stage === null) return;
     if (changed.has('space')) stage.setStill(this.still, space);
     if (changed.has('space') || changed.has('view')) stage.setStep(this.step, view.screen);
-    const ratio = window.devicePixelRatio * this.size.zoom;
-    stage.draw(this.frame, this.turn, space, printing.now ? ratio * finer : ratio);
+    stage.draw(this.frame, this.turn, space, window.devicePixelRatio * size.zoom);
   }
 
   private turnBy(right: number, above: number): void {

@@ -59,7 +59,7 @@ export class Stage {
   /** None where there is no WebGL. */
   static on(host: Element): Stage | null {
     const canvas = document.createElement('canvas');
-    // What is drawn is kept for the printer.
+    // What is drawn is kept: a printer takes it as it is, and would find nothing of what is drawn just before.
     const context = canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true });
     return context && new Stage(canvas, context, host);
   }

@@ -68,21 +68,22 @@ function cornerDots({ at, stored, own, nearer }: CornerDepth): readonly Dot[] {
   return [before, { role: nearer === false ? 'no' : 'yes', at: spotAt(at, own) }];
 }
 
-/** The new depth above its point with the corner's name, the stored one below. */
+/** The new depth stands outside the window, with the corner's name; the stored one beside its point, or outside if alone. */
 function cornerLabels({ corner, at, stored, own, nearer }: CornerDepth): readonly Label[] {
   const across = corner.startsWith('l') ? -1 : 1;
+  const outward = corner.endsWith('b') ? -1 : 1;
   const thing = cornerThing(corner);
   const before: Label = {
     text: own === null ? `${corner} ${short(stored)}` : short(stored),
     at: spotAt(at, stored),
-    side: [across, 1],
+    side: [across, own === null ? outward : 0],
     strong: nearer === false,
     thing,
   };
   if (own === null) return [before];
   const text = `${corner} ${short(own)}`;
   const strong = nearer === true;
-  return [before, { text, at: spotAt(at, own), side: [across, -1], strong, thing }];
+  return [before, { text, at: spotAt(at, own), side: [across, outward], strong, thing }];
 }
 
 /** The line through the point, and where it meets polygons. */

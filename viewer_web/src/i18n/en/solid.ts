@@ -6,9 +6,9 @@ export const solid: SolidTexts = {
   how: 'Drag or press arrow keys to turn, with Shift to move; wheel, + or − to zoom; 0 for all as at first.',
   turn: 'Seen from',
   views: { front: 'Front', side: 'Side', askew: 'Askew' },
-  missing: 'This browser has no WebGL: the polygons are drawn as outlines only.',
+  missing: 'This browser has no WebGL: of the polygons you see the outlines only.',
   depths: (far, near, part) =>
-    `z toward you, from ${far} to ${near}, is ${part} of the longer side.`,
+    `z grows toward you: ${far} to ${near} takes ${part} of the longer side.`,
   window: (window) => `Window ${window}: the column along z.`,
   corners: (depths) => `Nearest so far at its corners: ${depths}.`,
   plane: (polygon, depths) => `On the plane of ${polygon}: ${depths}.`,

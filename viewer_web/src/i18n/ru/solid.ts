@@ -6,8 +6,9 @@ export const solid: SolidTexts = {
   how: 'Мышью или стрелками — повернуть, с Shift — сдвинуть; колесо, + или − — масштаб; 0 — всё как вначале.',
   turn: 'Вид',
   views: { front: 'Спереди', side: 'Сбоку', askew: 'Наискось' },
-  missing: 'В этом браузере нет WebGL: многоугольники показаны только контурами.',
-  depths: (far, near, part) => `z — к зрителю, от ${far} до ${near}: ${part} большей стороны.`,
+  missing: 'В этом браузере нет WebGL: видны лишь контуры многоугольников.',
+  depths: (far, near, part) =>
+    `z растёт к зрителю: от ${far} до ${near} — это ${part} большей стороны.`,
   window: (window) => `Окно ${window}: столб вдоль z.`,
   corners: (depths) => `Наибольшие пока в его углах: ${depths}.`,
   plane: (polygon, depths) => `На плоскости ${polygon}: ${depths}.`,
