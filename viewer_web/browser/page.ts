@@ -25,7 +25,8 @@ export function repeated(text: string, from: RegExp, length: number): string {
 /** One with every kind of window. */
 export const small = sampleTrace('small.warnock.signs');
 
-export function launch(): Promise<Browser> {
+/** A browser; further flags for what needs them. */
+export function launch(...flags: readonly string[]): Promise<Browser> {
   if (!existsSync(built)) throw new Error('Build the page first: npm run build');
   return chromium.launch({
     executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
@@ -38,6 +39,7 @@ export function launch(): Promise<Browser> {
       '--disable-background-networking',
       '--disable-component-update',
       '--disable-sync',
+      ...flags,
     ],
   });
 }

@@ -12,6 +12,7 @@ import './components/notice.js';
 import './components/page-header.js';
 import './components/player.js';
 import type { PlayerElement } from './components/player.js';
+import './components/solid.js';
 import { base, tokens } from './components/theme.js';
 import { texts } from './i18n/index.js';
 import { preferredLanguage } from './i18n/language.js';

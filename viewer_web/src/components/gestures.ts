@@ -8,25 +8,21 @@ const doubled = { wheel: 300, fingers: 70 };
 /** CSS pixels of a line and of a page, in which a wheel may count. */
 const wheelUnits = [1, 16, 400];
 
-/** Zooms and moves a frame by wheel, by a pointer that drags, and by two. */
+/** Zooms and moves a frame by wheel, by a pointer that drags, and by two; what can be turned is, by one without Shift. */
 export class Gestures {
   private readonly pointers = new Map<number, Point>();
   private pressed: Point = [0, 0];
   private drags = false;
 
   constructor(
-    private readonly box: HTMLElement,
     private readonly frame: () => Frame,
     private readonly show: (frame: Frame) => void,
+    private readonly turn: ((dx: number, dy: number) => void) | null = null,
   ) {}
 
   /** Whether the last press moved: then it was no click. */
   get dragged(): boolean {
     return this.drags;
-  }
-
-  private pointOf(event: MouseEvent): Point {
-    return pointIn(this.box, event);
   }
 
   /** A wheel that would make the whole smaller moves the page. */
@@ -35,12 +31,12 @@ export class Gestures {
     if (way === 0 || (way > 0 && this.frame().zoom === null && !event.ctrlKey)) return;
     event.preventDefault();
     const by = 2 ** (-way / (event.ctrlKey ? doubled.fingers : doubled.wheel));
-    this.show(this.frame().zoomed(by, this.pointOf(event)));
+    this.show(this.frame().zoomed(by, pointOf(event)));
   };
 
   readonly onDown = (event: PointerEvent): void => {
     if (event.button !== 0) return;
-    const point = this.pointOf(event);
+    const point = pointOf(event);
     if (this.pointers.size === 0) {
       this.drags = false;
       this.pressed = point;
@@ -52,7 +48,7 @@ export class Gestures {
     const from = this.pointers.get(event.pointerId);
     if (event.buttons === 0) this.onEnd(event);
     if (from === undefined || event.buttons === 0) return;
-    const to = this.pointOf(event);
+    const to = pointOf(event);
     if (!this.drags && this.pointers.size === 1 && distance(this.pressed, to) <= still) return;
     this.drags = true;
     (event.currentTarget as Element).setPointerCapture(event.pointerId);
@@ -60,6 +56,10 @@ export class Gestures {
     this.pointers.set(event.pointerId, to);
     const after = this.spread();
     const [dx, dy] = [after.middle[0] - before.middle[0], after.middle[1] - before.middle[1]];
+    if (this.turn !== null && this.pointers.size === 1 && !event.shiftKey) {
+      this.turn(dx, dy);
+      return;
+    }
     this.show(
       this.frame()
         .zoomed(after.size / before.size, before.middle)
@@ -83,5 +83,8 @@ export class Gestures {
     return { middle, size: a === b ? 1 : Math.max(distance(a, b), 1) };
   }
 }
+
+/** Where in what listens a pointer is. */
+const pointOf = (event: MouseEvent): Point => pointIn(event.currentTarget as Element, event);
 
 const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);

@@ -23,6 +23,8 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['thing', ['O', 'Shift O']],
   ['source', ['C']],
   ['exact', ['X']],
+  ['solid', ['V']],
+  ['turn', ['← ↑ ↓ →', '+', '−', '0']],
   ['edit', ['E']],
   ['draw', ['N']],
   ['undo', ['Ctrl Z', 'Ctrl Y']],

@@ -59,7 +59,6 @@ export class PictureElement extends LitElement {
 
   private readonly size = new OwnSize(this);
   private readonly gestures = new Gestures(
-    this,
     () => this.frame,
     (frame) => (this.zoom = frame.zoom),
   );

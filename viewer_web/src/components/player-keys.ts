@@ -64,6 +64,7 @@ function usualActions(player: Steered, shift: boolean): Actions {
     KeyL: () => picture.nextLayer(),
     KeyO: () => player.point(shift ? -1 : 1),
     KeyP: () => picture.startChoosing(),
+    KeyV: () => player.toggleSide('solid'),
     KeyF: () => player.present(!player.presenting),
     KeyS: () => void picture.save(shift ? 'png' : 'svg'),
   };

@@ -115,7 +115,7 @@ export const playerStyle = css`
       grid-row: auto;
       height: 19rem;
     }
-    .side:is(.pixel, .bookmarks) {
+    .side:is(.pixel, .bookmarks, .solid) {
       order: -1;
       height: 22rem;
     }

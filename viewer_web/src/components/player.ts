@@ -34,7 +34,7 @@ import { playerStyle } from './player.style.js';
 import { Presenter } from './presenter.js';
 import { presenterStyle } from './presenter.style.js';
 import { ReadOn } from './read-on.js';
-import './side.js';
+import { hasSolid } from './side.js';
 import type { Side, SideElement } from './side.js';
 import { Source } from './source.js';
 import { base, tokens } from './theme.js';
@@ -126,7 +126,8 @@ export class PlayerElement extends TimedElement {
 
   /** Opens a panel, or the state where it is open. */
   toggleSide(side: Side): void {
-    if (this.isFull) this.side = this.side === side ? 'state' : side;
+    if (!this.isFull || (side === 'solid' && !hasSolid())) return;
+    this.side = this.side === side ? 'state' : side;
   }
 
   async openBookmarks(way: 'mark' | 'enter'): Promise<void> {

@@ -9,6 +9,8 @@ export const presenterStyle = css`
     padding: 0.5rem 0.5rem 0;
     gap: 0.5rem;
     background: var(--paper);
+    --bar: 0px;
+    --caption: none;
   }
   @media (min-width: 1000px) {
     :host([presenting]) {
@@ -44,6 +46,9 @@ export const presenterStyle = css`
     flex: 1;
     gap: 0.5rem;
     grid-template: minmax(0, 1.5fr) minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1.05fr);
+  }
+  :host([presenting]) .panels:has(> .solid) {
+    grid-template-rows: minmax(0, 1fr) minmax(0, 1.5fr);
   }
   :host([presenting]) .panels .picture {
     grid-row: 1 / -1;

@@ -19,7 +19,10 @@ import { base } from './theme.js';
 import './warnock-panel.js';
 import './zbuffer-panel.js';
 
-export type Side = 'state' | 'pixel' | 'exact' | 'bookmarks' | 'scene';
+export type Side = 'state' | 'pixel' | 'exact' | 'solid' | 'bookmarks' | 'scene';
+
+/** Whether the page brings along the scene in 3D, which is large; a player alone does not. */
+export const hasSolid = (): boolean => customElements.get('vidno-solid') !== undefined;
 
 /** One of the panels: the state of the procedure, the history of a pixel, the truth of a decision, and so on. */
 @customElement('vidno-side')
@@ -104,12 +107,13 @@ export class SideElement extends LitElement {
 
   override render(): TemplateResult {
     const { view, history, editing } = this;
-    const { history: say, bookmarks: marks, scene, exact } = texts[view.language];
+    const { history: say, bookmarks: marks, scene, exact, solid } = texts[view.language];
     const pixel = history === null ? say.pixel : say.at(...history.pixel);
     return html`
       <div class="choice" role="group">
         ${this.button('state', view.texts.state)} ${this.button('pixel', pixel)}
         ${this.button('exact', exact.exactness)}
+        ${hasSolid() ? this.button('solid', solid.solid) : nothing}
         ${editing === null ? nothing : this.button('scene', scene.scene)}
         ${this.button('bookmarks', this.count(), marks.title)}
       </div>
@@ -148,6 +152,8 @@ export class SideElement extends LitElement {
         ></vidno-bookmarks>`;
       case 'scene':
         return editing === null ? this.state() : this.scene(editing);
+      case 'solid':
+        return html`<vidno-solid .view=${view}></vidno-solid>`;
       case 'state':
         return this.state();
     }

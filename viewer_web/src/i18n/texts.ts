@@ -11,6 +11,7 @@ import type { Corner } from '../trace/values.js';
 import type { ExactTexts } from './exact-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { SceneTexts } from './scene-texts.js';
+import type { SolidTexts } from './solid-texts.js';
 import type { Words } from './words.js';
 
 /** One sentence an event, made from the event and the step that it belongs to. */
@@ -36,6 +37,7 @@ export interface Texts {
   readonly picture: PictureTexts;
   readonly scene: SceneTexts;
   readonly exact: ExactTexts;
+  readonly solid: SolidTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -201,6 +203,8 @@ export type KeyUse =
   | 'thing'
   | 'source'
   | 'exact'
+  | 'solid'
+  | 'turn'
   | 'edit'
   | 'draw'
   | 'undo'

@@ -190,10 +190,14 @@ function isFinite(mark: Mark): boolean {
   return spots.every(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
 }
 
-function polygonMark(view: View): readonly Mark[] {
-  const { event, header, after } = view;
+/** The polygon that the step is about, or the one in hand. */
+export function polygonInHand({ event, header, after }: View): Polygon | undefined {
   const id = event && 'polygon' in event ? event.polygon : after.zbuffer?.polygon;
-  const polygon = header.scene.byId.get(id ?? '');
+  return header.scene.byId.get(id ?? '');
+}
+
+function polygonMark(view: View): readonly Mark[] {
+  const polygon = polygonInHand(view);
   return polygon ? [{ ...path('active', polygon.vertices, true), color: polygon.color }] : [];
 }
 

@@ -8,7 +8,8 @@ import type { Shape } from './shapes.js';
 
 const mostLabels = 26;
 const mostOutlines = 3000;
-const many = 40;
+/** More polygons than this are a crowd: their outlines are faint. */
+export const many = 40;
 const gridFrom = 7;
 
 /** CSS pixels. */

@@ -7,6 +7,7 @@ import { picture } from './picture.js';
 import { reasons } from './reasons.js';
 import { scene } from './scene.js';
 import { sentences } from './sentences.js';
+import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
 
@@ -23,4 +24,5 @@ export const texts: Texts = {
   picture,
   scene,
   exact,
+  solid,
 };

@@ -69,6 +69,8 @@ export const page: PageTexts = {
     thing: 'point at the next, the previous polygon, edge, corner, window',
     source: 'the procedures in C++, and back',
     exact: 'the decision against exact arithmetic, and back',
+    solid: 'the scene in 3D, and back to the state',
+    turn: 'there: turn, with Shift move; zoom, all as at first',
     edit: 'edit the scene, and back to the state',
     draw: 'draw a polygon',
     undo: 'undo, redo a change of the scene',

@@ -1,0 +1,21 @@
+import type { SolidTexts } from '../solid-texts.js';
+
+export const solid: SolidTexts = {
+  solid: '3D',
+  title: 'Сцена в пространстве',
+  how: 'Мышью или стрелками — повернуть, с Shift — сдвинуть; колесо, + или − — масштаб; 0 — всё как вначале.',
+  turn: 'Вид',
+  views: { front: 'Спереди', side: 'Сбоку', askew: 'Наискось' },
+  missing: 'В этом браузере нет WebGL: видны лишь контуры многоугольников.',
+  depths: (far, near, part) =>
+    `z растёт к зрителю: от ${far} до ${near} — это ${part} большей стороны.`,
+  window: (window) => `Окно ${window}: столб вдоль z.`,
+  corners: (depths) => `Наибольшие пока в его углах: ${depths}.`,
+  plane: (polygon, depths) => `На плоскости ${polygon}: ${depths}.`,
+  clip: 'Пунктир — отсечённый к этому шагу многоугольник.',
+  point: (point, depths) => `На прямой через ${point}: ${depths}.`,
+  noPolygon: 'нет многоугольников',
+  scanline: (row, edges) => `Строка ${row}: плоскость вдоль z. Активные рёбра: ${edges}.`,
+  span: (from, to) => `Отрезок (x, z): от ${from} до ${to}.`,
+  pixel: (pixel, own, stored) => `Пиксель ${pixel}: глубина ${own}, в буфере ${stored}.`,
+};

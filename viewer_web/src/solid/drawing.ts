@@ -1,0 +1,121 @@
+import type { Role } from '../picture/marks.js';
+import type { Box } from '../trace/values.js';
+import { around } from './plane.js';
+import type { Space, Spot } from './space.js';
+
+/** A line through places, with the look that the picture's style sheet gives to these classes. */
+export interface Line {
+  readonly look: string;
+  readonly points: readonly Spot[];
+  readonly closed: boolean;
+  /** Instead of the look's own. */
+  readonly color?: string;
+}
+
+/** Something flat that one sees through; of a colour of its own, or glass. */
+export interface Face {
+  readonly points: readonly Spot[];
+  readonly color?: string;
+}
+
+/** A text, and to which side of its place it stands: left or right, above or below. */
+export interface Label {
+  readonly text: string;
+  readonly at: Spot;
+  readonly side: readonly [across: -1 | 0 | 1, down: -1 | 0 | 1];
+  readonly strong?: boolean;
+  /** What one points at with it; see `pointed.ts`. */
+  readonly thing?: string;
+}
+
+export interface Dot {
+  readonly role: Role;
+  readonly at: Spot;
+}
+
+/** What is drawn in the box beside the polygons. */
+export interface Drawing {
+  readonly faces: readonly Face[];
+  readonly lines: readonly Line[];
+  readonly dots: readonly Dot[];
+  readonly labels: readonly Label[];
+}
+
+export const noDrawing: Drawing = { faces: [], lines: [], dots: [], labels: [] };
+
+/** All of them in one, those above later. */
+export function together(...all: readonly Partial<Drawing>[]): Drawing {
+  return {
+    faces: all.flatMap(({ faces = [] }) => faces),
+    lines: all.flatMap(({ lines = [] }) => lines),
+    dots: all.flatMap(({ dots = [] }) => dots),
+    labels: all.flatMap(({ labels = [] }) => labels),
+  };
+}
+
+/** A line and what is around it, so that it shows on any colour. */
+export function cased(role: Role, points: readonly Spot[], closed = true, color?: string): Line[] {
+  const line: Line = { look: role, points, closed };
+  return [{ ...line, look: `casing ${role}` }, color === undefined ? line : { ...line, color }];
+}
+
+/** A rectangle of the plane at one depth. */
+export const level = (box: Box, z: number): readonly Spot[] =>
+  around(box).map(([x, y]): Spot => [x, y, z]);
+
+/** A rectangle of the plane as a column along z, from the far end of the box to the near one. */
+export function column(box: Box, { far, near }: Space, role: Role): Partial<Drawing> {
+  const corners = around(box);
+  const sides = corners.map(([x, y], i): readonly Spot[] => {
+    const [nextX, nextY] = corners[(i + 1) % corners.length] ?? [x, y];
+    return [
+      [x, y, far],
+      [x, y, near],
+      [nextX, nextY, near],
+      [nextX, nextY, far],
+    ];
+  });
+  return {
+    faces: sides.map((points) => ({ points })),
+    lines: [
+      ...[far, near].flatMap((z) => cased(role, level(box, z))),
+      ...corners.flatMap(([x, y]) => along(x, y, { far, near }, role)),
+    ],
+  };
+}
+
+/** A line parallel to z through the box. */
+export const along = (
+  x: number,
+  y: number,
+  { far, near }: Pick<Space, 'far' | 'near'>,
+  role: Role,
+): readonly Line[] =>
+  cased(
+    role,
+    [
+      [x, y, far],
+      [x, y, near],
+    ],
+    false,
+  );
+
+/** The same in the box; what has no place there is left out. */
+export function placed({ faces, lines, dots, labels }: Drawing, space: Space): Drawing {
+  const path = <T extends { readonly points: readonly Spot[] }>(each: T): readonly T[] => {
+    const points = each.points.map((at) => space.place(at));
+    return points.length > 0 && points.every(isSomewhere) ? [{ ...each, points }] : [];
+  };
+  const spot = <T extends { readonly at: Spot }>(each: T): readonly T[] => {
+    const at = space.place(each.at);
+    return isSomewhere(at) ? [{ ...each, at }] : [];
+  };
+  return {
+    faces: faces.flatMap(path),
+    lines: lines.flatMap(path),
+    dots: dots.flatMap(spot),
+    labels: labels.flatMap(spot),
+  };
+}
+
+const isSomewhere = (at: Spot): boolean => at.every(Number.isFinite);

@@ -1,0 +1,116 @@
+import { Frame } from '../picture/frame.js';
+import { cornerOf, polygonInHand } from '../picture/marks.js';
+import { labelsOf, many } from '../picture/still.js';
+import { polygonThing, thingOf } from '../pointed.js';
+import type { Area, Polygon, Scene } from '../trace/header.js';
+import type { Box } from '../trace/values.js';
+import type { View } from '../view.js';
+import { along, cased, level, placed, together } from './drawing.js';
+import type { Drawing, Line } from './drawing.js';
+import { around, planeOf } from './plane.js';
+import type { Space } from './space.js';
+import { warnockDrawing } from './warnock.js';
+import { edgeLine, zbufferDrawing } from './zbuffer.js';
+
+/** Pixels along a side up to which the picture's grid is drawn. */
+const mostGrid = 64;
+
+/** What does not change from step to step: polygons and their names, the box, the grid of pixels at its far end. */
+export function stillDrawing({ header: { scene } }: View, space: Space): Drawing {
+  const isCrowded = scene.polygons.length > many;
+  return placed(
+    together(
+      { lines: [...gridLines(scene.area, space.far), ...boxLines(scene.area, space)] },
+      {
+        faces: scene.polygons.map(({ vertices: points, color }) => ({ points, color })),
+        lines: scene.polygons.flatMap((each) => outline(each, isCrowded)),
+        labels: names(scene),
+      },
+    ),
+    space,
+  );
+}
+
+/** What a step adds. */
+export function stepDrawing(view: View, space: Space): Drawing {
+  return placed(
+    together(
+      activeDrawing(view),
+      warnockDrawing(view, space),
+      zbufferDrawing(view, space),
+      pointedDrawing(view, space),
+    ),
+    space,
+  );
+}
+
+function outline({ vertices: points, color }: Polygon, isCrowded: boolean): readonly Line[] {
+  const line: Line = { look: 'outline', points, closed: true, color };
+  return isCrowded
+    ? [{ ...line, look: 'outline many' }]
+    : [{ look: 'outline-casing', points, closed: true }, line];
+}
+
+function gridLines({ x, y, width, height }: Area, far: number): readonly Line[] {
+  if (Math.max(width, height) > mostGrid) return [];
+  const line = (...ends: readonly (readonly [number, number])[]): Line => ({
+    look: 'grid',
+    points: ends.map(([i, j]) => [i, j, far]),
+    closed: false,
+  });
+  const within = (from: number, length: number): readonly number[] =>
+    Array.from({ length: length - 1 }, (_, i) => from + i + 1);
+  return [
+    ...within(x, width).map((i) => line([i, y], [i, y + height])),
+    ...within(y, height).map((j) => line([x, j], [x + width, j])),
+  ];
+}
+
+function boxLines({ x, y, width, height }: Area, { far, near }: Space): readonly Line[] {
+  const area: Box = [x, y, width, height];
+  const ends = [far, near].map((z) => level(area, z));
+  const edges = around(area).map(([i, j]) => [[i, j, far] as const, [i, j, near] as const]);
+  return [
+    ...ends.map((points): Line => ({ look: 'area', points, closed: true })),
+    ...edges.map((points): Line => ({ look: 'area', points, closed: false })),
+  ];
+}
+
+/** Where the picture has them, on the planes of the polygons. */
+function names(scene: Scene): Drawing['labels'] {
+  const spots = labelsOf(scene, new Frame(scene.area, { width: 1, height: 1 }));
+  return spots.flatMap(({ text, at: [x, y] }) => {
+    const polygon = scene.byId.get(text);
+    if (polygon === undefined) return [];
+    const z = planeOf(polygon)(x, y);
+    return [{ text, at: [x, y, z], side: [0, 0], strong: true, thing: polygonThing(text) }];
+  });
+}
+
+function activeDrawing(view: View): Partial<Drawing> {
+  const polygon = polygonInHand(view);
+  return polygon ? { lines: cased('active', polygon.vertices, true, polygon.color) } : {};
+}
+
+/** What is pointed at anywhere on the page. */
+function pointedDrawing(view: View, space: Space): Partial<Drawing> {
+  const thing = thingOf(view.pointed, view);
+  const { warnock, zbuffer } = view.after;
+  const { byId } = view.header.scene;
+  switch (thing?.kind) {
+    case 'polygon':
+      return { lines: cased('pointed', byId.get(thing.id)?.vertices ?? []) };
+    case 'edge': {
+      const polygon = byId.get(zbuffer?.polygon ?? '');
+      return polygon ? { lines: edgeLine(polygon, thing.edge, 'pointed') } : {};
+    }
+    case 'window':
+      return { lines: cased('pointed', level(thing.window, space.far)) };
+    case 'corner':
+      return warnock?.window
+        ? { lines: along(...cornerOf(warnock.window, thing.corner), space, 'pointed') }
+        : {};
+    case undefined:
+      return {};
+  }
+}
