@@ -4,11 +4,13 @@ import { customElement, property, state } from 'lit/decorators.js';
 import { valuesInPlay } from '../listing/in-play.js';
 import { listingsOf } from '../listing/listings.js';
 import type { Line, Listing } from '../listing/listings.js';
+import type { Size } from '../picture/frame.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
 import './cpp.js';
 import { bringInSight } from './in-sight.js';
 import { listingStyle } from './listing.style.js';
+import { OwnSize } from './own-size.js';
 import { base } from './theme.js';
 
 /** The procedures, the current line and the lines that wait for a result. */
@@ -69,7 +71,8 @@ export class ListingElement extends LitElement {
     </div>`;
   }
 
-  private followed: Element | null = null;
+  private readonly size = new OwnSize(this);
+  private followed: { readonly mark: Element | null; readonly size: Size } | null = null;
 
   private get current(): string | null {
     return this.view.event?.at ?? null;
@@ -123,13 +126,14 @@ export class ListingElement extends LitElement {
     this.follow();
   }
 
-  /** To look where the line is makes the browser lay out the page: only when it is another. */
+  /** To look where the line is makes the browser lay out the page: only when it is another, or the listing's size is. */
   private follow(): void {
     const box = this.renderRoot.querySelector('.procedures');
     const mark =
       this.renderRoot.querySelector('.entered h3') ?? this.renderRoot.querySelector('.now');
-    if (mark === this.followed) return;
-    this.followed = mark;
+    const { value: size } = this.size;
+    if (mark === this.followed?.mark && size === this.followed.size) return;
+    this.followed = { mark, size };
     if (!(box instanceof HTMLElement) || !(mark instanceof HTMLElement)) return;
     bringInSight(box, mark);
   }
