@@ -11,7 +11,7 @@ describe('the address', () => {
         language: 'ru',
         presenting: true,
         layer: 'difference',
-        setting: { embed: true, from: 3, to: 40, speed: 0.5, controls: 'none', play: true },
+        setting: { embed: true, from: 3, to: 40, speed: 0.5, controls: 'none', play: true, ask: 'forced' },
       },
       trace: '01-near & far.warnock',
       live: null,

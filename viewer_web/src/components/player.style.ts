@@ -119,6 +119,10 @@ export const playerStyle = css`
       order: -1;
       height: 22rem;
     }
+    .side.predict {
+      order: -1;
+      height: auto;
+    }
     .sentence {
       height: 4.2rem;
       font-size: 0.9375rem;

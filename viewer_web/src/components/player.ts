@@ -5,13 +5,14 @@ import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
+import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
 import { sayThing } from '../pointed.js';
-import { plain } from '../setting.js';
+import { isWay, plain } from '../setting.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import { viewOf } from '../view.js';
@@ -23,13 +24,13 @@ import './keys.js';
 import type { KeysElement } from './keys.js';
 import './listing.js';
 import type { ListingElement } from './listing.js';
-import './notice.js';
 import { isOnlyEdited } from './only-edited.js';
 import './picture-panel.js';
 import type { PicturePanelElement } from './picture-panel.js';
 import { actionsOf } from './player-keys.js';
 import { Pointing } from './pointing.js';
 import { playerStyle } from './player.style.js';
+import { Predictor } from './predictor.js';
 import { Presenter } from './presenter.js';
 import { presenterStyle } from './presenter.style.js';
 import { ReadOn } from './read-on.js';
@@ -71,6 +72,8 @@ export class PlayerElement extends TimedElement {
   @property({ attribute: false }) link: LinkMade | null = null;
   /** For a projector: told by `vidno-present` when keys change it. */
   @property({ type: Boolean, reflect: true }) presenting = false;
+  /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
+  @property() ask = '';
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-keys') readonly keys!: KeysElement;
@@ -84,33 +87,40 @@ export class PlayerElement extends TimedElement {
   private readonly source = new Source(this);
   private readonly pointing = new Pointing(this);
   readonly presenter = new Presenter(this);
+  readonly predictor = new Predictor(this);
   private readonly reader = new ReadOn(this, mostPerFrame);
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (isOnlyEdited(changed)) return;
+    this.predictor.follow();
     super.willUpdate(changed);
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     if (changed.has('trace') || changed.has('pixel')) this.openHistory(changed.has('pixel'));
+    if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
     this.reader.read(this.history);
+    const { language, trace, step } = this;
     const pixel = this.history?.pixel ?? null;
-    this.view =
-      this.trace &&
-      viewOf(this.trace, this.step, { language: this.language, pixel, pointed: this.pointing.at });
+    const { things: asked } = this.predictor;
+    this.view = trace && viewOf(trace, step, { language, pixel, pointed: this.pointing.at, asked });
   }
 
-  private get language(): Language {
+  protected override get limit(): number {
+    return Math.min(this.last, this.predictor.limit);
+  }
+
+  get language(): Language {
     return isLanguage(this.lang) ? this.lang : 'en';
   }
 
   /** Whether there are all controls and all panels. */
-  private get isFull(): boolean {
+  get isFull(): boolean {
     return this.controls !== 'small' && this.controls !== 'none';
   }
 
-  /** While the scene is edited its panel stays, for each run is another trace. */
+  /** While the scene is edited its panel stays, for each run is another trace; and so do questions. */
   private openHistory(isChosen: boolean): void {
     this.history = historyOf(this.trace, this.pixel);
-    if (this.side === 'scene' && !isChosen) return;
+    if ((this.side === 'scene' || this.side === 'predict') && !isChosen) return;
     this.side = this.history === null ? 'state' : 'pixel';
   }
 
@@ -135,8 +145,12 @@ export class PlayerElement extends TimedElement {
 
   override render(): TemplateResult | typeof nothing {
     const { view } = this;
-    if (view === null) return this.excuse();
+    if (view === null) return this.source.excuse(this.language);
     const { texts } = view;
+    // An open question is not to be answered by what shows the future.
+    const { isOpen, isForced } = this.predictor;
+    const history = isOpen ? null : this.history;
+    const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
     return html`
       <div
         class="panels"
@@ -147,7 +161,7 @@ export class PlayerElement extends TimedElement {
           <vidno-picture-panel
             .view=${view}
             .editing=${this.side === 'scene' ? this.editing : null}
-            .layer=${this.layer}
+            .layer=${layer}
             .exact=${this.exact}
             @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
           ></vidno-picture-panel>
@@ -158,10 +172,11 @@ export class PlayerElement extends TimedElement {
         <section class="side ${this.side}" aria-label=${texts.state}>
           <vidno-side
             .view=${view}
-            .history=${this.history}
+            .history=${history}
             .bookmarks=${this.bookmarks}
             .linked=${this.linked}
             .side=${this.side}
+            .predictor=${this.predictor}
             ?bare=${this.presenting}
             @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
             @command=${this.onCommand}
@@ -187,6 +202,7 @@ export class PlayerElement extends TimedElement {
           .last=${this.last}
           ?bounded=${this.isBounded}
           ?plain=${!this.isFull}
+          ?veiled=${isOpen || isForced}
           .playing=${this.clock.playing}
           .speed=${this.clock.speed}
           @command=${this.onCommand}
@@ -194,7 +210,7 @@ export class PlayerElement extends TimedElement {
           <vidno-travel
             .trace=${this.trace}
             .view=${view}
-            .history=${this.history}
+            .history=${history}
             .bookmarks=${this.bookmarks}
             @command=${this.onCommand}
           ></vidno-travel>
@@ -208,12 +224,6 @@ export class PlayerElement extends TimedElement {
   /** Points at the next thing of the step, or the one before. */
   point(by: 1 | -1): void {
     if (this.view) this.pointing.move(by, this.view);
-  }
-
-  /** What there is to say in its place. */
-  private excuse(): TemplateResult {
-    const { notice } = this.source;
-    return html`<vidno-notice .notice=${notice} .language=${this.language}></vidno-notice>`;
   }
 
   showKeys(): void {

@@ -11,14 +11,19 @@ import type { View } from '../view.js';
 import './bookmarks.js';
 import type { BookmarksElement } from './bookmarks.js';
 import './history.js';
+import './predict.js';
+import type { Predictor } from './predictor.js';
 import './scene-panel.js';
 import { base } from './theme.js';
 import './warnock-panel.js';
 import './zbuffer-panel.js';
 
-export type Side = 'state' | 'pixel' | 'bookmarks' | 'scene';
+export type Side = 'state' | 'pixel' | 'bookmarks' | 'scene' | 'predict';
 
-/** One of the panels: the state of the procedure, the history of a pixel, the bookmarks, or the scene as a form. */
+/**
+ * One of the panels: the state of the procedure, the history of a pixel, the bookmarks, questions, or the scene as a
+ * form.
+ */
 @customElement('vidno-side')
 export class SideElement extends LitElement {
   static override styles = [
@@ -36,7 +41,7 @@ export class SideElement extends LitElement {
       .choice {
         display: flex;
         flex: none;
-        gap: 0.25rem;
+        gap: 0.1rem;
         height: 2.6rem;
         padding: 0 0.5rem;
         overflow-x: auto;
@@ -47,7 +52,7 @@ export class SideElement extends LitElement {
         display: none;
       }
       button {
-        padding: 0.2rem 0.5rem 0;
+        padding: 0.2rem 0.4rem 0;
         border: 0;
         border-bottom: 3px solid transparent;
         border-radius: 0;
@@ -67,9 +72,19 @@ export class SideElement extends LitElement {
         overflow: hidden;
         text-overflow: ellipsis;
       }
+      .predict {
+        margin-left: auto;
+      }
+      .predict,
       .bookmarks {
         flex: none;
-        margin-left: auto;
+      }
+      .predict span {
+        display: inline-block;
+        width: 1.3rem;
+        border: 2px solid currentColor;
+        border-radius: 50%;
+        line-height: 1.05rem;
       }
       .bookmarks svg {
         width: 9px;
@@ -98,6 +113,7 @@ export class SideElement extends LitElement {
   /** None where the scene cannot be changed. */
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) link: LinkMade | null = null;
+  @property({ attribute: false }) predictor!: Predictor;
   @query('vidno-bookmarks') private list!: BookmarksElement | null;
 
   /** Bookmarks the step that is shown, or goes to the list; the bookmarks must be the side that is chosen. */
@@ -108,13 +124,14 @@ export class SideElement extends LitElement {
 
   override render(): TemplateResult {
     const { view, history, editing } = this;
-    const { history: say, bookmarks: marks, scene } = texts[view.language];
+    const { history: say, bookmarks: marks, scene, predict } = texts[view.language];
     const pixel = history === null ? say.pixel : say.at(...history.pixel);
     return html`
       <div class="choice" role="group">
         ${this.button('state', view.texts.state)} ${this.button('pixel', pixel)}
         ${editing === null ? nothing : this.button('scene', scene.scene)}
-        ${this.button('bookmarks', this.count(), marks.title)}
+        ${this.button('predict', html`<span>?</span>`, predict.title)}
+        ${this.button('bookmarks', this.count(), `${marks.title}: ${this.bookmarks.length}`)}
       </div>
       ${this.panel()}
     `;
@@ -142,6 +159,12 @@ export class SideElement extends LitElement {
           .linked=${this.linked}
           @command=${this.passOn}
         ></vidno-bookmarks>`;
+      case 'predict':
+        return html`<vidno-predict
+          .view=${view}
+          .predictor=${this.predictor}
+          @command=${this.passOn}
+        ></vidno-predict>`;
       case 'scene':
         return editing === null ? this.state() : this.scene(editing);
       case 'state':
@@ -167,7 +190,7 @@ export class SideElement extends LitElement {
     return html`<button
       class=${side}
       aria-pressed=${side === this.side ? 'true' : 'false'}
-      aria-label=${label === undefined ? nothing : `${label}: ${this.bookmarks.length}`}
+      aria-label=${label ?? nothing}
       title=${label ?? nothing}
       @click=${() => this.dispatchEvent(new CustomEvent('side', { detail: side }))}
     >

@@ -9,6 +9,7 @@ import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
+import type { PredictTexts } from './predict-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { Words } from './words.js';
 
@@ -34,6 +35,7 @@ export interface Texts {
   readonly bookmarks: BookmarkTexts;
   readonly picture: PictureTexts;
   readonly scene: SceneTexts;
+  readonly predict: PredictTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -193,6 +195,8 @@ export type KeyUse =
   | 'cursor'
   | 'zoom'
   | 'layer'
+  | 'predict'
+  | 'answer'
   | 'bookmark'
   | 'bookmarks'
   | 'toBookmark'

@@ -3,6 +3,7 @@ import { bookmarks } from './bookmarks.js';
 import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
+import { predict } from './predict.js';
 import { reasons } from './reasons.js';
 import { scene } from './scene.js';
 import { sentences } from './sentences.js';
@@ -20,5 +21,6 @@ export const texts: Texts = {
   strip,
   bookmarks,
   picture,
+  predict,
   scene,
 };

@@ -1,0 +1,70 @@
+import { details, numberOf } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import type { Trace } from '../trace/trace.js';
+import { ael } from './ael.js';
+import type { Asker } from './asker.js';
+import { clip } from './clip.js';
+import { corners } from './corners.js';
+import { inside } from './inside.js';
+import { pixels } from './pixels.js';
+import { point } from './point.js';
+import { kinds } from './question.js';
+import type { Kind, Question } from './question.js';
+import { window } from './window.js';
+
+const askers: { readonly [K in Kind]: Asker<K> } = {
+  window,
+  corners,
+  inside,
+  point,
+  clip,
+  ael,
+  pixels,
+};
+
+/** The kinds of question that a trace of this method and detail can answer. */
+export function kindsOf({ method, detail }: Header): readonly Kind[] {
+  const isTold = (kind: Kind): boolean =>
+    details.indexOf(askers[kind].from) <= details.indexOf(detail);
+  return kinds.filter((kind) => askers[kind].method === method && isTold(kind));
+}
+
+/** The question of a kind at a step, if there is one. */
+export function questionAt(trace: Trace, step: number, kind: Kind): Question | null {
+  return askers[kind].ask(trace, step);
+}
+
+/** So many steps a kind rests after its first question, and twice as many after each more, up to a limit. */
+const leastRest = 16;
+const mostRest = 512;
+
+/** Whether a kind is not to be asked at a step, having been asked in these questions, the last of them last. */
+function rests(kind: Kind, step: number, asked: readonly Question[]): boolean {
+  const before = asked.filter((question) => question.kind === kind);
+  const rest = Math.min(mostRest, leastRest * 2 ** (before.length - 1));
+  return before.some((question) => question.step <= step && step < question.until + rest);
+}
+
+/** The next question at a step or after it, of some kinds; those that were asked vary what is asked next. */
+export function nextQuestion(
+  trace: Trace,
+  from: number,
+  wanted: ReadonlySet<Kind>,
+  asked: readonly Question[],
+): Question | null {
+  const { names } = trace.timeline;
+  const chosen = kindsOf(trace.header).filter((kind) => wanted.has(kind));
+  const starts = chosen.map((kind) => ({
+    kind,
+    at: askers[kind].at.map((name) => numberOf.get(name)),
+  }));
+  for (let step = Math.max(1, from); step <= names.length; step++) {
+    const name = names[step - 1];
+    for (const { kind, at } of starts) {
+      if (!at.includes(name) || rests(kind, step, asked)) continue;
+      const question = questionAt(trace, step, kind);
+      if (question !== null) return question;
+    }
+  }
+  return null;
+}
