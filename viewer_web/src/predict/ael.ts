@@ -15,7 +15,8 @@ export const ael: Asker<'ael'> = {
     const { zbuffer } = trace.timeline.seek(step).values;
     const polygon = trace.header.scene.byId.get(zbuffer?.polygon ?? '');
     if (sort === null || zbuffer === null || polygon === undefined) return null;
-    if (zbuffer.edges.length > mostOptions) return null;
+    const { length } = [...zbuffer.edges, ...zbuffer.ael];
+    if (length < 2 || zbuffer.edges.length > mostOptions) return null;
     const until = sort.step;
     const added = stepsOf(trace, step, until, 'ael_add');
     const dropped = stepsOf(trace, step, until, 'ael_drop');

@@ -1,4 +1,5 @@
-import { details, numberOf } from '../trace/events.js';
+import { only } from '../history/entry.js';
+import { details } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
 import { ael } from './ael.js';
@@ -29,11 +30,6 @@ export function kindsOf({ method, detail }: Header): readonly Kind[] {
   return kinds.filter((kind) => askers[kind].method === method && isTold(kind));
 }
 
-/** The question of a kind at a step, if there is one. */
-export function questionAt(trace: Trace, step: number, kind: Kind): Question | null {
-  return askers[kind].ask(trace, step);
-}
-
 /** So many steps a kind rests after its first question, and twice as many after each more, up to a limit. */
 const leastRest = 16;
 const mostRest = 512;
@@ -53,16 +49,13 @@ export function nextQuestion(
   asked: readonly Question[],
 ): Question | null {
   const { names } = trace.timeline;
-  const chosen = kindsOf(trace.header).filter((kind) => wanted.has(kind));
-  const starts = chosen.map((kind) => ({
-    kind,
-    at: askers[kind].at.map((name) => numberOf.get(name)),
-  }));
+  const chosen = kindsOf(trace.header)
+    .filter((kind) => wanted.has(kind))
+    .map((kind) => ({ kind, starts: only(...askers[kind].at) }));
   for (let step = Math.max(1, from); step <= names.length; step++) {
-    const name = names[step - 1];
-    for (const { kind, at } of starts) {
-      if (!at.includes(name) || rests(kind, step, asked)) continue;
-      const question = questionAt(trace, step, kind);
+    for (const { kind, starts } of chosen) {
+      if (starts[names[step - 1] ?? 0] !== true || rests(kind, step, asked)) continue;
+      const question = askers[kind].ask(trace, step);
       if (question !== null) return question;
     }
   }
