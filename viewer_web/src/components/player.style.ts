@@ -147,6 +147,10 @@ export const playerStyle = css`
       gap: 4mm;
       grid-template: 92mm minmax(0, 1fr) / 92mm minmax(0, 1fr);
     }
+    /* The score is to be read to its end. */
+    .panels:has(.side.predict) {
+      grid-template-rows: minmax(92mm, auto) minmax(0, 1fr);
+    }
     .panels > section {
       border-radius: 0;
     }

@@ -104,6 +104,10 @@ export const predictStyle = css`
     :host {
       overflow: hidden;
     }
+    ol {
+      columns: 2;
+    }
+    .choice,
     .next,
     .save button {
       display: none;

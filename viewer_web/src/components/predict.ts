@@ -66,7 +66,7 @@ export class PredictElement extends LitElement {
 
   private choice(): TemplateResult {
     const { say, predictor } = this;
-    return html`<section>
+    return html`<section class="choice">
       <label title=${say.forcedHint}>
         <input
           class="force"

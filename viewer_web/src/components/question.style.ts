@@ -32,12 +32,12 @@ export const questionStyle = css`
     color: var(--bad);
   }
   .options {
-    display: grid;
-    grid-template-columns: repeat(auto-fill, minmax(7.5rem, 1fr));
-    gap: 0 0.75rem;
+    display: flex;
+    flex-wrap: wrap;
+    gap: 0 1.25rem;
   }
   .options:has(.note) {
-    grid-template-columns: minmax(0, 1fr);
+    display: block;
   }
   label {
     display: flex;
@@ -168,6 +168,15 @@ export const questionStyle = css`
     color: var(--soft);
     font-size: 0.6875rem;
     line-height: 1.65;
+  }
+  /* Above the controls of time, which stay at the bottom there. */
+  @container (max-width: 960px) {
+    input,
+    button,
+    .result,
+    h3 {
+      scroll-margin: 1rem 0 18rem;
+    }
   }
   @media print {
     .buttons,

@@ -41,9 +41,8 @@ export class SideElement extends LitElement {
       .choice {
         display: flex;
         flex: none;
-        gap: 0.1rem;
         height: 2.6rem;
-        padding: 0 0.5rem;
+        padding: 0 0.3rem;
         overflow-x: auto;
         scrollbar-width: none;
         border-bottom: 1px solid var(--line);
@@ -52,7 +51,7 @@ export class SideElement extends LitElement {
         display: none;
       }
       button {
-        padding: 0.2rem 0.4rem 0;
+        padding: 0.2rem 0.3rem 0;
         border: 0;
         border-bottom: 3px solid transparent;
         border-radius: 0;
