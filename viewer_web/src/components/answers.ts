@@ -5,7 +5,7 @@ import type { Language } from '../i18n/language.js';
 import { cornerThing, edgeThing } from '../pointed.js';
 import type { Relation } from '../predict/asker.js';
 import { none, parts } from '../predict/question.js';
-import type { Asks, Of, Option } from '../predict/question.js';
+import type { Asks, Of, Option, Part } from '../predict/question.js';
 import type { Case } from '../time/course.js';
 import type { Corner } from '../trace/values.js';
 import type { View } from '../view.js';
@@ -13,7 +13,7 @@ import { polygonName } from './parts.js';
 
 type Say = (value: string, language: Language) => string;
 
-const itself: Say = (value) => value.replace('-', '−');
+const itself = (value: string): string => value.replace('-', '−');
 
 const words: Readonly<Record<Of, Say>> = {
   case: (value, language) => texts[language].strip.cases[value as Case],
@@ -28,15 +28,16 @@ const words: Readonly<Record<Of, Say>> = {
   column: (value, language) => texts[language].predict.column(value),
 };
 
-/** An answer to a part, in words. */
-export function sayAnswer(asks: Asks, values: readonly string[], language: Language): string {
-  const { predict } = texts[language];
+/** The right answer to a part, in words. */
+export function sayRight({ asks, options, right }: Part, language: Language): string {
   const [form, of] = parts[asks];
-  if (values.length === 0) return predict.empty;
-  if (form === 'row') return values.map((value) => itself(value, language)).join(' ');
-  return values
-    .map((value) => (value === none ? sayNone(asks, language) : words[of](value, language)))
-    .join(', ');
+  const say = (value: string): string => {
+    if (value === none) return sayNone(asks, language);
+    const note = of === 'depth' ? options.find((each) => each.value === value)?.note : undefined;
+    return note ?? words[of](value, language);
+  };
+  if (right.length === 0) return texts[language].predict.empty;
+  return form === 'row' ? right.map(itself).join(' ') : right.map(say).join(', ');
 }
 
 function sayNone(asks: Asks, language: Language): string {

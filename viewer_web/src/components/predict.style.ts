@@ -68,7 +68,10 @@ export const predictStyle = css`
     grid-template-columns: 1.1rem minmax(0, 1fr) auto;
     gap: 0.4rem;
   }
-  li .number {
+  label .number {
+    margin-left: auto;
+  }
+  .number {
     color: var(--soft);
     font-size: 0.75rem;
   }

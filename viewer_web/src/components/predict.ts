@@ -85,6 +85,9 @@ export class PredictElement extends LitElement {
 
   private kind(kind: Kind): TemplateResult {
     const { say, predictor } = this;
+    const { asked, right } = countOf(
+      predictor.record.filter(({ question }) => question.kind === kind),
+    );
     return html`<label>
       <input
         type="checkbox"
@@ -92,6 +95,11 @@ export class PredictElement extends LitElement {
         @change=${({ target }: Event) => predictor.want(kind, (target as HTMLInputElement).checked)}
       />
       <span>${say.kinds[kind]}</span>
+      ${
+        asked === 0
+          ? nothing
+          : html`<span class="number" title=${say.counted(right, asked)}>${right} / ${asked}</span>`
+      }
     </label>`;
   }
 

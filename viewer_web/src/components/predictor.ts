@@ -149,8 +149,8 @@ export class Predictor {
   private find(): void {
     const { host, trace, current } = this;
     if (trace === null) return;
-    const isHere = current?.question.step === host.step;
-    const from = isHere ? current.question.until : host.step;
+    const { step = 0, until = 0 } = current?.question ?? {};
+    const from = host.step < step ? host.step : Math.max(host.step, until);
     const found = this.isForced ? this.ahead : nextQuestion(trace, from, this.wanted, this.asked);
     this.isOver = found === null || found.step > host.last;
     if (found !== null && !this.isOver) this.open(found);

@@ -9,7 +9,7 @@ import { parts as forms } from '../predict/question.js';
 import type { Abouts, Kind, Part, Question } from '../predict/question.js';
 import type { Reason } from '../predict/reasons.js';
 import type { View } from '../view.js';
-import { optionName, sayAnswer, valueName } from './answers.js';
+import { optionName, sayRight, valueName } from './answers.js';
 import { hiddenStyle } from './hidden.style.js';
 import type { Current, Predictor } from './predictor.js';
 import { questionStyle } from './question.style.js';
@@ -116,22 +116,17 @@ export class QuestionElement extends LitElement {
             </ul>`
       }
       ${form === 'row' ? this.row(part, i) : this.options(part, i, form === 'one')}
-      ${verdict === null || isRight ? nothing : this.right(part)}
+      ${
+        verdict === null || isRight
+          ? nothing
+          : html`<p class="right">${say.rightIs(sayRight(part, view.language))}</p>`
+      }
     </fieldset>`;
   }
 
   private mark(isRight: boolean): TemplateResult {
     const said = isRight ? this.say.partRight : this.say.partWrong;
     return html`<b class=${isRight ? 'good' : 'bad'}>${isRight ? '✓' : '✗'} ${said}</b>`;
-  }
-
-  private right({ asks, options, right }: Part): TemplateResult {
-    const shown =
-      forms[asks][1] === 'depth'
-        ? options.find(({ value }) => value === right[0])?.note
-        : undefined;
-    const said = shown ?? sayAnswer(asks, right, this.view.language);
-    return html`<p class="right">${this.say.rightIs(said)}</p>`;
   }
 
   private options(part: Part, i: number, isOne: boolean): TemplateResult {

@@ -28,6 +28,9 @@ export const window: Asker<'window'> = {
   from: 'windows',
   at: ['pop'],
   ask(trace, step) {
+    const { detail, scene } = trace.header;
+    const isCoarse = detail === 'windows'; // no list gets shorter than the first one
+    if (isCoarse && scene.polygons.length > mostOptions) return null;
     const pop = eventAt(trace, step, 'pop');
     const decide = nextOf(trace, step, 'decide', 'pop');
     if (pop === null || decide === null) return null;
@@ -55,7 +58,7 @@ export const window: Asker<'window'> = {
       until,
       about: { window: pop.window },
       parts: [
-        ...(trace.header.detail === 'windows' ? [] : [stay]),
+        ...(isCoarse ? [] : [stay]),
         { asks: 'hides', options: optionsOf([...ids, none]), right: [hiding] },
         { asks: 'case', options: optionsOf(cases), right: [decide.event.case] },
       ],
