@@ -120,7 +120,8 @@ export class Predictor {
   private open(question: Question): void {
     this.current = { question, isAnswered: false, verdict: null };
     this.ahead = null;
-    this.host.side = 'predict';
+    // A scene that is being edited keeps its panel.
+    if (this.host.side !== 'scene') this.host.side = 'predict';
   }
 
   private reason(trace: Trace): void {

@@ -112,18 +112,22 @@ describe('the Z-buffer asks', () => {
     expect(question.about).toEqual({ polygon: 'B', row: 0 });
     expect(answers(question)).toEqual({ shown: ['3', '4', '5'], pixelDepths: ['>'] });
   });
+});
 
-  it('and there whether equal depths change it', async () => {
-    const pixel = (x: number, z: number, shown: boolean): Event => ({
-      e: 'pixel',
-      at: 'L6',
-      x,
-      y: 1,
-      z,
-      stored: 0.5,
-      shown,
-    });
-    const events: readonly Event[] = [
+const pixel = (x: number, z: number, shown: boolean): Event => ({
+  e: 'pixel',
+  at: 'L6',
+  x,
+  y: 1,
+  z,
+  stored: 0.5,
+  shown,
+});
+
+/** A row where A passes what is stored, with something told after its pixels. */
+const row = (...told: readonly Event[]): Promise<Trace> =>
+  traceOf(
+    textWith(headerOf('zbuffer'), [
       { e: 'clear', at: 'Z1', color: '#ffffff', z: '-inf' },
       { e: 'polygon', at: 'Z2', polygon: 'A', color: '#112233' },
       { e: 'call', at: 'Z14', of: 'ShowLine' },
@@ -132,12 +136,28 @@ describe('the Z-buffer asks', () => {
       pixel(2, 0.4, false),
       pixel(3, 0.5, false),
       pixel(4, 0.6, true),
+      ...told,
       { e: 'span', at: 'Z14', row: 1, runs: [[4, 5]], depths: [0.6] },
-    ];
-    const trace = await traceOf(textWith(headerOf('zbuffer'), events));
-    const question = questionFrom(trace, 1, 'pixels');
+    ]),
+  );
+
+describe('a row of pixels', () => {
+  it('is asked for where depths are equal, and the first polygon stays', async () => {
+    const question = questionFrom(await row(), 1, 'pixels');
     expect(answers(question)).toEqual({ shown: ['4'], pixelDepths: ['='] });
     expect(question.things).toEqual(['pixel 3 1']);
+  });
+
+  it('is not asked for where a check says that the run errs', async () => {
+    const wrong: Event = {
+      e: 'disagree',
+      at: 'L6',
+      of: 'nearer',
+      taken: true,
+      exact: false,
+      cause: 'rounded',
+    };
+    expect(nextQuestion(await row(wrong), 1, new Set(kinds), [])).toBeNull();
   });
 });
 

@@ -3,6 +3,7 @@ import { details } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
 import { ael } from './ael.js';
+import { stepsOf } from './ahead.js';
 import type { Asker } from './asker.js';
 import { clip } from './clip.js';
 import { corners } from './corners.js';
@@ -41,6 +42,11 @@ function rests(kind: Kind, step: number, asked: readonly Question[]): boolean {
   return before.some((question) => question.step <= step && step < question.until + rest);
 }
 
+/** Nobody can be asked to predict what a check has found wrong. */
+function isDecidedWrongly(trace: Trace, { step, until }: Question): boolean {
+  return stepsOf(trace, step, until, 'disagree').length > 0;
+}
+
 /** The next question at a step or after it, of some kinds; those that were asked vary what is asked next. */
 export function nextQuestion(
   trace: Trace,
@@ -56,7 +62,7 @@ export function nextQuestion(
     for (const { kind, starts } of chosen) {
       if (starts[names[step - 1] ?? 0] !== true || rests(kind, step, asked)) continue;
       const question = askers[kind].ask(trace, step);
-      if (question !== null) return question;
+      if (question !== null && !isDecidedWrongly(trace, question)) return question;
     }
   }
   return null;
