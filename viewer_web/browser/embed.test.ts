@@ -58,6 +58,25 @@ describe('the element', () => {
     expect(faults).toEqual([]);
   });
 
+  it('stops at questions if it is told to, where it has a place for them', async () => {
+    const { page } = await course(
+      `<vidno-player src="#run" ask="forced"></vidno-player>
+       <vidno-player src="#run" ask="forced" controls="small"></vidno-player>${block}`,
+    );
+    const players = page.locator('vidno-player');
+    for (const player of await players.all()) {
+      await player.locator('.sentence').waitFor();
+      await player.locator('.play').focus();
+      await page.keyboard.press('End');
+    }
+    const steps = await players.evaluateAll((all) =>
+      all.map((each) => (each as HTMLElement & { step: number }).step),
+    );
+    expect(steps).toEqual([4, 1545]);
+    await players.first().locator('vidno-question').waitFor();
+    expect(await players.last().locator('vidno-question').count()).toBe(0);
+  });
+
   it('goes no farther than from its first step to its last', async () => {
     const { page } = await course(
       `<vidno-player src="#run" from="10" to="20"></vidno-player>${block}`,

@@ -25,6 +25,7 @@ import type { Exact, Layer } from './picture/layers.js';
 import type { Pixel } from './picture/pixel.js';
 import { Session } from './session.js';
 import { plain } from './setting.js';
+import type { Way } from './setting.js';
 import type { Bookmarks } from './time/bookmarks.js';
 
 /** The page: lessons, files of one's own, and the player. */
@@ -178,6 +179,7 @@ export class AppElement extends LitElement {
           .speed=${setting.speed}
           ?play=${setting.play}
           .controls=${setting.controls}
+          .ask=${setting.ask ?? ''}
           ?presenting=${presenting}
           ?linked=${session.isLinked}
           .layer=${layer}
@@ -190,6 +192,7 @@ export class AppElement extends LitElement {
           @vidno-layer=${({ detail }: CustomEvent<Layer>) => this.change({ layer: detail })}
           @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
           @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
+          @vidno-ask=${({ detail: ask }: CustomEvent<Way>) => this.change({ setting: { ...setting, ask } })}
           @vidno-present=${({ detail }: CustomEvent<boolean>) => this.change({ presenting: detail })}
           @vidno-save=${() => live.save()}
           @vidno-link=${this.copyLink}

@@ -1,23 +1,27 @@
 import { texts } from './i18n/index.js';
 import { windowText } from './i18n/words.js';
+import type { Pixel } from './picture/pixel.js';
 import { corners } from './trace/values.js';
 import type { Box, Corner } from './trace/values.js';
 import type { View } from './view.js';
 
 /**
  * What may be pointed at, wherever the page shows it: a polygon, an edge of the polygon in hand, a corner of the
- * current window, or a window. Its elements carry it as `data-thing`: its kind, a space, and which one.
+ * current window, a window, or the pixel that a question is about. Its elements carry it as `data-thing`: its kind, a
+ * space, and which one.
  */
 export type Thing =
   | { readonly kind: 'polygon'; readonly id: string }
   | { readonly kind: 'edge'; readonly edge: number }
   | { readonly kind: 'corner'; readonly corner: Corner }
-  | { readonly kind: 'window'; readonly window: Box };
+  | { readonly kind: 'window'; readonly window: Box }
+  | { readonly kind: 'pixel'; readonly at: Pixel };
 
 export const polygonThing = (id: string): string => `polygon ${id}`;
 export const edgeThing = (edge: number): string => `edge ${edge}`;
 export const cornerThing = (corner: Corner): string => `corner ${corner}`;
 export const windowThing = (window: Box): string => `window ${window.join(' ')}`;
+export const pixelThing = (at: Pixel): string => `pixel ${at.join(' ')}`;
 
 /** The thing of that text; null if the step does not have it. */
 export function thingOf(text: string | null, view: View): Thing | null {
@@ -27,17 +31,26 @@ export function thingOf(text: string | null, view: View): Thing | null {
   if (kind === 'polygon') return { kind, id: which };
   if (kind === 'edge') return { kind, edge: Number(which) };
   if (kind === 'corner') return { kind, corner: which as Corner };
-  return { kind: 'window', window: which.split(' ').map(Number) as unknown as Box };
+  const numbers: unknown = which.split(' ').map(Number);
+  if (kind === 'pixel') return { kind, at: numbers as Pixel };
+  return { kind: 'window', window: numbers as Box };
 }
 
 /** All that can be pointed at in a step, in the order in which the keyboard goes through it. */
-export function thingsOf({ header, after: { warnock, zbuffer } }: View): readonly string[] {
-  return [
+export function thingsOf({
+  header,
+  after: { warnock, zbuffer },
+  asked = [],
+}: View): readonly string[] {
+  const all = [
     ...header.scene.polygons.map(({ id }) => polygonThing(id)),
     ...(zbuffer?.ael ?? []).map(({ edge }) => edgeThing(edge)),
+    ...(zbuffer?.edges ?? []).map(edgeThing),
     ...(warnock?.corners ? corners.map(cornerThing) : []),
     ...(warnock?.stack ?? []).map(({ window }) => windowThing(window)).reverse(),
+    ...asked,
   ];
+  return [...new Set(all)];
 }
 
 /** How it is called; nothing if there is none. */
@@ -48,6 +61,7 @@ export function sayThing(view: View): string {
   if (thing.kind === 'polygon') return things.polygon(thing.id);
   if (thing.kind === 'edge') return things.edge(thing.edge);
   if (thing.kind === 'corner') return things.corner(texts[view.language].places[thing.corner]);
+  if (thing.kind === 'pixel') return texts[view.language].history.at(...thing.at);
   return things.window(windowText(thing.window));
 }
 

@@ -6,6 +6,11 @@ export const controlSets = ['full', 'small', 'none'] as const;
  */
 export type Controls = (typeof controlSets)[number];
 
+export const ways = ['free', 'forced'] as const;
+
+/** How questions are asked: when the reader wants one, or wherever there is one, which must be answered to go on. */
+export type Way = (typeof ways)[number];
+
 /** How whoever embeds the page sets it up. */
 export interface Setting {
   /** Whether there is only the player, as in a frame of another page. */
@@ -18,6 +23,8 @@ export interface Setting {
   readonly controls: Controls;
   /** Whether it plays as soon as it is there. */
   readonly play: boolean;
+  /** Whether there are questions from the beginning, and how they are asked. */
+  readonly ask: Way | null;
 }
 
 /** The page by itself. */
@@ -28,6 +35,7 @@ export const plain: Setting = {
   speed: null,
   controls: 'full',
   play: false,
+  ask: null,
 };
 
 /** The number of a step, if that is what is written. */
@@ -40,6 +48,10 @@ export function isControls(value: unknown): value is Controls {
   return controlSets.includes(value as Controls);
 }
 
+export function isWay(value: unknown): value is Way {
+  return ways.includes(value as Way);
+}
+
 export function isSpeed(value: unknown): value is number {
   return typeof value === 'number' && value >= 0.1 && value <= 1000;
 }
@@ -47,6 +59,7 @@ export function isSpeed(value: unknown): value is number {
 export function parseSetting(fields: URLSearchParams): Setting {
   const speed = Number(fields.get('speed') ?? NaN);
   const controls = fields.get('controls');
+  const ask = fields.get('ask');
   return {
     embed: fields.has('embed'),
     from: stepIn(fields.get('from')) ?? plain.from,
@@ -54,6 +67,7 @@ export function parseSetting(fields: URLSearchParams): Setting {
     speed: isSpeed(speed) ? speed : null,
     controls: isControls(controls) ? controls : plain.controls,
     play: fields.has('play'),
+    ask: isWay(ask) ? ask : plain.ask,
   };
 }
 

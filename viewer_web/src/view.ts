@@ -24,10 +24,12 @@ export interface View {
   readonly pixel: Pixel | null;
   /** What is pointed at, as elements carry it. */
   readonly pointed: string | null;
+  /** What the question in hand is about, in the same form. */
+  readonly asked?: readonly string[];
 }
 
 /** What of a view is chosen rather than told by the trace. */
-export type Choice = Pick<View, 'language' | 'pixel' | 'pointed'>;
+export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked'>;
 
 export function viewOf({ header, timeline }: Trace, step: number, choice: Choice): View {
   const { language } = choice;

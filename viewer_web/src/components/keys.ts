@@ -17,6 +17,8 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['cursor', ['← ↑ ↓ →', 'Enter', 'Esc']],
   ['zoom', ['+', '−', '0']],
   ['layer', ['L']],
+  ['predict', ['Q']],
+  ['answer', ['1 … 9', 'Enter']],
   ['bookmark', ['B']],
   ['bookmarks', ['Shift B']],
   ['toBookmark', ['Shift ,', 'Shift .']],

@@ -3,6 +3,7 @@ import type { Actions } from './keyboard.js';
 import type { KeysElement } from './keys.js';
 import type { ListingElement } from './listing.js';
 import type { PicturePanelElement } from './picture-panel.js';
+import type { Predictor } from './predictor.js';
 import type { Presenter } from './presenter.js';
 import type { Side } from './side.js';
 import type { TravelElement } from './travel.js';
@@ -21,6 +22,7 @@ export interface Steered {
   readonly listing: ListingElement;
   readonly picture: PicturePanelElement;
   readonly travel: TravelElement;
+  readonly predictor: Predictor;
   moveTo(step: number): void;
   togglePlay(): void;
   showKeys(): void;
@@ -65,6 +67,7 @@ function usualActions(player: Steered, shift: boolean): Actions {
     KeyO: () => player.point(shift ? -1 : 1),
     KeyP: () => picture.startChoosing(),
     KeyV: () => player.toggleSide('solid'),
+    KeyQ: () => player.predictor.next(),
     KeyF: () => player.present(!player.presenting),
     KeyS: () => void picture.save(shift ? 'png' : 'svg'),
   };

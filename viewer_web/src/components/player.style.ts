@@ -119,6 +119,10 @@ export const playerStyle = css`
       order: -1;
       height: 22rem;
     }
+    .side.predict {
+      order: -1;
+      height: auto;
+    }
     .sentence {
       height: 4.2rem;
       font-size: 0.9375rem;
@@ -142,6 +146,10 @@ export const playerStyle = css`
       flex: 1;
       gap: 4mm;
       grid-template: 92mm minmax(0, 1fr) / 92mm minmax(0, 1fr);
+    }
+    /* The score is to be read to its end. */
+    .panels:has(.side.predict) {
+      grid-template-rows: minmax(92mm, auto) minmax(0, 1fr);
     }
     .panels > section {
       border-radius: 0;

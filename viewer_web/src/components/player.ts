@@ -1,10 +1,9 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
-import { historyOf } from '../history/history.js';
-import type { History } from '../history/history.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
+import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
@@ -12,7 +11,7 @@ import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
 import type { SignMaps } from '../live/sign-maps.js';
 import { sayThing } from '../pointed.js';
-import { plain } from '../setting.js';
+import { isWay, plain } from '../setting.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import { viewOf } from '../view.js';
@@ -24,16 +23,16 @@ import './keys.js';
 import type { KeysElement } from './keys.js';
 import './listing.js';
 import type { ListingElement } from './listing.js';
-import './notice.js';
 import { isOnlyEdited } from './only-edited.js';
 import './picture-panel.js';
 import type { PicturePanelElement } from './picture-panel.js';
 import { actionsOf } from './player-keys.js';
+import { PixelHistory } from './pixel-history.js';
 import { Pointing } from './pointing.js';
 import { playerStyle } from './player.style.js';
+import { Predictor } from './predictor.js';
 import { Presenter } from './presenter.js';
 import { presenterStyle } from './presenter.style.js';
-import { ReadOn } from './read-on.js';
 import { hasSolid } from './side.js';
 import type { Side, SideElement } from './side.js';
 import { Source } from './source.js';
@@ -43,8 +42,6 @@ import './transport.js';
 import type { Command } from './transport.js';
 import './travel.js';
 import type { TravelElement } from './travel.js';
-
-const mostPerFrame = 60;
 
 /**
  * Replays a trace. Set `src`, or `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with
@@ -74,6 +71,8 @@ export class PlayerElement extends TimedElement {
   @property({ attribute: false }) link: LinkMade | null = null;
   /** For a projector: told by `vidno-present` when keys change it. */
   @property({ type: Boolean, reflect: true }) presenting = false;
+  /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
+  @property() ask = '';
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-keys') readonly keys!: KeysElement;
@@ -82,46 +81,37 @@ export class PlayerElement extends TimedElement {
   @query('vidno-travel') readonly travel!: TravelElement;
   @query('vidno-side') private panel!: SideElement;
   private view: View | null = null;
-  private history: History | null = null;
   private readonly keyboard = new Keyboard(this, (event) => actionsOf(this, event));
   private readonly source = new Source(this);
   private readonly pointing = new Pointing(this);
   readonly presenter = new Presenter(this);
-  private readonly reader = new ReadOn(this, mostPerFrame);
+  readonly predictor = new Predictor(this);
+  private readonly chosen = new PixelHistory(this);
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (isOnlyEdited(changed)) return;
+    this.predictor.follow();
     super.willUpdate(changed);
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
-    if (changed.has('trace') || changed.has('pixel')) this.openHistory(changed.has('pixel'));
-    this.reader.read(this.history);
-    const pixel = this.history?.pixel ?? null;
-    this.view =
-      this.trace &&
-      viewOf(this.trace, this.step, { language: this.language, pixel, pointed: this.pointing.at });
+    this.chosen.follow(changed);
+    if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
+    const { language, trace, step } = this;
+    const pixel = this.chosen.history?.pixel ?? null;
+    const { things: asked } = this.predictor;
+    this.view = trace && viewOf(trace, step, { language, pixel, pointed: this.pointing.at, asked });
   }
 
-  private get language(): Language {
+  protected override get limit(): number {
+    return Math.min(this.last, this.predictor.limit);
+  }
+
+  get language(): Language {
     return isLanguage(this.lang) ? this.lang : 'en';
   }
 
   /** Whether there are all controls and all panels. */
-  private get isFull(): boolean {
+  get isFull(): boolean {
     return this.controls !== 'small' && this.controls !== 'none';
-  }
-
-  /** A panel stays, for each run of a scene is another trace; but there may be no pixel any more. */
-  private openHistory(isChosen: boolean): void {
-    this.history = historyOf(this.trace, this.pixel);
-    if (this.history !== null && isChosen) this.side = 'pixel';
-    if (this.history === null && this.side === 'pixel') this.side = 'state';
-  }
-
-  private choosePixel(pixel: Pixel | null): void {
-    if (!this.isFull) return;
-    this.pixel = pixel;
-    this.side = pixel === null ? 'state' : 'pixel';
-    this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
   }
 
   /** Opens a panel, or the state where it is open. */
@@ -144,8 +134,12 @@ export class PlayerElement extends TimedElement {
 
   override render(): TemplateResult | typeof nothing {
     const { view } = this;
-    if (view === null) return this.excuse();
+    if (view === null) return this.source.excuse(this.language);
     const { texts } = view;
+    // An open question is not to be answered by what shows the future.
+    const { isOpen, isForced } = this.predictor;
+    const history = isOpen ? null : this.chosen.history;
+    const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
     return html`
       <div
         class="panels"
@@ -156,9 +150,9 @@ export class PlayerElement extends TimedElement {
           <vidno-picture-panel
             .view=${view}
             .editing=${this.side === 'scene' ? this.editing : null}
-            .layer=${this.layer}
+            .layer=${layer}
             .exact=${this.exact}
-            @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
+            @pixel=${({ detail }: CustomEvent<Pixel>) => this.chosen.choose(detail)}
           ></vidno-picture-panel>
         </section>
         <section class="listing" aria-label=${texts.listing}>
@@ -169,14 +163,15 @@ export class PlayerElement extends TimedElement {
             .view=${view}
             .trace=${this.trace}
             .maps=${this.maps}
-            .history=${this.history}
+            .history=${history}
             .bookmarks=${this.bookmarks}
             .linked=${this.linked}
             .side=${this.side}
+            .predictor=${this.predictor}
             ?bare=${this.presenting}
             @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
             @command=${this.onCommand}
-            @forget=${() => this.choosePixel(null)}
+            @forget=${() => this.chosen.choose(null)}
             .editing=${this.editing}
             .link=${this.link}
           ></vidno-side>
@@ -198,6 +193,7 @@ export class PlayerElement extends TimedElement {
           .last=${this.last}
           ?bounded=${this.isBounded}
           ?plain=${!this.isFull}
+          ?veiled=${isOpen || isForced}
           .playing=${this.clock.playing}
           .speed=${this.clock.speed}
           @command=${this.onCommand}
@@ -205,7 +201,7 @@ export class PlayerElement extends TimedElement {
           <vidno-travel
             .trace=${this.trace}
             .view=${view}
-            .history=${this.history}
+            .history=${history}
             .bookmarks=${this.bookmarks}
             @command=${this.onCommand}
           ></vidno-travel>
@@ -219,12 +215,6 @@ export class PlayerElement extends TimedElement {
   /** Points at the next thing of the step, or the one before. */
   point(by: 1 | -1): void {
     if (this.view) this.pointing.move(by, this.view);
-  }
-
-  /** What there is to say in its place. */
-  private excuse(): TemplateResult {
-    const { notice } = this.source;
-    return html`<vidno-notice .notice=${notice} .language=${this.language}></vidno-notice>`;
   }
 
   showKeys(): void {

@@ -60,6 +60,9 @@ export const presenterStyle = css`
     grid-column: 2;
     height: auto;
   }
+  :host([presenting]) .panels:has(.side.predict) {
+    grid-template-rows: minmax(0, 1fr) minmax(0, 2.4fr);
+  }
   :host([presenting]) .dock {
     padding: 0.3rem 0.7rem;
   }

@@ -14,12 +14,14 @@ import './bookmarks.js';
 import type { BookmarksElement } from './bookmarks.js';
 import './exactness.js';
 import './history.js';
+import './predict.js';
+import type { Predictor } from './predictor.js';
 import './scene-panel.js';
 import { base } from './theme.js';
 import './warnock-panel.js';
 import './zbuffer-panel.js';
 
-export type Side = 'state' | 'pixel' | 'exact' | 'solid' | 'bookmarks' | 'scene';
+export type Side = 'state' | 'pixel' | 'exact' | 'solid' | 'predict' | 'bookmarks' | 'scene';
 
 /** Whether the page brings along the scene in 3D, which is large; a player alone does not. */
 export const hasSolid = (): boolean => customElements.get('vidno-solid') !== undefined;
@@ -65,8 +67,15 @@ export class SideElement extends LitElement {
         border-color: var(--accent);
         color: var(--ink);
       }
-      .bookmarks {
+      .predict {
         margin-left: auto;
+      }
+      .predict span {
+        display: inline-block;
+        width: 1.3rem;
+        border: 2px solid currentColor;
+        border-radius: 50%;
+        line-height: 1.05rem;
       }
       .bookmarks svg {
         width: 9px;
@@ -97,6 +106,7 @@ export class SideElement extends LitElement {
   /** None where the scene cannot be changed. */
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) link: LinkMade | null = null;
+  @property({ attribute: false }) predictor!: Predictor;
   @query('vidno-bookmarks') private list!: BookmarksElement | null;
 
   /** Bookmarks the step that is shown, or goes to the list; the bookmarks must be the side that is chosen. */
@@ -107,7 +117,7 @@ export class SideElement extends LitElement {
 
   override render(): TemplateResult {
     const { view, history, editing } = this;
-    const { history: say, bookmarks: marks, scene, exact, solid } = texts[view.language];
+    const { history: say, bookmarks: marks, scene, exact, solid, predict } = texts[view.language];
     const pixel = history === null ? say.pixel : say.at(...history.pixel);
     return html`
       <div class="choice" role="group">
@@ -115,7 +125,8 @@ export class SideElement extends LitElement {
         ${this.button('exact', exact.exactness)}
         ${hasSolid() ? this.button('solid', solid.solid) : nothing}
         ${editing === null ? nothing : this.button('scene', scene.scene)}
-        ${this.button('bookmarks', this.count(), marks.title)}
+        ${this.button('predict', html`<span>?</span>`, predict.title)}
+        ${this.button('bookmarks', this.count(), `${marks.title}: ${this.bookmarks.length}`)}
       </div>
       ${this.panel()}
     `;
@@ -150,6 +161,12 @@ export class SideElement extends LitElement {
           .linked=${this.linked}
           @command=${this.passOn}
         ></vidno-bookmarks>`;
+      case 'predict':
+        return html`<vidno-predict
+          .view=${view}
+          .predictor=${this.predictor}
+          @command=${this.passOn}
+        ></vidno-predict>`;
       case 'scene':
         return editing === null ? this.state() : this.scene(editing);
       case 'solid':
@@ -177,7 +194,7 @@ export class SideElement extends LitElement {
     return html`<button
       class=${side}
       aria-pressed=${side === this.side ? 'true' : 'false'}
-      aria-label=${label === undefined ? nothing : `${label}: ${this.bookmarks.length}`}
+      aria-label=${label ?? nothing}
       title=${label ?? nothing}
       @click=${() => this.dispatchEvent(new CustomEvent('side', { detail: side }))}
     >

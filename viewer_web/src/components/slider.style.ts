@@ -65,6 +65,11 @@ export const sliderStyle = css`
     height: 100%;
     pointer-events: none;
   }
+  .veil {
+    position: absolute;
+    inset: 0 0 0 calc(var(--at) * 100%);
+    background: repeating-linear-gradient(135deg, var(--well) 0 6px, var(--line) 6px 7px);
+  }
   .now {
     width: 2px;
     margin-left: -1px;

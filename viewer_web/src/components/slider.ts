@@ -1,6 +1,7 @@
 import { LitElement, html, nothing, svg } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
+import { live } from 'lit/directives/live.js';
 import { texts } from '../i18n/index.js';
 import { flag, lanesOf, stripHeight } from '../strip/lanes.js';
 import type { Bookmarks } from '../time/bookmarks.js';
@@ -33,6 +34,8 @@ export class SliderElement extends LitElement {
   @property({ attribute: false }) last = 0;
   /** Without the strip. */
   @property({ type: Boolean }) plain = false;
+  /** What comes after the step is hidden, and what the step is in the midst of. */
+  @property({ type: Boolean }) veiled = false;
   /** The step that the mouse points at. */
   @state() private pointed: number | null = null;
   @query('.strip') private strip!: HTMLElement;
@@ -67,7 +70,7 @@ export class SliderElement extends LitElement {
         type="range"
         min=${this.first}
         max=${this.last}
-        .value=${String(step)}
+        .value=${live(String(step))}
         aria-label=${view.texts.step}
         aria-valuetext=${this.say(step)}
         @input=${this.onInput}
@@ -97,6 +100,7 @@ export class SliderElement extends LitElement {
               ${svg`<path d=${flag(stripHeight)} />`}
             </svg>`,
         )}
+        ${this.veiled ? html`<span class="veil" .style=${this.at(step)}></span>` : nothing}
         <span class="now" .style=${this.at(step)}></span>
       </div>
       <div class="lanes" aria-hidden="true">
@@ -112,7 +116,7 @@ export class SliderElement extends LitElement {
   }
 
   private tip(): TemplateResult | typeof nothing {
-    if (this.pointed === null) return nothing;
+    if (this.pointed === null || this.veiled) return nothing;
     const place = this.at(this.pointed);
     return html`<p class="tip" .style=${place} aria-hidden="true">${this.say(this.pointed)}</p>`;
   }
@@ -122,7 +126,10 @@ export class SliderElement extends LitElement {
   }
 
   private say(step: number): string {
-    return sayPlace(this.course, step, this.bookmarks, texts[this.view.language]);
+    const { course, view } = this;
+    const say = texts[view.language];
+    if (this.veiled) return say.strip.step(step, view.length);
+    return sayPlace(course, step, this.bookmarks, say);
   }
 
   private aimed({ clientX }: PointerEvent): number {
@@ -160,6 +167,7 @@ export class SliderElement extends LitElement {
 
   private onInput(event: Event): void {
     this.seek(Number((event.target as HTMLInputElement).value));
+    this.requestUpdate();
   }
 
   private seek(step: number): void {

@@ -1,6 +1,9 @@
-import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import { html } from 'lit';
+import type { ReactiveController, ReactiveControllerHost, TemplateResult } from 'lit';
+import type { Language } from '../i18n/language.js';
 import { openTrace } from '../trace/open.js';
 import type { Trace } from '../trace/trace.js';
+import './notice.js';
 import type { Notice } from './notice.js';
 
 /** What shows the trace that `src` names. */
@@ -34,8 +37,7 @@ async function fileOf(src: string): Promise<Blob> {
 
 /** Reads the trace that its host's `src` names, again whenever that changes. */
 export class Source implements ReactiveController {
-  /** What there is to say instead of a trace. */
-  notice: Notice | null = null;
+  private notice: Notice | null = null;
   private opened = '';
   private stopReading = (): void => undefined;
 
@@ -59,6 +61,11 @@ export class Source implements ReactiveController {
   hostDisconnected(): void {
     this.stopReading();
     this.opened = '';
+  }
+
+  /** What there is to say instead of a trace. */
+  excuse(language: Language): TemplateResult {
+    return html`<vidno-notice .notice=${this.notice} .language=${language}></vidno-notice>`;
   }
 
   private async open(src: string): Promise<void> {

@@ -37,6 +37,11 @@ export class TimedElement extends LitElement {
     return Math.max(this.first, Math.min(Number.isNaN(to) ? this.length : to, this.length));
   }
 
+  /** The last step that may be shown now. */
+  protected get limit(): number {
+    return this.last;
+  }
+
   /** Whether there are steps that cannot be reached. */
   get isBounded(): boolean {
     return this.first > 0 || this.last < this.length;
@@ -57,12 +62,12 @@ export class TimedElement extends LitElement {
 
   private advance(steps: number): void {
     if (steps > 0) this.step = this.clamped(this.step + steps);
-    const isLast = this.step >= this.last;
-    if (isLast && (this.last < this.length || this.trace?.complete !== false)) this.clock.stop();
+    const isLast = this.step >= this.limit;
+    if (isLast && (this.limit < this.length || this.trace?.complete !== false)) this.clock.stop();
   }
 
   protected clamped(step: number): number {
-    return Math.min(Math.max(this.first, Math.trunc(step) || 0), this.last);
+    return Math.min(Math.max(this.first, Math.trunc(step) || 0), this.limit);
   }
 
   override willUpdate(changed: PropertyValues<this>): void {

@@ -1,6 +1,7 @@
 import { LitElement, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import { live } from 'lit/directives/live.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
@@ -40,6 +41,8 @@ export class TransportElement extends LitElement {
   @property({ type: Boolean }) bounded = false;
   /** Without the strip and the choice of speed. */
   @property({ type: Boolean }) plain = false;
+  /** What comes after the step is hidden. */
+  @property({ type: Boolean }) veiled = false;
   @property({ type: Boolean }) playing = false;
   @property({ type: Number }) speed = 5;
 
@@ -68,6 +71,7 @@ export class TransportElement extends LitElement {
         .first=${first}
         .last=${last}
         ?plain=${this.plain || this.bounded}
+        ?veiled=${this.veiled}
         @command=${({ detail }: CustomEvent<Command>) => this.ask(detail)}
       ></vidno-slider>
       <slot></slot>
@@ -77,7 +81,7 @@ export class TransportElement extends LitElement {
           type="number"
           min=${first}
           max=${last}
-          .value=${String(step)}
+          .value=${live(String(step))}
           @change=${this.onInput}
         />
         <span class="number">${texts.ofSteps(String(last))}</span>
@@ -117,6 +121,7 @@ export class TransportElement extends LitElement {
   private onInput(event: Event): void {
     const { value } = event.target as HTMLInputElement;
     if (value !== '') this.ask({ do: 'seek', step: Number(value) });
+    this.requestUpdate();
   }
 
   private onSpeed(event: Event): void {

@@ -10,6 +10,7 @@ import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
 import type { ExactTexts } from './exact-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
+import type { PredictTexts } from './predict-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { SolidTexts } from './solid-texts.js';
 import type { Words } from './words.js';
@@ -38,6 +39,7 @@ export interface Texts {
   readonly scene: SceneTexts;
   readonly exact: ExactTexts;
   readonly solid: SolidTexts;
+  readonly predict: PredictTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -197,6 +199,8 @@ export type KeyUse =
   | 'cursor'
   | 'zoom'
   | 'layer'
+  | 'predict'
+  | 'answer'
   | 'bookmark'
   | 'bookmarks'
   | 'toBookmark'

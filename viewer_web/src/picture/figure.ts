@@ -75,7 +75,7 @@ export function figureOf(view: View): string {
   const pixels = patches.map(({ color, d }) => element('path', Object.entries({ fill: color, d })));
   // Neighbours must meet without a seam.
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
-  const marks = marksOf({ ...view, pointed: null }, frame.sight).flatMap((mark) =>
+  const marks = marksOf({ ...view, pointed: null, asked: [] }, frame.sight).flatMap((mark) =>
     shapesOf(mark, scale),
   );
   const shapes = [...gridShapes(frame), ...outlineShapes(scene), ...marks].map((shape) =>

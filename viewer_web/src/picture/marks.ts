@@ -201,9 +201,8 @@ function polygonMark(view: View): readonly Mark[] {
   return polygon ? [{ ...path('active', polygon.vertices, true), color: polygon.color }] : [];
 }
 
-/** What is pointed at anywhere on the page. */
-function pointedMarks(view: View): readonly Mark[] {
-  const thing = thingOf(view.pointed, view);
+function thingMarks(text: string, view: View): readonly Mark[] {
+  const thing = thingOf(text, view);
   const { scene } = view.header;
   const { warnock, zbuffer } = view.after;
   if (thing?.kind === 'polygon') {
@@ -214,10 +213,18 @@ function pointedMarks(view: View): readonly Mark[] {
     return edgeOf(scene.byId.get(zbuffer?.polygon ?? ''), thing.edge, 'pointed');
   }
   if (thing?.kind === 'window') return [box('pointed', thing.window)];
+  if (thing?.kind === 'pixel') return [box('pointed', [...thing.at, 1, 1])];
   if (thing?.kind === 'corner' && warnock?.window) {
     return [point('pointed', cornerOf(warnock.window, thing.corner))];
   }
   return [];
+}
+
+/** What is asked about, and what is pointed at anywhere on the page. */
+function pointedMarks(view: View): readonly Mark[] {
+  const { asked = [], pointed } = view;
+  const things = pointed === null ? asked : [...asked, pointed];
+  return things.flatMap((thing) => thingMarks(thing, view));
 }
 
 /** All marks of a step that are in sight, those above later. */

@@ -106,6 +106,8 @@ function pointedDrawing(view: View, space: Space): Partial<Drawing> {
     }
     case 'window':
       return { lines: cased('pointed', level(thing.window, space.far)) };
+    case 'pixel':
+      return { lines: cased('pointed', level([...thing.at, 1, 1], space.far)) };
     case 'corner':
       return warnock?.window
         ? { lines: along(...cornerOf(warnock.window, thing.corner), space, 'pointed') }

@@ -4,6 +4,7 @@ import { exact } from './exact.js';
 import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
+import { predict } from './predict.js';
 import { reasons } from './reasons.js';
 import { scene } from './scene.js';
 import { sentences } from './sentences.js';
@@ -22,6 +23,7 @@ export const texts: Texts = {
   strip,
   bookmarks,
   picture,
+  predict,
   scene,
   exact,
   solid,

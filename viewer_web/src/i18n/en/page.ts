@@ -63,6 +63,8 @@ export const page: PageTexts = {
     cursor: 'there: another pixel, choose it, leave',
     zoom: 'there: larger, smaller, the whole picture',
     layer: 'the next of what the pixels show',
+    predict: 'the next question, what will happen?',
+    answer: 'there: choose an answer, check it',
     bookmark: 'bookmark the step, or edit its note',
     bookmarks: 'the list of bookmarks',
     toBookmark: 'to the previous, the next bookmark',

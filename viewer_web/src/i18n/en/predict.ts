@@ -1,0 +1,84 @@
+import type { PredictTexts } from '../predict-texts.js';
+import { point, windowText } from '../words.js';
+import { places } from './page.js';
+
+const sides = ['top', 'left', 'bottom', 'right'];
+
+export const predict: PredictTexts = {
+  title: 'Predict',
+  hint: 'Say what the procedure will do next, and why, before it does it. Press Q for a question.',
+  next: 'Next question',
+  none: 'No more questions of these kinds from here on.',
+  forced: 'Stop and ask',
+  forcedHint: 'The run goes on only when the question is answered or given up.',
+  askAbout: 'Ask about',
+  kinds: {
+    window: 'the case of a window',
+    corners: 'depths at the corners',
+    inside: 'the surround test',
+    point: 'what is seen at a point',
+    clip: 'clipping by a side',
+    ael: 'the active edge list',
+    pixels: 'pixels of a row',
+  },
+  intro: {
+    window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
+    corners: ({ polygon }) =>
+      `The depths of ${polygon} at the corners are known; behind each stands the nearest so far.`,
+    inside: ({ polygon, point: at, corner }) =>
+      `SurroundTest: the ${corner === null ? 'point' : `${places[corner]} corner`} ${point(at)} and ${polygon}.`,
+    point: ({ point: at }) => `What is seen at ${point(at)}, the centre of the window?`,
+    clip: ({ polygon, side }) =>
+      `PolygonClip: ${polygon} and side ${side} of 4, the ${sides[side - 1] ?? ''} one.`,
+    ael: ({ polygon, row }) =>
+      row === null
+        ? `What is the AEL of ${polygon} on its first scanline?`
+        : `Row ${row} of ${polygon} is done. What is the AEL on the next scanline?`,
+    pixels: ({ polygon, row }) =>
+      `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
+  },
+  asks: {
+    case: 'Which case is it?',
+    stay: 'Which polygons stay in its list?',
+    hides: 'Which one hides all others in it?',
+    nearer: 'At which corners is it nearer?',
+    cornerDepths: 'Its depth there against the nearest so far:',
+    inside: 'Does the point lie in it?',
+    signs: 'Which signs are found, edge by edge, until the answer is known?',
+    covers: 'Which polygons cover the point?',
+    wins: 'Which one is seen?',
+    depth: 'By which depth?',
+    list: 'Which vertices has the new list, in order?',
+    leave: 'Which edges leave the list?',
+    enter: 'Which edges enter it?',
+    order: 'Which edges has it then, from left to right?',
+    shown: 'At which of these columns is it seen?',
+    pixelDepths: 'Its depth there against the stored one:',
+  },
+  rows: {
+    signs: 'a sign an edge, such as + 0 −',
+    list: 'numbers of vertices that stay, x for a crossing, such as 2 x x; − for none',
+    order: 'numbers of edges, such as 3 1; − for none',
+  },
+  noPolygon: { hides: 'none', wins: 'the background' },
+  relations: { '>': 'greater', '=': 'equal', '<': 'less' },
+  edge: (edge) => `edge ${edge}`,
+  column: (column) => `column ${column}`,
+  check: 'Check',
+  giveUp: 'Give up',
+  again: 'Try again',
+  missing: 'Answer each part first.',
+  verdicts: { right: 'Right.', wrong: 'Not quite.', givenUp: 'Given up.' },
+  partRight: 'right',
+  partWrong: 'wrong',
+  rightIs: (answer) => `Right is: ${answer}`,
+  empty: 'none',
+  because: 'Why',
+  waits: (step) => `A question waits at step ${step}`,
+  score: 'Score',
+  counted: (right, asked) => `${right} of ${asked} right at the first answer`,
+  first: 'Only the first answer counts.',
+  name: 'Your name, if you like',
+  save: 'Save the score',
+  saveHint: 'Saves questions and answers as a file; nothing is sent anywhere',
+};

@@ -1,0 +1,39 @@
+import type { Relation } from '../predict/asker.js';
+import type { Abouts, Asks, Kind } from '../predict/question.js';
+
+/** What is said where one predicts the next steps. */
+export interface PredictTexts {
+  readonly title: string;
+  readonly hint: string;
+  readonly next: string;
+  readonly none: string;
+  readonly forced: string;
+  readonly forcedHint: string;
+  readonly askAbout: string;
+  readonly kinds: Readonly<Record<Kind, string>>;
+  readonly intro: { readonly [K in Kind]: (about: Abouts[K]) => string };
+  readonly asks: Readonly<Record<Asks, string>>;
+  /** How a row is typed. */
+  readonly rows: Readonly<Record<'signs' | 'list' | 'order', string>>;
+  readonly noPolygon: Readonly<Record<'hides' | 'wins', string>>;
+  readonly relations: Readonly<Record<Relation, string>>;
+  readonly edge: (edge: string) => string;
+  readonly column: (column: string) => string;
+  readonly check: string;
+  readonly giveUp: string;
+  readonly again: string;
+  readonly missing: string;
+  readonly verdicts: Readonly<Record<'right' | 'wrong' | 'givenUp', string>>;
+  readonly partRight: string;
+  readonly partWrong: string;
+  readonly rightIs: (answer: string) => string;
+  readonly empty: string;
+  readonly because: string;
+  readonly waits: (step: number) => string;
+  readonly score: string;
+  readonly counted: (right: number, asked: number) => string;
+  readonly first: string;
+  readonly name: string;
+  readonly save: string;
+  readonly saveHint: string;
+}

@@ -1,0 +1,41 @@
+import { point } from '../i18n/words.js';
+import type { Detail, EventName, Method } from '../trace/events.js';
+import type { Header, Polygon } from '../trace/header.js';
+import type { Trace } from '../trace/trace.js';
+import type { N } from '../trace/values.js';
+import type { Kind, Option, Question } from './question.js';
+
+/** Asks questions of one kind. */
+export interface Asker<K extends Kind = Kind> {
+  readonly method: Method;
+  /** The least detail that answers them. */
+  readonly from: Detail;
+  /** The events at which they may be asked. */
+  readonly at: readonly EventName[];
+  /** The question of a step, if the run goes on to answer it and it is not plain before. */
+  ask(trace: Trace, step: number): Question<K> | null;
+}
+
+/** Of more options one would lose sight. */
+export const mostOptions = 8;
+
+export const optionsOf = (values: readonly string[]): readonly Option[] =>
+  values.map((value) => ({ value }));
+
+export type Relation = '>' | '=' | '<';
+const relations: readonly Relation[] = ['>', '=', '<'];
+export const relationOptions = optionsOf(relations);
+
+/** How a depth stands to the one before it; null where the numbers that are told do not show it. */
+export function relationOf(z: N, against: N, nearer: boolean, { kernel }: Header): Relation | null {
+  if (z === 'nan' || against === 'nan') return null;
+  if (z !== against) return nearer ? '>' : '<';
+  // Under `filtered` the numbers stand for others, which decide.
+  return nearer || kernel === 'filtered' ? null : '=';
+}
+
+/** An edge by its ends. */
+export function edgeNote({ vertices }: Polygon, edge: number): string {
+  const ends = [vertices[edge], vertices[(edge + 1) % vertices.length]];
+  return ends.map((vertex) => point(vertex?.slice(0, 2) ?? [])).join(' → ');
+}

@@ -1,0 +1,131 @@
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { gunzipSync } from 'node:zlib';
+import { describe, expect, it } from 'vitest';
+import { answers, everyQuestion } from '../testing/questions.js';
+import { textOf, traceNames, traceOf } from '../testing/traces.js';
+import type { Values } from '../state/state.js';
+import type { Polygon } from '../trace/header.js';
+import type { Trace } from '../trace/trace.js';
+import { corners as places } from '../trace/values.js';
+import { parts as forms } from './question.js';
+import type { Kind, Question } from './question.js';
+
+/** The lessons' traces too, where they were made. */
+const folder = process.env['VIDNO_TRACES'] ?? '';
+const lessons = existsSync(folder)
+  ? readdirSync(folder).filter((name) => name.endsWith('.jsonl.gz'))
+  : [];
+const lesson = (name: string): Uint8Array<ArrayBuffer> =>
+  new Uint8Array(gunzipSync(readFileSync(join(folder, name))));
+const all = [
+  ...traceNames.map((name) => [name, () => textOf(name)] as const),
+  ...lessons.map((name) => [name, () => lesson(name)] as const),
+];
+
+/** How many rows of values there are, none longer than what they are typed from. */
+const rows = (n: number): number =>
+  Array.from({ length: n + 1 }, (_, length) => n ** length).reduce((sum, each) => sum + each);
+
+/** How many answers there are. */
+const possible = ({ parts }: Question): number =>
+  parts.reduce((product, { asks, options: { length: n } }) => {
+    const [form] = forms[asks];
+    return product * { one: n, some: 2 ** n, row: rows(n) }[form];
+  }, 1);
+
+interface Seen {
+  readonly trace: Trace;
+  readonly question: Question;
+  readonly before: Values;
+  readonly after: Values;
+  /** The right answers. */
+  readonly right: Readonly<Record<string, readonly string[]>>;
+}
+
+const sorted = (values: readonly (string | number)[] = []): readonly string[] =>
+  values.map(String).sort();
+
+/** On which side of an edge a point lies, worked out from the scene. */
+function side({ vertices }: Polygon, edge: number, [x = 0, y = 0]: readonly number[]): number {
+  const [x1 = 0, y1 = 0] = vertices[edge] ?? [];
+  const [x2 = 0, y2 = 0] = vertices[(edge + 1) % vertices.length] ?? [];
+  return (x2 - x1) * (y - y1) - (y2 - y1) * (x - x1);
+}
+
+/** What the state says after the question's steps, whatever their events were read as. */
+const agrees: Readonly<Record<Kind, (seen: Seen) => void>> = {
+  window: ({ after, right }) => {
+    const { warnock } = after;
+    if (right['stay']) expect(right['stay']).toEqual(warnock?.apl?.entries.map(([id]) => id));
+    if (right['stay']) expect(right['hides']?.[0] !== '').toBe(warnock?.hasSurround);
+    expect(right['case']?.[0] === 'surrounded').toBe(right['hides']?.[0] !== '');
+  },
+  corners: ({ before, after, right }) => {
+    const changed = places.filter(
+      (place) => before.warnock?.corners?.[place] !== after.warnock?.corners?.[place],
+    );
+    expect(sorted(right['nearer'])).toEqual(sorted(changed));
+  },
+  inside: ({ trace, question, right }) => {
+    if (question.kind !== 'inside') return;
+    const polygon = trace.header.scene.byId.get(question.about.polygon);
+    const edges = question.parts[1]?.given?.map(({ value }) => Number(value)) ?? [];
+    right['signs']?.forEach((sign, i) => {
+      const value = polygon ? side(polygon, edges[i] ?? 0, question.about.point.map(Number)) : NaN;
+      if (Math.abs(value) > 1e-9) expect(sign).toBe(value > 0 ? '+' : '-');
+    });
+    const found = new Set(right['signs']?.filter((sign) => sign !== '0'));
+    expect(right['inside']).toEqual([found.size > 1 ? 'no' : 'yes']);
+  },
+  point: ({ trace, after, right }) => {
+    const { scene } = trace.header;
+    const [winner = ''] = right['wins'] ?? [];
+    expect(after.warnock?.color).toBe(scene.byId.get(winner)?.color ?? scene.background);
+    expect(right['covers']).toContain(winner);
+  },
+  clip: ({ before, after, right }) => {
+    const old = before.warnock?.clip?.vertices ?? [];
+    const left = after.warnock?.clip?.vertices ?? [];
+    expect(left).toHaveLength(right['list']?.length ?? -1);
+    right['list']?.forEach((value, i) => {
+      if (value !== 'x') expect(left[i]).toEqual(old[Number(value) - 1]);
+    });
+  },
+  ael: ({ before, after, right }) => {
+    const was = before.zbuffer?.ael.map(({ edge }) => String(edge)) ?? [];
+    const is = after.zbuffer?.ael.map(({ edge }) => String(edge)) ?? [];
+    expect(right['order']).toEqual(is);
+    expect(sorted(right['leave'])).toEqual(sorted(was.filter((edge) => !is.includes(edge))));
+    expect(sorted(right['enter'])).toEqual(sorted(is.filter((edge) => !was.includes(edge))));
+  },
+  pixels: ({ trace, question, right }) => {
+    if (question.kind !== 'pixels') return;
+    const { area } = trace.header.scene;
+    const cell = (step: number, x: string): unknown =>
+      trace.timeline.seek(step).screen.z?.row(question.about.row - area.y)[Number(x) - area.x];
+    for (const { value } of question.parts[0]?.options ?? []) {
+      const isOther = cell(question.step, value) !== cell(question.until, value);
+      expect(right['shown']?.includes(value)).toBe(isOther);
+    }
+  },
+};
+
+describe.each(all)('every question of %s', (_name, content) => {
+  it('has the answer that the state has after it', async () => {
+    const trace = await traceOf(content());
+    for (const question of everyQuestion(trace)) {
+      const before = trace.timeline.seek(question.step).values;
+      const after = trace.timeline.seek(question.until).values;
+      agrees[question.kind]({ trace, question, before, after, right: answers(question) });
+    }
+  });
+
+  it('is not answered by guessing, nor before it is asked', async () => {
+    for (const question of everyQuestion(await traceOf(content()))) {
+      expect(possible(question)).toBeGreaterThanOrEqual(6);
+      expect(Math.min(...question.because)).toBeGreaterThan(question.step);
+      expect(Math.max(...question.because)).toBe(question.until);
+    }
+  });
+});

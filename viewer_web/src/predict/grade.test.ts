@@ -1,0 +1,65 @@
+import { describe, expect, it } from 'vitest';
+import { questionFrom } from '../testing/questions.js';
+import { textOf, traceOf } from '../testing/traces.js';
+import { grade, typedRow } from './grade.js';
+import type { Part } from './question.js';
+
+const window = async (): Promise<ReturnType<typeof questionFrom<'window'>>> =>
+  questionFrom(await traceOf(textOf('small.warnock.signs.jsonl')), 1, 'window');
+
+const row = (asks: 'signs' | 'order' | 'list', values: string, right: string): Part => ({
+  asks,
+  options: values.split('').map((value) => ({ value })),
+  right: right.split(''),
+});
+
+describe('an answer', () => {
+  it('is right only if each part is', async () => {
+    const question = await window();
+    expect(grade(question, [['A', 'B'], [''], ['split']])).toEqual([true, true, true]);
+    expect(grade(question, [['B', 'A'], [''], ['split']])).toEqual([true, true, true]);
+    expect(grade(question, [['A'], [''], ['split']])).toEqual([false, true, true]);
+    expect(grade(question, [['A', 'B'], ['A'], ['surrounded']])).toEqual([true, false, false]);
+    expect(grade(question, [['A', 'B'], [''], null])).toEqual([true, true, false]);
+  });
+
+  it('that is a row is right only in its order', async () => {
+    const trace = await traceOf(textOf('small.zbuffer.signs.jsonl'));
+    const question = questionFrom(trace, 65, 'ael');
+    expect(
+      grade(question, [
+        ['2', '0'],
+        ['2', '0'],
+      ]),
+    ).toEqual([true, true]);
+    expect(
+      grade(question, [
+        ['2', '0'],
+        ['0', '2'],
+      ]),
+    ).toEqual([true, false]);
+  });
+});
+
+describe('a typed row', () => {
+  it('may have anything between its values, or nothing', () => {
+    const order = row('order', '0123', '31');
+    expect(['3 1', ' 3, 1 ', '3;1'].map((text) => typedRow(order, text))).toEqual(
+      Array.from({ length: 3 }, () => ['3', '1']),
+    );
+    expect(typedRow(row('signs', '+0-', '+0-'), '+0−')).toEqual(['+', '0', '-']);
+    expect(typedRow(row('list', '12x', 'x1'), 'Х 1')).toEqual(['x', '1']);
+  });
+
+  it('may be empty, but that is typed', () => {
+    const order = row('order', '01', '');
+    expect([typedRow(order, '−'), typedRow(order, '-')]).toEqual([[], []]);
+    expect(typedRow(order, '  ')).toBeNull();
+    expect(typedRow(row('signs', '+0-', '-'), '-')).toEqual(['-']);
+  });
+
+  it('has none but the values that there are', () => {
+    expect(typedRow(row('order', '01', '0'), '31')).toBeNull();
+    expect(typedRow(row('list', '12x', 'x1'), '1 y')).toBeNull();
+  });
+});

@@ -1,0 +1,51 @@
+import { short, toNumber } from '../i18n/words.js';
+import { windowThing } from '../pointed.js';
+import type { N } from '../trace/values.js';
+import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
+import { mostOptions, optionsOf } from './asker.js';
+import type { Asker } from './asker.js';
+import { none } from './question.js';
+import type { Option } from './question.js';
+
+/** Depths from the farthest to the nearest, in full where they would look alike. */
+function depthOptions(depths: readonly N[]): readonly Option[] {
+  const all = [...new Set(depths)].sort((a, b) => toNumber(a) - toNumber(b));
+  const areShort = new Set(all.map(short)).size === all.length;
+  return all.map((z) => ({ value: String(z), note: areShort ? short(z) : String(z) }));
+}
+
+/** Which polygon is seen at this point, and by which depth? */
+export const point: Asker<'point'> = {
+  method: 'warnock',
+  from: 'polygons',
+  at: ['call'],
+  ask(trace, step) {
+    if (eventAt(trace, step, 'call')?.of !== 'PointColor') return null;
+    const color = nextOf(trace, step, 'color', 'pop');
+    if (color === null) return null;
+    const until = color.step;
+    const { apl = null, window = null } = trace.timeline.seek(step).values.warnock ?? {};
+    const list = apl?.entries ?? [];
+    const depths = stepsOf(trace, step, until, 'depth');
+    const options = depthOptions(depths.map(({ event }) => event.z));
+    const nearest = stepsOf(trace, step, until, 'nearest');
+    const winner = nearest.at(-1)?.event;
+    if (winner === undefined || options.length < 2 || list.length > mostOptions) return null;
+
+    const ids = list.map(([id]) => id);
+    const covering = depths.map(({ event }) => event.polygon);
+    return {
+      kind: 'point',
+      step,
+      until,
+      about: { point: color.event.point },
+      parts: [
+        { asks: 'covers', options: optionsOf(ids), right: covering },
+        { asks: 'wins', options: optionsOf([...ids, none]), right: [winner.polygon] },
+        { asks: 'depth', options, right: [String(winner.z)] },
+      ],
+      because: inOrder(stepsOf(trace, step, until, 'surround'), depths, nearest, [color]),
+      things: window === null ? [] : [windowThing(window)],
+    };
+  },
+};

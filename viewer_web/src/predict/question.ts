@@ -1,0 +1,93 @@
+import type { Box, Corner, Pair } from '../trace/values.js';
+
+/** What is asked about, in the order in which the reader chooses among them. */
+export const kinds = ['window', 'corners', 'inside', 'point', 'clip', 'ael', 'pixels'] as const;
+export type Kind = (typeof kinds)[number];
+
+/** How a part is answered: by one of its options, by any set of them, or by a row of them that is typed. */
+export type Form = 'one' | 'some' | 'row';
+
+/** What the options of a part are, which says how they are shown. */
+export type Of =
+  | 'case'
+  | 'polygon'
+  | 'corner'
+  | 'relation'
+  | 'yes'
+  | 'sign'
+  | 'vertex'
+  | 'edge'
+  | 'depth'
+  | 'column';
+
+/** The parts that questions have, and how each is answered. */
+export const parts = {
+  case: ['one', 'case'],
+  stay: ['some', 'polygon'],
+  hides: ['one', 'polygon'],
+  nearer: ['some', 'corner'],
+  cornerDepths: ['one', 'relation'],
+  inside: ['one', 'yes'],
+  signs: ['row', 'sign'],
+  covers: ['some', 'polygon'],
+  wins: ['one', 'polygon'],
+  depth: ['one', 'depth'],
+  list: ['row', 'vertex'],
+  leave: ['some', 'edge'],
+  enter: ['some', 'edge'],
+  order: ['row', 'edge'],
+  shown: ['some', 'column'],
+  pixelDepths: ['one', 'relation'],
+} as const satisfies Readonly<Record<string, readonly [Form, Of]>>;
+export type Asks = keyof typeof parts;
+
+export interface Option {
+  readonly value: string;
+  /** What is known of it, to answer by. */
+  readonly note?: string;
+}
+
+/** No polygon at all, among options that are polygons. */
+export const none = '';
+
+/** One thing that is asked. An answer to it is a list of options' values. */
+export interface Part {
+  readonly asks: Asks;
+  readonly options: readonly Option[];
+  readonly right: readonly string[];
+  /** What the part is about, where that is not its options. */
+  readonly given?: readonly (Option & { readonly of: Of })[];
+}
+
+/** What the words of a question name. */
+export interface Abouts {
+  readonly window: { readonly window: Box };
+  readonly corners: { readonly polygon: string };
+  readonly inside: {
+    readonly polygon: string;
+    readonly point: Pair;
+    readonly corner: Corner | null;
+  };
+  readonly point: { readonly point: Pair };
+  readonly clip: { readonly polygon: string; readonly side: number };
+  /** The scanline in hand; null before the first one. */
+  readonly ael: { readonly polygon: string; readonly row: number | null };
+  readonly pixels: { readonly polygon: string; readonly row: number };
+}
+
+interface Asked<K extends Kind> {
+  readonly kind: K;
+  /** Where it is asked: all that is needed for the answer has happened. */
+  readonly step: number;
+  /** The step by which the run has answered it. */
+  readonly until: number;
+  readonly about: Abouts[K];
+  readonly parts: readonly Part[];
+  /** The steps that decide it. */
+  readonly because: readonly number[];
+  /** What it is about, as things that can be pointed at. */
+  readonly things: readonly string[];
+}
+
+/** A question whose answer the run itself gives in its next steps. */
+export type Question<K extends Kind = Kind> = { readonly [P in K]: Asked<P> }[K];

@@ -1,0 +1,193 @@
+import { describe, expect, it } from 'vitest';
+import { answers, questionFrom } from '../testing/questions.js';
+import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
+import type { Event } from '../trace/events.js';
+import type { Trace } from '../trace/trace.js';
+import { kinds } from './question.js';
+import type { Question } from './question.js';
+import { kindsOf, nextQuestion } from './questions.js';
+
+/**
+ * A is the square from (1, -2) to (8, 4) with z = 1/10; B is the triangle (2.5, -0.5, 0.3), (6, 0, 0.4), (4, 2.5, 0.2). The
+ * plane of B is z = (0.7 x - y + 3.6) / 19.5: at its vertices 5.85, 7.8 and 3.9 over 19.5.
+ */
+const small = (run: string): Promise<Trace> => traceOf(textOf(`small.${run}.jsonl`));
+
+describe('Warnock’s algorithm asks', () => {
+  it('of a window which polygons stay, which hides the others, and which case it is', async () => {
+    // The first window, (2, -1) 8 x 8: both meet it, none surrounds it (it reaches down to y = 7), it is no pixel.
+    const trace = await small('warnock.signs');
+    const first = questionFrom(trace, 1, 'window');
+    expect(first.step).toBe(4);
+    expect(first.about.window).toEqual([2, -1, 8, 8]);
+    expect(answers(first)).toEqual({ stay: ['A', 'B'], hides: [''], case: ['split'] });
+    // The pixel (4, 0) lies in B and z is at least (2.8 - 1 + 3.6) / 19.5 = 0.277 there: B hides A.
+    const hidden = questionFrom(trace, 1140, 'window');
+    expect(hidden.about.window).toEqual([4, 0, 1, 1]);
+    expect(answers(hidden)).toEqual({ stay: ['A', 'B'], hides: ['B'], case: ['surrounded'] });
+  });
+
+  it('of a window where a polygon goes, with the step that says so', async () => {
+    const events: readonly Event[] = [
+      {
+        e: 'push',
+        at: 'W3',
+        window: [0, 0, 8, 8],
+        apl: [
+          ['A', false],
+          ['B', false],
+        ],
+      },
+      { e: 'pop', at: 'W5', window: [0, 0, 8, 8] },
+      { e: 'call', at: 'W6', of: 'ProcessWindow' },
+      { e: 'corners', at: 'PW1', z: '-inf' },
+      { e: 'discard', at: 'PW3', polygon: 'A' },
+      { e: 'count', at: 'PW4', polygon: 'B', count: 1 },
+      { e: 'summary', at: 'W6', count: 1, hasSurround: false, insider: true },
+      { e: 'decide', at: 'W10', case: 'single' },
+    ];
+    const trace = await traceOf(textWith(headerOf('warnock'), events));
+    const question = questionFrom(trace, 1, 'window');
+    expect(answers(question)).toEqual({ stay: ['B'], hides: [''], case: ['single'] });
+    expect(question.because).toEqual([5, 7, 8]);
+  });
+
+  it('without the polygons where the trace is too coarse to tell them', async () => {
+    const question = questionFrom(await small('warnock.windows'), 1, 'window');
+    expect(answers(question)).toEqual({ hides: [''], case: ['split'] });
+  });
+
+  it('at which corners a polygon is nearer', async () => {
+    // z of B at (2, -1), (2, 7), (10, -1), (10, 7): (6, -2, 11.6, 3.6) / 19.5, against 0.1 of A.
+    const question = questionFrom(await small('warnock.signs'), 5, 'corners');
+    expect(question.step).toBe(37);
+    expect(answers(question)).toEqual({ nearer: ['lb', 'rb', 'rt'], cornerDepths: ['<'] });
+    expect(question.things).toEqual(['polygon B', 'corner lt']);
+  });
+
+  it('by which signs a corner is inside or not', async () => {
+    // (2, -1) and B: edge 2, (4, 2.5) to (2.5, -0.5): -1.5 * -3.5 - -3 * -2 = -0.75;
+    // edge 0, (2.5, -0.5) to (6, 0): 3.5 * -0.5 - 0.5 * -0.5 = -1.5; edge 1, (6, 0) to (4, 2.5): -2 * -1 - 2.5 * -4 = 12.
+    const question = questionFrom(await small('warnock.signs'), 40, 'inside');
+    expect(question.about).toEqual({ polygon: 'B', point: [2, -1], corner: 'lb' });
+    expect(answers(question)).toEqual({ inside: ['no'], signs: ['-', '-', '+'] });
+  });
+
+  it('what a side leaves of a list of vertices', async () => {
+    // (1, -2), (5, 2), (0.5, 3) and the side y = 0: the edge from the last vertex to the first crosses it, the first lies
+    // above it, the edge to the second crosses it, the second and the third lie below it.
+    const question = questionFrom(await traceOf(textOf('clipped.warnock.signs.jsonl')), 1, 'clip');
+    expect(question.about).toEqual({ polygon: 'A', side: 1 });
+    expect(answers(question)).toEqual({ list: ['x', 'x', '2', '3'] });
+  });
+
+  it('what is seen at a point, and by which depth', async () => {
+    // (4.5, 1.5) lies in both; z of B is (3.15 - 1.5 + 3.6) / 19.5 = 0.2692….
+    const { parts, about } = questionFrom(await small('warnock.signs'), 700, 'point');
+    expect(about.point).toEqual([4.5, 1.5]);
+    expect(parts.map(({ right }) => right).slice(0, 2)).toEqual([['A', 'B'], ['B']]);
+    expect(Number(parts[2]?.right[0])).toBeCloseTo(5.25 / 19.5, 12);
+    expect(parts[2]?.options.map(({ note }) => note)).toEqual(['0.1', '0.2692']);
+  });
+});
+
+describe('the Z-buffer asks', () => {
+  it('for the list of active edges on the first scanline', async () => {
+    // Row -1 has its centre at y = -0.5, where B begins: edge 2 goes right by 1.5 / 3 a row, edge 0 by 3.5 / 0.5.
+    const question = questionFrom(await small('zbuffer.signs'), 65, 'ael');
+    expect(question.about).toEqual({ polygon: 'B', row: null });
+    expect(answers(question)).toEqual({ enter: ['0', '2'], order: ['2', '0'] });
+  });
+
+  it('and on the next one, with the edges that leave and enter', async () => {
+    // Edge 0 ends at y = 0, before the centre 0.5; there edge 1 has begun: x = 6 - 2 * 0.5 / 2.5 = 5.6; edge 2: x = 3.
+    const question = questionFrom(await small('zbuffer.signs'), 72, 'ael');
+    expect(question.about).toEqual({ polygon: 'B', row: -1 });
+    expect(answers(question)).toEqual({ leave: ['0'], enter: ['1'], order: ['2', '1'] });
+  });
+
+  it('at which pixels of a row a polygon is seen', async () => {
+    // Row 0 of B, columns 3 to 5: z is (0.7 x - 0.5 + 3.6) / 19.5 at the centres, above 0.28; A left 0.1.
+    const question = questionFrom(await small('zbuffer.signs'), 85, 'pixels');
+    expect(question.about).toEqual({ polygon: 'B', row: 0 });
+    expect(answers(question)).toEqual({ shown: ['3', '4', '5'], pixelDepths: ['>'] });
+  });
+});
+
+const pixel = (x: number, z: number, shown: boolean): Event => ({
+  e: 'pixel',
+  at: 'L6',
+  x,
+  y: 1,
+  z,
+  stored: 0.5,
+  shown,
+});
+
+/** A row where A passes what is stored, with something told after its pixels. */
+const row = (...told: readonly Event[]): Promise<Trace> =>
+  traceOf(
+    textWith(headerOf('zbuffer'), [
+      { e: 'clear', at: 'Z1', color: '#ffffff', z: '-inf' },
+      { e: 'polygon', at: 'Z2', polygon: 'A', color: '#112233' },
+      { e: 'call', at: 'Z14', of: 'ShowLine' },
+      { e: 'line', at: 'L1', row: 1, from: [2, 0.4], to: [5, 0.6] },
+      { e: 'columns', at: 'L4', first: 2, end: 5, z: 0.4 },
+      pixel(2, 0.4, false),
+      pixel(3, 0.5, false),
+      pixel(4, 0.6, true),
+      ...told,
+      { e: 'span', at: 'Z14', row: 1, runs: [[4, 5]], depths: [0.6] },
+    ]),
+  );
+
+describe('a row of pixels', () => {
+  it('is asked for where depths are equal, and the first polygon stays', async () => {
+    const question = questionFrom(await row(), 1, 'pixels');
+    expect(answers(question)).toEqual({ shown: ['4'], pixelDepths: ['='] });
+    expect(question.things).toEqual(['pixel 3 1']);
+  });
+
+  it('is not asked for where a check says that the run errs', async () => {
+    const wrong: Event = {
+      e: 'disagree',
+      at: 'L6',
+      of: 'nearer',
+      taken: true,
+      exact: false,
+      cause: 'rounded',
+    };
+    expect(nextQuestion(await row(wrong), 1, new Set(kinds), [])).toBeNull();
+  });
+});
+
+describe('the next question', () => {
+  it('is of what the trace can answer', async () => {
+    expect(kindsOf((await small('warnock.windows')).header)).toEqual(['window']);
+    expect(kindsOf((await small('warnock.polygons')).header)).not.toContain('inside');
+    expect(kindsOf((await small('zbuffer.signs')).header)).toEqual(['ael', 'pixels']);
+    expect(kindsOf((await small('zbuffer.windows')).header)).toEqual([]);
+  });
+
+  it('is not of the same kind again and again', async () => {
+    const trace = await small('warnock.signs');
+    const asked: Question[] = [];
+    for (let from = 1; ; from = asked.at(-1)?.until ?? 1) {
+      const next = nextQuestion(trace, from, new Set(kinds), asked);
+      if (next === null) break;
+      asked.push(next);
+    }
+    const first = asked.slice(0, 4).map(({ kind }) => kind);
+    expect(new Set(first).size).toBeGreaterThanOrEqual(3);
+    const steps = asked.filter(({ kind }) => kind === 'window').map(({ step }) => step);
+    const gaps = steps.slice(1).map((step, i) => step - (steps[i] ?? 0));
+    expect(gaps.at(-1)).toBeGreaterThan(3 * (gaps[0] ?? 0));
+    expect(asked.length).toBeLessThan(40);
+  });
+
+  it('is only of the kinds that were chosen', async () => {
+    const trace = await small('warnock.signs');
+    expect(nextQuestion(trace, 1, new Set(), [])).toBeNull();
+    expect(nextQuestion(trace, 1, new Set(['point']), [])?.kind).toBe('point');
+  });
+});

@@ -1,0 +1,69 @@
+import { only } from '../history/entry.js';
+import { details } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import type { Trace } from '../trace/trace.js';
+import { ael } from './ael.js';
+import { stepsOf } from './ahead.js';
+import type { Asker } from './asker.js';
+import { clip } from './clip.js';
+import { corners } from './corners.js';
+import { inside } from './inside.js';
+import { pixels } from './pixels.js';
+import { point } from './point.js';
+import { kinds } from './question.js';
+import type { Kind, Question } from './question.js';
+import { window } from './window.js';
+
+const askers: { readonly [K in Kind]: Asker<K> } = {
+  window,
+  corners,
+  inside,
+  point,
+  clip,
+  ael,
+  pixels,
+};
+
+/** The kinds of question that a trace of this method and detail can answer. */
+export function kindsOf({ method, detail }: Header): readonly Kind[] {
+  const isTold = (kind: Kind): boolean =>
+    details.indexOf(askers[kind].from) <= details.indexOf(detail);
+  return kinds.filter((kind) => askers[kind].method === method && isTold(kind));
+}
+
+/** So many steps a kind rests after its first question, and twice as many after each more, up to a limit. */
+const leastRest = 16;
+const mostRest = 512;
+
+/** Whether a kind is not to be asked at a step, having been asked in these questions, the last of them last. */
+function rests(kind: Kind, step: number, asked: readonly Question[]): boolean {
+  const before = asked.filter((question) => question.kind === kind);
+  const rest = Math.min(mostRest, leastRest * 2 ** (before.length - 1));
+  return before.some((question) => question.step <= step && step < question.until + rest);
+}
+
+/** Nobody can be asked to predict what a check has found wrong. */
+function isDecidedWrongly(trace: Trace, { step, until }: Question): boolean {
+  return stepsOf(trace, step, until, 'disagree').length > 0;
+}
+
+/** The next question at a step or after it, of some kinds; those that were asked vary what is asked next. */
+export function nextQuestion(
+  trace: Trace,
+  from: number,
+  wanted: ReadonlySet<Kind>,
+  asked: readonly Question[],
+): Question | null {
+  const { names } = trace.timeline;
+  const chosen = kindsOf(trace.header)
+    .filter((kind) => wanted.has(kind))
+    .map((kind) => ({ kind, starts: only(...askers[kind].at) }));
+  for (let step = Math.max(1, from); step <= names.length; step++) {
+    for (const { kind, starts } of chosen) {
+      if (starts[names[step - 1] ?? 0] !== true || rests(kind, step, asked)) continue;
+      const question = askers[kind].ask(trace, step);
+      if (question !== null && !isDecidedWrongly(trace, question)) return question;
+    }
+  }
+  return null;
+}

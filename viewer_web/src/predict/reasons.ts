@@ -1,0 +1,24 @@
+import { sentence } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
+import type { Trace } from '../trace/trace.js';
+import type { Question } from './question.js';
+
+/** What a step says in answer to a question. */
+export interface Reason {
+  readonly step: number;
+  readonly said: string;
+}
+
+/** Why a question has its answer. */
+export function reasonsOf(
+  { header, timeline }: Trace,
+  { because }: Question,
+  language: Language,
+): readonly Reason[] {
+  return because.flatMap((step) => {
+    const event = timeline.event(step);
+    const before = timeline.seek(step - 1).values;
+    const after = timeline.seek(step).values;
+    return event ? [{ step, said: sentence(event, before, after, header.scene, language) }] : [];
+  });
+}

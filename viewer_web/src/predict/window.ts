@@ -1,0 +1,69 @@
+import { windowThing } from '../pointed.js';
+import { cases } from '../time/course.js';
+import type { Trace } from '../trace/trace.js';
+import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
+import type { Step } from './ahead.js';
+import { mostOptions, optionsOf } from './asker.js';
+import type { Asker } from './asker.js';
+import { none } from './question.js';
+import type { Part } from './question.js';
+
+/** Which polygon hides the others in a window, by what it is painted if nothing else tells; null if that does not. */
+function hidingIn(
+  trace: Trace,
+  decide: Step<'decide'>,
+  covers: readonly Step<'cover'>[],
+): string | null {
+  if (decide.event.case !== 'surrounded') return none;
+  const cover = covers.at(-1);
+  if (cover !== undefined) return cover.event.polygon;
+  const painted = eventAt(trace, decide.step + 1, 'fill')?.color;
+  const [owner, ...others] = trace.header.scene.polygons.filter(({ color }) => color === painted);
+  return owner === undefined || others.length > 0 ? null : owner.id;
+}
+
+/** Which case is this window? */
+export const window: Asker<'window'> = {
+  method: 'warnock',
+  from: 'windows',
+  at: ['pop'],
+  ask(trace, step) {
+    const { detail, scene } = trace.header;
+    const isCoarse = detail === 'windows'; // no list gets shorter than the first one
+    if (isCoarse && scene.polygons.length > mostOptions) return null;
+    const pop = eventAt(trace, step, 'pop');
+    const decide = nextOf(trace, step, 'decide', 'pop');
+    if (pop === null || decide === null) return null;
+    const list = trace.timeline.seek(step).values.warnock?.apl?.entries ?? [];
+    if (list.length === 0 || list.length > mostOptions) return null;
+    const until = decide.step;
+    const covers = stepsOf(trace, step, until, 'cover');
+    const hiding = hidingIn(trace, decide, covers);
+    if (hiding === null) return null;
+
+    const cover = covers.slice(-1);
+    const uncovers = stepsOf(trace, cover[0]?.step ?? until, until, 'uncover').slice(0, 1);
+    const summary = stepsOf(trace, step, until, 'summary');
+    const ids = list.map(([id]) => id);
+    const discards = stepsOf(trace, step, until, 'discard');
+    const gone = discards.map(({ event }) => event.polygon);
+    const stay: Part = {
+      asks: 'stay',
+      options: optionsOf(ids),
+      right: ids.filter((id) => !gone.includes(id)),
+    };
+    return {
+      kind: 'window',
+      step,
+      until,
+      about: { window: pop.window },
+      parts: [
+        ...(isCoarse ? [] : [stay]),
+        { asks: 'hides', options: optionsOf([...ids, none]), right: [hiding] },
+        { asks: 'case', options: optionsOf(cases), right: [decide.event.case] },
+      ],
+      because: inOrder(discards, cover, uncovers, summary, [decide]),
+      things: [windowThing(pop.window)],
+    };
+  },
+};
