@@ -6,22 +6,26 @@ import type { PicturePanelElement } from './picture-panel.js';
 import type { Presenter } from './presenter.js';
 import type { TravelElement } from './travel.js';
 
-/** What of the player keys reach. */
-export interface Steered {
-  readonly trace: unknown;
-  readonly controls: string;
+/** What goes through time. */
+export interface Timed {
   readonly step: number;
   readonly first: number;
   readonly last: number;
-  readonly presenting: boolean;
-  readonly presenter: Presenter;
-  readonly keys: KeysElement;
   readonly clock: Clock;
-  readonly listing: ListingElement;
-  readonly picture: PicturePanelElement;
   readonly travel: TravelElement;
   moveTo(step: number): void;
   togglePlay(): void;
+}
+
+/** What of the player keys reach. */
+export interface Steered extends Timed {
+  readonly trace: unknown;
+  readonly controls: string;
+  readonly presenting: boolean;
+  readonly presenter: Presenter;
+  readonly keys: KeysElement;
+  readonly listing: ListingElement;
+  readonly picture: PicturePanelElement;
   showKeys(): void;
   present(on: boolean): void;
   point(by: 1 | -1): void;
@@ -39,7 +43,22 @@ export function actionsOf(player: Steered, { shiftKey }: KeyboardEvent): Actions
 }
 
 function usualActions(player: Steered, shift: boolean): Actions {
-  const { clock, travel, picture } = player;
+  const { picture } = player;
+  return {
+    ...timeActions(player, shift),
+    KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
+    KeyC: () => player.listing.toggleSource(),
+    KeyL: () => picture.nextLayer(),
+    KeyO: () => player.point(shift ? -1 : 1),
+    KeyP: () => picture.startChoosing(),
+    KeyF: () => player.present(!player.presenting),
+    KeyS: () => void picture.save(shift ? 'png' : 'svg'),
+  };
+}
+
+/** The ways through time, short and long. */
+export function timeActions(player: Timed, shift: boolean): Actions {
+  const { clock, travel } = player;
   const by = shift ? 10 : 1;
   const way = shift ? 'out' : 'over';
   const goal = shift ? 'bookmark' : undefined;
@@ -56,12 +75,5 @@ function usualActions(player: Steered, shift: boolean): Actions {
     BracketRight: () => travel.call(way, 1),
     Comma: () => travel.next(-1, goal),
     Period: () => travel.next(1, goal),
-    KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
-    KeyC: () => player.listing.toggleSource(),
-    KeyL: () => picture.nextLayer(),
-    KeyO: () => player.point(shift ? -1 : 1),
-    KeyP: () => picture.startChoosing(),
-    KeyF: () => player.present(!player.presenting),
-    KeyS: () => void picture.save(shift ? 'png' : 'svg'),
   };
 }

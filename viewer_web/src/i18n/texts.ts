@@ -8,6 +8,7 @@ import type { Edition } from '../trace/header.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
+import type { CompareTexts } from './compare-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { Words } from './words.js';
@@ -34,6 +35,7 @@ export interface Texts {
   readonly bookmarks: BookmarkTexts;
   readonly picture: PictureTexts;
   readonly scene: SceneTexts;
+  readonly compare: CompareTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -204,5 +206,7 @@ export type KeyUse =
   | 'corner'
   | 'present'
   | 'remote'
+  | 'compare'
+  | 'parting'
   | 'save'
   | 'map';

@@ -1,5 +1,6 @@
 import type { Texts } from '../texts.js';
 import { bookmarks } from './bookmarks.js';
+import { compare } from './compare.js';
 import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
@@ -21,4 +22,5 @@ export const texts: Texts = {
   bookmarks,
   picture,
   scene,
+  compare,
 };
