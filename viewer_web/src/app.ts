@@ -110,7 +110,7 @@ export class AppElement extends LitElement implements Shown {
     if (live.editing === null) return compare;
     const edit = (on: boolean): void => {
       if (comparison === null) player.side = on ? 'scene' : 'state';
-      else comparison.edit(on);
+      else comparison.isEdited = on;
     };
     return {
       ...compare,

@@ -75,6 +75,7 @@ export function besides(page: Shown): TemplateResult {
     .step=${place.step}
     .rival=${rival.trace}
     .rivalLength=${rival.steps}
+    ?complete=${session.trace?.complete === true && rival.trace?.complete === true}
     .rivalNote=${noteOf(page)}
     .lang=${language}
     .pixel=${place.pixel}

@@ -53,7 +53,7 @@ export const comparedStyle = css`
   }
   h3 {
     color: var(--ink);
-    font-size: 0.9375rem;
+    font-size: var(--name-size, 0.9375rem);
     letter-spacing: 0;
   }
   .note,

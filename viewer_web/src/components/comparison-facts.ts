@@ -9,6 +9,7 @@ import type { CompareTexts } from '../i18n/compare-texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
 import { hiddenStyle } from './hidden.style.js';
+import { textureStyle } from './texture.style.js';
 import { base } from './theme.js';
 
 /** What can be switched on and off. */
@@ -23,6 +24,7 @@ export class ComparisonFactsElement extends LitElement {
   static override styles = [
     base,
     hiddenStyle,
+    textureStyle,
     css`
       :host {
         position: relative;
@@ -97,6 +99,9 @@ export class ComparisonFactsElement extends LitElement {
       b {
         font-weight: 400;
       }
+      label:not(:first-child) {
+        margin-left: 0.5rem;
+      }
       @media print {
         button,
         .switches {
@@ -133,6 +138,12 @@ export class ComparisonFactsElement extends LitElement {
         </p>
         <p class="switches">
           ${this.switch('mark', say.mark, 'L')}
+          <span role="img" aria-label=${say.otherColor} title=${say.otherColor}
+            ><i class="wrong"></i
+          ></span>
+          <span role="img" aria-label=${say.unpainted} title=${say.unpainted}
+            ><i class="lacking"></i
+          ></span>
           ${this.switch('together', say.together, say.togetherHint)}
           ${this.editable ? this.switch('edit', say.edit, `${say.editHint} (E)`) : nothing}
         </p>

@@ -17,12 +17,16 @@ export const comparisonStyle = css`
     display: grid;
     flex: 1;
     min-height: 0;
-    gap: 0.4rem 0.6rem;
+    gap: 0.5rem 0.6rem;
     grid-template:
       'name-one name-one name-other name-other' auto
       'list-one picture-one picture-other list-other' minmax(0, 1fr)
       'said-one said-one said-other said-other' auto
+      'facts facts facts facts' auto
       / minmax(0, 1fr) minmax(0, 1fr) minmax(0, 1fr) minmax(0, 1fr);
+  }
+  vidno-comparison-facts {
+    grid-area: facts;
   }
   .dock {
     flex: none;
@@ -46,6 +50,7 @@ export const comparisonStyle = css`
         'name-one name-other' auto
         'picture-one picture-other' 50cqw
         'said-one said-other' auto
+        'facts facts' auto
         'list-one list-other' 24rem
         / minmax(0, 1fr) minmax(0, 1fr);
     }
@@ -57,6 +62,7 @@ export const comparisonStyle = css`
   }
   @container (max-width: 620px) {
     .runs {
+      --name-size: 0.8125rem;
       --said: 3.9rem;
       --said-size: 0.875rem;
       gap: 0.4rem;
@@ -65,6 +71,7 @@ export const comparisonStyle = css`
         'picture-one picture-other' 50cqw
         'said-one said-one' auto
         'said-other said-other' auto
+        'facts facts' auto
         'list-one list-one' 15rem
         'list-other list-other' 15rem
         / minmax(0, 1fr) minmax(0, 1fr);
@@ -75,6 +82,7 @@ export const comparisonStyle = css`
   }
   :host([presenting]) .runs {
     --listing: none;
+    --name-size: 0.8125rem;
     --said: 5.4rem;
     --said-size: 1.0625rem;
     flex: 1;
@@ -88,7 +96,8 @@ export const comparisonStyle = css`
     display: none;
   }
   :host([presenting]) .dock {
-    padding: 0;
+    display: flex;
+    padding: 0 0 0.3rem;
     border: 0;
     background: none;
   }
@@ -105,6 +114,7 @@ export const comparisonStyle = css`
         'name-one name-other' auto
         'picture-one picture-other' 88mm
         'said-one said-other' auto
+        'facts facts' auto
         'list-one list-other' minmax(0, 1fr)
         / minmax(0, 1fr) minmax(0, 1fr);
     }

@@ -58,6 +58,8 @@ export class ComparisonElement extends TimedElement {
   /** The other run, and how many of its steps are there. */
   @property({ attribute: false }) rival: Trace | null = null;
   @property({ attribute: false }) rivalLength = 0;
+  /** Whether both were read to their end. */
+  @property({ type: Boolean }) complete = false;
   /** What the other run is, if its header does not say so. */
   @property({ attribute: false }) rivalNote = '';
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
@@ -67,7 +69,7 @@ export class ComparisonElement extends TimedElement {
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ type: Boolean, reflect: true }) presenting = false;
   @state() private linked = true;
-  /** Whether the corners of the scene can be dragged. */
+  /** Whether the corners of the scene can be dragged, in the first picture. */
   @state() isEdited = false;
   @state() private otherStep = 0;
   @query('vidno-keys') readonly keys!: KeysElement;
@@ -141,17 +143,17 @@ export class ComparisonElement extends TimedElement {
     return html`
       <div class="runs" @pointerover=${this.pointing.onOver} @pointerleave=${this.pointing.onLeave}>
         ${halves.map((half) => this.half(half))}
+        <vidno-comparison-facts
+          .comparison=${comparison}
+          .steps=${steps}
+          .differs=${this.differs}
+          .on=${this.switches}
+          ?editable=${this.editing !== null}
+          .language=${view.language}
+          @go=${({ detail }: CustomEvent<number>) => this.moveTo(detail)}
+          @switch=${({ detail }: CustomEvent<Switch>) => this.toggle(detail)}
+        ></vidno-comparison-facts>
       </div>
-      <vidno-comparison-facts
-        .comparison=${comparison}
-        .steps=${steps}
-        .differs=${this.differs}
-        .on=${this.switches}
-        ?editable=${this.editing !== null}
-        .language=${view.language}
-        @go=${({ detail }: CustomEvent<number>) => this.moveTo(detail)}
-        @switch=${({ detail }: CustomEvent<Switch>) => this.toggle(detail)}
-      ></vidno-comparison-facts>
       <div class="dock">
         <vidno-transport
           .trace=${this.trace}
@@ -209,13 +211,8 @@ export class ComparisonElement extends TimedElement {
 
   toggle(name: Switch): void {
     if (name === 'together') this.linked = !this.linked;
-    else if (name === 'edit') this.edit(!this.isEdited);
+    else if (name === 'edit') this.isEdited = !this.isEdited;
     else askForLayer(this, this.isMarked ? 'picture' : 'difference');
-  }
-
-  /** Lets the corners of the scene be dragged in the first picture, or no longer. */
-  edit(on: boolean): void {
-    this.isEdited = on;
   }
 
   /** Points at the next thing of the first run's step, or the one before. */

@@ -33,6 +33,9 @@ export class PageHeaderElement extends LitElement {
         background: var(--accent-wash);
       }
       @media (max-width: 640px) {
+        .tools {
+          gap: 0.35rem;
+        }
         .present,
         kbd {
           display: none;

@@ -29,7 +29,7 @@ export class RivalChoiceElement extends LitElement {
         display: contents;
       }
       dialog {
-        width: 34rem;
+        width: 42rem;
       }
       section {
         margin-top: 1rem;
@@ -52,6 +52,9 @@ export class RivalChoiceElement extends LitElement {
       select {
         width: 100%;
         padding: 0 0.25rem;
+      }
+      .row > .lesson {
+        flex-basis: 18rem;
       }
       .other {
         margin-top: 0.5rem;
@@ -179,7 +182,7 @@ export class RivalChoiceElement extends LitElement {
     const nameOf = ({ method, kernel, edition }: LessonTrace): string =>
       [page.methods[method], page.editions[edition], kernel].join(' · ');
     return html`<div class="row">
-      <label>
+      <label class="lesson">
         <span>${say.ofLessons}</span>
         <select name="lesson">
           ${lessons.map(

@@ -35,6 +35,8 @@ export interface CompareTexts {
   readonly differNow: (n: string) => string;
   readonly differAtEnd: (n: string) => string;
   readonly otherArea: string;
+  readonly otherColor: string;
+  readonly unpainted: string;
   readonly mark: string;
   readonly edit: string;
   readonly editHint: string;

@@ -41,6 +41,8 @@ export const compare: CompareTexts = {
   differNow: (n) => `${n} now`,
   differAtEnd: (n) => `${n} in the end`,
   otherArea: 'the areas are not the same',
+  otherColor: 'another colour there',
+  unpainted: 'painted there alone',
   mark: 'Mark them',
   edit: 'Edit the scene',
   editHint: 'Corners can be dragged in the first picture',

@@ -41,6 +41,8 @@ export const compare: CompareTexts = {
   differNow: (n) => `сейчас ${n}`,
   differAtEnd: (n) => `в конце ${n}`,
   otherArea: 'области разные',
+  otherColor: 'там другой цвет',
+  unpainted: 'закрашен только там',
   mark: 'Отметить их',
   edit: 'Править сцену',
   editHint: 'Вершины можно двигать на первом изображении',
