@@ -102,6 +102,13 @@ export class ComparisonFactsElement extends LitElement {
       label:not(:first-child) {
         margin-left: 0.5rem;
       }
+      /* Of which the numbers may grow from step to step: nothing else must move. */
+      @container (max-width: 1100px) {
+        .row > p {
+          flex-basis: 100%;
+          margin-left: 0;
+        }
+      }
       @media print {
         button,
         .switches {

@@ -36,6 +36,9 @@ export class PageHeaderElement extends LitElement {
         .tools {
           gap: 0.35rem;
         }
+        button {
+          padding: 0 0.5rem;
+        }
         .present,
         kbd {
           display: none;
