@@ -51,7 +51,9 @@ export const comparedStyle = css`
   .listing {
     display: var(--listing, flex);
   }
+  /* Where there is little room the step, which may grow, has a line of its own. */
   h3 {
+    flex: 0 1 var(--name-width, auto);
     color: var(--ink);
     font-size: var(--name-size, 0.9375rem);
     letter-spacing: 0;

@@ -85,6 +85,7 @@ export class ComparisonFactsElement extends LitElement {
         font-size: 0.75rem;
         line-height: 1.5;
       }
+      dt,
       dd {
         white-space: nowrap;
         line-height: 1.5;
@@ -110,9 +111,12 @@ export class ComparisonFactsElement extends LitElement {
         }
       }
       @media print {
-        button,
-        .switches {
+        .row > .switches {
           display: none;
+        }
+        button {
+          padding: 0;
+          border: 0;
         }
       }
     `,

@@ -43,6 +43,7 @@ export const comparisonStyle = css`
   }
   @container (max-width: 960px) {
     .runs {
+      --name-width: 100%;
       --said: 5.2rem;
       --said-size: 0.9375rem;
       flex: none;
@@ -82,6 +83,7 @@ export const comparisonStyle = css`
   }
   :host([presenting]) .runs {
     --listing: none;
+    --name-width: 100%;
     --name-size: 0.8125rem;
     --said: 5.4rem;
     --said-size: 1.0625rem;
