@@ -73,6 +73,16 @@ describe('two runs part', () => {
     expect(parting).toMatchObject({ text: [3, 3], deed: null });
   });
 
+  it('nowhere, where one of them only does not tell which test it calls', async () => {
+    const surround: Event = { e: 'surround', at: 'PW8', polygon: 'A', point: [0, 0], inside: true };
+    const test: Event = { e: 'call', at: 'PW8', of: 'SurroundTest' };
+    const { parting } = await compared(
+      trace([push, pop, call, test, surround, summary]),
+      trace([push, pop, call, surround, summary], headerOf('warnock', 'polygons')),
+    );
+    expect(parting).toMatchObject({ text: [4, 4], deed: null });
+  });
+
   it('nowhere that could be told, if they are of two methods', async () => {
     const zbuffer = trace([{ e: 'clear', at: 'Z1', color: '#ffffff', z: 0 }], headerOf('zbuffer'));
     const comparison = await compared(trace([push, pop]), zbuffer);

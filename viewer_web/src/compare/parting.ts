@@ -1,5 +1,6 @@
+import type { Timeline } from '../state/timeline.js';
 import { details, eventNames, kinds } from '../trace/events.js';
-import type { Detail } from '../trace/events.js';
+import type { Detail, EventName } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
 import { sameDeed } from './deed.js';
 
@@ -8,12 +9,23 @@ export type Steps = readonly [one: number, other: number];
 
 const atOnce = 256;
 
-/** Of each number of a name whether both runs tell such an event: one of them may be less detailed, or not checked. */
-function toldByBoth(...levels: readonly Detail[]): readonly boolean[] {
-  const least = Math.min(...levels.map((level) => details.indexOf(level)));
+/**
+ * Of each number of a name whether both runs tell such an event: one of them may be less detailed, and then lacks some of
+ * the calls, or not be checked.
+ */
+function toldByBoth(one: Detail, other: Detail): readonly boolean[] {
+  const least = Math.min(details.indexOf(one), details.indexOf(other));
+  const untold: readonly EventName[] = one === other ? ['disagree'] : ['disagree', 'call'];
   return eventNames.map(
-    (name) => name !== 'disagree' && details.indexOf(kinds[name].from) <= least,
+    (name) => !untold.includes(name) && details.indexOf(kinds[name].from) <= least,
   );
+}
+
+/** Events are only looked into where their texts differ. */
+function doSame(a: Timeline, one: number, b: Timeline, other: number): boolean {
+  if (a.line(one) === b.line(other)) return true;
+  const [did, didOther] = [a.event(one), b.event(other)];
+  return did !== null && didOther !== null && sameDeed(did, didOther);
 }
 
 /**
@@ -24,7 +36,7 @@ export class Parting {
   /** Null as long as no such step was found. */
   text: Steps | null = null;
   deed: Steps | null = null;
-  /** The steps that were compared. */
+  /** The steps that were compared: up to where the texts part they are the same, thereafter they do the same. */
   private seen: Steps = [0, 0];
   private isOver = false;
   private readonly told: readonly boolean[];
@@ -50,19 +62,42 @@ export class Parting {
   }
 
   private readSome(): boolean {
-    const names = [this.one.timeline.names, this.other.timeline.names] as const;
     for (let i = 0; i < atOnce; i++) {
-      const next: Steps = [this.next(names[0], this.seen[0]), this.next(names[1], this.seen[1])];
-      const isEnd = [next[0] > names[0].length, next[1] > names[1].length] as const;
-      if (isEnd[0] || isEnd[1]) {
-        this.end(isEnd[0] && isEnd[1], next);
-        return false;
-      }
-      this.compare(next, names[0][next[0] - 1] === names[1][next[1] - 1]);
-      if (this.complete) return false;
-      this.seen = next;
+      if (!(this.text === null ? this.readText() : this.readDeed())) return false;
     }
     return true;
+  }
+
+  /** Compares the next step of both as it is written; says whether there is more to compare. */
+  private readText(): boolean {
+    const [a, b] = [this.one.timeline, this.other.timeline];
+    const step = this.seen[0] + 1;
+    if (step > a.length || step > b.length) {
+      if (!this.areWhole) return false;
+      if (a.length === b.length) this.isOver = true;
+      else this.text = [Math.min(step, a.length), Math.min(step, b.length)];
+    } else if (a.line(step) !== b.line(step)) this.text = [step, step];
+    else this.seen = [step, step];
+    return !this.isOver;
+  }
+
+  /** Compares what the next step that both tell does; says whether there is more to compare. */
+  private readDeed(): boolean {
+    const [a, b] = [this.one.timeline, this.other.timeline];
+    const [one, other] = [this.next(a.names, this.seen[0]), this.next(b.names, this.seen[1])];
+    const areOver = [one > a.length, other > b.length] as const;
+    if (areOver[0] || areOver[1]) {
+      if (!this.areWhole) return false;
+      this.isOver = true;
+      if (areOver[0] !== areOver[1])
+        this.deed = [Math.min(one, a.length), Math.min(other, b.length)];
+    } else if (doSame(a, one, b, other)) this.seen = [one, other];
+    else this.deed = [one, other];
+    return !this.complete;
+  }
+
+  private get areWhole(): boolean {
+    return this.one.complete && this.other.complete;
   }
 
   /** The next step that both tell. */
@@ -70,33 +105,5 @@ export class Parting {
     let step = after + 1;
     while (step <= names.length && this.told[names[step - 1] ?? 0] === false) step++;
     return step;
-  }
-
-  private compare([one, other]: Steps, hasSameName: boolean): void {
-    const [a, b] = [this.one.timeline, this.other.timeline];
-    const isSameText = hasSameName && a.line(one) === b.line(other);
-    if (!isSameText || one !== other) this.text ??= this.first();
-    if (isSameText) return;
-    const [did, didOther] = [a.event(one), b.event(other)];
-    const isSame = hasSameName && did !== null && didOther !== null && sameDeed(did, didOther);
-    if (!isSame) this.deed = [one, other];
-  }
-
-  /** Up to here the texts were the same, step by step. */
-  private first(): Steps {
-    const [one, other] = this.seen;
-    return [one + 1, other + 1];
-  }
-
-  /** One of them, or both, tell no more. */
-  private end(areBoth: boolean, next: Steps): void {
-    const { one, other } = this;
-    if (!one.complete || !other.complete) return;
-    const last: Steps = [one.timeline.length, other.timeline.length];
-    this.isOver = true;
-    const isLonger = last[0] !== last[1];
-    const found: Steps = [Math.min(next[0], last[0]), Math.min(next[1], last[1])];
-    if (!areBoth) this.deed = found;
-    if (!areBoth || isLonger) this.text ??= found;
   }
 }
