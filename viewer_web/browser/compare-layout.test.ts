@@ -58,6 +58,20 @@ describe('a comparison', () => {
     },
   );
 
+  it('is printed on one sheet, with both pictures and sentences', async () => {
+    const { page } = await comparing(browser, `${lesson}&with=zbuffer.corrected.double.signs`);
+    const pdf = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
+    expect(pdf.match(/\/Type\s*\/Page\b/g)).toHaveLength(1);
+    await page.emulateMedia({ media: 'print' });
+    for (const shown of ['vidno-picture', 'vidno-compared-run .sentence', '.differ']) {
+      for (const each of await page.locator(shown).all()) expect(await each.isVisible()).toBe(true);
+    }
+    for (const hidden of ['header', 'nav', 'vidno-transport', '.switches']) {
+      for (const each of await page.locator(hidden).all())
+        expect(await each.isVisible()).toBe(false);
+    }
+  });
+
   it('is shown to a hall: two pictures and what happened', async () => {
     const { page } = await comparing(browser, `${lesson}&with=zbuffer.corrected.double.signs`);
     await page.keyboard.press('f');

@@ -1,4 +1,4 @@
-import { LitElement, css, html, nothing } from 'lit';
+import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { Comparison } from '../compare/comparison.js';
@@ -8,6 +8,7 @@ import type { Steps } from '../compare/parting.js';
 import type { CompareTexts } from '../i18n/compare-texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
+import { factsStyle } from './comparison-facts.style.js';
 import { hiddenStyle } from './hidden.style.js';
 import { textureStyle } from './texture.style.js';
 import { base } from './theme.js';
@@ -21,106 +22,7 @@ export type Switch = 'together' | 'mark' | 'edit';
  */
 @customElement('vidno-comparison-facts')
 export class ComparisonFactsElement extends LitElement {
-  static override styles = [
-    base,
-    hiddenStyle,
-    textureStyle,
-    css`
-      :host {
-        position: relative;
-        display: block;
-        flex: none;
-        padding: 0.45rem 0.9rem;
-        border: 1px solid var(--line);
-        border-radius: var(--radius);
-        background: var(--panel);
-        font-size: 0.8125rem;
-      }
-      .row {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 0.3rem 1.5rem;
-        align-items: center;
-      }
-      .row > p {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 0.3rem 0.6rem;
-        align-items: center;
-        min-height: 2rem;
-      }
-      .switches {
-        margin-left: auto;
-      }
-      .name,
-      dt,
-      .who {
-        color: var(--soft);
-      }
-      button {
-        padding: 0 0.6rem;
-      }
-      label {
-        display: flex;
-        gap: 0.35rem;
-        align-items: center;
-        white-space: nowrap;
-      }
-      input {
-        width: 1.05rem;
-        height: 1.05rem;
-        margin: 0;
-        accent-color: var(--accent);
-      }
-      dl {
-        display: grid;
-        grid-template-columns: repeat(auto-fit, minmax(7.6rem, 1fr));
-        gap: 0.3rem 0.75rem;
-        margin-top: 0.3rem;
-        padding-top: 0.35rem;
-        border-top: 1px solid var(--line);
-      }
-      dt,
-      .who {
-        font-size: 0.75rem;
-        line-height: 1.5;
-      }
-      dt,
-      dd {
-        white-space: nowrap;
-        line-height: 1.5;
-      }
-      dd small {
-        color: var(--soft);
-        font-size: 0.75rem;
-      }
-      .other b {
-        font-weight: 700;
-      }
-      b {
-        font-weight: 400;
-      }
-      label:not(:first-child) {
-        margin-left: 0.5rem;
-      }
-      /* Of which the numbers may grow from step to step: nothing else must move. */
-      @container (max-width: 1100px) {
-        .row > p {
-          flex-basis: 100%;
-          margin-left: 0;
-        }
-      }
-      @media print {
-        .row > .switches {
-          display: none;
-        }
-        button {
-          padding: 0;
-          border: 0;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, hiddenStyle, textureStyle, factsStyle];
 
   @property({ attribute: false }) comparison!: Comparison;
   /** The steps that are shown. */

@@ -31,7 +31,7 @@ export const compare: CompareTexts = {
   togetherHint: 'Off: the buttons and keys step the first run alone',
   byShare: 'These runs have no steps in common: they are paired by their share of the run.',
   parting: 'They part',
-  text: 'in a number',
+  text: 'as written',
   deed: 'in what is done',
   atStep: (step) => `step ${step}`,
   nowhere: 'nowhere',

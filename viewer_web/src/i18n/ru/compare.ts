@@ -31,7 +31,7 @@ export const compare: CompareTexts = {
   togetherHint: 'Если выключено, кнопки и клавиши ведут только первый прогон',
   byShare: 'Общих шагов у этих прогонов нет: они сопоставлены по доле прогона.',
   parting: 'Расходятся',
-  text: 'в числе',
+  text: 'в записи',
   deed: 'в действии',
   atStep: (step) => `шаг ${step}`,
   nowhere: 'нигде',
