@@ -52,11 +52,6 @@ export class Rival {
     this.tracer = library && new Tracer(library, (made) => take(made.trace, made.messages), fail);
   }
 
-  /** Whether scenes can be run here. */
-  get canRun(): boolean {
-    return this.tracer !== null;
-  }
-
   /** What an address must hold to find it again. */
   get word(): string | null {
     const { chosen } = this;

@@ -46,9 +46,7 @@ export class ComparisonFactsElement extends LitElement {
     return html`
       <div class="row">
         <p class="parting"><span class="name">${say.parting}</span>${this.parting()}</p>
-        <p class="differ" role="status">
-          <span class="name">${say.differ}</span>${this.difference()}
-        </p>
+        <p class="differ"><span class="name">${say.differ}</span>${this.difference()}</p>
         <p class="switches">
           ${this.switch('mark', say.mark, 'L')}
           <span role="img" aria-label=${say.otherColor} title=${say.otherColor}

@@ -8,7 +8,6 @@ export interface CompareTexts {
   readonly cancel: string;
   readonly sameScene: string;
   readonly quick: Readonly<Record<Quick, string>>;
-  readonly otherwise: string;
   readonly run: string;
   readonly noLibrary: string;
   readonly otherTrace: string;

@@ -14,7 +14,6 @@ export const compare: CompareTexts = {
     float: 'float numbers',
     before: 'before the last change',
   },
-  otherwise: 'or run otherwise',
   run: 'Run',
   noLibrary: 'This page was built without the library that runs scenes.',
   otherTrace: 'Another trace',

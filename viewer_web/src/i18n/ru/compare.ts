@@ -14,7 +14,6 @@ export const compare: CompareTexts = {
     float: 'числа float',
     before: 'до последней правки',
   },
-  otherwise: 'или иначе',
   run: 'Запустить',
   noLibrary: 'Эта страница собрана без библиотеки, которая запускает сцены.',
   otherTrace: 'Другая трасса',
