@@ -212,6 +212,7 @@ TEST_CASE("JSON and CSV say the same, whatever the scene is called") {
     CHECK(told["name"] == scene.name);
     CHECK(told["kind"] == "ordinary");
     CHECK(told["pixels"] == 256);
+    CHECK(told["scene"] == json::parse(scene_json(scene)));
     CHECK(told["runs"].size() == ways_to_draw(scene).size());
 
     const json& first = told["runs"][0];

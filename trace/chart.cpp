@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "scene_json.h"
 #include "snapped_scene.h"
 #include "timing.h"
 #include "vidno/kernels/depth_bits.h"
@@ -150,6 +151,7 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress) {
     const Examiner examiner(scene);
     SceneChart chart{scene.name, examiner.unsteady_pixels(), examiner.pixels(), scene.polygons.size(),
                      examiner.area_of_pixels()};
+    chart.scene = scene_json(scene);
     std::vector<RunRequest> requests;
     for (const Way& way : ways_to_draw(scene)) {
         const SnappedScene& as_run = stage.scene_for(way.kernel);

@@ -55,6 +55,7 @@ struct SceneChart {
     std::size_t pixels = 0, polygons = 0;
     double area = 0;  // by which the right picture differs from the visible regions, in pixels
     std::vector<ChartRun> runs{};
+    std::string scene{};  // the scene itself, as scene_json writes it
 
     bool degenerate() const { return unsteady > 0; }
 };

@@ -63,11 +63,10 @@ std::string listed(const auto& items, const auto& text_of) {
     return "[" + text + "]";
 }
 
-/// As the value of a key that is added last.
-std::string with(const Json& object, const std::string& key, const std::string& value) {
-    std::string text = object.dump();
-    text.back() = ',';
-    return text + Json(key).dump() + ":" + value + "}";
+/// An object as text, with the text of a value under a key that is added last.
+std::string with(std::string object, const std::string& key, const std::string& value) {
+    object.back() = ',';
+    return object + Json(key).dump() + ":" + value + "}";
 }
 
 // ------------------------------------------------------------------------------------- CSV, RFC 4180
@@ -105,10 +104,10 @@ std::vector<std::pair<std::string, std::string>> cells_of(const Json& object, co
 std::string chart_json(const std::vector<SceneChart>& scenes) {
     const auto run_text = [](const ChartRun& run) { return json_of(run).dump(); };
     const auto scene_text = [&](const SceneChart& scene) {
-        return with(head_of(scene), "runs", listed(scene.runs, run_text));
+        return with(with(head_of(scene).dump(), "scene", scene.scene), "runs", listed(scene.runs, run_text));
     };
     const Json head{{"format", "vidno-chart/1"}, {"rounds", chart_rounds}};
-    return with(head, "scenes", listed(scenes, scene_text)) + "\n";
+    return with(head.dump(), "scenes", listed(scenes, scene_text)) + "\n";
 }
 
 std::string chart_csv(const std::vector<SceneChart>& scenes) {

@@ -3,6 +3,7 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -13,9 +14,13 @@ namespace vidno {
 namespace {
 
 /// Beside the program's own folder, in the build as where it is installed.
-std::string built_page(const std::string& name) {
+std::filesystem::path place_of(const std::string& name) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe");
-    const auto page = program.parent_path().parent_path() / "share" / "vidno" / name;
+    return program.parent_path().parent_path() / "share" / "vidno" / name;
+}
+
+std::string built_page(const std::string& name) {
+    const auto page = place_of(name);
     if (!std::filesystem::exists(page)) throw Refused(page.string() + ": not there; ./dev demo builds the page");
     return read_file(page.string());
 }
@@ -75,6 +80,29 @@ std::string blocks_of(const std::vector<PageFile>& files) {
     return std::string(index_block) + as_block(json) + std::string(end_of_block) + blocks;
 }
 
+/// Puts JSON into the block that the page of charts has for it.
+void fill_block(std::string& page, std::string_view id, const std::string& json) {
+    const std::string opening = "<script type=\"application/json\" id=\"" + std::string(id) + "\">";
+    const auto block = page.find(opening);
+    if (block == page.npos) throw Refused("chart.html: is not the page of charts");
+    const auto begin = block + opening.size();
+    page.replace(begin, page.find(end_of_block, begin) - begin, as_block(json));
+}
+
+/// The address of a built page as JSON, since what is written may lie anywhere; null if there is no such page.
+std::string address_of(const std::string& name) {
+    const auto page = place_of(name);
+    if (!std::filesystem::exists(page)) return "null";
+    constexpr std::string_view unreserved = "-._~/", digits = "0123456789ABCDEF";
+    std::string address = "\"file://";
+    for (const char c : std::filesystem::canonical(page).string()) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool stays = (byte < 0x80 && std::isalnum(byte) != 0) || unreserved.find(c) != unreserved.npos;
+        address += stays ? std::string(1, c) : std::string{'%', digits[byte >> 4], digits[byte & 15]};
+    }
+    return address + '"';
+}
+
 }  // namespace
 
 std::string trace_page(const std::vector<PageFile>& files) {
@@ -92,12 +120,10 @@ std::string trace_page(const std::vector<PageFile>& files) {
 }
 
 std::string chart_page(const std::string& json) {
-    static constexpr std::string_view opening = R"(<script type="application/json" id="vidno-chart">)";
     std::string page = built_page("chart.html");
-    const auto block = page.find(opening);
-    if (block == page.npos) throw Refused("chart.html: is not the page of charts");
-    const auto begin = block + opening.size();
-    return page.replace(begin, page.find(end_of_block, begin) - begin, as_block(json));
+    fill_block(page, "vidno-chart", json);
+    fill_block(page, "vidno-replay", address_of("index.html"));
+    return page;
 }
 
 }  // namespace vidno

@@ -18,7 +18,8 @@ struct PageFile {
 /// Refused if no page was built, or if it cannot run a scene.
 std::string trace_page(const std::vector<PageFile>& files);
 
-/// The page that shows a chart, with the chart in it. Throws Refused if no page was built.
+/// The page that shows a chart, with the chart in it and, if it was built, the address of the page that replays its runs.
+/// Throws Refused if no page was built.
 std::string chart_page(const std::string& json);
 
 }  // namespace vidno

@@ -19,9 +19,9 @@ export const sampleText = readFileSync(
 export const sample = JSON.parse(sampleText) as Chart;
 
 /** As the program writes it. */
-function filled(json: string): string {
-  const tag = '<script type="application/json" id="vidno-chart">';
-  const [before, after, ...others] = template.split(tag);
+function filled(page: string, id: string, json: string): string {
+  const tag = `<script type="application/json" id="${id}">`;
+  const [before, after, ...others] = page.split(tag);
   if (before === undefined || after === undefined || others.length > 0) {
     throw new Error('The block of data must stand in the page once.');
   }
@@ -29,16 +29,18 @@ function filled(json: string): string {
   return before + tag + harmless + after.slice(after.indexOf('</script>'));
 }
 
-/** The page with a chart in it, from disk, gone once it is open. */
+/** The page with a chart in it and the address of the page of traces, from disk, gone once it is open. */
 export async function openChart(
   browser: Browser,
   hash: string,
   json = sampleText,
   options: BrowserContextOptions = {},
+  replay: string | null = null,
 ): Promise<Opened> {
   const directory = mkdtempSync(join(tmpdir(), 'vidno-'));
   const file = join(directory, 'chart.html');
-  writeFileSync(file, filled(json));
+  const page = filled(template, 'vidno-chart', json);
+  writeFileSync(file, filled(page, 'vidno-replay', JSON.stringify(replay)));
   const opened = await openUrl(browser, `${pathToFileURL(file).href}#${hash}`, options);
   await opened.page.locator('vidno-chart header').waitFor();
   rmSync(directory, { recursive: true });

@@ -45,9 +45,10 @@ export async function edit(page: Page): Promise<void> {
   await page.locator('vidno-scene-panel').waitFor();
 }
 
-/** Where on the page a place of the scene's plane is. */
+/** Where on the page a place of the scene's plane is, in the first picture if there are two. */
 export function spotOf(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
-  return page.locator('vidno-picture > svg').evaluate(
+  const picture = page.locator('vidno-picture > svg').first();
+  return picture.evaluate(
     (stage, [atX, atY]) => {
       const matrix = (stage as SVGSVGElement).getScreenCTM();
       if (matrix === null) throw new Error('no picture');

@@ -23,6 +23,7 @@ describe('the address', () => {
       },
       trace: '01-near & far.warnock',
       live: null,
+      rival: 'zbuffer.printed.float.signs',
       step: 17,
       pixel: [3, -4],
       bookmarks: [
@@ -36,7 +37,7 @@ describe('the address', () => {
   it('carries a scene of one’s own', () => {
     const live = { run: 'zbuffer.corrected.bits:8.signs', scene: 'q1YqS8zJBwA-_' };
     const place = { step: 4, pixel: null, bookmarks: [{ step: 3, note: 'x' }] } as const;
-    const address = { setup: usual, trace: null, live, ...place } as const;
+    const address = { setup: usual, trace: null, live, rival: null, ...place } as const;
     expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
@@ -44,7 +45,7 @@ describe('the address', () => {
     const bookmarks = [{ step: 3, note: 'x' }];
     const setup = { ...usual, presenting: true, layer: 'exact' } as const;
     const place = { setup, step: 3, pixel: [1, 2], bookmarks } as const;
-    expect(formatAddress({ trace: null, live: null, ...place })).toBe('#lang=en');
+    expect(formatAddress({ trace: null, live: null, rival: 'x', ...place })).toBe('#lang=en');
   });
 
   it.each([
@@ -71,6 +72,7 @@ describe('the address', () => {
       setup: { ...usual, language: null },
       trace: null,
       live: null,
+      rival: null,
       step: 0,
       pixel: null,
       bookmarks: [],

@@ -20,13 +20,15 @@ export interface Setup {
 }
 
 /**
- * What the page's address holds behind `#`: how it is set up, embedded trace or a scene of one's own, step, chosen pixel,
- * and bookmarks.
+ * What the page's address holds behind `#`: how it is set up, embedded trace or a scene of one's own, what that is compared
+ * with, step, chosen pixel, and bookmarks.
  */
 export interface Address {
   readonly setup: Omit<Setup, 'language'> & { readonly language: Language | null };
   readonly trace: string | null;
   readonly live: Carried | null;
+  /** What it is compared with: another embedded trace, or how else the scene is run. */
+  readonly rival: string | null;
   readonly step: number;
   readonly pixel: Pixel | null;
   readonly bookmarks: Bookmarks;
@@ -51,13 +53,15 @@ export function parseAddress(hash: string): Address {
     },
     trace: fields.get('trace'),
     live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
+    rival: fields.get('with'),
     step: stepIn(fields.get('step')) ?? 0,
     pixel: parsePixel(fields.get('pixel')),
     bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
   };
 }
 
-export function formatAddress({ setup, trace, live, step, pixel, bookmarks }: Address): string {
+export function formatAddress(address: Address): string {
+  const { setup, trace, live, rival, step, pixel, bookmarks } = address;
   const { language, presenting, layer, setting } = setup;
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
@@ -68,6 +72,7 @@ export function formatAddress({ setup, trace, live, step, pixel, bookmarks }: Ad
   }
   if (trace !== null || live !== null) {
     writeSetting(setting, fields);
+    if (rival !== null) fields.set('with', rival);
     if (presenting) fields.set('view', 'present');
     if (pixel !== null) fields.set('pixel', pixel.join());
     if (layer !== 'picture') fields.set('layer', layer);

@@ -53,7 +53,8 @@ export const appStyle = css`
   vidno-notice:not(.growing) {
     flex-basis: 100%;
   }
-  vidno-player {
+  vidno-player,
+  vidno-comparison {
     flex: 1;
   }
   .nothing {
@@ -86,6 +87,12 @@ export const appStyle = css`
     nav {
       padding: 0.75rem 0 0;
     }
+  }
+  :host([comparing]) {
+    grid-template: 'header' 3.25rem 'main' minmax(0, 1fr) / minmax(0, 1fr);
+  }
+  :host([comparing]) nav {
+    display: none;
   }
   :host([embed]) {
     grid-template: 'main' minmax(0, 1fr) / minmax(0, 1fr);

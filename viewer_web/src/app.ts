@@ -4,49 +4,53 @@ import { customElement, query, state } from 'lit/decorators.js';
 import { formatAddress, parseAddress } from './address.js';
 import type { Setup } from './address.js';
 import { appStyle } from './app.style.js';
+import { withOf } from './compare/rival.js';
+import type { With } from './compare/rival.js';
+import './components/comparison.js';
+import type { ComparisonElement } from './components/comparison.js';
 import './components/file-drop.js';
 import { Keyboard } from './components/keyboard.js';
 import type { Actions } from './components/keyboard.js';
 import './components/lesson-list.js';
-import './components/notice.js';
 import './components/page-header.js';
 import './components/player.js';
 import type { PlayerElement } from './components/player.js';
+import './components/rival-choice.js';
+import type { RivalChoiceElement } from './components/rival-choice.js';
 import './components/solid.js';
 import { base, tokens } from './components/theme.js';
+import { heading } from './heading.js';
 import { texts } from './i18n/index.js';
 import { preferredLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
 import { embeddedLessons, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
-import type { Act } from './live/editor.js';
-import { needsExact } from './picture/layers.js';
-import type { Exact, Layer } from './picture/layers.js';
-import type { Pixel } from './picture/pixel.js';
 import { Session } from './session.js';
+import { alone, besides } from './stage.js';
+import type { Shown } from './stage.js';
 import { plain } from './setting.js';
-import type { Way } from './setting.js';
-import type { Bookmarks } from './time/bookmarks.js';
 
 /** The page: lessons, files of one's own, and the player. */
 @customElement('vidno-app')
-export class AppElement extends LitElement {
+export class AppElement extends LitElement implements Shown {
   static override styles = [tokens, base, appStyle];
 
-  @state() private setup: Setup = {
+  @state() setup: Setup = {
     language: preferredLanguage(),
     presenting: false,
     layer: 'picture',
     setting: plain,
   };
   @query('vidno-player') private player!: PlayerElement;
+  @query('vidno-comparison') private comparison!: ComparisonElement | null;
+  @query('vidno-rival-choice') private choice!: RivalChoiceElement;
 
   private readonly lessons = embeddedLessons(document);
-  private readonly session = new Session(this, () => {
+  readonly session = new Session(this, () => {
     this.requestUpdate();
     this.writeAddress();
   });
-  private readonly keyboard = new Keyboard(this, () => this.editorActions());
+  private readonly keyboard = new Keyboard(this, () => this.actions());
   private addressTimer = 0;
 
   override connectedCallback(): void {
@@ -63,10 +67,11 @@ export class AppElement extends LitElement {
   }
 
   private readonly followAddress = (): void => {
-    const { setup, trace, live, ...place } = parseAddress(location.hash);
+    const { setup, trace, live, rival, ...place } = parseAddress(location.hash);
     this.setup = { ...setup, language: setup.language ?? this.setup.language };
     this.toggleAttribute('embed', setup.setting.embed);
     const { session } = this;
+    if (rival !== session.rival.word) session.rival.choose(withOf(rival ?? '', document));
     if (live !== null) {
       void session.openCarried(live, place);
       return;
@@ -81,20 +86,38 @@ export class AppElement extends LitElement {
 
   /** Keys that were pressed outside the player are passed on to it. */
   private readonly onKey = (event: KeyboardEvent): void => {
-    if (this.session.live.handleKey(event)) return;
+    if (this.choice.open || this.session.live.handleKey(event)) return;
     this.keyboard.handle(event);
-    if (!event.composedPath().includes(this.player)) this.player.handleKey(event);
+    if (!event.composedPath().includes(this.stage)) this.stage.handleKey(event);
   };
 
-  /** To the scene and back to the state; to the drawing of a polygon. */
-  private editorActions(): Actions {
-    const { player } = this;
+  /** What shows the run: alone, or beside another one. */
+  private get stage(): PlayerElement | ComparisonElement {
+    return this.comparison ?? this.player;
+  }
+
+  /** To another run beside this one, and back. */
+  private compare(): void {
+    const { rival, trace } = this.session;
+    if (rival.chosen !== null) rival.choose(null);
+    else if (trace !== null) this.choice.show();
+  }
+
+  /** To the scene and back to the state; to the drawing of a polygon; to the comparison. */
+  private actions(): Actions {
+    const { player, comparison } = this;
     const { live } = this.session;
-    if (live.editing === null) return {};
+    const compare = { KeyD: () => this.compare() };
+    if (live.editing === null) return compare;
+    const edit = (on: boolean): void => {
+      if (comparison === null) player.side = on ? 'scene' : 'state';
+      else comparison.isEdited = on;
+    };
     return {
-      KeyE: () => player.toggleSide('scene'),
+      ...compare,
+      KeyE: () => edit(comparison === null ? player.side !== 'scene' : !comparison.isEdited),
       KeyN: () => {
-        player.side = 'scene';
+        edit(true);
         live.act({ do: 'draw' });
       },
     };
@@ -110,27 +133,19 @@ export class AppElement extends LitElement {
 
   private async address(): Promise<string> {
     const live = await this.session.live.carried();
-    const { lesson: trace, place } = this.session;
-    return formatAddress({ setup: this.setup, ...place, trace, live });
+    const { lesson: trace, place, rival } = this.session;
+    return formatAddress({ setup: this.setup, ...place, trace, live, rival: rival.word });
   }
 
-  private async copyLink(): Promise<void> {
+  async copyLink(): Promise<void> {
     const { live, lesson } = this.session;
     const isHeld = lesson !== null || (await live.carried()) !== null;
     await live.copyLink(isHeld ? new URL(await this.address(), location.href).href : null);
   }
 
-  private change(part: Partial<Setup>): void {
+  change(part: Partial<Setup>): void {
     this.setup = { ...this.setup, ...part };
     this.writeAddress();
-  }
-
-  /** The exact picture is asked for only when it is shown. */
-  private get exact(): Exact {
-    const { trace, exact } = this.session;
-    if (trace === null) return null;
-    const { scene } = trace.header;
-    return needsExact(this.setup.layer) ? exact.of(scene) : exact.unasked(scene);
   }
 
   override updated(): void {
@@ -140,16 +155,19 @@ export class AppElement extends LitElement {
 
   override render(): TemplateResult {
     const { session } = this;
-    const { language, presenting, layer, setting } = this.setup;
-    const { trace, place, live } = session;
+    const { language, presenting } = this.setup;
+    const { trace, live, rival, isCompared } = session;
+    this.toggleAttribute('comparing', isCompared);
     const page = texts[language].page;
     return html`
       <vidno-page-header
         ?inert=${presenting}
         .language=${language}
         ?open=${trace !== null}
-        @keys=${() => this.player.showKeys()}
-        @present=${() => this.player.present(true)}
+        ?comparing=${rival.chosen !== null}
+        @keys=${() => this.stage.showKeys()}
+        @compare=${() => this.compare()}
+        @present=${() => this.stage.present(true)}
         @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
       ></vidno-page-header>
       <nav ?inert=${presenting}>
@@ -165,40 +183,17 @@ export class AppElement extends LitElement {
         ></vidno-file-drop>
       </nav>
       <main>
-        ${this.heading()}
-        <vidno-player
-          .trace=${trace}
-          .length=${session.steps}
-          .step=${place.step}
-          .lang=${language}
-          ?hidden=${trace === null}
-          .pixel=${place.pixel}
-          .bookmarks=${place.bookmarks}
-          .from=${setting.from}
-          .to=${setting.to}
-          .speed=${setting.speed}
-          ?play=${setting.play}
-          .controls=${setting.controls}
-          .ask=${setting.ask ?? ''}
-          ?presenting=${presenting}
-          ?linked=${session.isLinked}
-          .layer=${layer}
-          .exact=${this.exact}
-          .maps=${session.maps}
-          .editing=${live.editing}
-          .link=${live.link}
-          @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
-          @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
-          @vidno-layer=${({ detail }: CustomEvent<Layer>) => this.change({ layer: detail })}
-          @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
-          @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
-          @vidno-ask=${({ detail: ask }: CustomEvent<Way>) => this.change({ setting: { ...setting, ask } })}
-          @vidno-present=${({ detail }: CustomEvent<boolean>) => this.change({ presenting: detail })}
-          @vidno-save=${() => live.save()}
-          @vidno-link=${this.copyLink}
-        ></vidno-player>
+        ${heading(session, this.name, language)} ${alone(this)}
+        ${isCompared ? besides(this) : nothing}
         ${trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
       </main>
+      <vidno-rival-choice
+        .language=${language}
+        .lessons=${this.lessons}
+        .options=${live.editing?.options ?? null}
+        .earlier=${session.earlier}
+        @with=${({ detail }: CustomEvent<With>) => rival.choose(detail)}
+      ></vidno-rival-choice>
     `;
   }
 
@@ -207,28 +202,5 @@ export class AppElement extends LitElement {
       traces.some((each) => idOf(each) === this.session.lesson),
     );
     return found?.title[this.setup.language] ?? this.session.name;
-  }
-
-  private heading(): TemplateResult {
-    const { page } = texts[this.setup.language];
-    const { session, name } = this;
-    const { trace, notice } = session;
-    const header = trace?.header;
-    return html`<div class="title">
-      <h2>${trace ? name : ''}</h2>
-      ${
-        header
-          ? html`<p>
-              ${page.methods[header.method]} · ${page.editions[header.edition]} · ${page.kernel}:
-              ${header.kernel} · ${page.detail}: ${header.detail}
-            </p>`
-          : nothing
-      }
-      <vidno-notice
-        class=${notice?.kind ?? nothing}
-        .notice=${notice}
-        .language=${this.setup.language}
-      ></vidno-notice>
-    </div>`;
   }
 }

@@ -1,5 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { Address } from './address.js';
+import { Rival } from './compare/rival.js';
 import type { Notice } from './components/notice.js';
 import { embeddedFile, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
@@ -35,9 +36,12 @@ export class Session implements ReactiveController {
   lesson: string | null = null;
   place = beginning;
   notice: Notice | null = null;
+  /** What was shown before the scene was changed last. */
+  earlier: Trace | null = null;
   readonly live: Live;
   readonly exact: ExactPicture;
   readonly maps: SignMaps | null;
+  readonly rival: Rival;
 
   /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
   private goal: Place | null = null;
@@ -51,8 +55,10 @@ export class Session implements ReactiveController {
     const library = embeddedLibrary(document);
     this.maps = library && new SignMaps(library);
     this.exact = new ExactPicture(library, changed);
+    this.rival = new Rival(library, changed);
     this.live = new Live(library, {
       changed,
+      began: () => (this.earlier = this.trace),
       traced: (trace) => this.showRun(trace),
       refused: (messages) => this.say({ kind: 'refused', name: this.name, messages }),
       failed: (error) => this.fail(this.name, error),
@@ -62,6 +68,11 @@ export class Session implements ReactiveController {
   /** Whether an address can lead here again. */
   get isLinked(): boolean {
     return this.lesson !== null || this.live.isRun;
+  }
+
+  /** Whether it is shown beside another run. */
+  get isCompared(): boolean {
+    return this.trace !== null && this.rival.trace !== null;
   }
 
   hostDisconnected(): void {
@@ -96,6 +107,7 @@ export class Session implements ReactiveController {
 
   private openScene(text: string, name: string, options: Options, place: Place): void {
     this.stopReading();
+    this.earlier = null;
     this.name = name;
     this.goal = place;
     if (this.live.load(text, options)) this.say(null);
@@ -116,6 +128,7 @@ export class Session implements ReactiveController {
   private open(file: Blob, name: string, lesson: string | null, place: Place): void {
     this.stopReading();
     this.goal = null;
+    this.earlier = null;
     this.say({ kind: 'reading', name });
     this.stopReading = openTrace(file, {
       grown: (trace) => {
@@ -140,6 +153,7 @@ export class Session implements ReactiveController {
     this.name = name;
     this.lesson = lesson;
     this.place = place;
+    this.rival.follow(trace.header.scene);
     this.changed();
   }
 

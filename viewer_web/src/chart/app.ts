@@ -17,11 +17,12 @@ import './components/choices.js';
 import { colors } from './components/colors.style.js';
 import './components/front.js';
 import './components/plot.js';
+import './components/replay.js';
 import './components/series.js';
 import type { Chart } from './format.js';
 import { whole } from './numbers.js';
 import type { Point } from './points.js';
-import { embeddedChart, readChart } from './read.js';
+import { embeddedChart, embeddedReplay, readChart } from './read.js';
 import { shownOf } from './shown.js';
 import type { Shown } from './shown.js';
 import { explanation, missingText } from './words.js';
@@ -42,6 +43,9 @@ export class ChartElement extends LitElement {
   @state() private choice: Choice = parseChoice('');
   @state() private chosen: Point | null = null;
   @state() private failure: Failure | null = null;
+  /** The one that was chosen last: it stays when the mouse goes on. */
+  @state() private picked: Point | null = null;
+  private readonly replay = embeddedReplay(document);
   private shown: Shown | null = null;
   private opening = 0;
 
@@ -89,6 +93,7 @@ export class ChartElement extends LitElement {
     if (!['chart', 'choice', 'language'].some((key) => changed.has(key))) return;
     this.shown = this.chart && shownOf(this.chart, this.choice, this.language);
     this.chosen = null;
+    this.picked = null;
   }
 
   override updated(): void {
@@ -118,6 +123,7 @@ export class ChartElement extends LitElement {
     const choose = ({ detail }: CustomEvent<Partial<Choice>>): void => this.choose(detail);
     const point = ({ detail }: CustomEvent<Point | null>): void => {
       this.chosen = detail;
+      this.picked = detail ?? this.picked;
     };
     return html`
       <vidno-choices .shown=${shown} @choose=${choose}></vidno-choices>
@@ -130,11 +136,23 @@ export class ChartElement extends LitElement {
       </main>
       <aside>
         <vidno-series class="panel" .shown=${shown} @choose=${choose}></vidno-series>
+        ${this.picking(shown)}
         <div class="panel front">
           <vidno-front .shown=${shown} .chosen=${this.chosen} @point=${point}></vidno-front>
         </div>
       </aside>
     `;
+  }
+
+  /** Where the page of traces is not known, or the chart does not hold its scenes, nothing. */
+  private picking(shown: Shown): TemplateResult | typeof nothing {
+    if (this.replay === null || !shown.hasScenes) return nothing;
+    return html`<vidno-replay
+      class="panel"
+      .shown=${shown}
+      .point=${this.picked}
+      .page=${this.replay}
+    ></vidno-replay>`;
   }
 
   private nothingOpen(): TemplateResult {

@@ -1,4 +1,4 @@
-import { between, bool, finite, list, oneOf, part, text } from '../trace/check.js';
+import { between, bool, finite, list, oneOf, part, plainObject, text } from '../trace/check.js';
 import type { Check, Checked } from '../trace/check.js';
 import { Refusal, describe } from '../trace/refusal.js';
 
@@ -80,7 +80,7 @@ const run: Check<Run> = (value, path) => {
   return found;
 };
 
-const scene = part({
+const sceneFields = part({
   name: text,
   kind: oneOf(...kinds),
   unsteady: count,
@@ -90,6 +90,13 @@ const scene = part({
   runs: some(run),
 });
 
+/** The scene itself need not be told. */
+const scene: Check<Scene> = (value, path) => {
+  const found = sceneFields(value, path);
+  const { scene: file } = plainObject(value, path);
+  return file === undefined ? found : { ...found, scene: plainObject(file, `${path}.scene`) };
+};
+
 const chart = part({
   format: oneOf('vidno-chart/1'),
   rounds: count,
@@ -97,7 +104,7 @@ const chart = part({
 });
 
 export type Run = Checked<typeof runFields>;
-export type Scene = Checked<typeof scene>;
+export type Scene = Checked<typeof sceneFields> & { readonly scene?: object };
 export type Chart = Checked<typeof chart>;
 
 /** What `trace/CHART.md` describes, checked; fields that it does not name are left out. */

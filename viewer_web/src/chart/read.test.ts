@@ -18,6 +18,16 @@ async function refused(content: BlobPart): Promise<readonly [string, Reason]> {
 }
 
 describe('a chart', () => {
+  it('may hold its scenes, each an object', async () => {
+    const [first] = sample.scenes;
+    const scene = { format: 'vidno-scene/1', name: 'Two' };
+    const withScene = (value: unknown): string =>
+      JSON.stringify({ ...sample, scenes: [{ ...first, scene: value }] });
+    const chart = await readChart(new Blob([withScene(scene)]));
+    expect(chart.scenes[0]?.scene).toEqual(scene);
+    expect(await refused(withScene('Two'))).toEqual(['scenes[0].scene', 'object']);
+  });
+
   it('is read as it was written', async () => {
     const chart = await readChart(new Blob([sampleText]));
     const written = JSON.stringify(chart, (_key, value: unknown) =>

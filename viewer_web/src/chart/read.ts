@@ -19,6 +19,15 @@ export async function readChart(file: Blob): Promise<Chart> {
   return parseChart(parseJson(text));
 }
 
+/** The page of traces, where it is known from here: what the program wrote for a disk is nowhere on the web. */
+export function embeddedReplay(page: Document): URL | null {
+  const block = page.getElementById('vidno-replay');
+  const address = block === null ? null : parseJson(block.textContent);
+  if (typeof address !== 'string' || !URL.canParse(address, page.baseURI)) return null;
+  const found = new URL(address, page.baseURI);
+  return found.protocol === new URL(page.baseURI).protocol ? found : null;
+}
+
 /** The block of data that the program fills in; `null` in the page as it was built. */
 export function embeddedChart(page: Document): Chart | null {
   const block = page.getElementById('vidno-chart');

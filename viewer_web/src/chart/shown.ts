@@ -27,6 +27,8 @@ export interface Shown {
   readonly areaOfRight: number | null;
   readonly series: readonly Series[];
   readonly hasPrinted: boolean;
+  /** Whether the chart holds its scenes. */
+  readonly hasScenes: boolean;
   readonly hidden: ReadonlySet<string>;
   readonly language: Language;
   readonly texts: ChartTexts;
@@ -51,6 +53,7 @@ export function shownOf(chart: Chart, choice: Choice, language: Language): Shown
     missing,
     areaOfRight: areaOfRight(view.scenes, error),
     series: seriesOf(settings),
+    hasScenes: chart.scenes.some(({ scene }) => scene !== undefined),
     hasPrinted: settings.some(({ edition }) => edition === printed),
     hidden,
     language,

@@ -4,6 +4,7 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit';
 export function takesKey(event: KeyboardEvent): boolean {
   const [target] = event.composedPath();
   if (target instanceof HTMLInputElement) {
+    if (target.type === 'checkbox') return event.key === ' ';
     return target.type === 'range' ? !['?', ' ', '+', '-'].includes(event.key) : event.key !== '?';
   }
   if (target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement) return true;

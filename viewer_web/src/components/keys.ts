@@ -2,6 +2,7 @@ import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import type { KeyUse, PageTexts } from '../i18n/texts.js';
+import { dialogStyle } from './dialog.style.js';
 import { base } from './theme.js';
 
 const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
@@ -33,6 +34,8 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['corner', ['← ↑ ↓ →', 'PgUp', 'PgDn', '+', 'Del']],
   ['present', ['F']],
   ['remote', ['PgDn', 'PgUp', 'B', '.', 'Esc']],
+  ['compare', ['D']],
+  ['parting', ['J', 'Shift J']],
   ['save', ['S', 'Shift S']],
   ['map', ['?']],
 ];
@@ -42,23 +45,8 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
 export class KeysElement extends LitElement {
   static override styles = [
     base,
+    dialogStyle,
     css`
-      dialog {
-        max-width: min(54rem, calc(100vw - 2rem));
-        padding: 1.25rem 1.5rem;
-        border: 1px solid var(--line);
-        border-radius: var(--radius);
-        background: var(--panel);
-        color: var(--ink);
-      }
-      dialog::backdrop {
-        background: rgb(10 12 18 / 45%);
-      }
-      h2 {
-        margin-bottom: 0.75rem;
-        font-size: 1rem;
-        color: var(--ink);
-      }
       dl {
         display: grid;
         grid-template-columns: auto 1fr;

@@ -9,6 +9,7 @@ import type { Difference, Exact, Layer } from '../picture/layers.js';
 import { stops } from '../picture/ramp.js';
 import type { View } from '../view.js';
 import { hiddenStyle } from './hidden.style.js';
+import { textureStyle } from './texture.style.js';
 import { base } from './theme.js';
 
 /** Asks whoever holds the player for another layer. */
@@ -22,6 +23,7 @@ export class LayersElement extends LitElement {
   static override styles = [
     base,
     hiddenStyle,
+    textureStyle,
     css`
       :host {
         position: relative;
@@ -67,21 +69,6 @@ export class LayersElement extends LitElement {
         display: inline-block;
         margin-right: 0.75rem;
         white-space: nowrap;
-      }
-      i {
-        display: inline-block;
-        width: 1rem;
-        height: 0.75rem;
-        margin-right: 0.3rem;
-        border-radius: 2px;
-        vertical-align: -0.05em;
-        background: #ffffff;
-      }
-      .wrong {
-        background: repeating-linear-gradient(135deg, #10131c 0 3px, #ffffff 3px 6px);
-      }
-      .lacking {
-        background: radial-gradient(#10131c 1px, #ffffff 1.4px) 0 0 / 4px 4px;
       }
     `,
   ];

@@ -1,4 +1,4 @@
-import { LitElement, css, html } from 'lit';
+import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
@@ -7,7 +7,10 @@ import { headerStyle } from './header.style.js';
 import './languages.js';
 import { base } from './theme.js';
 
-/** The line at the top of the page. Events `keys`, `present` and `choose`, of a language, tell what is asked for. */
+/**
+ * The line at the top of the page. Events `keys`, `compare`, `present` and `choose`, of a language, tell what
+ * is asked for.
+ */
 @customElement('vidno-page-header')
 export class PageHeaderElement extends LitElement {
   static override styles = [
@@ -25,8 +28,19 @@ export class PageHeaderElement extends LitElement {
       header {
         height: 100%;
       }
+      button[aria-pressed='true'] {
+        border-color: var(--accent);
+        background: var(--accent-wash);
+      }
       @media (max-width: 640px) {
-        .present {
+        .tools {
+          gap: 0.35rem;
+        }
+        button {
+          padding: 0 0.5rem;
+        }
+        .present,
+        kbd {
           display: none;
         }
       }
@@ -36,15 +50,26 @@ export class PageHeaderElement extends LitElement {
   @property({ attribute: false }) language: Language = 'en';
   /** Whether a run is shown, which the tools are for. */
   @property({ type: Boolean }) open = false;
+  /** Whether another run is beside it. */
+  @property({ type: Boolean }) comparing = false;
 
   override render(): TemplateResult {
-    const { page } = texts[this.language];
+    const { page, compare } = texts[this.language];
     return html`<header>
       <h1>vidno</h1>
       <p class="tagline">${page.tagline}</p>
       <div class="tools">
         <button @click=${() => this.ask('keys')} ?disabled=${!this.open}>
           ${page.keys} <kbd>?</kbd>
+        </button>
+
+        <button
+          aria-pressed=${this.comparing ? 'true' : 'false'}
+          title=${this.comparing ? compare.leave : nothing}
+          @click=${() => this.ask('compare')}
+          ?disabled=${!this.open}
+        >
+          ${compare.compare} <kbd>D</kbd>
         </button>
         <button class="present" @click=${() => this.ask('present')} ?disabled=${!this.open}>
           ${page.present} <kbd>F</kbd>
@@ -57,7 +82,10 @@ export class PageHeaderElement extends LitElement {
     </header>`;
   }
 
-  private ask(what: 'keys' | 'present' | 'choose', detail: Language | null = null): void {
+  private ask(
+    what: 'keys' | 'compare' | 'present' | 'choose',
+    detail: Language | null = null,
+  ): void {
     this.dispatchEvent(new CustomEvent(what, { detail }));
   }
 }

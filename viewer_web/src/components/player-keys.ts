@@ -8,23 +8,27 @@ import type { Presenter } from './presenter.js';
 import type { Side } from './side.js';
 import type { TravelElement } from './travel.js';
 
-/** What of the player keys reach. */
-export interface Steered {
-  readonly trace: unknown;
-  readonly controls: string;
+/** What goes through time. */
+export interface Timed {
   readonly step: number;
   readonly first: number;
   readonly last: number;
-  readonly presenting: boolean;
-  readonly presenter: Presenter;
-  readonly keys: KeysElement;
   readonly clock: Clock;
-  readonly listing: ListingElement;
-  readonly picture: PicturePanelElement;
   readonly travel: TravelElement;
-  readonly predictor: Predictor;
   moveTo(step: number): void;
   togglePlay(): void;
+}
+
+/** What of the player keys reach. */
+export interface Steered extends Timed {
+  readonly trace: unknown;
+  readonly controls: string;
+  readonly presenting: boolean;
+  readonly presenter: Presenter;
+  readonly predictor: Predictor;
+  readonly keys: KeysElement;
+  readonly listing: ListingElement;
+  readonly picture: PicturePanelElement;
   showKeys(): void;
   present(on: boolean): void;
   point(by: 1 | -1): void;
@@ -43,7 +47,25 @@ export function actionsOf(player: Steered, { shiftKey }: KeyboardEvent): Actions
 }
 
 function usualActions(player: Steered, shift: boolean): Actions {
-  const { clock, travel, picture } = player;
+  const { picture } = player;
+  return {
+    ...timeActions(player, shift),
+    KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
+    KeyC: () => player.listing.toggleSource(),
+    KeyX: () => player.toggleSide('exact'),
+    KeyL: () => picture.nextLayer(),
+    KeyO: () => player.point(shift ? -1 : 1),
+    KeyP: () => picture.startChoosing(),
+    KeyV: () => player.toggleSide('solid'),
+    KeyQ: () => player.predictor.next(),
+    KeyF: () => player.present(!player.presenting),
+    KeyS: () => void picture.save(shift ? 'png' : 'svg'),
+  };
+}
+
+/** The ways through time, short and long. */
+export function timeActions(player: Timed, shift: boolean): Actions {
+  const { clock, travel } = player;
   const by = shift ? 10 : 1;
   const way = shift ? 'out' : 'over';
   const goal = shift ? 'bookmark' : undefined;
@@ -60,15 +82,5 @@ function usualActions(player: Steered, shift: boolean): Actions {
     BracketRight: () => travel.call(way, 1),
     Comma: () => travel.next(-1, goal),
     Period: () => travel.next(1, goal),
-    KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
-    KeyC: () => player.listing.toggleSource(),
-    KeyX: () => player.toggleSide('exact'),
-    KeyL: () => picture.nextLayer(),
-    KeyO: () => player.point(shift ? -1 : 1),
-    KeyP: () => picture.startChoosing(),
-    KeyV: () => player.toggleSide('solid'),
-    KeyQ: () => player.predictor.next(),
-    KeyF: () => player.present(!player.presenting),
-    KeyS: () => void picture.save(shift ? 'png' : 'svg'),
   };
 }

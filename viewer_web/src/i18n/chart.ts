@@ -1,4 +1,5 @@
 import type { Cost, ErrorMeasure, Kind, Knob, Method } from '../chart/format.js';
+import type { Unlinked } from '../chart/replay.js';
 import type { Edition } from '../trace/header.js';
 import type { Refusal } from '../trace/refusal.js';
 import { chart as en } from './en/chart.js';
@@ -22,6 +23,16 @@ export interface ErrorTexts {
   readonly axis: string;
   readonly sentence: string;
   readonly meanSentence: string;
+}
+
+/** The ways from a run to its replay. */
+export interface ReplayTexts {
+  readonly title: string;
+  readonly hint: string;
+  readonly oneScene: string;
+  readonly replay: string;
+  readonly compare: string;
+  readonly unlinked: Readonly<Record<Unlinked, string>>;
 }
 
 /** Everything that the page of cost against error says, in one language. */
@@ -55,6 +66,7 @@ export interface ChartTexts extends FileTexts {
   readonly front: string;
   readonly frontMark: string;
   readonly run: string;
+  readonly replay: ReplayTexts;
   readonly empty: string;
   readonly howTo: string;
   readonly unreadable: (name: string, where: string, reason: string) => string;

@@ -9,6 +9,7 @@ import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
 import type { ExactTexts } from './exact-texts.js';
+import type { CompareTexts } from './compare-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { PredictTexts } from './predict-texts.js';
 import type { SceneTexts } from './scene-texts.js';
@@ -40,6 +41,7 @@ export interface Texts {
   readonly exact: ExactTexts;
   readonly solid: SolidTexts;
   readonly predict: PredictTexts;
+  readonly compare: CompareTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -215,5 +217,7 @@ export type KeyUse =
   | 'corner'
   | 'present'
   | 'remote'
+  | 'compare'
+  | 'parting'
   | 'save'
   | 'map';

@@ -38,6 +38,8 @@ export type Act =
 /** What the page does as something was edited. */
 export interface Followers {
   changed(editing: Editing): void;
+  /** Another change of the scene begins, which will be undone as a whole. */
+  began(): void;
   /** There is a trace of the scene as it is now. */
   traced(trace: Trace): void;
   /** A scene file is none that the library takes. */
@@ -87,9 +89,10 @@ export class Editor {
   }
 
   act(act: Act): void {
-    const before = this.undo.value;
+    const { value: before, depth } = this.undo;
     const { options } = this;
     this.perform(act);
+    if (this.undo.depth > depth && act.do !== 'redo') this.followers.began();
     if (this.undo.value !== before || this.options !== options) this.run();
     this.followers.changed(this.editing);
   }

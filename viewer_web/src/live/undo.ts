@@ -10,8 +10,13 @@ export class Undo<T> {
     return this.current;
   }
 
+  /** How many changes can be taken back. */
+  get depth(): number {
+    return this.past.length;
+  }
+
   get canUndo(): boolean {
-    return this.past.length > 0;
+    return this.depth > 0;
   }
 
   get canRedo(): boolean {

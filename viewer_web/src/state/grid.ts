@@ -38,6 +38,13 @@ export class Grid<T> {
     this.writable(y)[x] = value;
   }
 
+  /** The cells as they are now. */
+  copy(): Grid<T> {
+    const copy = new Grid(this.width, this.height, this.row(0)[0] as T, this.make);
+    copy.load(this.save());
+    return copy;
+  }
+
   save(): readonly Row<T>[] {
     this.owned.clear();
     return this.rows.slice();

@@ -2,8 +2,8 @@ import { all, only } from '../history/entry.js';
 import type { Wanted } from '../history/entry.js';
 import type { History } from '../history/history.js';
 import type { Timeline } from '../state/timeline.js';
-import { common, eventNames, numberOf, tables } from '../trace/events.js';
-import type { Event, EventName, Method } from '../trace/events.js';
+import { eventNames, kinds, numberOf } from '../trace/events.js';
+import type { Event, Method } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
 import type { Bookmarks } from './bookmarks.js';
 
@@ -41,11 +41,6 @@ const wanted: Readonly<Record<SearchedName, Wanted>> = {
   wrong: only('disagree'),
 };
 
-const kinds: Readonly<Record<EventName, { readonly fields: object }>> = {
-  ...common,
-  ...tables.warnock,
-  ...tables.zbuffer,
-};
 const havePolygon: Wanted = eventNames.map((name) => 'polygon' in kinds[name].fields);
 
 /** Whether a step, whose event's name has this number, is a goal. */

@@ -81,7 +81,7 @@ export const decisions = [
 export type Decision = (typeof decisions)[number];
 
 /** Beside a decision in a checked trace. */
-const told = {
+export const told = {
   exact: optional(truth),
   by: optional(oneOf('given', 'scene', 'operands', 'exact')),
 } as const;
@@ -219,15 +219,14 @@ export type EventName = keyof Events;
 /** An event, or with a name the event of that name. */
 export type Event<K extends EventName = EventName> = { readonly [P in K]: Events[P] }[K];
 
+export type AnyKind = Kind<string, Fields>;
+
+/** Those of all methods. */
+export const kinds: Readonly<Record<EventName, AnyKind>> = { ...common, ...warnock, ...zbuffer };
+
 /** The names, each at its number: numbers are looked through faster than events. */
-export const eventNames = Object.keys({
-  ...common,
-  ...warnock,
-  ...zbuffer,
-}) as readonly EventName[];
+export const eventNames = Object.keys(kinds) as readonly EventName[];
 
 export const numberOf: ReadonlyMap<EventName, number> = new Map(
   eventNames.map((name, i) => [name, i]),
 );
-
-export type AnyKind = Kind<string, Fields>;

@@ -6,12 +6,13 @@ import {
   matching,
   oneOf,
   plainNumber,
+  plainOf,
   text,
   tuple,
   whole,
   written,
 } from './check.js';
-import type { Checked } from './check.js';
+import type { Check, Checked } from './check.js';
 import { Refusal, describe } from './refusal.js';
 
 /** N of the format: a number of the run's kernel. A reader copies it and never computes with it. */
@@ -26,6 +27,9 @@ export const num = written<N>(`(?:${plainNumber}|${plainWord})`, (value, path) =
   if (typeof value === 'string' && word.test(value)) return value;
   throw new Refusal(path, 'kernelNumber', describe(value));
 });
+
+/** Whether there are numbers of the kernel in what a check takes. */
+export const holdsNumbers = (check: Check<unknown>): boolean => plainOf(check).includes(plainWord);
 
 export const id = text;
 export const color = matching(/^#[0-9a-f]{6}$/, 'color');

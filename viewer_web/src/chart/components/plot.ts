@@ -71,10 +71,17 @@ export class PlotElement extends LitElement {
         aria-describedby="keys"
         @keydown=${this.onKey}
         @pointermove=${() => this.choose(null)}
+        @click=${this.onClick}
       ></div>
       <p class="said" id="keys">${texts.keys}</p>
       <p class="said" aria-live="polite">${said}</p>
     `;
+  }
+
+  /** The plot's value is the point under the mouse. */
+  private onClick(): void {
+    const plot = this.canvas.firstElementChild as { readonly value?: Point | null } | null;
+    if (plot?.value) this.choose(plot.value);
   }
 
   private onKey(event: KeyboardEvent): void {

@@ -98,6 +98,17 @@ export const chart: ChartTexts = {
   front: 'The front: no other run is as cheap and as right',
   frontMark: 'the front',
   run: 'Run',
+  replay: {
+    title: 'The chosen run',
+    hint: 'Click a point, or choose one by keyboard.',
+    oneScene: 'Show a single scene to replay one of its runs.',
+    replay: 'Replay this run',
+    compare: 'Compare with the exact run',
+    unlinked: {
+      window: 'The page has no run that stops at larger windows.',
+      large: 'The scene is too large for a link: open its file on the page.',
+    },
+  },
   empty: 'No chart is open.',
   howTo: 'This writes one, of each way to run these scenes:',
   unreadable: (name, where, reason) =>

@@ -1,6 +1,7 @@
 import type { Texts } from '../texts.js';
 import { bookmarks } from './bookmarks.js';
 import { exact } from './exact.js';
+import { compare } from './compare.js';
 import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
@@ -27,4 +28,5 @@ export const texts: Texts = {
   scene,
   exact,
   solid,
+  compare,
 };

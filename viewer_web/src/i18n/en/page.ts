@@ -79,6 +79,8 @@ export const page: PageTexts = {
     corner: 'on a corner: move it, change its depth, add, remove',
     present: 'show to a hall: large type, nothing else',
     remote: 'there, or on a remote control: on, back, dark screen, leave',
+    compare: 'compare with another run, and leave that',
+    parting: 'there: to where they part in what is done; as written',
     save: 'save the picture as SVG, as PNG',
     map: 'this map of keys',
   },

@@ -1,0 +1,89 @@
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { compared, comparing, stepsOf } from './compare.js';
+import { goTo, launch, open } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+const lesson = 'trace=10-printed-text.warnock.double.corrected.signs';
+
+describe('a comparison', () => {
+  it.each(
+    [390, 768, 1280, 1920].flatMap((width) => [[width, 'en'] as const, [width, 'ru'] as const]),
+  )('clips and moves nothing at %d px in %s', async (width, language) => {
+    const viewport = { width, height: width < 500 ? 844 : 1080 };
+    const { page, faults } = await open(
+      browser,
+      `#lang=${language}&${lesson}&with=warnock.printed.double.signs`,
+      { viewport },
+    );
+    await compared(page);
+    const places = new Set<string>();
+    for (const step of [0, 18, 500, 5337]) {
+      await goTo(page, step);
+      await stepsOf(page);
+      const parts = page.locator('vidno-compared-run :is(.picture, .listing, .sentence), .dock');
+      places.add(
+        await parts.evaluateAll((all) =>
+          all
+            .map((part) => part.getBoundingClientRect())
+            .map(({ x, y, width: w, height }) => [x, y + scrollY, w, height].map(Math.round))
+            .join(' '),
+        ),
+      );
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+    }
+    expect([...places]).toHaveLength(1);
+    expect(faults).toEqual([]);
+  });
+
+  it.each(['light', 'dark'] as const)(
+    'can be used by all (WCAG 2.2 AA, %s)',
+    async (colorScheme) => {
+      const { page } = await comparing(browser, `${lesson}&with=zbuffer.corrected.double.signs`, {
+        colorScheme,
+      });
+      expect(await violations(page)).toEqual([]);
+      await page.keyboard.press('d');
+      await page.keyboard.press('d');
+      await page.locator('vidno-rival-choice dialog[open]').waitFor();
+      expect(await violations(page)).toEqual([]);
+    },
+  );
+
+  it('is printed on one sheet, with both pictures and sentences', async () => {
+    const { page } = await comparing(browser, `${lesson}&with=zbuffer.corrected.double.signs`);
+    const pdf = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
+    expect(pdf.match(/\/Type\s*\/Page\b/g)).toHaveLength(1);
+    await page.emulateMedia({ media: 'print' });
+    for (const shown of ['vidno-picture', 'vidno-compared-run .sentence', '.differ']) {
+      for (const each of await page.locator(shown).all()) expect(await each.isVisible()).toBe(true);
+    }
+    for (const hidden of ['header', 'nav', 'vidno-transport', '.switches']) {
+      for (const each of await page.locator(hidden).all())
+        expect(await each.isVisible()).toBe(false);
+    }
+  });
+
+  it('is shown to a hall: two pictures and what happened', async () => {
+    const { page } = await comparing(browser, `${lesson}&with=zbuffer.corrected.double.signs`);
+    await page.keyboard.press('f');
+    await page.locator('.corner').waitFor();
+    await page.keyboard.press('PageDown');
+    expect((await stepsOf(page))[0]).toBe(1);
+    for (const hidden of ['vidno-comparison-facts', 'vidno-comparison vidno-transport']) {
+      expect(await page.locator(hidden).isVisible()).toBe(false);
+    }
+    const box = await page.locator('vidno-comparison').boundingBox();
+    expect(box).toEqual({ x: 0, y: 0, width: 1280, height: 800 });
+    await page.keyboard.press('Escape');
+    await page.locator('.corner').waitFor({ state: 'detached' });
+  });
+});

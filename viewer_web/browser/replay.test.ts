@@ -1,0 +1,74 @@
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { openChart, plot, sample } from './chart.js';
+import { compared, names, stepsOf } from './compare.js';
+import { scene, square, triangle } from './live.js';
+import { launch, openUrl } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+const built = pathToFileURL(fileURLToPath(new URL('../dist/index.html', import.meta.url))).href;
+
+/** The first scene of the sample alone, with a scene to replay. */
+const [first] = sample.scenes;
+const withScene = JSON.stringify({
+  ...sample,
+  scenes: [{ ...first, scene: JSON.parse(scene([triangle, square])) as unknown }],
+});
+
+describe('a point of the chart', () => {
+  it('leads to the replay of its run, and to a comparison with the exact one', async () => {
+    const { page, faults } = await openChart(browser, 'lang=en', withScene, {}, built);
+    const panel = page.locator('vidno-replay');
+    const chosen = panel.locator('p').first();
+    expect(await chosen.textContent()).toContain('Click a point');
+    const mark = await page.locator('vidno-plot svg [aria-label=dot] > *').first().boundingBox();
+    if (mark === null) throw new Error('no point');
+    await page.mouse.move(mark.x + mark.width / 2 + 1, mark.y + mark.height / 2);
+    await page.mouse.move(mark.x + mark.width / 2, mark.y + mark.height / 2);
+    await page.mouse.click(mark.x + mark.width / 2, mark.y + mark.height / 2);
+    const replay = panel.getByRole('link', { name: 'Replay this run' });
+    await replay.waitFor();
+    expect(await violations(page)).toEqual([]);
+
+    // By keyboard along the cost until a run of bits, which is not exact.
+    await plot(page).locator('xpath=..').focus();
+    await page.keyboard.press('Home');
+    for (let i = 0; i < 40; i++) {
+      if ((await chosen.textContent())?.includes('bits:') === true) break;
+      await page.keyboard.press('ArrowRight');
+    }
+    const name = /(Warnock|Z-buffer) (bits:\d+)/u.exec((await chosen.textContent()) ?? '');
+    expect(name).not.toBeNull();
+    const run = `${name?.[1] ?? ''} · corrected · ${name?.[2] ?? ''}`;
+    const compare = panel.getByRole('link', { name: 'Compare with the exact run' });
+    await compare.waitFor();
+    const beside = await openUrl(browser, (await compare.getAttribute('href')) ?? '');
+    await compared(beside.page);
+    expect(await names(beside.page)).toEqual([run, run.replace(/bits:\d+/u, 'exact')]);
+    await beside.page.keyboard.press('ArrowRight');
+    expect((await stepsOf(beside.page))[0]).toBe(1);
+
+    const alone = await openUrl(browser, (await replay.getAttribute('href')) ?? '');
+    await alone.page.locator('.title p', { hasText: name?.[2] ?? '' }).waitFor();
+    expect(alone.faults).toEqual([]);
+    expect(faults).toEqual([]);
+  });
+
+  it('has no link where the chart has no scenes, or the page of traces is not known', async () => {
+    const bare = await openChart(browser, 'lang=en');
+    await plot(bare.page).waitFor();
+    expect(await bare.page.locator('vidno-replay').count()).toBe(0);
+    const unknown = await openChart(browser, 'lang=en', withScene, {}, null);
+    await plot(unknown.page).waitFor();
+    expect(await unknown.page.locator('vidno-replay').count()).toBe(0);
+  });
+});

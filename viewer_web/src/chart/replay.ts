@@ -1,0 +1,41 @@
+import type { Language } from '../i18n/language.js';
+import { usual } from '../live/options.js';
+import type { Options } from '../live/options.js';
+import { packed, wordOf } from '../live/packed.js';
+import type { Setting } from './series.js';
+
+/** The ways from a run on the chart to the page of traces. */
+export interface Links {
+  readonly replay: string;
+  /** Beside the exact run; null for that one itself. */
+  readonly compare: string | null;
+}
+
+/** Why there is none: the page has no such run, or the scene is too large for an address. */
+export type Unlinked = 'window' | 'large';
+
+function linkTo(page: URL, fields: Readonly<Record<string, string>>): string {
+  const link = new URL(page);
+  link.hash = new URLSearchParams(fields).toString();
+  return link.href;
+}
+
+/** How the page of traces finds a run of a scene file. */
+export async function linksOf(
+  { method, kernel, edition, window }: Setting,
+  file: string,
+  page: URL,
+  lang: Language,
+): Promise<Links | Unlinked> {
+  if (window > 1) return 'window';
+  const scene = await packed(file);
+  if (scene === null) return 'large';
+  const options: Options = { ...usual, method, kernel, edition };
+  const run = wordOf(options);
+  const exact = wordOf({ ...options, edition: 'corrected', kernel: 'exact' });
+  const fields = { lang, run, scene };
+  return {
+    replay: linkTo(page, fields),
+    compare: run === exact ? null : linkTo(page, { ...fields, with: exact }),
+  };
+}

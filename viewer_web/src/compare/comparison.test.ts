@@ -1,0 +1,135 @@
+import { describe, expect, it } from 'vitest';
+import { headerOf, textWith, traceOf } from '../testing/traces.js';
+import type { Event } from '../trace/events.js';
+import type { Trace } from '../trace/trace.js';
+import { Comparison } from './comparison.js';
+
+const trace = (events: readonly Event[], header = headerOf('warnock')): Promise<Trace> =>
+  traceOf(textWith(header, events));
+
+async function compared(one: Promise<Trace>, other: Promise<Trace>): Promise<Comparison> {
+  const comparison = new Comparison(await one, await other);
+  while (!comparison.read());
+  return comparison;
+}
+
+const push: Event = { e: 'push', at: 'W3', window: [0, 0, 8, 8], apl: [['A', false]] };
+const pop: Event = { e: 'pop', at: 'W5', window: [0, 0, 8, 8] };
+const corners = (z: number): Event => ({ e: 'corners', at: 'PW1', z });
+const call: Event = { e: 'call', at: 'W6', of: 'ProcessWindow' };
+const count: Event = { e: 'count', at: 'PW4', polygon: 'A', count: 1 };
+const summary: Event = {
+  e: 'summary',
+  at: 'W6',
+  count: 1,
+  hasSurround: false,
+  insider: false,
+};
+const decide: Event = { e: 'decide', at: 'W10', case: 'single' };
+const fill: Event = { e: 'fill', at: 'W10', rect: [0, 0, 8, 8], color: '#112233' };
+const insider = (inside: boolean, exact?: boolean): Event => ({
+  e: 'insider',
+  at: 'PW10',
+  polygon: 'A',
+  inside,
+  ...(exact === undefined ? {} : { exact }),
+});
+
+describe('two runs part', () => {
+  it('first in a number, then in what is done', async () => {
+    const { parting } = await compared(
+      trace([push, pop, call, corners(0), count, summary, decide]),
+      trace([push, pop, call, corners(-1), count, insider(true), summary, decide]),
+    );
+    // Step 4 has another depth, step 6 is another event.
+    expect(parting).toMatchObject({ text: [4, 4], deed: [6, 6] });
+  });
+
+  it('nowhere, if they are the same', async () => {
+    const events = [push, pop, call, corners(0)];
+    const { parting } = await compared(trace(events), trace(events));
+    expect(parting).toMatchObject({ text: null, deed: null, complete: true });
+  });
+
+  it('where one of them ends', async () => {
+    const { parting } = await compared(trace([push, pop, call]), trace([push, pop]));
+    expect(parting).toMatchObject({ text: [3, 2], deed: [3, 2] });
+  });
+
+  it('in what is done, not where one of them is checked or less detailed', async () => {
+    const wrong: Event = {
+      e: 'disagree',
+      at: 'PW10',
+      of: 'inside',
+      taken: true,
+      exact: false,
+      cause: 'rounded',
+    };
+    const { parting } = await compared(
+      trace([push, pop, call, insider(true, false), wrong, summary, decide]),
+      trace([push, pop, decide], headerOf('warnock', 'windows')),
+    );
+    // The coarse run lacks step 3; both decide the same.
+    expect(parting).toMatchObject({ text: [3, 3], deed: null });
+  });
+
+  it('nowhere, where one of them only does not tell which test it calls', async () => {
+    const surround: Event = { e: 'surround', at: 'PW8', polygon: 'A', point: [0, 0], inside: true };
+    const test: Event = { e: 'call', at: 'PW8', of: 'SurroundTest' };
+    const { parting } = await compared(
+      trace([push, pop, call, test, surround, summary]),
+      trace([push, pop, call, surround, summary], headerOf('warnock', 'polygons')),
+    );
+    expect(parting).toMatchObject({ text: [4, 4], deed: null });
+  });
+
+  it('nowhere that could be told, if they are of two methods', async () => {
+    const zbuffer = trace([{ e: 'clear', at: 'Z1', color: '#ffffff', z: 0 }], headerOf('zbuffer'));
+    const comparison = await compared(trace([push, pop]), zbuffer);
+    expect(comparison.parting).toBeNull();
+    expect(comparison.isByShare).toBe(true);
+    // Half of two steps is half of one, rounded up.
+    expect([0, 1, 2].map((step) => comparison.paired(step))).toEqual([0, 1, 1]);
+  });
+});
+
+describe('two runs are stepped together', () => {
+  it('by the same window, and its decision; who is sooner there waits', async () => {
+    const fine = [push, pop, call, corners(0), count, summary, decide, fill];
+    const coarse = [push, pop, decide, fill];
+    const comparison = await compared(trace(fine), trace(coarse, headerOf('warnock', 'windows')));
+    const steps = fine.map((_, i) => comparison.paired(i + 1));
+    // push, pop; the window is decided in step 7 of one and 3 of the other.
+    expect(steps).toEqual([1, 2, 2, 2, 2, 2, 3, 4]);
+  });
+});
+
+describe('the counters', () => {
+  it('count up to a step and to the end, and are silent where the trace is', async () => {
+    const split: Event = { e: 'decide', at: 'W13', case: 'split' };
+    const part = (x: number, y: number): Event => ({ e: 'push', at: 'W13', window: [x, y, 4, 4] });
+    const square: Event = { e: 'fill', at: 'W8', rect: [4, 4, 4, 4], color: '#112233' };
+    const events = [push, pop, split, part(0, 0), part(4, 0), part(0, 4), part(4, 4)];
+    const next: Event = { e: 'pop', at: 'W5', window: [4, 4, 4, 4] };
+    const windows = headerOf('warnock', 'windows');
+    const one = trace([...events, next, square], windows);
+    const comparison = await compared(one, trace([push, pop, decide, fill], windows));
+    const [all, other] = comparison.counts();
+    expect(all).toEqual({
+      windows: 2,
+      splits: 1,
+      surrounds: null,
+      comparisons: null,
+      sides: null,
+      ael: null,
+      painted: 16,
+      wrong: null,
+      steps: 9,
+    });
+    expect(other).toMatchObject({ windows: 1, splits: 0, painted: 64, steps: 4 });
+    const [sofar] = comparison.counts([2, 0]);
+    expect(sofar).toMatchObject({ windows: 1, splits: 0, painted: 0, steps: 2 });
+    // All 8 x 8 pixels have the colour here, 4 x 4 there.
+    expect(comparison.differsAtEnd).toBe(48);
+  });
+});

@@ -1,0 +1,87 @@
+import { differenceOf } from '../picture/layers.js';
+import type { Grid } from '../state/grid.js';
+import type { Trace } from '../trace/trace.js';
+import { Counters } from './counters.js';
+import type { Counts } from './counters.js';
+import { Pairing, common } from './pairing.js';
+import { Parting } from './parting.js';
+import type { Steps } from './parting.js';
+import { surveyOf } from './survey.js';
+
+/** The picture after a step, as it stays. */
+export function pictureAt({ timeline }: Trace, step: number): Grid<number> {
+  return timeline.seek(step).screen.picture.copy();
+}
+
+/** How many pixels of two pictures differ; null where these are not of one size. */
+export function differing(one: Grid<number>, other: Grid<number>): number | null {
+  if (one.width !== other.width || one.height !== other.height) return null;
+  const { wrong, lacking } = differenceOf(one, other);
+  return wrong + lacking;
+}
+
+/** What the counters say of both runs. */
+export type CountsOfBoth = readonly [one: Counts, other: Counts];
+
+/** One run held against another. It takes a pass over both, which may be spread over frames. */
+export class Comparison {
+  /** Null where the methods are not the same, and no step is. */
+  readonly parting: Parting | null;
+  private pairing: Pairing | null = null;
+  private readonly counters: readonly [Counters, Counters];
+  private end: number | null = null;
+
+  constructor(
+    readonly one: Trace,
+    readonly other: Trace,
+  ) {
+    const isOneMethod = one.header.method === other.header.method;
+    this.parting = isOneMethod ? new Parting(one, other) : null;
+    this.counters = [new Counters(one, surveyOf(one)), new Counters(other, surveyOf(other))];
+  }
+
+  /** Goes on for about so long; says whether all is known, or has to wait until the runs have grown. */
+  read(milliseconds = Infinity): boolean {
+    const end = performance.now() + milliseconds;
+    const isRead = [surveyOf(this.one), surveyOf(this.other)].every((survey) =>
+      survey.read(end - performance.now()),
+    );
+    if (!isRead) return false;
+    if (this.pairing === null) this.pair();
+    return this.parting?.read(end - performance.now()) ?? true;
+  }
+
+  private get lengths(): Steps {
+    return [this.one.timeline.length, this.other.timeline.length];
+  }
+
+  private pair(): void {
+    const surveys = [surveyOf(this.one), surveyOf(this.other)] as const;
+    if (!surveys[0].complete || !surveys[1].complete) return;
+    this.pairing = new Pairing(common(surveys[0].landmarks, surveys[1].landmarks), this.lengths);
+    const [last, otherLast] = this.lengths;
+    this.end = differing(pictureAt(this.one, last), pictureAt(this.other, otherLast));
+  }
+
+  /** The other run's step beside one of this run; null as long as that is not known. */
+  paired(step: number): number | null {
+    const deed = this.parting?.deed ?? null;
+    if (deed?.[0] === step) return deed[1];
+    return this.pairing?.other(step) ?? null;
+  }
+
+  /** The runs have no step in common. */
+  get isByShare(): boolean {
+    return this.pairing?.byShare === true;
+  }
+
+  /** How many pixels differ in the end; null as long as that is not known, or where the pictures are not of one size. */
+  get differsAtEnd(): number | null {
+    return this.end;
+  }
+
+  /** Up to two steps, or of the whole runs. */
+  counts([step, other]: Steps = this.lengths): CountsOfBoth {
+    return [this.counters[0].upTo(step), this.counters[1].upTo(other)];
+  }
+}

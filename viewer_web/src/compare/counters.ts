@@ -1,0 +1,97 @@
+import { details, kinds, numberOf, tables } from '../trace/events.js';
+import type { EventName } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import type { Trace } from '../trace/trace.js';
+import type { Survey } from './survey.js';
+
+export const counters = [
+  'windows',
+  'splits',
+  'surrounds',
+  'comparisons',
+  'sides',
+  'ael',
+  'painted',
+  'wrong',
+  'steps',
+] as const;
+export type Counter = (typeof counters)[number];
+
+/** How often each happened; null for what the run does not tell. */
+export type Counts = Readonly<Record<Counter, number | null>>;
+
+const every = 4096;
+const cells = numberOf.size;
+
+/** How many events of each name there were, in columns so many steps apart. */
+class Tally {
+  private readonly columns: Uint32Array[] = [new Uint32Array(cells)];
+
+  constructor(private readonly trace: Trace) {}
+
+  upTo(step: number): Uint32Array {
+    const { names } = this.trace.timeline;
+    const { columns } = this;
+    const wanted = Math.floor(step / every);
+    while (columns.length <= wanted) {
+      columns.push(counted(columns.at(-1), names, (columns.length - 1) * every, every));
+    }
+    return counted(columns[wanted], names, wanted * every, step - wanted * every);
+  }
+}
+
+function counted(
+  before: Uint32Array | undefined,
+  names: Uint8Array,
+  first: number,
+  count: number,
+): Uint32Array {
+  const counts = before?.slice() ?? new Uint32Array(cells);
+  for (let i = first; i < first + count; i++) {
+    const name = names[i] ?? 0;
+    counts[name] = (counts[name] ?? 0) + 1;
+  }
+  return counts;
+}
+
+/** Whether a trace of this method and level tells such events. */
+function tells({ method, detail }: Header, name: EventName): boolean {
+  const isOfMethod = name === 'disagree' || name in tables[method];
+  return isOfMethod && details.indexOf(kinds[name].from) <= details.indexOf(detail);
+}
+
+/** The counters of a run. */
+export class Counters {
+  private readonly tally: Tally;
+
+  constructor(
+    private readonly trace: Trace,
+    private readonly survey: Survey,
+  ) {
+    this.tally = new Tally(trace);
+  }
+
+  /** Up to a step, which must have been surveyed. */
+  upTo(step: number): Counts {
+    const { trace, survey } = this;
+    const counts = this.tally.upTo(step);
+    const named = (...names: readonly EventName[]): number | null => {
+      const told = names.filter((name) => tells(trace.header, name));
+      if (told.length === 0) return null;
+      return told.reduce((sum, name) => sum + (counts[numberOf.get(name) ?? 0] ?? 0), 0);
+    };
+    const where = (name: EventName, found: Survey['splits']): number | null =>
+      tells(trace.header, name) ? found.upTo(step) : null;
+    return {
+      windows: named('pop'),
+      splits: where('decide', survey.splits),
+      surrounds: named('surround'),
+      comparisons: named('compare', 'pixel'),
+      sides: named('clip_side'),
+      ael: where('ael_add', survey.ael),
+      painted: survey.painted.upTo(step),
+      wrong: survey.isChecked ? named('disagree') : null,
+      steps: step,
+    };
+  }
+}

@@ -1,0 +1,25 @@
+import { eventNames, kinds, told } from '../trace/events.js';
+import type { Event, EventName } from '../trace/events.js';
+import { holdsNumbers } from '../trace/values.js';
+
+/** Of each event the fields that say what was done, by the number of its name. */
+const deedFields = new Map<EventName, readonly string[]>(
+  eventNames.map((name) => {
+    const fields = Object.entries(kinds[name].fields);
+    const isDeed = ([key, check]: (typeof fields)[number]): boolean =>
+      !Object.hasOwn(told, key) && !holdsNumbers(check);
+    return [name, fields.filter(isDeed).map(([key]) => key)];
+  }),
+);
+
+const isSame = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);
+
+/**
+ * Whether two events do the same, each with its kernel's numbers: the same line of the listing, polygon, window, pixels,
+ * order, and the same answer. What a check says beside the answer does not count.
+ */
+export function sameDeed(a: Event, b: Event): boolean {
+  if (a.e !== b.e || a.at !== b.at) return false;
+  const [one, other] = [a, b] as unknown as readonly Readonly<Record<string, unknown>>[];
+  return (deedFields.get(a.e) ?? []).every((key) => isSame(one?.[key], other?.[key]));
+}

@@ -1,0 +1,116 @@
+import type { Notice } from '../components/notice.js';
+import { embeddedFile, embeddedLessons, idOf } from '../lessons.js';
+import type { LessonTrace } from '../lessons.js';
+import type { Options } from '../live/options.js';
+import { optionsOf, wordOf } from '../live/packed.js';
+import { sceneText } from '../live/sketch.js';
+import { Tracer } from '../live/tracer.js';
+import { tables } from '../trace/events.js';
+import type { Scene } from '../trace/header.js';
+import { openTrace } from '../trace/open.js';
+import type { Trace } from '../trace/trace.js';
+
+/** What to hold a run against: its scene run otherwise, as it was before the last change, a lesson's trace, or a file. */
+export type With =
+  | { readonly kind: 'run'; readonly options: Options }
+  | { readonly kind: 'before'; readonly trace: Trace }
+  | { readonly kind: 'lesson'; readonly lesson: LessonTrace }
+  | { readonly kind: 'file'; readonly file: File };
+
+/** What a word in an address asks for: the id of an embedded trace, or how to run the scene. */
+export function withOf(word: string, page: Document): With | null {
+  const traces = embeddedLessons(page).flatMap((lesson) => lesson.traces);
+  const lesson = traces.find((each) => idOf(each) === word);
+  if (lesson !== undefined) return { kind: 'lesson', lesson };
+  const [method = ''] = word.split('.');
+  return method in tables ? { kind: 'run', options: optionsOf(word) } : null;
+}
+
+/** The run beside the one that is open, if there is one. */
+export class Rival {
+  trace: Trace | null = null;
+  /** How many of its steps are there. */
+  steps = 0;
+  notice: Notice | null = null;
+  chosen: With | null = null;
+  private readonly tracer: Tracer | null;
+  /** The scene of the run that is open, and the text of the one that was run last. */
+  private scene: Scene | null = null;
+  private ran = '';
+  private stopReading = (): void => undefined;
+
+  constructor(
+    library: Blob | null,
+    private readonly changed: () => void,
+  ) {
+    const take = (trace: Trace | null, messages: string): void => {
+      if (this.chosen?.kind !== 'run') return;
+      if (trace === null) this.say({ kind: 'refused', name: this.name, messages });
+      else this.show(trace);
+    };
+    const fail = (error: unknown): void => this.say({ kind: 'failed', name: this.name, error });
+    this.tracer = library && new Tracer(library, (made) => take(made.trace, made.messages), fail);
+  }
+
+  /** What an address must hold to find it again. */
+  get word(): string | null {
+    const { chosen } = this;
+    if (chosen?.kind === 'run') return wordOf(chosen.options);
+    return chosen?.kind === 'lesson' ? idOf(chosen.lesson) : null;
+  }
+
+  private get name(): string {
+    return this.scene?.name ?? '';
+  }
+
+  choose(chosen: With | null): void {
+    this.stopReading();
+    this.tracer?.forget();
+    this.trace = null;
+    this.notice = null;
+    this.ran = '';
+    this.chosen = chosen;
+    if (chosen?.kind === 'run') this.run();
+    else if (chosen?.kind === 'before') this.show(chosen.trace);
+    else if (chosen?.kind === 'file') this.open(chosen.file, chosen.file.name);
+    else if (chosen?.kind === 'lesson') {
+      const file = embeddedFile(document, chosen.lesson);
+      if (file !== null) this.open(file, chosen.lesson.file);
+    }
+    this.changed();
+  }
+
+  /** The scene that is open, run otherwise, is run again when it has changed. */
+  follow(scene: Scene): void {
+    this.scene = scene;
+    if (this.chosen?.kind === 'run') this.run();
+  }
+
+  private run(): void {
+    const { scene, chosen } = this;
+    if (scene === null || chosen?.kind !== 'run') return;
+    const text = sceneText(scene);
+    if (text === this.ran) return;
+    this.ran = text;
+    this.tracer?.run(text, chosen.options);
+  }
+
+  private open(file: Blob, name: string): void {
+    this.notice = { kind: 'reading', name };
+    this.stopReading = openTrace(file, {
+      grown: (trace) => this.show(trace),
+      failed: (error) => this.say({ kind: 'failed', name, error }),
+    });
+  }
+
+  private show(trace: Trace): void {
+    this.trace = trace;
+    this.steps = trace.timeline.length;
+    this.say(null);
+  }
+
+  private say(notice: Notice | null): void {
+    this.notice = notice;
+    this.changed();
+  }
+}

@@ -1,0 +1,254 @@
+import { html, nothing } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, property, query, queryAll, state } from 'lit/decorators.js';
+import { Comparison, differing, pictureAt } from '../compare/comparison.js';
+import type { Steps } from '../compare/parting.js';
+import { historyOf } from '../history/history.js';
+import type { History } from '../history/history.js';
+import { isLanguage } from '../i18n/language.js';
+import type { Language } from '../i18n/language.js';
+import type { Editing } from '../live/editor.js';
+import type { Layer } from '../picture/layers.js';
+import { isOther } from '../picture/pixel.js';
+import type { Pixel } from '../picture/pixel.js';
+import type { Grid } from '../state/grid.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import type { Trace } from '../trace/trace.js';
+import { viewOf } from '../view.js';
+import type { Choice, View } from '../view.js';
+import './compared-run.js';
+import type { ComparedRunElement } from './compared-run.js';
+import './comparison-facts.js';
+import type { Switch } from './comparison-facts.js';
+import { pairActions } from './comparison-keys.js';
+import { comparisonStyle } from './comparison.style.js';
+import { Keyboard } from './keyboard.js';
+import './keys.js';
+import type { KeysElement } from './keys.js';
+import { askForLayer } from './layers.js';
+import { Pointing } from './pointing.js';
+import { Presenter } from './presenter.js';
+import { presenterStyle } from './presenter.style.js';
+import { ReadOn } from './read-on.js';
+import { base, tokens } from './theme.js';
+import { TimedElement } from './timed.js';
+import './transport.js';
+import type { Command } from './transport.js';
+import './travel.js';
+import type { TravelElement } from './travel.js';
+
+const mostPerFrame = 8;
+
+/** One of the two runs at its step, and the other one's picture, which it may be held against. */
+interface Half {
+  readonly side: 'one' | 'other';
+  readonly trace: Trace;
+  readonly view: View;
+  readonly against: Grid<number> | null;
+}
+
+/**
+ * Two runs side by side. The controls step the first one, and the other goes along. Each step of the first is told by
+ * `vidno-step`, each pixel that is chosen by `vidno-pixel`; `vidno-layer` asks to mark the pixels that differ.
+ */
+@customElement('vidno-comparison')
+export class ComparisonElement extends TimedElement {
+  static override styles = [tokens, base, presenterStyle, comparisonStyle];
+
+  /** The other run, and how many of its steps are there. */
+  @property({ attribute: false }) rival: Trace | null = null;
+  @property({ attribute: false }) rivalLength = 0;
+  /** Whether both were read to their end. */
+  @property({ type: Boolean }) complete = false;
+  /** What the other run is, if its header does not say so. */
+  @property({ attribute: false }) rivalNote = '';
+  @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
+  @property({ attribute: false }) layer: Layer = 'picture';
+  @property() override lang = 'en';
+  @property({ attribute: false }) editing: Editing | null = null;
+  @property({ type: Boolean, reflect: true }) presenting = false;
+  @state() private linked = true;
+  /** Whether the corners of the scene can be dragged, in the first picture. */
+  @state() isEdited = false;
+  @state() private otherStep = 0;
+  @query('vidno-keys') readonly keys!: KeysElement;
+  @query('vidno-travel') readonly travel!: TravelElement;
+  @queryAll('vidno-compared-run') readonly runs!: NodeListOf<ComparedRunElement>;
+  private comparison: Comparison | null = null;
+  private halves: readonly [Half, Half] | null = null;
+  private history: History | null = null;
+  /** How many pixels differ now. */
+  private differs: number | null = null;
+  private readonly keyboard = new Keyboard(this, (event) => pairActions(this, event));
+  private readonly pointing = new Pointing(this);
+  readonly presenter = new Presenter(this);
+  private readonly reader = new ReadOn(this, mostPerFrame);
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const { trace, rival } = this;
+    if (trace === null || rival === null) return;
+    if (this.comparison?.one !== trace || this.comparison.other !== rival) {
+      this.comparison = new Comparison(trace, rival);
+    }
+    if (changed.has('trace') || changed.has('pixel')) this.history = historyOf(trace, this.pixel);
+    this.reader.read(this);
+    this.pair(this.comparison, rival);
+    this.halves = this.look(trace, rival);
+  }
+
+  /** Goes on with what takes a pass over the runs. */
+  read(milliseconds: number): boolean {
+    const isRead = this.comparison?.read(milliseconds) !== false;
+    return (this.history?.read(milliseconds) ?? true) && isRead;
+  }
+
+  private pair(comparison: Comparison, { timeline }: Trace): void {
+    const step = this.linked ? (comparison.paired(this.step) ?? this.otherStep) : this.otherStep;
+    this.otherStep = Math.min(Math.max(0, Math.trunc(step) || 0), timeline.length);
+  }
+
+  private look(trace: Trace, rival: Trace): readonly [Half, Half] {
+    const { step, otherStep, pixel, language } = this;
+    const choice: Choice = { language, pixel, pointed: this.pointing.at };
+    const [picture, other] = [pictureAt(trace, step), pictureAt(rival, otherStep)];
+    this.differs = differing(picture, other);
+    const against = (each: Grid<number>): Grid<number> | null =>
+      this.differs === null ? null : each;
+    return [
+      { side: 'one', trace, view: viewOf(trace, step, choice), against: against(other) },
+      {
+        side: 'other',
+        trace: rival,
+        view: viewOf(rival, otherStep, choice),
+        against: against(picture),
+      },
+    ];
+  }
+
+  private get language(): Language {
+    return isLanguage(this.lang) ? this.lang : 'en';
+  }
+
+  private get isMarked(): boolean {
+    return this.layer === 'difference';
+  }
+
+  override render(): TemplateResult | typeof nothing {
+    const { comparison, halves, otherStep } = this;
+    if (comparison === null || halves === null) return nothing;
+    const [{ view }] = halves;
+    const steps: Steps = [view.step, otherStep];
+    return html`
+      <div class="runs" @pointerover=${this.pointing.onOver} @pointerleave=${this.pointing.onLeave}>
+        ${halves.map((half) => this.half(half))}
+        <vidno-comparison-facts
+          .comparison=${comparison}
+          .steps=${steps}
+          .differs=${this.differs}
+          .on=${this.switches}
+          ?editable=${this.editing !== null}
+          .language=${view.language}
+          @go=${({ detail }: CustomEvent<number>) => this.moveTo(detail)}
+          @switch=${({ detail }: CustomEvent<Switch>) => this.toggle(detail)}
+        ></vidno-comparison-facts>
+      </div>
+      <div class="dock">
+        <vidno-transport
+          .trace=${this.trace}
+          .view=${view}
+          .bookmarks=${this.bookmarks}
+          .first=${this.first}
+          .last=${this.last}
+          ?bounded=${this.isBounded}
+          .playing=${this.clock.playing}
+          .speed=${this.clock.speed}
+          @command=${this.onCommand}
+        >
+          <vidno-travel
+            .trace=${this.trace}
+            .view=${view}
+            .history=${this.history}
+            .bookmarks=${this.bookmarks}
+            @command=${this.onCommand}
+          ></vidno-travel>
+        </vidno-transport>
+        ${this.presenter.corner(view)}
+      </div>
+      ${this.presenter.curtain()}
+      <vidno-keys .texts=${view.texts}></vidno-keys>
+    `;
+  }
+
+  private half({ side, trace, view, against }: Half): TemplateResult {
+    const isOne = side === 'one';
+    return html`<vidno-compared-run
+      class=${side}
+      .trace=${trace}
+      .view=${view}
+      .layer=${this.isMarked ? 'difference' : 'picture'}
+      .against=${against}
+      .editing=${isOne && this.isEdited ? this.editing : null}
+      .note=${isOne ? '' : this.rivalNote}
+      ?alone=${!isOne && !this.linked}
+      ?playing=${this.clock.playing}
+      @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
+      @step=${({ detail }: CustomEvent<number>) => (this.otherStep = detail)}
+    ></vidno-compared-run>`;
+  }
+
+  private choosePixel(pixel: Pixel): void {
+    this.pixel = pixel;
+    this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
+  }
+
+  private get switches(): ReadonlySet<Switch> {
+    const { linked, isEdited, isMarked } = this;
+    const all = { together: linked, edit: isEdited, mark: isMarked };
+    return new Set((Object.keys(all) as Switch[]).filter((name) => all[name]));
+  }
+
+  toggle(name: Switch): void {
+    if (name === 'together') this.linked = !this.linked;
+    else if (name === 'edit') this.isEdited = !this.isEdited;
+    else askForLayer(this, this.isMarked ? 'picture' : 'difference');
+  }
+
+  /** Points at the next thing of the first run's step, or the one before. */
+  point(by: 1 | -1): void {
+    if (this.halves) this.pointing.move(by, this.halves[0].view);
+  }
+
+  goToParting(what: 'text' | 'deed'): void {
+    const found = this.comparison?.parting?.[what];
+    if (found) this.moveTo(found[0]);
+  }
+
+  showKeys(): void {
+    this.keys.toggle();
+  }
+
+  /** Shows itself to a hall, or no longer. */
+  present(on: boolean): void {
+    this.presenting = on;
+    this.dispatchEvent(new CustomEvent('vidno-present', { detail: on }));
+  }
+
+  private onCommand({ detail }: CustomEvent<Command>): void {
+    if (detail.do === 'play') this.togglePlay();
+    else if (detail.do === 'speed') this.clock.speed = detail.speed;
+    else if (detail.do === 'seek') this.moveTo(detail.step);
+  }
+
+  /** Does what a key means; the page passes on keys that were pressed outside. */
+  handleKey(event: KeyboardEvent): void {
+    this.keyboard.handle(event);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-comparison': ComparisonElement;
+  }
+}

@@ -1,0 +1,49 @@
+import type { Counter } from '../compare/counters.js';
+
+/** What is said where two runs are compared. */
+export interface CompareTexts {
+  readonly compare: string;
+  readonly compareWith: string;
+  readonly leave: string;
+  readonly cancel: string;
+  readonly sameScene: string;
+  readonly quick: Readonly<Record<Quick, string>>;
+  readonly run: string;
+  readonly noLibrary: string;
+  readonly otherTrace: string;
+  readonly ofLessons: string;
+  readonly open: string;
+  readonly thisRun: string;
+  readonly otherRun: string;
+  readonly before: string;
+  readonly step: (step: string, length: string) => string;
+  readonly otherStep: string;
+  readonly back: string;
+  readonly forward: string;
+  readonly together: string;
+  readonly togetherHint: string;
+  readonly byShare: string;
+  readonly parting: string;
+  readonly text: string;
+  readonly deed: string;
+  readonly atStep: (step: string) => string;
+  readonly nowhere: string;
+  readonly searching: string;
+  readonly otherMethods: string;
+  readonly differ: string;
+  readonly differNow: (n: string) => string;
+  readonly differAtEnd: (n: string) => string;
+  readonly otherArea: string;
+  readonly otherColor: string;
+  readonly unpainted: string;
+  readonly mark: string;
+  readonly edit: string;
+  readonly editHint: string;
+  readonly counters: string;
+  readonly soFar: string;
+  readonly inAll: string;
+  readonly counts: Readonly<Record<Counter, string>>;
+}
+
+/** What there is to compare with at once. */
+export type Quick = 'method' | 'printed' | 'corrected' | 'exact' | 'float' | 'before';

@@ -1,0 +1,107 @@
+import { html } from 'lit';
+import type { TemplateResult } from 'lit';
+import type { Setup } from './address.js';
+import './components/comparison.js';
+import './components/player.js';
+import { texts } from './i18n/index.js';
+import type { Act } from './live/editor.js';
+import { needsExact } from './picture/layers.js';
+import type { Exact, Layer } from './picture/layers.js';
+import type { Pixel } from './picture/pixel.js';
+import type { Session } from './session.js';
+import type { Way } from './setting.js';
+import type { Bookmarks } from './time/bookmarks.js';
+
+/** What is shown, how, and what may be asked for besides. */
+export interface Shown {
+  readonly session: Session;
+  readonly setup: Setup;
+  change(part: Partial<Setup>): void;
+  copyLink(): Promise<void>;
+}
+
+/** The exact picture is asked for only when it is shown. */
+function exactOf({ session: { trace, exact }, setup }: Shown): Exact {
+  if (trace === null) return null;
+  const { scene } = trace.header;
+  return needsExact(setup.layer) ? exact.of(scene) : exact.unasked(scene);
+}
+
+/** The player, which is out of sight while its run is shown beside another one. */
+export function alone(page: Shown): TemplateResult {
+  const { session } = page;
+  const { place, live } = session;
+  const { language, presenting, layer, setting } = page.setup;
+  const trace = session.isCompared ? null : session.trace;
+  return html`
+    <vidno-player
+      .trace=${trace}
+      .length=${session.steps}
+      .step=${place.step}
+      .lang=${language}
+      ?hidden=${trace === null}
+      .pixel=${place.pixel}
+      .bookmarks=${place.bookmarks}
+      .from=${setting.from}
+      .to=${setting.to}
+      .speed=${setting.speed}
+      ?play=${setting.play}
+      .controls=${setting.controls}
+      .ask=${setting.ask ?? ''}
+      ?presenting=${presenting && trace !== null}
+      ?linked=${session.isLinked}
+      .layer=${layer}
+      .exact=${exactOf(page)}
+      .maps=${session.maps}
+      .editing=${live.editing}
+      .link=${live.link}
+      @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
+      @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
+      @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
+      @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
+      @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
+      @vidno-ask=${({ detail: ask }: CustomEvent<Way>) => page.change({ setting: { ...setting, ask } })}
+      @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
+      @vidno-save=${() => live.save()}
+      @vidno-link=${() => page.copyLink()}
+    ></vidno-player>
+  `;
+}
+
+/** The run beside another one. */
+export function besides(page: Shown): TemplateResult {
+  const { session } = page;
+  const { place, live, rival } = session;
+  const { language, presenting, layer, setting } = page.setup;
+  return html`<vidno-comparison
+    .trace=${session.trace}
+    .length=${session.steps}
+    .step=${place.step}
+    .rival=${rival.trace}
+    .rivalLength=${rival.steps}
+    ?complete=${session.trace?.complete === true && rival.trace?.complete === true}
+    .rivalNote=${noteOf(page)}
+    .lang=${language}
+    .pixel=${place.pixel}
+    .bookmarks=${place.bookmarks}
+    .from=${setting.from}
+    .to=${setting.to}
+    .speed=${setting.speed}
+    ?presenting=${presenting}
+    .layer=${layer}
+    .editing=${live.editing}
+    @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
+    @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
+    @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
+    @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
+    @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
+  ></vidno-comparison>`;
+}
+
+/** What the other run is, where its header does not say so. */
+function noteOf({ session, setup }: Shown): string {
+  const { rival, trace } = session;
+  if (rival.chosen?.kind === 'before') return texts[setup.language].compare.before;
+  const name = rival.trace?.header.scene.name ?? '';
+  return name === trace?.header.scene.name ? '' : name;
+}
