@@ -11,7 +11,7 @@ import { Refusal } from '../trace/refusal.js';
 import { complaint, sentence, texts } from './index.js';
 import { languages } from './language.js';
 import type { Language } from './language.js';
-import { short, toNumber } from './words.js';
+import { short, shortApart, toNumber } from './words.js';
 
 const { scene } = parseHeader(headerOf('warnock'));
 const apl = { entries: [['A', false]] as const };
@@ -123,5 +123,26 @@ describe('a complaint', () => {
     expect(complaint('x.jsonl', error, 'en')).toBe(
       'x.jsonl is not a trace that can be read. Line 3, polygon: the scene has no polygon X.',
     );
+  });
+});
+
+describe('numbers that are compared', () => {
+  it('are short where that tells them apart, else in full', () => {
+    expect(shortApart(0.5, 0.25)).toEqual(['0.5', '0.25']);
+    expect(shortApart(-0.0585937462747097, -0.05859375)).toEqual([
+      '−0.0585937462747097',
+      '−0.05859375',
+    ]);
+    expect(shortApart(0.123456789, 0.123456789)).toEqual(['0.1235', '0.1235']);
+    expect(shortApart('1234567/7654321', '1234568/7654321')).toEqual([
+      '1234567/7654321',
+      '1234568/7654321',
+    ]);
+  });
+
+  it('are never longer than a sentence', () => {
+    const digits = '1'.repeat(50);
+    const [one, other] = shortApart(`${digits}1/${digits}3`, `${digits}2/${digits}3`);
+    expect(one.length + other.length).toBeLessThan(30);
   });
 });

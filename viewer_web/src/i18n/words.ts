@@ -5,6 +5,7 @@ import type { Box, Corner, N } from '../trace/values.js';
 import type { Texts } from './texts.js';
 
 const shortest = 7;
+const longest = 40;
 
 /** A whole fraction's value, near enough to be shown. */
 function fractionValue(written: string): number {
@@ -25,6 +26,18 @@ function shortNumber(value: number): string {
 /** A number of a trace as it is shown: short, with a real minus sign; `≈` where a fraction was cut. */
 export function short(value: N): string {
   return plain(value).replace('-', '−');
+}
+
+/** Two numbers that are compared: in full where they are not the same and would look so. */
+export function shortApart(a: N, b: N): readonly [string, string] {
+  const looks = [short(a), short(b)] as const;
+  return looks[0] === looks[1] && a !== b ? [inFull(a), inFull(b)] : looks;
+}
+
+/** Fractions may be longer than any sentence. */
+function inFull(value: N): string {
+  const text = String(value);
+  return text.length > longest ? short(value) : text.replace('-', '−');
 }
 
 function plain(value: N): string {

@@ -1,4 +1,4 @@
-import { point, short, windowText } from '../i18n/words.js';
+import { point, short, shortApart, windowText } from '../i18n/words.js';
 import { plainOf } from '../trace/check.js';
 import { common, details, tables } from '../trace/events.js';
 import type { AnyKind, Detail, Event, EventName, Method } from '../trace/events.js';
@@ -11,7 +11,7 @@ const order: Readonly<Record<string, string>> = { '-1': '<', '0': '=', '1': '>' 
 const signOf = ({ value, sign }: { readonly value: N; readonly sign: number }): string =>
   `${short(value)} ${order[sign] ?? ''} 0`;
 const nearer = (z: N, against: N, is: boolean): string =>
-  `${short(z)} ${is ? '>' : '≯'} ${short(against)}`;
+  shortApart(z, against).join(is ? ' > ' : ' ≯ ');
 const vertexOf = ({ vertex }: { readonly vertex: readonly N[] }): string => point(vertex);
 const windowOf = ({ window }: { readonly window: Box }): string => windowText(window);
 const polygonOf = ({ polygon }: { readonly polygon: string }): string => polygon;

@@ -1,5 +1,5 @@
 import type { Sentences } from '../texts.js';
-import { cells, onlyOf, point, short, windowText } from '../words.js';
+import { cells, onlyOf, point, short, shortApart, windowText } from '../words.js';
 import type { Words } from '../words.js';
 import { exact } from './exact.js';
 import { purposes } from './page.js';
@@ -68,7 +68,7 @@ export const sentences: Sentences = {
     const where = corner === undefined ? 'At the point' : `At the ${words.places([corner])}`;
     const sign = nearer ? '>' : '≯';
     const so = nearer ? 'is nearer' : 'is not nearer';
-    return `${where} ${polygon} ${so}: ${short(z)} ${sign} ${short(against)}.`;
+    return `${where} ${polygon} ${so}: ${shortApart(z, against).join(` ${sign} `)}.`;
   },
   nearer: ({ polygon, corners, k }, words) => {
     if (k === 0) return `${polygon} is nearer at none of the 4 corners.`;
@@ -173,10 +173,12 @@ export const sentences: Sentences = {
     first < end
       ? `Columns ${first} to ${end - 1}: z = ${short(z)} at the first.`
       : 'No pixel centre lies between the ends.',
-  pixel: ({ x, y, z, stored, shown }) =>
-    shown
-      ? `Pixel (${x}, ${y}): ${short(z)} is nearer than ${short(stored)}, so it shows.`
-      : `Pixel (${x}, ${y}): ${short(z)} is not nearer than ${short(stored)}, so it stays hidden.`,
+  pixel: ({ x, y, z, stored, shown }) => {
+    const [depth, before] = shortApart(z, stored);
+    return shown
+      ? `Pixel (${x}, ${y}): ${depth} is nearer than ${before}, so it shows.`
+      : `Pixel (${x}, ${y}): ${depth} is not nearer than ${before}, so it stays hidden.`;
+  },
   span: ({ row, runs }, words) =>
     cells(runs) === 0
       ? `No pixel of row ${row} changes.`

@@ -1,5 +1,5 @@
 import type { Sentences } from '../texts.js';
-import { cells, onlyOf, point, short, windowText } from '../words.js';
+import { cells, onlyOf, point, short, shortApart, windowText } from '../words.js';
 import type { Words } from '../words.js';
 import { exact } from './exact.js';
 import { purposes } from './page.js';
@@ -75,7 +75,7 @@ export const sentences: Sentences = {
     const place =
       corner === undefined ? 'В точке' : capital(inCorner[words.places([corner])] ?? '');
     const so = nearer ? 'ближе' : 'не ближе';
-    return `${place} ${polygon} ${so}: ${short(z)} ${nearer ? '>' : '≯'} ${short(against)}.`;
+    return `${place} ${polygon} ${so}: ${shortApart(z, against).join(nearer ? ' > ' : ' ≯ ')}.`;
   },
   nearer: ({ polygon, corners, k }, words) => {
     if (k === 0) return `${polygon} не ближе ни в одном из 4 углов.`;
@@ -188,10 +188,12 @@ export const sentences: Sentences = {
     first < end
       ? `Столбцы ${first}–${end - 1}: z = ${short(z)} в первом.`
       : 'Между концами нет ни одного центра пикселя.',
-  pixel: ({ x, y, z, stored, shown }) =>
-    shown
-      ? `Пиксель (${x}, ${y}): ${short(z)} ближе, чем ${short(stored)}, — он виден.`
-      : `Пиксель (${x}, ${y}): ${short(z)} не ближе, чем ${short(stored)}, — он закрыт.`,
+  pixel: ({ x, y, z, stored, shown }) => {
+    const [depth, before] = shortApart(z, stored);
+    return shown
+      ? `Пиксель (${x}, ${y}): ${depth} ближе, чем ${before}, — он виден.`
+      : `Пиксель (${x}, ${y}): ${depth} не ближе, чем ${before}, — он закрыт.`;
+  },
   span: ({ row, runs }, words) =>
     cells(runs) === 0
       ? `В строке ${row} ничего не меняется.`
