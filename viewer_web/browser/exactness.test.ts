@@ -64,7 +64,7 @@ describe('the lens', () => {
   it('has the decision of the run in its middle, and is read by keys and mouse', async () => {
     const page = await failing('orientation-inverted');
     await edit(page);
-    await rerun(page, () => page.locator('[name=check]').check());
+    await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
     const [told = 0] = await wrongOnes(page);
     await goTo(page, told - 1);
     await page.locator('h1').click();
@@ -84,7 +84,7 @@ describe('the lens', () => {
   it('says of every sign what the checked run says', async () => {
     const page = await failing('orientation-zero');
     await edit(page);
-    await rerun(page, () => page.locator('[name=check]').check());
+    await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
     await page.locator('h1').click();
     await page.keyboard.press('x');
     const signs = ['negative', 'zero', 'positive'];
@@ -106,7 +106,7 @@ describe('the lens', () => {
   it('is about yes and no where depths are compared, in Russian too', async () => {
     const page = await failing('depth-by-an-ulp', '#lang=ru');
     await edit(page);
-    await rerun(page, () => page.locator('[name=check]').check());
+    await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
     const [told = 0] = await wrongOnes(page);
     await goTo(page, told);
     await page.locator('h1').click();
@@ -120,7 +120,7 @@ describe('the lens', () => {
   it('there is none on a grid, or where no point is asked about', async () => {
     const page = await failing('orientation-inverted');
     await edit(page);
-    await rerun(page, () => page.locator('[name=kernel]').selectOption('grid:8'));
+    await rerun(page, () => page.locator('vidno-run-form [name=kernel]').selectOption('grid:8'));
     const [first = 0] = await steps(page, ({ e }) => e === 'orient');
     await goTo(page, first);
     await page.locator('h1').click();

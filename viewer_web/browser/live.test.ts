@@ -39,7 +39,7 @@ describe('the library in the page', () => {
     expect((await rerun(page, select('detail', 'windows'))).lines.length).toBeLessThan(signs);
     // There is no Z-buffer in Warnock's algorithm: the kernel gives way.
     expect((await rerun(page, select('method', 'warnock'))).kernel).toBe('double');
-    const checked = await rerun(page, () => page.locator('[name=check]').check());
+    const checked = await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
     await rerun(page, select('detail', 'signs'));
     expect(checked.method).toBe('warnock');
     expect((await run(page)).lines.some((line) => line.includes('"exact":'))).toBe(true);
