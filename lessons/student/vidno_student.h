@@ -125,8 +125,7 @@ public:
         if (closed_) return;
         begin("close");
         run(method);
-        const std::string picture = "sha256:" + sha256(picture_);
-        put(object("end", Json{object("events", events_, "picture", picture)}));
+        put(object("end", Json{object("events", events_, "picture", "sha256:" + sha256(picture_bytes()))}));
         if (!file_) complain("the file could not be written");
         closed_ = true;
     }
@@ -233,9 +232,8 @@ protected:
     }
 
     void clear_picture() {
-        const std::size_t width = area().width < 1 ? 0 : std::size_t(area().width);
-        picture_.assign(3 * width * std::size_t(area().height < 1 ? 0 : area().height), 0);
-        paint({area().x, area().y, area().x + area().width, area().y + area().height}, background());
+        const bool has_pixels = area().width > 0 && area().height > 0;
+        picture_.assign(has_pixels ? std::size_t(area().width) * std::size_t(area().height) : 0, background());
     }
     /// Leaves of the pixels those in the area, with a complaint if that is not all; false if there are none.
     bool cut(Pixels& pixels) {
@@ -253,11 +251,8 @@ protected:
     /// Pixels of the area take a colour.
     void paint(const Pixels& pixels, const Color& color) {
         for (int y = pixels.top; y < pixels.bottom; ++y) {
-            for (int x = pixels.left; x < pixels.right; ++x) {
-                unsigned char* part = &picture_[3 * std::size_t((y - area().y) * area().width + (x - area().x))];
-                for (const int value : {color.red, color.green, color.blue})
-                    *part++ = static_cast<unsigned char>(value);
-            }
+            const int first = (y - area().y) * area().width + (pixels.left - area().x);
+            std::fill_n(picture_.begin() + first, pixels.right - pixels.left, color);
         }
     }
 
@@ -269,13 +264,9 @@ protected:
         std::string text = "\"";
         for (const char c : value) {
             char code[8];
-            std::snprintf(code, sizeof code, "\\u%04x", unsigned(static_cast<unsigned char>(c)));
-            const bool control = static_cast<unsigned char>(c) < 32;
-            if (control || c == '"' || c == '\\') {
-                text += code;
-            } else {
-                text += c;
-            }
+            std::snprintf(code, sizeof code, "\\u%04x", unsigned(c) & 127);
+            const bool plain = static_cast<unsigned char>(c) >= 32 && c != '"' && c != '\\';
+            text += plain ? std::string(1, c) : code;
         }
         return text + '"';
     }
@@ -308,6 +299,14 @@ private:
     /// Flushed, so that what was told before a crash is in the file.
     void put(const std::string& line) { file_ << line << '\n' << std::flush; }
 
+    std::vector<unsigned char> picture_bytes() const {
+        std::vector<unsigned char> bytes;
+        for (const Color& c : picture_) {
+            for (const int part : {c.red, c.green, c.blue}) bytes.push_back(static_cast<unsigned char>(part & 255));
+        }
+        return bytes;
+    }
+
     template <class... Members>
     static std::string object(const Members&... all) {
         return '{' + members(all...) + '}';
@@ -334,7 +333,7 @@ private:
     Scene scene_;
     Detail detail_;
     std::ofstream file_;
-    std::vector<unsigned char> picture_;  // rows from the top, red, green, blue
+    std::vector<Color> picture_;  // rows from the top
     std::vector<Procedure> running_{method};
     const char* call_ = "";
     int calls_ = 0, events_ = 0, complaints_ = 0;

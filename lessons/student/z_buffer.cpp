@@ -1,12 +1,14 @@
 // The Z-buffer with an active edge list, as one writes it for the course. The calls of `trace` are what vidno needs.
 //
 //     z_buffer [windows | polygons | signs]     writes z_buffer.jsonl
+#include <limits>
+
 #include "example.h"
 
 using namespace vidno::student;
 
 const double farthest = -2;  // behind all that is visible
-const int never = 1 << 30;
+const double never = std::numeric_limits<double>::infinity();
 
 /// An edge of the polygon in hand, upper end first.
 struct Edge {
@@ -84,8 +86,8 @@ private:
             active.push_back(edge);
             trace_.ael_add(edge.index, edge.x, edge.z, edge.last_row, edge.dx, edge.dz);
         }
-        int next = never;
-        for (const Edge& edge : edges) next = std::min(next, edge.first_row);
+        double next = never;
+        for (const Edge& edge : edges) next = std::min(next, double(edge.first_row));
         trace_.leave(indices(starting), next);
         const auto left_of = [](const Edge& a, const Edge& b) { return a.x < b.x || (a.x == b.x && a.dx < b.dx); };
         std::stable_sort(active.begin(), active.end(), left_of);
@@ -102,9 +104,9 @@ private:
     }
 
     /// The first row at which an edge has ended.
-    static int first_end(const std::vector<Edge>& active) {
-        int end = never;
-        for (const Edge& edge : active) end = std::min(end, edge.last_row + 1);
+    static double first_end(const std::vector<Edge>& active) {
+        double end = never;
+        for (const Edge& edge : active) end = std::min(end, edge.last_row + 1.0);
         return end;
     }
 
