@@ -1,0 +1,806 @@
+/// Writes what your own program does, step by step, as a trace that the page of vidno replays: README.md beside this
+/// file says how to begin. C++14, the standard library and nothing else; the program that includes it needs no vidno.
+///
+/// One call a step. A call says where the step stands in the listing and what it came to; trace/FORMAT.md has the events.
+/// A call that cannot be right is said on the standard error, and the program goes on.
+#ifndef VIDNO_STUDENT_H
+#define VIDNO_STUDENT_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace vidno {
+namespace student {
+
+struct Color {
+    int red, green, blue;  // 0 to 255
+};
+
+struct Vertex {
+    double x, y, z;  // y grows downward, the greater z is the nearer, -1 <= z <= 1
+};
+
+/// Whole pixels; (x, y) is the upper left one. `window` of a scene file.
+struct Area {
+    int x, y, width, height;
+};
+
+/// Convex and planar.
+struct Polygon {
+    std::string id;  // no two the same; UTF-8
+    Color color;
+    std::vector<Vertex> vertices;
+};
+
+/// What a scene file says. Calls name a polygon by its place here, from 0.
+struct Scene {
+    std::string name;
+    Area area;
+    Color background;
+    std::vector<Polygon> polygons;
+};
+
+/// How much of what the program tells goes into the file.
+enum class Detail { windows, polygons, signs };
+
+/// The type of the program's numbers: double or float.
+enum class Precision { double_precision, single_precision };
+
+/// What Warnock's algorithm does with a window.
+enum class Case { empty, surrounded, pixel, single, split };
+
+/// Of a window: (x, y), (x, y + height), (x + width, y), (x + width, y + height). Left bottom is the upper left on the screen.
+enum class Corner { left_bottom, left_top, right_bottom, right_top };
+
+/// FIPS 180-4, in hexadecimal.
+inline std::string sha256(std::vector<unsigned char> message) {
+    static const std::uint32_t constants[64] = {
+        0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
+        0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
+        0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
+        0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
+        0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
+        0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
+        0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
+        0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
+    std::uint32_t hash[8] = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                             0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+    const auto rotated = [](std::uint32_t v, int by) { return v >> by | v << (32 - by); };
+
+    const std::uint64_t bits = std::uint64_t(message.size()) * 8;
+    message.push_back(0x80);
+    while (message.size() % 64 != 56) message.push_back(0);
+    for (int shift = 56; shift >= 0; shift -= 8) message.push_back(static_cast<unsigned char>(bits >> shift & 255));
+
+    for (std::size_t block = 0; block < message.size(); block += 64) {
+        std::uint32_t w[64];
+        for (std::size_t i = 0; i < 16; ++i) {
+            const unsigned char* byte = &message[block + 4 * i];
+            w[i] = std::uint32_t(byte[0]) << 24 | std::uint32_t(byte[1]) << 16 | std::uint32_t(byte[2]) << 8 | byte[3];
+        }
+        for (int i = 16; i < 64; ++i) {
+            const std::uint32_t s0 = rotated(w[i - 15], 7) ^ rotated(w[i - 15], 18) ^ w[i - 15] >> 3;
+            const std::uint32_t s1 = rotated(w[i - 2], 17) ^ rotated(w[i - 2], 19) ^ w[i - 2] >> 10;
+            w[i] = w[i - 16] + s0 + w[i - 7] + s1;
+        }
+        std::uint32_t v[8];
+        std::copy(hash, hash + 8, v);
+        for (int i = 0; i < 64; ++i) {
+            const std::uint32_t s0 = rotated(v[0], 2) ^ rotated(v[0], 13) ^ rotated(v[0], 22);
+            const std::uint32_t s1 = rotated(v[4], 6) ^ rotated(v[4], 11) ^ rotated(v[4], 25);
+            const std::uint32_t choice = (v[4] & v[5]) ^ (~v[4] & v[6]);
+            const std::uint32_t majority = (v[0] & v[1]) ^ (v[0] & v[2]) ^ (v[1] & v[2]);
+            const std::uint32_t next = v[7] + s1 + choice + constants[i] + w[i];
+            std::copy_backward(v, v + 7, v + 8);
+            v[4] += next;
+            v[0] = next + s0 + majority;
+        }
+        for (int i = 0; i < 8; ++i) hash[i] += v[i];
+    }
+
+    std::string digits;
+    for (const std::uint32_t word : hash) {
+        for (int shift = 28; shift >= 0; shift -= 4) digits += "0123456789abcdef"[word >> shift & 15];
+    }
+    return digits;
+}
+
+/// What the traces of both methods share: the file, the picture, the procedure that runs.
+class Trace {
+public:
+    Trace(const Trace&) = delete;
+    Trace& operator=(const Trace&) = delete;
+    ~Trace() { close(); }
+
+    /// The run is over: the last line. A file without it, of a program that crashed, is read as far as it goes.
+    void close() {
+        if (closed_) return;
+        begin("close");
+        run(method);
+        put(object("end", Json{object("events", events_, "picture", "sha256:" + sha256(picture_bytes()))}));
+        if (!file_) complain("the file could not be written");
+        closed_ = true;
+    }
+
+    /// I1: the plane a x + b y + c z + d = 0.
+    void plane(int polygon, double a, double b, double c, double d) {
+        if (!begin("plane", polygon)) return;
+        tell(Detail::polygons, "plane", "I1", "polygon", id(polygon), "plane", list(a, b, c, d));
+    }
+
+protected:
+    enum Procedure { method, process_window, point_color, surround_test, polygon_clip, fill_polygon, show_line };
+
+    struct Pixels {
+        int left, top, right, bottom;
+    };
+
+    struct Window {
+        double x, y, width, height;
+    };
+
+    /// Text that is JSON already.
+    struct Json {
+        std::string text;
+    };
+
+    Trace(const std::string& file, const char* name, const Scene& scene, Detail detail, Precision precision)
+        : scene_(scene), detail_(detail), file_(file, std::ios::binary) {
+        begin("open");
+        if (!file_) complain("the file " + file + " cannot be written");
+        if (area().width < 1 || area().height < 1) complain("the area has no pixels");
+        const char* const details[] = {"windows", "polygons", "signs"};
+        const char* const kernel = precision == Precision::double_precision ? "double" : "float";
+        put(object("format", "vidno-trace/1", "method", name, "edition", "corrected", "kernel", kernel, "detail",
+                   details[int(detail)], "scene", scene_json()));
+        clear_picture();
+    }
+
+    Detail detail() const { return detail_; }
+    const Area& area() const { return scene_.area; }
+    const Color& background() const { return scene_.background; }
+    const Polygon& polygon_at(int place) const { return scene_.polygons[std::size_t(place)]; }
+    const std::string& id(int place) const { return polygon_at(place).id; }
+    int polygon_count() const { return int(scene_.polygons.size()); }
+
+    /// A call of the program: complaints name it.
+    void begin(const char* call) {
+        ++calls_;
+        call_ = call;
+        if (closed_) complain("the trace is closed");
+    }
+    /// The same, about a polygon; false if there is none.
+    bool begin(const char* call, int polygon) {
+        begin(call);
+        const bool exists = polygon >= 0 && polygon < polygon_count();
+        if (!exists) complain("the scene has no polygon " + json(polygon));
+        return exists;
+    }
+
+    void complain(const std::string& what) {
+        const int most = 20;
+        if (++complaints_ > most) return;
+        std::cerr << "vidno: call " << calls_ << ", " << call_ << ", after step " << events_ << ": " << what << '\n';
+        if (complaints_ == most) std::cerr << "vidno: more complaints are not shown\n";
+    }
+
+    /// A procedure must run: if it does not, it is called now, at that line. False, with a complaint, while one that it
+    /// called has not told its result.
+    bool run(Procedure procedure, const char* callers_line = "") {
+        static const char* const names[] = {
+            "", "ProcessWindow", "PointColor", "SurroundTest", "PolygonClip", "FillPolygon", "ShowLine"};
+        static const char* const results[] = {"", "summary", "color", "surround", "clip_result", "draw", "span"};
+        const bool called = std::find(running_.begin(), running_.end(), procedure) != running_.end();
+        const bool nested = procedure == surround_test;
+        if (called ? !runs(procedure) : !nested && running_.size() > 1) {
+            complain(std::string(names[running_.back()]) + " has not told its result, `" + results[running_.back()] +
+                     '`');
+        }
+        if (!called) {
+            tell(nested ? Detail::signs : Detail::polygons, "call", callers_line, "of", names[procedure]);
+            running_.push_back(procedure);
+        }
+        return runs(procedure);
+    }
+    bool runs(Procedure procedure) const { return running_.back() == procedure; }
+    /// The same as `run`, and the procedure ends: its result is what is told next.
+    bool end(Procedure procedure, const char* callers_line) {
+        const bool can_end = run(procedure, callers_line);
+        if (can_end) running_.pop_back();
+        return can_end;
+    }
+
+    /// An event of that level, its fields as name, value, name, value.
+    template <class... Fields>
+    void tell(Detail from, const char* event, const char* at, const Fields&... fields) {
+        if (closed_ || from > detail_) return;
+        put(object("e", event, "at", at, fields...));
+        ++events_;
+    }
+
+    template <class... Values>
+    static Json list(const Values&... values) {
+        return {json(std::vector<Json>{Json{json(values)}...})};
+    }
+
+    void clear_picture() {
+        const bool has_pixels = area().width > 0 && area().height > 0;
+        picture_.assign(has_pixels ? std::size_t(area().width) * std::size_t(area().height) : 0, background());
+    }
+    /// Leaves of the pixels those in the area, with a complaint if that is not all; false if there are none.
+    bool cut(Pixels& pixels) {
+        if (pixels.left >= pixels.right || pixels.top >= pixels.bottom) return false;
+        const Pixels all = pixels;
+        if (pixels.left < area().x) pixels.left = area().x;
+        if (pixels.top < area().y) pixels.top = area().y;
+        if (pixels.right > area().x + area().width) pixels.right = area().x + area().width;
+        if (pixels.bottom > area().y + area().height) pixels.bottom = area().y + area().height;
+        const bool whole = pixels.left == all.left && pixels.top == all.top && pixels.right == all.right &&
+                           pixels.bottom == all.bottom;
+        if (!whole) complain("pixels outside the area");
+        return pixels.left < pixels.right && pixels.top < pixels.bottom;
+    }
+    /// Pixels of the area take a colour.
+    void paint(const Pixels& pixels, const Color& color) {
+        for (int y = pixels.top; y < pixels.bottom; ++y) {
+            const int first = (y - area().y) * area().width + (pixels.left - area().x);
+            std::fill_n(picture_.begin() + first, pixels.right - pixels.left, color);
+        }
+    }
+
+    static std::string json(const Json& value) { return value.text; }
+    static std::string json(bool value) { return value ? "true" : "false"; }
+    static std::string json(int value) { return std::to_string(value); }
+    static std::string json(const char* value) { return json(std::string(value)); }
+    static std::string json(const std::string& value) {
+        std::string text = "\"";
+        for (const char c : value) {
+            char code[8];
+            std::snprintf(code, sizeof code, "\\u%04x", unsigned(c) & 127);
+            const bool plain = static_cast<unsigned char>(c) >= 32 && c != '"' && c != '\\';
+            text += plain ? std::string(1, c) : code;
+        }
+        return text + '"';
+    }
+    /// With the fewest digits, from 15 up, that read back the same.
+    static std::string json(double value) {
+        if (std::isnan(value)) return "\"nan\"";
+        if (std::isinf(value)) return value > 0 ? "\"inf\"" : "\"-inf\"";
+        char text[32] = "0";  // -0 too
+        for (int digits = 15; digits <= 17 && std::strtod(text, nullptr) != value; ++digits) {
+            std::snprintf(text, sizeof text, "%.*g", digits, value);
+        }
+        for (char& c : text) c = c == ',' ? '.' : c;  // some locales have a comma
+        return text;
+    }
+    static std::string json(const Color& color) {
+        char text[8];
+        std::snprintf(text, sizeof text, "#%02x%02x%02x", color.red & 255, color.green & 255, color.blue & 255);
+        return json(text);
+    }
+    static std::string json(const Vertex& v) { return list(v.x, v.y, v.z).text; }
+    static std::string json(const Window& w) { return list(w.x, w.y, w.width, w.height).text; }
+    template <class T>
+    static std::string json(const std::vector<T>& values) {
+        std::string text;
+        for (const T& value : values) text += (text.empty() ? "" : ",") + json(value);
+        return '[' + text + ']';
+    }
+
+private:
+    /// Flushed, so that what was told before a crash is in the file.
+    void put(const std::string& line) { file_ << line << '\n' << std::flush; }
+
+    std::vector<unsigned char> picture_bytes() const {
+        std::vector<unsigned char> bytes;
+        for (const Color& c : picture_) {
+            for (const int part : {c.red, c.green, c.blue}) bytes.push_back(static_cast<unsigned char>(part & 255));
+        }
+        return bytes;
+    }
+
+    template <class... Members>
+    static std::string object(const Members&... all) {
+        return '{' + members(all...) + '}';
+    }
+    static std::string members() { return ""; }
+    template <class Value, class... Rest>
+    static std::string members(const char* name, const Value& value, const Rest&... rest) {
+        return json(name) + ':' + json(value) + (sizeof...(rest) == 0 ? "" : ",") + members(rest...);
+    }
+
+    Json scene_json() {
+        std::vector<Json> polygons;
+        std::vector<std::string> ids;
+        for (const Polygon& each : scene_.polygons) {
+            if (std::find(ids.begin(), ids.end(), each.id) != ids.end()) complain("two polygons " + json(each.id));
+            ids.push_back(each.id);
+            polygons.push_back({object("id", each.id, "color", each.color, "vertices", each.vertices)});
+        }
+        const Json window{object("x", area().x, "y", area().y, "width", area().width, "height", area().height)};
+        return {object("format", "vidno-scene/1", "name", scene_.name, "window", window, "background", background(),
+                       "polygons", polygons)};
+    }
+
+    Scene scene_;
+    Detail detail_;
+    std::ofstream file_;
+    std::vector<Color> picture_;  // rows from the top
+    std::vector<Procedure> running_{method};
+    const char* call_ = "";
+    int calls_ = 0, events_ = 0, complaints_ = 0;
+    bool closed_ = false;
+};
+
+/// A run of Warnock's algorithm.
+class WarnockTrace : public Trace {
+public:
+    WarnockTrace(const std::string& file, const Scene& scene, Detail detail = Detail::windows,
+                 Precision precision = Precision::double_precision)
+        : Trace(file, "warnock", scene, detail, precision) {}
+
+    void push(double x, double y, double width, double height) {
+        if (is_window("push", {x, y, width, height})) push_window({x, y, width, height});
+    }
+    void skip(double x, double y, double width, double height) {
+        const Window window{x, y, width, height};
+        if (is_window("skip", window)) tell(Detail::windows, "skip", "W13", "window", window);
+    }
+    void pop(double x, double y, double width, double height) {
+        const Window window{x, y, width, height};
+        if (!is_window("pop", window)) return;
+        if (stack_.empty() || !same(stack_.back().window, window)) {
+            complain("not the window on top of AW: the trace pushes it first");
+            push_window(window);
+        }
+        current_ = stack_.back();
+        stack_.pop_back();
+        popped_ = true;
+        decided_ = clipped_ = false;
+        rows_.clear();
+        tell(Detail::windows, "pop", "W5", "window", window);
+    }
+    void decide(Case which) {
+        static const char* const names[] = {"empty", "surrounded", "pixel", "single", "split"};
+        static const char* const lines[] = {"W7", "W8", "W9", "W10", "W13"};
+        begin("decide");
+        run(method);
+        decided_ = true;
+        if (which != Case::split) fill_line_ = lines[int(which)];
+        tell(Detail::windows, "decide", lines[int(which)], "case", names[int(which)]);
+    }
+    void fill(int x, int y, int width, int height, const Color& color) {
+        begin("fill");
+        run(method);
+        Pixels pixels{x, y, x + width, y + height};
+        if (!cut(pixels)) return;
+        paint(pixels, color);
+        const Json rect = list(pixels.left, pixels.top, pixels.right - pixels.left, pixels.bottom - pixels.top);
+        tell(Detail::windows, "fill", fill_line_, "rect", rect, "color", color);
+    }
+
+    // ProcessWindow, from `pop` to `decide`
+
+    void corners(double z) {
+        begin("corners");
+        run_inner();
+        depths_ = 0;
+        has_corners_ = true;
+        tell(Detail::polygons, "corners", "PW1", "z", z);
+    }
+    void box(int polygon, double xmin, double ymin, double xmax, double ymax, bool outside) {
+        look(Detail::signs, "box", "PW3", polygon, "box", list(xmin, ymin, xmax, ymax), "outside", outside);
+    }
+    void discard(int polygon) {
+        if (!looks_at("discard", polygon) || !is_active(polygon)) return;
+        current_.polygons.erase(entry(polygon));
+        tell(Detail::polygons, "discard", "PW3", "polygon", id(polygon));
+    }
+    void count(int polygon, int so_far) {
+        depths_ = 0;
+        nearer_.clear();
+        look(Detail::polygons, "count", "PW4", polygon, "count", so_far);
+    }
+    /// At the window's corners, in the order of Corner; also in PointColor.
+    void depth(int polygon, double x, double y, double z) {
+        ++depths_;
+        look(Detail::polygons, "depth", decided_ ? "PC3" : "PW5", polygon, "point", list(x, y), "z", z);
+    }
+    void compare(int polygon, Corner corner, double z, double against, bool is_nearer) {
+        static const char* const names[] = {"lb", "lt", "rb", "rt"};
+        const char* const name = names[int(corner)];
+        if (is_nearer) nearer_.push_back(name);
+        look(Detail::signs, "compare", "PW6", polygon, "corner", name, "z", z, "against", against, "nearer", is_nearer);
+    }
+    /// After the four comparisons: the depths of the polygon stay at those corners where it is nearer.
+    void nearer(int polygon) {
+        if (!looks_at("nearer", polygon)) return;
+        if (!has_corners_ || depths_ != 4) return complain("`corners` and four times `depth` come before");
+        tell(Detail::polygons, "nearer", "PW6", "polygon", id(polygon), "corners", nearer_, "k", int(nearer_.size()));
+    }
+    void uncover(int polygon) { look(Detail::polygons, "uncover", "PW7", polygon); }
+    void mark(int polygon) {
+        if (!looks_at("mark", polygon) || !is_active(polygon)) return;
+        entry(polygon)->surrounds = true;
+        tell(Detail::polygons, "mark", "PW8", "polygon", id(polygon));
+    }
+    void cover(int polygon) {
+        if (!looks_at("cover", polygon)) return;
+        tell(Detail::polygons, "cover", "PW9", "polygon", id(polygon), "color", polygon_at(polygon).color);
+    }
+    void insider(int polygon, bool inside) { look(Detail::polygons, "insider", "PW10", polygon, "inside", inside); }
+    /// Result of ProcessWindow; the colour counts if `has_surround`.
+    void summary(int count, bool has_surround, const Color& color, bool insider) {
+        begin("summary");
+        if (!end(process_window, "W6")) return;
+        if (has_surround) {
+            tell(Detail::polygons, "summary", "W6", "count", count, "hasSurround", true, "color", color, "insider",
+                 insider);
+        } else {
+            tell(Detail::polygons, "summary", "W6", "count", count, "hasSurround", false, "insider", insider);
+        }
+    }
+
+    // PointColor, after `decide`
+
+    void compare(int polygon, double z, double against, bool is_nearer) {
+        look(Detail::signs, "compare", "PC4", polygon, "z", z, "against", against, "nearer", is_nearer);
+    }
+    void nearest(int polygon, double z) {
+        if (!looks_at("nearest", polygon)) return;
+        tell(Detail::polygons, "nearest", "PC4", "polygon", id(polygon), "z", z, "color", polygon_at(polygon).color);
+    }
+    /// Result of PointColor.
+    void color(double x, double y, const Color& color) {
+        begin("color");
+        if (end(point_color, "W9")) tell(Detail::polygons, "color", "W9", "point", list(x, y), "color", color);
+    }
+
+    // SurroundTest, in either
+
+    void orient(int polygon, int edge, double x, double y, double value, int sign) {
+        if (!tests("orient", polygon)) return;
+        tell(Detail::signs, "orient", has_sign_ ? "S3" : "S2", "polygon", id(polygon), "edge", edge, "point",
+             list(x, y), "value", value, "sign", sign_of(sign));
+        has_sign_ = has_sign_ || sign != 0;
+    }
+    /// Result of SurroundTest.
+    void surround(int polygon, double x, double y, bool inside) {
+        if (!tests("surround", polygon) || !end(surround_test, test_line())) return;
+        has_sign_ = false;
+        tell(Detail::polygons, "surround", test_line(), "polygon", id(polygon), "point", list(x, y), "inside", inside);
+    }
+
+    // PolygonClip
+
+    void clip_begin(int polygon) {
+        if (!begin("clip_begin", polygon)) return;
+        run(polygon_clip, "W12");
+        clipping_ = true;
+        kept_ = 0;
+        tell(Detail::polygons, "clip_begin", "PL1", "polygon", id(polygon), "window", current_.window);
+    }
+    /// Side 1 to 4 of the window, from f0 to F_i.
+    void clip_side(int side, double from_x, double from_y, double to_x, double to_y) {
+        if (!clips("clip_side")) return;
+        if (side < 1 || side > 4) return complain("a window has the sides 1 to 4");
+        kept_ = 0;
+        has_first_ = false;
+        tell(Detail::polygons, "clip_side", "PL2", "side", side, "from", list(from_x, from_y), "to", list(to_x, to_y));
+    }
+    /// Of the last vertex, then of each from the first on; positive lies outside.
+    void clip_sign(const Vertex& vertex, double value, int sign) {
+        clip(Detail::signs, "clip_sign", has_first_ ? "PL4" : "PL3", "vertex", vertex, "value", value, "sign",
+             sign_of(sign));
+        has_first_ = true;
+    }
+    void clip_cross(const Vertex& vertex) { kept_ += clip(Detail::polygons, "clip_cross", "PL5", "vertex", vertex); }
+    void clip_keep(const Vertex& vertex) { kept_ += clip(Detail::polygons, "clip_keep", "PL6", "vertex", vertex); }
+    void clip_drop(const Vertex& vertex) { clip(Detail::polygons, "clip_drop", "PL6", "vertex", vertex); }
+    /// The vertices that joined at this side are the list for the next.
+    void clip_list() {
+        clip(Detail::polygons, "clip_list", "PL7", "count", kept_);
+        kept_ = 0;
+    }
+    /// Result of PolygonClip.
+    void clip_result(int polygon, const std::vector<Vertex>& vertices) {
+        if (!begin("clip_result", polygon) || !end(polygon_clip, "W12")) return;
+        clipping_ = false;
+        clipped_ = true;
+        tell(Detail::polygons, "clip_result", "W12", "polygon", id(polygon), "vertices", vertices);
+    }
+
+    // FillPolygon
+
+    /// The pixels first <= x < end of row y will be drawn.
+    void row(int y, double left, double right, int first, int end) {
+        begin("row");
+        run(fill_polygon, draw_line());
+        tell(Detail::signs, "row", "F2", "row", y, "left", left, "right", right, "first", first, "end", end);
+        Pixels pixels{first, y, end, y + 1};
+        if (cut(pixels)) rows_.push_back(pixels);
+    }
+    /// Result of FillPolygon: the rows take the polygon's colour.
+    void draw(int polygon) {
+        if (!begin("draw", polygon) || !end(fill_polygon, draw_line())) return;
+        const Color& color = polygon_at(polygon).color;
+        std::vector<Json> runs;
+        for (const Pixels& each : rows_) {
+            paint(each, color);
+            runs.push_back(list(each.top, each.left, each.right));
+        }
+        rows_.clear();
+        tell(Detail::windows, "draw", draw_line(), "polygon", id(polygon), "color", color, "runs", runs);
+    }
+
+private:
+    struct Active {
+        int polygon;
+        bool surrounds;
+    };
+    struct ActiveWindow {
+        Window window;
+        std::vector<Active> polygons;  // APL
+    };
+
+    static bool same(const Window& a, const Window& b) {
+        return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+    }
+    bool is_window(const char* call, const Window& w) {
+        begin(call);
+        run(method);
+        const bool finite = std::isfinite(w.x) && std::isfinite(w.y) && std::isfinite(w.width + w.height);
+        const bool is = finite && w.width > 0 && w.height > 0;
+        if (!is) complain("not a window: a side is not positive, or a number not finite");
+        return is;
+    }
+    /// A part has the polygons of the current window, the first window all.
+    void push_window(const Window& window) {
+        if (popped_) {
+            stack_.push_back({window, current_.polygons});
+            return tell(Detail::windows, "push", "W13", "window", window);
+        }
+        std::vector<Active> all;
+        std::vector<Json> entries;
+        for (int i = 0; i < polygon_count(); ++i) {
+            all.push_back({i, false});
+            entries.push_back(list(id(i), false));
+        }
+        stack_.push_back({window, all});
+        tell(Detail::windows, "push", "W3", "window", window, "apl", entries);
+    }
+    std::vector<Active>::iterator entry(int polygon) {
+        const auto is_it = [polygon](const Active& each) { return each.polygon == polygon; };
+        return std::find_if(current_.polygons.begin(), current_.polygons.end(), is_it);
+    }
+    bool is_active(int polygon) {
+        const bool is = entry(polygon) != current_.polygons.end();
+        if (!is) complain("the current APL has no polygon " + json(polygon));
+        return is;
+    }
+
+    /// Until the decision ProcessWindow looks at polygons, after it PointColor.
+    bool run_inner() { return decided_ ? run(point_color, "W9") : run(process_window, "W6"); }
+    bool looks_at(const char* call, int polygon) {
+        const bool exists = begin(call, polygon);
+        run_inner();
+        return exists;
+    }
+    template <class... Fields>
+    void look(Detail from, const char* call, const char* at, int polygon, const Fields&... fields) {
+        if (looks_at(call, polygon)) tell(from, call, at, "polygon", id(polygon), fields...);
+    }
+    bool tests(const char* call, int polygon) {
+        const bool exists = begin(call, polygon);
+        if (!runs(surround_test) && run_inner()) run(surround_test, test_line());
+        return exists;
+    }
+    bool clips(const char* call) {
+        begin(call);
+        if (!clipping_) complain("`clip_begin` comes before");
+        return clipping_ && run(polygon_clip);
+    }
+    template <class... Fields>
+    bool clip(Detail from, const char* call, const char* at, const Fields&... fields) {
+        const bool can_clip = clips(call);
+        if (can_clip) tell(from, call, at, fields...);
+        return can_clip;
+    }
+    const char* test_line() const { return decided_ ? "PC2" : "PW8"; }
+    const char* draw_line() const { return clipped_ ? "W12" : "W11"; }
+    static int sign_of(int value) { return (value > 0) - (value < 0); }
+
+    std::vector<ActiveWindow> stack_;  // AW
+    ActiveWindow current_{};
+    const char* fill_line_ = "W7";     // that of the last decision
+    std::vector<std::string> nearer_;  // the corners where the polygon in hand is nearer
+    std::vector<Pixels> rows_;         // of FillPolygon
+    int depths_ = 0, kept_ = 0;        // since `count`; since `clip_side`
+    bool popped_ = false, decided_ = false, clipped_ = false, clipping_ = false;
+    bool has_corners_ = false, has_sign_ = false, has_first_ = false;
+};
+
+/// A run of the Z-buffer. Edge i of a polygon goes from vertex i to the next.
+class ZBufferTrace : public Trace {
+public:
+    ZBufferTrace(const std::string& file, const Scene& scene, Detail detail = Detail::windows,
+                 Precision precision = Precision::double_precision)
+        : Trace(file, "zbuffer", scene, detail, precision) {}
+
+    void clear(double z) {
+        clear_picture();
+        step(Detail::windows, "clear", "Z1", "color", background(), "z", z);
+    }
+    /// What follows is about this one.
+    void polygon(int next) {
+        if (!begin("polygon", next)) return;
+        leave_line();
+        polygon_ = next;
+        edges_.clear();
+        active_.clear();
+        tell(Detail::windows, "polygon", "Z2", "polygon", id(next), "color", polygon_at(next).color);
+    }
+    /// Joins S.
+    void edge(int edge, const Vertex& from, const Vertex& to) {
+        if (!is_edge("edge", edge)) return;
+        edges_.push_back(edge);
+        tell(Detail::polygons, "edge", "Z3", "edge", edge, "from", from, "to", to);
+    }
+    void extent(double ymin, double ymax) { step(Detail::polygons, "extent", "Z4", "ymin", ymin, "ymax", ymax); }
+    void scanline(double y, int row) {
+        step(Detail::windows, "scanline", "Z6", "y", y, "row", row);
+        row_ = row;
+    }
+
+    // The active edge list
+
+    void ael_add(int edge, double x, double z, double until, double dx, double dz) {
+        if (!is_edge("ael_add", edge)) return;
+        if (holds(active_, edge)) return complain("edge " + json(edge) + " is in AEL already");
+        active_.push_back(edge);
+        tell(Detail::polygons, "ael_add", "Z8", "edge", edge, "x", x, "z", z, "until", until, "dx", dx, "dz", dz);
+    }
+    /// The next line is that of a level edge.
+    void horizontal(int edge) {
+        if (!is_edge("horizontal", edge)) return;
+        is_level_ = true;
+        tell(Detail::polygons, "horizontal", "Z9", "edge", edge);
+    }
+    void leave(const std::vector<int>& edges, double next) {
+        begin("leave");
+        leave_line();
+        tell(Detail::polygons, "leave", "Z10", "edges", take(edges_, edges, "S"), "next", next);
+    }
+    void ael_sort(const std::vector<int>& edges, double next) {
+        begin("ael_sort");
+        leave_line();
+        if (edges.size() != active_.size() || !std::is_permutation(edges.begin(), edges.end(), active_.begin())) {
+            return complain("not an order of the edges in AEL");
+        }
+        tell(Detail::polygons, "ael_sort", "Z12", "edges", edges, "next", next);
+    }
+    void ael_drop(const std::vector<int>& edges, double next) {
+        begin("ael_drop");
+        leave_line();
+        tell(Detail::polygons, "ael_drop", "Z16", "edges", take(active_, edges, "AEL"), "next", next);
+    }
+    void ael_step(int edge, double x, double z) {
+        begin("ael_step");
+        leave_line();
+        if (!holds(active_, edge)) return complain("edge " + json(edge) + " is not in AEL");
+        tell(Detail::polygons, "ael_step", "Z17", "edge", edge, "x", x, "z", z);
+    }
+
+    // ShowLine
+
+    void line(int row, double from_x, double from_z, double to_x, double to_z) {
+        show(Detail::polygons, "line", "L1", "row", row, "from", list(from_x, from_z), "to", list(to_x, to_z));
+        row_ = row;
+    }
+    void miss() { show(Detail::polygons, "miss", "L2"); }
+    void slope(double dz) { show(Detail::signs, "slope", "L3", "dz", dz); }
+    void columns(int first, int end, double z) {
+        show(Detail::signs, "columns", "L4", "first", first, "end", end, "z", z);
+    }
+    /// Its depth z against the stored one; shown if z takes its place.
+    void pixel(int x, int y, double z, double stored, bool shown) {
+        Pixels pixels{x, y, x + 1, y + 1};
+        if (!shows("pixel") || !cut(pixels)) return;
+        if (!depths_.empty() && y != row_) return complain("`span` comes before another row");
+        row_ = y;
+        tell(Detail::signs, "pixel", "L6", "x", x, "y", y, "z", z, "stored", stored, "shown", shown);
+        if (!shown) return;
+        depths_.push_back(z);
+        if (!runs_.empty() && runs_.back().right == x) {
+            ++runs_.back().right;
+        } else {
+            runs_.push_back(pixels);
+        }
+    }
+    /// Result of ShowLine: the pixels that were shown take the polygon's colour.
+    void span() {
+        if (shows("span")) show_span();
+    }
+
+private:
+    template <class... Fields>
+    void step(Detail from, const char* call, const char* at, const Fields&... fields) {
+        begin(call);
+        leave_line();
+        tell(from, call, at, fields...);
+    }
+    template <class... Fields>
+    void show(Detail from, const char* call, const char* at, const Fields&... fields) {
+        if (shows(call)) tell(from, call, at, fields...);
+    }
+    bool shows(const char* call) {
+        begin(call);
+        if (polygon_ < 0) complain("`polygon` comes before");
+        return polygon_ >= 0 && run(show_line, shown_at());
+    }
+    /// Back to ZBuffer: a line that was left without `span` gets one.
+    void leave_line() {
+        if (!run(method)) show_span();
+    }
+    void show_span() {
+        end(show_line, shown_at());
+        std::vector<Json> runs;
+        for (const Pixels& each : runs_) {
+            paint(each, polygon_at(polygon_).color);
+            runs.push_back(list(each.left, each.right));
+        }
+        if (detail() == Detail::windows) {
+            tell(Detail::windows, "span", shown_at(), "row", row_, "runs", runs);
+        } else {
+            tell(Detail::polygons, "span", shown_at(), "row", row_, "runs", runs, "depths", depths_);
+        }
+        runs_.clear();
+        depths_.clear();
+        is_level_ = false;
+    }
+    const char* shown_at() const { return is_level_ ? "Z9" : "Z14"; }
+
+    bool is_edge(const char* call, int edge) {
+        begin(call);
+        leave_line();
+        const bool is = polygon_ >= 0 && edge >= 0 && std::size_t(edge) < polygon_at(polygon_).vertices.size();
+        if (!is) complain("the polygon has no edge " + json(edge));
+        return is;
+    }
+    static bool holds(const std::vector<int>& edges, int edge) {
+        return std::find(edges.begin(), edges.end(), edge) != edges.end();
+    }
+    /// Those of the edges that are on the list, and now no more; a complaint about the others.
+    std::vector<int> take(std::vector<int>& list, const std::vector<int>& edges, const char* name) {
+        std::vector<int> taken;
+        for (const int edge : edges) {
+            if (!holds(list, edge)) {
+                complain("edge " + json(edge) + " is not in " + name);
+                continue;
+            }
+            list.erase(std::find(list.begin(), list.end(), edge));
+            taken.push_back(edge);
+        }
+        return taken;
+    }
+
+    int polygon_ = -1;
+    std::vector<int> edges_, active_;  // S, AEL
+    int row_ = 0;                      // of ShowLine, as are these
+    std::vector<Pixels> runs_;
+    std::vector<double> depths_;
+    bool is_level_ = false;
+};
+
+}  // namespace student
+}  // namespace vidno
+
+#endif

@@ -1,0 +1,111 @@
+# The header for students' own programs, by each of COMPILERS: the examples' traces are read whole by VIDNO and paint what
+# the rule of the picture demands; wrong use is said, and leaves a trace. Run with -P.
+cmake_minimum_required(VERSION 3.25)
+set(student ${CMAKE_CURRENT_LIST_DIR}/../../lessons/student)
+set(sources ${student}/warnock.cpp ${student}/z_buffer.cpp)
+foreach(name IN ITEMS sha256 wrong_use crash)
+    list(APPEND sources ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp)
+endforeach()
+
+macro(must)
+    execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
+endmacro()
+
+# Runs a program; what it says on the standard error must be just this, apart from the numbers of steps.
+function(must_say said)
+    execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} ERROR_VARIABLE errors COMMAND_ERROR_IS_FATAL ANY)
+    string(REGEX REPLACE ", after step [0-9]+" "" errors "${errors}")
+    if(NOT errors STREQUAL said)
+        message(FATAL_ERROR "${ARGN} said\n${errors}instead of\n${said}")
+    endif()
+endfunction()
+
+function(must_hold trace text)
+    file(READ ${WORK}/${trace}.jsonl lines)
+    string(FIND "${lines}" "${text}" found)
+    if(found EQUAL -1)
+        message(FATAL_ERROR "${trace}.jsonl lacks ${text}\n${lines}")
+    endif()
+endfunction()
+
+# The picture of the events alone. Exit code 0 says that every line was read and that the last one has its hash.
+macro(replay trace)
+    must(${VIDNO} replay ${trace}.jsonl -o ${trace}.ppm)
+endmacro()
+
+# No outline of the example's scene comes nearer to the centre of a pixel than 1/64, no two of its planes have depths at a
+# centre or a window's corner that differ by less than 1/128, and its coordinates are such that an orientation in doubles
+# is exact: what rounding can do in 16 x 16 pixels, some 2^-45, decides nothing.
+macro(test_example name method)
+    foreach(detail IN ITEMS windows polygons signs)
+        must_say("" ./${name} ${detail})
+        replay(${name})
+        file(STRINGS ${WORK}/${name}.jsonl header LIMIT_COUNT 1)
+        string(JSON scene GET "${header}" scene)
+        file(WRITE ${WORK}/scene.json "${scene}")
+        must(${VIDNO} render scene.json --method ${method} --kernel exact -o exact.ppm)
+        must(${CMAKE_COMMAND} -E compare_files ${name}.ppm exact.ppm)
+    endforeach()
+endmacro()
+
+# By the number of the call in wrong_use.cpp, and the same at every level; the steps differ.
+set(complaints
+    "2, pop: not the window on top of AW: the trace pushes it first"
+    "3, push: not a window: a side is not positive, or a number not finite"
+    "4, nearer: `corners` and four times `depth` come before"
+    "5, mark: the scene has no polygon 7"
+    "7, discard: the current APL has no polygon 0"
+    "8, decide: ProcessWindow has not told its result, `summary`"
+    "9, fill: ProcessWindow has not told its result, `summary`"
+    "9, fill: pixels outside the area"
+    "10, clip_keep: `clip_begin` comes before"
+    "11, close: ProcessWindow has not told its result, `summary`"
+    "2, pixel: `polygon` comes before"
+    "5, ael_step: edge 1 is not in AEL"
+    "6, ael_sort: not an order of the edges in AEL"
+    "7, ael_add: the polygon has no edge 4"
+    "8, pixel: pixels outside the area"
+    "10, scanline: ShowLine has not told its result, `span`"
+    "12, pixel: `span` comes before another row"
+    "15, clear: the trace is closed")
+list(TRANSFORM complaints PREPEND "vidno: call ")
+list(JOIN complaints "\n" complaints)
+
+macro(test_wrong_use)
+    foreach(detail IN ITEMS windows polygons signs)
+        must_say("${complaints}\n" ./wrong_use ${detail})
+        replay(wrong_warnock)
+        replay(wrong_z_buffer)
+        # Of the rectangle of call 9 the pixel (3, 1) lies in the area; the lines of calls 9 and 11 have a pixel each.
+        must_hold(wrong_warnock [=["e":"fill","at":"W10","rect":[3,1,1,1],"color":"#0000ff"]=])
+        must_hold(wrong_z_buffer [=["e":"span","at":"Z14","row":0,"runs":[[1,2]]]=])
+        must_hold(wrong_z_buffer [=["e":"span","at":"Z14","row":1,"runs":[[2,3]]]=])
+    endforeach()
+endmacro()
+
+# 0.1f is 0.100000001490116119384765625: as a double it takes 17 digits.
+macro(test_crash)
+    execute_process(COMMAND ./crash WORKING_DIRECTORY ${WORK} RESULT_VARIABLE crashed OUTPUT_QUIET ERROR_QUIET)
+    execute_process(COMMAND ${VIDNO} replay crash.jsonl -o crash.ppm WORKING_DIRECTORY ${WORK} RESULT_VARIABLE code
+                    ERROR_VARIABLE said)
+    if(crashed EQUAL 0 OR NOT code EQUAL 1 OR NOT said MATCHES "2 events read, the last line is missing")
+        message(FATAL_ERROR "The trace of a crash: ${crashed}, ${code}, ${said}")
+    endif()
+    must_hold(crash [=["kernel":"float"]=])
+    must_hold(crash [=["plane":[0.10000000149011612,0,"inf","-inf"]]=])
+    must_hold(crash [=["plane":[0.1,0.3333333333333333,"nan",1e+22]]=])
+endmacro()
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+foreach(compiler IN LISTS COMPILERS)
+    foreach(source IN LISTS sources)
+        get_filename_component(program ${source} NAME_WE)
+        must(${compiler} -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} ${source} -o ${program})
+    endforeach()
+    must(./sha256)
+    test_example(warnock warnock)
+    test_example(z_buffer zbuffer)
+    test_wrong_use()
+    test_crash()
+endforeach()

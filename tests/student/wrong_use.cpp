@@ -1,0 +1,46 @@
+// Calls that cannot be right: each is said, and the traces can be read.
+#include "vidno_student.h"
+
+using namespace vidno::student;
+
+const Polygon square{"a \"square\"\n", {255, 0, 0}, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}};
+const Scene scene{"Wrong use", {0, 0, 4, 2}, {255, 255, 255}, {square}};
+
+/// Goes to and fro between levels of the call stack, windows and lists.
+void misuse_warnock(Detail detail) {
+    WarnockTrace trace("wrong_warnock.jsonl", scene, detail);
+    trace.pop(1, 0, 2, 2);   // 2: nothing was pushed
+    trace.push(0, 0, 4, 0);  // 3: no height
+    trace.nearer(0);         // 4: no depths before
+    trace.mark(7);           // 5: no such polygon
+    trace.discard(0);
+    trace.discard(0);                     // 7: it left
+    trace.decide(Case::single);           // 8: no summary
+    trace.fill(3, 1, 4, 4, {0, 0, 255});  // 9: 3 columns and 3 rows too far; ProcessWindow still runs
+    trace.clip_keep({0, 0, 0});           // 10: nothing is being clipped
+}
+
+void misuse_z_buffer(Detail detail) {
+    ZBufferTrace trace("wrong_z_buffer.jsonl", scene, detail);
+    trace.pixel(0, 0, 0, -1, true);  // 2: of no polygon
+    trace.clear(-1);
+    trace.polygon(0);
+    trace.ael_step(1, 0, 0);          // 5: not in AEL
+    trace.ael_sort({0}, 1);           // 6: not in AEL either
+    trace.ael_add(4, 0, 0, 1, 0, 0);  // 7: a square has the edges 0 to 3
+    trace.pixel(4, 0, 0, -1, true);   // 8: off the area
+    trace.pixel(1, 0, 0.1, -1, true);
+    trace.scanline(1.5, 1);  // 10: no span
+    trace.pixel(2, 1, 0.1, -1, true);
+    trace.pixel(3, 0, 0.1, -1, true);  // 12: another row
+    trace.span();
+    trace.close();
+    trace.clear(-1);  // 15: closed
+}
+
+int main(int count, char** words) {
+    const std::string word = count > 1 ? words[1] : "";
+    const Detail detail = word == "windows" ? Detail::windows : word == "polygons" ? Detail::polygons : Detail::signs;
+    misuse_warnock(detail);
+    misuse_z_buffer(detail);
+}
