@@ -11,7 +11,7 @@ export const page: PageTexts = {
   growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent} % of the file`,
   unreadable: (name, line, where, reason) =>
     `${name} is not a trace that can be read. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
-  broken: (name) => `${name} could not be read.`,
+  broken: (name) => `${name || 'The scene in the link'} could not be read.`,
   refusedScene: (name, why) => `${name} is no scene that can be run: ${why}.`,
   shortened: {
     cut: (line) => `The file breaks off after line ${line}: you see the run up to there.`,

@@ -11,7 +11,8 @@ export const page: PageTexts = {
   growing: (steps, percent) => `Чтение: шагов пока ${steps}, ${percent} % файла`,
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
-  broken: (name) => `Файл ${name} не удалось прочитать.`,
+  broken: (name) =>
+    name === '' ? 'Сцену из ссылки не удалось прочитать.' : `Файл ${name} не удалось прочитать.`,
   refusedScene: (name, why) => `Сцену ${name} нельзя запустить: ${why}.`,
   shortened: {
     cut: (line) => `Файл обрывается после строки ${line}: показан прогон до этого места.`,
