@@ -168,6 +168,8 @@ describe('other runs', () => {
     await page.locator('vidno-rival-choice input').setInputFiles(file);
     await page.locator('vidno-notice [role=alert]', { hasText: 'x.jsonl' }).waitFor();
     expect(await page.locator('vidno-player').isVisible()).toBe(true);
+    await page.keyboard.press('d');
+    expect(await page.locator('vidno-rival-choice dialog').isVisible()).toBe(true);
   });
 });
 
