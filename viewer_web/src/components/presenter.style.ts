@@ -60,7 +60,7 @@ export const presenterStyle = css`
     grid-column: 2;
     height: auto;
   }
-  :host([presenting]) .panels:has(.side.predict) {
+  :host([presenting]) .panels:has(> .side:is(.predict, .exact)) {
     grid-template-rows: minmax(0, 1fr) minmax(0, 2.4fr);
   }
   :host([presenting]) .dock {

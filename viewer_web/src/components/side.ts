@@ -153,6 +153,7 @@ export class SideElement extends LitElement {
           .trace=${this.trace}
           .maps=${this.maps}
           ?editable=${editing !== null}
+          ?bare=${this.bare}
         ></vidno-exactness>`;
       case 'bookmarks':
         return html`<vidno-bookmarks
