@@ -12,6 +12,7 @@ import type { Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Grid } from '../state/grid.js';
+import { bookmarkAt, withBookmark } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
@@ -49,7 +50,8 @@ interface Half {
 
 /**
  * Two runs side by side. The controls step the first one, and the other goes along. Each step of the first is told by
- * `vidno-step`, each pixel that is chosen by `vidno-pixel`; `vidno-layer` asks to mark the pixels that differ.
+ * `vidno-step`, each pixel that is chosen by `vidno-pixel`, and further bookmarks by `vidno-bookmarks`; `vidno-layer` asks to
+ * mark the pixels that differ.
  */
 @customElement('vidno-comparison')
 export class ComparisonElement extends TimedElement {
@@ -177,7 +179,7 @@ export class ComparisonElement extends TimedElement {
         ${this.presenter.corner(view)}
       </div>
       ${this.presenter.curtain()}
-      <vidno-keys .texts=${view.texts}></vidno-keys>
+      <vidno-keys .texts=${view.texts} pair></vidno-keys>
     `;
   }
 
@@ -223,6 +225,13 @@ export class ComparisonElement extends TimedElement {
   goToParting(what: 'text' | 'deed'): void {
     const found = this.comparison?.parting?.[what];
     if (found) this.moveTo(found[0]);
+  }
+
+  /** Bookmarks the first run's step; a note that it has is kept. */
+  bookmark(): void {
+    if (bookmarkAt(this.bookmarks, this.step) !== null) return;
+    const detail = withBookmark(this.bookmarks, this.step, '');
+    this.dispatchEvent(new CustomEvent<Bookmarks>('vidno-bookmarks', { detail }));
   }
 
   showKeys(): void {
