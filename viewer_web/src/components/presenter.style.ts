@@ -10,7 +10,6 @@ export const presenterStyle = css`
     gap: 0.5rem;
     background: var(--paper);
     --bar: 0px;
-    --caption: none;
   }
   @media (min-width: 1000px) {
     :host([presenting]) {

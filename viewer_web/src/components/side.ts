@@ -184,7 +184,7 @@ export class SideElement extends LitElement {
       case 'scene':
         return editing === null ? this.state() : this.scene(editing);
       case 'solid':
-        return html`<vidno-solid .view=${view}></vidno-solid>`;
+        return html`<vidno-solid .view=${view} ?bare=${this.bare}></vidno-solid>`;
       case 'state':
         return this.state();
     }
