@@ -12,7 +12,7 @@ import type { Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Grid } from '../state/grid.js';
-import { bookmarkAt, withBookmark } from '../time/bookmarks.js';
+import { marked } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
@@ -116,16 +116,10 @@ export class ComparisonElement extends TimedElement {
     const choice: Choice = { language, pixel, pointed: this.pointing.at };
     const [picture, other] = [pictureAt(trace, step), pictureAt(rival, otherStep)];
     this.differs = differing(picture, other);
-    const against = (each: Grid<number>): Grid<number> | null =>
-      this.differs === null ? null : each;
+    const [against, back] = this.differs === null ? [null, null] : [other, picture];
     return [
-      { side: 'one', trace, view: viewOf(trace, step, choice), against: against(other) },
-      {
-        side: 'other',
-        trace: rival,
-        view: viewOf(rival, otherStep, choice),
-        against: against(picture),
-      },
+      { side: 'one', trace, view: viewOf(trace, step, choice), against },
+      { side: 'other', trace: rival, view: viewOf(rival, otherStep, choice), against: back },
     ];
   }
 
@@ -227,10 +221,9 @@ export class ComparisonElement extends TimedElement {
     if (found) this.moveTo(found[0]);
   }
 
-  /** Bookmarks the first run's step; a note that it has is kept. */
+  /** Bookmarks the first run's step. */
   bookmark(): void {
-    if (bookmarkAt(this.bookmarks, this.step) !== null) return;
-    const detail = withBookmark(this.bookmarks, this.step, '');
+    const detail = marked(this.bookmarks, this.step);
     this.dispatchEvent(new CustomEvent<Bookmarks>('vidno-bookmarks', { detail }));
   }
 
