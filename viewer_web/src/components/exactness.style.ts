@@ -49,9 +49,15 @@ export const exactnessStyle = css`
     flex: 1;
     border: 0;
   }
+  :host([bare]) section + section {
+    flex: 1.5;
+  }
   vidno-lens {
     display: block;
     max-width: 26rem;
     margin-top: 0.4rem;
+  }
+  :host([bare]) vidno-lens {
+    max-width: 12rem;
   }
 `;
