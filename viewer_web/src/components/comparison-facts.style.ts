@@ -89,6 +89,9 @@ export const factsStyle = css`
     }
   }
   @container (max-width: 620px) {
+    label:not(:first-child) {
+      margin-left: 0;
+    }
     .fold {
       display: block;
       margin-top: 0.3rem;
