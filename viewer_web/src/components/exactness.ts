@@ -5,7 +5,7 @@ import { side } from '../exactness/places.js';
 import { questionOf } from '../exactness/question.js';
 import type { Question } from '../exactness/question.js';
 import type { SignMap } from '../exactness/sign-map.js';
-import { isWrong, verdictOf } from '../exactness/verdict.js';
+import { isCertain, isWrong, verdictOf } from '../exactness/verdict.js';
 import type { Verdict } from '../exactness/verdict.js';
 import type { ExactTexts } from '../i18n/exact-texts.js';
 import { texts } from '../i18n/index.js';
@@ -120,6 +120,7 @@ export class ExactnessElement extends LitElement {
     const say = this.texts;
     if (verdict.exact === null) return html`<p class="verdict">${say.undefined}</p>`;
     if (verdict.exact === undefined) {
+      if (isCertain(this.trace.header.kernel)) return html`<p class="verdict">${say.certain}</p>`;
       return html`<p class="verdict">${say.unchecked}</p>
         ${this.editable ? this.offer() : nothing}`;
     }

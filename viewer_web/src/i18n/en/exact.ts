@@ -44,6 +44,7 @@ export const exact: ExactTexts = {
   wrong: 'Wrong.',
   undefined: 'After a wrong turn there is no right answer here.',
   unchecked: 'This run was not held against exact arithmetic.',
+  certain: 'Under these numbers every decision is exact.',
   check: 'Check every decision',
   nothing:
     'This step decides nothing by numbers. Go to a sign, a comparison or a range; “Go to: a wrong decision” finds those that are wrong.',
