@@ -60,4 +60,19 @@ export const exactnessStyle = css`
   :host([bare]) vidno-lens {
     max-width: 12rem;
   }
+  @media print {
+    :host {
+      flex-direction: row;
+    }
+    section {
+      flex: 1;
+      border: 0;
+    }
+    button {
+      display: none;
+    }
+    vidno-lens {
+      max-width: 13rem;
+    }
+  }
 `;
