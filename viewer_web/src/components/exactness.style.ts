@@ -58,7 +58,7 @@ export const exactnessStyle = css`
     margin-top: 0.4rem;
   }
   :host([bare]) vidno-lens {
-    max-width: 12rem;
+    max-width: 9rem;
   }
   @media print {
     :host {
@@ -66,6 +66,8 @@ export const exactnessStyle = css`
     }
     section {
       flex: 1;
+    }
+    section + section {
       border: 0;
     }
     button {
