@@ -66,6 +66,24 @@ describe('the printed text beside the corrected one', () => {
     expect((await counter(page, 'steps'))[1]).toBe('18/62');
     expect((await counter(page, 'painted'))[1]).toBe('0/256');
   });
+
+  it('has its step bookmarked and both its pictures saved, as its map of keys says', async () => {
+    const { page } = await comparing(
+      browser,
+      `${lesson}&with=10-printed-text.warnock.double.printed.signs&step=20`,
+    );
+    await page.keyboard.press('b');
+    await page.waitForURL(/bookmarks=/);
+    const files: string[] = [];
+    page.on('download', (file) => files.push(file.suggestedFilename()));
+    await page.keyboard.press('s');
+    await expect.poll(() => files.length).toBe(2);
+    expect(files.join()).toMatch(/corrected\.step-20\.svg,.*printed\.step-\d+\.svg$/u);
+    await page.keyboard.press('?');
+    const map = page.locator('vidno-comparison vidno-keys dl');
+    expect(await map.textContent()).toContain('mark the pixels that differ');
+    expect(await map.textContent()).not.toContain('question');
+  });
 });
 
 describe('float beside exact', () => {
@@ -168,6 +186,8 @@ describe('other runs', () => {
     await page.locator('vidno-rival-choice input').setInputFiles(file);
     await page.locator('vidno-notice [role=alert]', { hasText: 'x.jsonl' }).waitFor();
     expect(await page.locator('vidno-player').isVisible()).toBe(true);
+    await page.keyboard.press('d');
+    expect(await page.locator('vidno-rival-choice dialog').isVisible()).toBe(true);
   });
 });
 

@@ -103,6 +103,18 @@ describe('the lens', () => {
     }
   });
 
+  it('stays until the map of the next sign is there', async () => {
+    const page = await failing('orientation-inverted');
+    const [first = 0, second = 0] = await steps(page, ({ e }) => e === 'orient');
+    await goTo(page, first);
+    await page.locator('h1').click();
+    await page.keyboard.press('x');
+    const lens = await page.locator('vidno-lens').elementHandle();
+    await goTo(page, second);
+    await panel(page, '[aria-busy=false] canvas').waitFor();
+    expect(await lens?.evaluate((element) => element.isConnected)).toBe(true);
+  });
+
   it('is about yes and no where depths are compared, in Russian too', async () => {
     const page = await failing('depth-by-an-ulp', '#lang=ru');
     await edit(page);
@@ -120,7 +132,7 @@ describe('the lens', () => {
   it('there is none on a grid, or where no point is asked about', async () => {
     const page = await failing('orientation-inverted');
     await edit(page);
-    await rerun(page, () => page.locator('vidno-run-form [name=kernel]').selectOption('grid:8'));
+    await rerun(page, () => page.locator('vidno-player [name=kernel]').selectOption('grid:8'));
     const [first = 0] = await steps(page, ({ e }) => e === 'orient');
     await goTo(page, first);
     await page.locator('h1').click();

@@ -3,7 +3,7 @@ import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { edit, editing, rerun, run, scene, title, triangle } from './live.js';
-import { launch, open, openFile, shown } from './page.js';
+import { goTo, launch, open, openFile, shown } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -57,6 +57,21 @@ describe('a scene', () => {
     await page.locator('vidno-notice .refused').waitFor();
     expect(await page.locator('vidno-notice .refused').textContent()).toMatch(message);
     expect(faults).toEqual([]);
+  });
+
+  it('that is none leaves the run before, its title and its scene as they were', async () => {
+    const { page } = await editing(browser);
+    await goTo(page, 5);
+    const before = await run(page);
+    await openFile(page, 'none.json', scene([triangle, triangle]));
+    await page.locator('vidno-notice .refused', { hasText: 'none.json' }).waitFor();
+    expect(await page.locator(title).textContent()).not.toContain('none');
+    expect(await run(page)).toEqual(before);
+    const after = await rerun(page, () =>
+      page.locator('vidno-run-form select[name=kernel]').selectOption('exact'),
+    );
+    expect(after.polygons).toEqual(before.polygons);
+    expect((await shown(page)).step).toBe(5);
   });
 
   it.each(['%%%', 'AAAA', 'x'.repeat(2000)])(

@@ -69,7 +69,9 @@ describe('the picture of a step', () => {
     await goTo(page, 60);
     const button = page.getByRole('button', { name: 'Save the picture as SVG' });
     const file = await saved(page, () => button.click());
-    expect(file.suggestedFilename()).toMatch(/^[\p{L}\p{N}-]+\.warnock\.step-60\.svg$/u);
+    expect(file.suggestedFilename()).toMatch(
+      /^[\p{L}\p{N}-]+\.warnock\.double\.corrected\.step-60\.svg$/u,
+    );
     const { error, texts } = await read(readFileSync(await file.path(), 'utf8'));
     expect(error).toBe(false);
     expect(texts).toContain(']]></text>&<\ufffd');

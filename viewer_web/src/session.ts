@@ -45,6 +45,8 @@ export class Session implements ReactiveController {
 
   /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
   private goal: Place | null = null;
+  /** The name of what was asked for last, which may be refused. */
+  private asked = '';
   private stopReading = (): void => undefined;
 
   constructor(
@@ -60,8 +62,11 @@ export class Session implements ReactiveController {
       changed,
       began: () => (this.earlier = this.trace),
       traced: (trace) => this.showRun(trace),
-      refused: (messages) => this.say({ kind: 'refused', name: this.name, messages }),
-      failed: (error) => this.fail(this.name, error),
+      refused: (messages) => {
+        this.goal = null;
+        this.say({ kind: 'refused', name: this.asked, messages });
+      },
+      failed: (error) => this.fail(this.asked, error),
     });
   }
 
@@ -107,8 +112,7 @@ export class Session implements ReactiveController {
 
   private openScene(text: string, name: string, options: Options, place: Place): void {
     this.stopReading();
-    this.earlier = null;
-    this.name = name;
+    this.asked = name;
     this.goal = place;
     if (this.live.load(text, options)) this.say(null);
     else this.fail(name, null);
@@ -120,6 +124,7 @@ export class Session implements ReactiveController {
     const atEnd = this.steps > 0 && this.place.step === this.steps;
     const old = this.trace?.timeline ?? trace.timeline;
     const step = atEnd ? length : ownStep(old, this.place.step, trace.timeline);
+    if (this.goal !== null) this.earlier = null;
     this.show(trace, trace.header.scene.name, null, this.goal ?? { ...this.place, step });
     this.goal = null;
     this.say(noticeOf(trace));
@@ -151,6 +156,7 @@ export class Session implements ReactiveController {
     this.trace = trace;
     this.steps = trace.timeline.length;
     this.name = name;
+    this.asked = name;
     this.lesson = lesson;
     this.place = place;
     this.rival.follow(trace.header.scene);

@@ -93,6 +93,7 @@ export function besides(page: Shown): TemplateResult {
     @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
     @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
     @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
+    @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
     @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
     @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
   ></vidno-comparison>`;

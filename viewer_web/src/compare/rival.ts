@@ -23,7 +23,7 @@ export function withOf(word: string, page: Document): With | null {
   const lesson = traces.find((each) => idOf(each) === word);
   if (lesson !== undefined) return { kind: 'lesson', lesson };
   const [method = ''] = word.split('.');
-  return method in tables ? { kind: 'run', options: optionsOf(word) } : null;
+  return Object.hasOwn(tables, method) ? { kind: 'run', options: optionsOf(word) } : null;
 }
 
 /** The run beside the one that is open, if there is one. */
@@ -99,7 +99,11 @@ export class Rival {
     this.notice = { kind: 'reading', name };
     this.stopReading = openTrace(file, {
       grown: (trace) => this.show(trace),
-      failed: (error) => this.say({ kind: 'failed', name, error }),
+      failed: (error) => {
+        this.chosen = null;
+        this.trace = null;
+        this.say({ kind: 'failed', name, error });
+      },
     });
   }
 

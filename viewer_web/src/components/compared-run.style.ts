@@ -11,7 +11,7 @@ export const comparedStyle = css`
     flex-wrap: wrap;
     gap: 0 0.75rem;
     align-items: center;
-    align-content: start;
+    align-content: end;
     min-height: 2rem;
   }
   .listing {

@@ -13,6 +13,7 @@ import './listing.js';
 import type { ListingElement } from './listing.js';
 import './picture-panel.js';
 import type { PicturePanelElement } from './picture-panel.js';
+import type { Kind } from './save.js';
 import { base } from './theme.js';
 
 /**
@@ -43,6 +44,10 @@ export class ComparedRunElement extends LitElement {
 
   toggleSource(): void {
     this.listing.toggleSource();
+  }
+
+  save(kind: Kind): Promise<void> {
+    return this.picture.save(kind);
   }
 
   override render(): TemplateResult {

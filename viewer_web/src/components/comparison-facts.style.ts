@@ -49,11 +49,20 @@ export const factsStyle = css`
   }
   dl {
     display: grid;
-    grid-template-columns: repeat(auto-fit, minmax(7.6rem, 1fr));
+    grid-template-columns: repeat(auto-fit, minmax(8.4rem, 1fr));
     gap: 0.3rem 0.75rem;
     margin-top: 0.3rem;
     padding-top: 0.35rem;
     border-top: 1px solid var(--line);
+  }
+  .fold {
+    display: none;
+  }
+  .fold::before {
+    content: '▸ ';
+  }
+  .fold[aria-expanded='true']::before {
+    content: '▾ ';
   }
   dt,
   .who {
@@ -77,6 +86,18 @@ export const factsStyle = css`
     .row > p {
       flex-basis: 100%;
       margin-left: 0;
+    }
+  }
+  @container (max-width: 620px) {
+    label:not(:first-child) {
+      margin-left: 0;
+    }
+    .fold {
+      display: block;
+      margin-top: 0.3rem;
+    }
+    .fold:not([aria-expanded='true']) + dl {
+      display: none;
     }
   }
   @media print {

@@ -1,6 +1,6 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { customElement, property, state } from 'lit/decorators.js';
 import type { Comparison } from '../compare/comparison.js';
 import { counters } from '../compare/counters.js';
 import type { Counter, Counts } from '../compare/counters.js';
@@ -32,6 +32,8 @@ export class ComparisonFactsElement extends LitElement {
   @property({ attribute: false }) on: ReadonlySet<Switch> = new Set();
   @property({ type: Boolean }) editable = false;
   @property({ attribute: false }) language: Language = 'en';
+  /** Whether the counters are shown where there is little room. */
+  @state() private isUnfolded = false;
 
   private get say(): CompareTexts {
     return texts[this.language].compare;
@@ -110,21 +112,28 @@ export class ComparisonFactsElement extends LitElement {
     const now = comparison.counts(this.steps);
     const all = comparison.counts();
     const shown = counters.filter((each) => all.some((counts) => counts[each] !== null));
-    return html`<dl aria-label=${say.counters}>
-      <div aria-hidden="true" class="who">
-        <p>${say.soFar} / ${say.inAll}</p>
-        <p>${say.thisRun}</p>
-        <p>${say.otherRun}</p>
-      </div>
-      ${shown.map(
-        (each) =>
-          html`<div class=${each}>
-            <dt>${say.counts[each]}</dt>
-            <dd>${this.count(say.thisRun, each, now[0], all[0])}</dd>
-            <dd>${this.count(say.otherRun, each, now[1], all[1])}</dd>
-          </div>`,
-      )}
-    </dl>`;
+    return html`<button
+        class="fold"
+        aria-expanded=${this.isUnfolded ? 'true' : 'false'}
+        @click=${() => (this.isUnfolded = !this.isUnfolded)}
+      >
+        ${say.counters}
+      </button>
+      <dl aria-label=${say.counters}>
+        <div aria-hidden="true" class="who">
+          <p>${say.soFar} / ${say.inAll}</p>
+          <p>${say.thisRun}</p>
+          <p>${say.otherRun}</p>
+        </div>
+        ${shown.map(
+          (each) =>
+            html`<div class=${each}>
+              <dt>${say.counts[each]}</dt>
+              <dd>${this.count(say.thisRun, each, now[0], all[0])}</dd>
+              <dd>${this.count(say.otherRun, each, now[1], all[1])}</dd>
+            </div>`,
+        )}
+      </dl>`;
   }
 
   private count(whose: string, counter: Counter, now: Counts, all: Counts): TemplateResult {

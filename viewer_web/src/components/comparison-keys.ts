@@ -15,6 +15,7 @@ export interface SteeredPair extends Timed {
   present(on: boolean): void;
   point(by: 1 | -1): void;
   toggle(name: 'mark'): void;
+  bookmark(): void;
   goToParting(what: 'text' | 'deed'): void;
 }
 
@@ -27,6 +28,7 @@ export function pairActions(pair: SteeredPair, { shiftKey }: KeyboardEvent): Act
   const usual: Actions = {
     ...showKeys,
     ...timeActions(pair, shiftKey),
+    KeyB: () => pair.bookmark(),
     KeyC: () => {
       for (const run of pair.runs) run.toggleSource();
     },
@@ -35,6 +37,9 @@ export function pairActions(pair: SteeredPair, { shiftKey }: KeyboardEvent): Act
     KeyO: () => pair.point(shiftKey ? -1 : 1),
     KeyP: () => first?.startChoosing(),
     KeyF: () => pair.present(!presenting),
+    KeyS: () => {
+      for (const run of pair.runs) void run.save(shiftKey ? 'png' : 'svg');
+    },
   };
   return presenting ? presenter.actions(usual) : usual;
 }

@@ -12,6 +12,7 @@ import type { Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Grid } from '../state/grid.js';
+import { marked } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
@@ -49,7 +50,8 @@ interface Half {
 
 /**
  * Two runs side by side. The controls step the first one, and the other goes along. Each step of the first is told by
- * `vidno-step`, each pixel that is chosen by `vidno-pixel`; `vidno-layer` asks to mark the pixels that differ.
+ * `vidno-step`, each pixel that is chosen by `vidno-pixel`, and further bookmarks by `vidno-bookmarks`; `vidno-layer` asks to
+ * mark the pixels that differ.
  */
 @customElement('vidno-comparison')
 export class ComparisonElement extends TimedElement {
@@ -114,16 +116,10 @@ export class ComparisonElement extends TimedElement {
     const choice: Choice = { language, pixel, pointed: this.pointing.at };
     const [picture, other] = [pictureAt(trace, step), pictureAt(rival, otherStep)];
     this.differs = differing(picture, other);
-    const against = (each: Grid<number>): Grid<number> | null =>
-      this.differs === null ? null : each;
+    const [against, back] = this.differs === null ? [null, null] : [other, picture];
     return [
-      { side: 'one', trace, view: viewOf(trace, step, choice), against: against(other) },
-      {
-        side: 'other',
-        trace: rival,
-        view: viewOf(rival, otherStep, choice),
-        against: against(picture),
-      },
+      { side: 'one', trace, view: viewOf(trace, step, choice), against },
+      { side: 'other', trace: rival, view: viewOf(rival, otherStep, choice), against: back },
     ];
   }
 
@@ -177,7 +173,7 @@ export class ComparisonElement extends TimedElement {
         ${this.presenter.corner(view)}
       </div>
       ${this.presenter.curtain()}
-      <vidno-keys .texts=${view.texts}></vidno-keys>
+      <vidno-keys .texts=${view.texts} pair></vidno-keys>
     `;
   }
 
@@ -223,6 +219,12 @@ export class ComparisonElement extends TimedElement {
   goToParting(what: 'text' | 'deed'): void {
     const found = this.comparison?.parting?.[what];
     if (found) this.moveTo(found[0]);
+  }
+
+  /** Bookmarks the first run's step. */
+  bookmark(): void {
+    const detail = marked(this.bookmarks, this.step);
+    this.dispatchEvent(new CustomEvent<Bookmarks>('vidno-bookmarks', { detail }));
   }
 
   showKeys(): void {

@@ -1,11 +1,11 @@
-import { LitElement, css, html, nothing } from 'lit';
+import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { side } from '../exactness/places.js';
 import { questionOf } from '../exactness/question.js';
 import type { Question } from '../exactness/question.js';
 import type { SignMap } from '../exactness/sign-map.js';
-import { isWrong, verdictOf } from '../exactness/verdict.js';
+import { isCertain, isWrong, verdictOf } from '../exactness/verdict.js';
 import type { Verdict } from '../exactness/verdict.js';
 import type { ExactTexts } from '../i18n/exact-texts.js';
 import { texts } from '../i18n/index.js';
@@ -15,9 +15,16 @@ import type { Answer } from '../trace/values.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
 import { act } from './act.js';
+import { exactnessStyle } from './exactness.style.js';
 import './lens.js';
 import { panelsStyle } from './panels.style.js';
 import { base } from './theme.js';
+
+/** A map, and what it is of. */
+interface Drawn {
+  readonly question: Question;
+  readonly map: SignMap;
+}
 
 /** Longer numbers, fractions most of all, are shown in part. */
 const longest = 60;
@@ -25,55 +32,7 @@ const longest = 60;
 /** The decision of the step: by which numbers it fell, what is right, and what the same decision gives in its neighbourhood. */
 @customElement('vidno-exactness')
 export class ExactnessElement extends LitElement {
-  static override styles = [
-    base,
-    panelsStyle,
-    css`
-      dl {
-        display: grid;
-        grid-template-columns: auto minmax(0, 1fr);
-        gap: 0.2rem 0.9rem;
-      }
-      dt,
-      dd {
-        font-size: 0.8125rem;
-        line-height: 1.45;
-      }
-      dd {
-        white-space: normal;
-        overflow-wrap: anywhere;
-      }
-      dd.words {
-        font-family: inherit;
-      }
-      .hint {
-        color: var(--soft);
-        font-size: 0.8125rem;
-      }
-      .verdict {
-        margin-top: 0.5rem;
-        padding: 0.3rem 0.5rem;
-        border-radius: 5px;
-        background: var(--well);
-      }
-      .verdict.wrong {
-        background: var(--bad-wash);
-        color: var(--bad);
-      }
-      .verdict.right {
-        color: var(--good);
-      }
-      button {
-        margin-top: 0.5rem;
-        padding: 0 0.8rem;
-      }
-      vidno-lens {
-        display: block;
-        max-width: 26rem;
-        margin-top: 0.4rem;
-      }
-    `,
-  ];
+  static override styles = [base, panelsStyle, exactnessStyle];
 
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) trace!: Trace;
@@ -81,7 +40,11 @@ export class ExactnessElement extends LitElement {
   @property({ attribute: false }) maps: SignMaps | null = null;
   /** Whether the run may be made anew. */
   @property({ type: Boolean }) editable = false;
-  @state() private map: SignMap | 'drawing' | null = null;
+  /** In a hall the map stands beside the numbers: nobody scrolls there. */
+  @property({ type: Boolean, reflect: true }) bare = false;
+  /** The map that was drawn last, with its question: while another is drawn it stays. */
+  @state() private drawn: Drawn | null = null;
+  @state() private isDrawing = false;
   private question: Question | null = null;
 
   private get texts(): ExactTexts {
@@ -93,14 +56,16 @@ export class ExactnessElement extends LitElement {
     const question = questionOf(trace, view.step);
     if (JSON.stringify(question) === JSON.stringify(this.question)) return;
     this.question = question;
-    this.map = null;
+    if (question === null || !isAlike(question, this.drawn)) this.drawn = null;
+    this.isDrawing = question !== null && this.maps !== null;
     if (question !== null && this.maps !== null) void this.ask(question, this.maps);
   }
 
   private async ask(question: Question, maps: SignMaps): Promise<void> {
-    this.map = 'drawing';
     const map = await maps.of(question, this.trace.header.kernel);
-    if (this.question === question) this.map = map;
+    if (this.question !== question) return;
+    this.drawn = map && { question, map };
+    this.isDrawing = false;
   }
 
   override render(): TemplateResult {
@@ -111,7 +76,7 @@ export class ExactnessElement extends LitElement {
     }
     return html`
       ${verdict && this.decision(verdict)}
-      ${question === null ? this.noLens() : this.lens(question, verdict)}
+      ${question === null ? this.noLens(this.texts.noLens) : this.lens(question, verdict)}
     `;
   }
 
@@ -155,6 +120,7 @@ export class ExactnessElement extends LitElement {
     const say = this.texts;
     if (verdict.exact === null) return html`<p class="verdict">${say.undefined}</p>`;
     if (verdict.exact === undefined) {
+      if (isCertain(this.trace.header.kernel)) return html`<p class="verdict">${say.certain}</p>`;
       return html`<p class="verdict">${say.unchecked}</p>
         ${this.editable ? this.offer() : nothing}`;
     }
@@ -172,27 +138,33 @@ export class ExactnessElement extends LitElement {
     </button>`;
   }
 
-  private lens({ at, places, asked }: Question, verdict: Verdict | null): TemplateResult {
+  private lens({ at }: Question, verdict: Verdict | null): TemplateResult {
     const say = this.texts;
-    const { map } = this;
-    const title = say.lens(point(at));
-    if (map === null) return this.noLens();
+    const { drawn, isDrawing } = this;
+    if (this.maps === null) return this.noLens(texts[this.view.language].compare.noLibrary);
+    if (drawn !== null) return this.map(drawn, isDrawing ? null : verdict);
+    if (!isDrawing) return this.noLens(say.noLens);
     return html`<section>
+      <h3>${say.lens(point(at))}</h3>
+      <p class="hint">${say.drawing}</p>
+    </section>`;
+  }
+
+  private map({ question, map }: Drawn, verdict: Verdict | null): TemplateResult {
+    const say = this.texts;
+    const { at, places, asked } = question;
+    const title = say.lens(point(at));
+    return html`<section aria-busy=${this.isDrawing ? 'true' : 'false'}>
       <h3>${title}</h3>
-      ${
-        map === 'drawing'
-          ? html`<p class="hint">${say.drawing}</p>`
-          : html`<p class="hint">
-                ${say.apart(power(places.step))} ${say.wrongPlaces(map.wrong, side ** 2)}
-              </p>
-              <vidno-lens
-                .map=${map}
-                .texts=${say}
-                .label=${title}
-                ?plain=${!('orientation' in asked)}
-              ></vidno-lens>
-              ${this.driftOf(map, verdict)}`
-      }
+      <p class="hint">${say.apart(power(places.step))}</p>
+      <p class="hint">${say.wrongPlaces(map.wrong, side ** 2)}</p>
+      <vidno-lens
+        .map=${map}
+        .texts=${say}
+        .label=${title}
+        ?plain=${!('orientation' in asked)}
+      ></vidno-lens>
+      ${this.driftOf(map, verdict)}
     </section>`;
   }
 
@@ -205,9 +177,14 @@ export class ExactnessElement extends LitElement {
     return isOther ? html`<p class="hint">${this.texts.drifted}</p>` : nothing;
   }
 
-  private noLens(): TemplateResult {
-    return html`<section><p class="hint">${this.texts.noLens}</p></section>`;
+  private noLens(why: string): TemplateResult {
+    return html`<section><p class="hint">${why}</p></section>`;
   }
+}
+
+/** Whether a map is of the same kind of decision. */
+function isAlike({ asked }: Question, drawn: Drawn | null): boolean {
+  return drawn !== null && Object.keys(asked).join() === Object.keys(drawn.question.asked).join();
 }
 
 /** In full, so that the last bit is seen. */

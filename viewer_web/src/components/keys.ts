@@ -18,6 +18,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['cursor', ['← ↑ ↓ →', 'Enter', 'Esc']],
   ['zoom', ['+', '−', '0']],
   ['layer', ['L']],
+  ['mark', ['L']],
   ['predict', ['Q']],
   ['answer', ['1 … 9', 'Enter']],
   ['bookmark', ['B']],
@@ -40,6 +41,12 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['map', ['?']],
 ];
 
+/** What there is only where a run is alone, and only where it is compared. */
+const only: Readonly<Record<'one' | 'pair', ReadonlySet<KeyUse>>> = {
+  one: new Set(['layer', 'predict', 'answer', 'bookmarks', 'exact', 'solid', 'turn']),
+  pair: new Set(['mark', 'parting']),
+};
+
 /** The map of keys. */
 @customElement('vidno-keys')
 export class KeysElement extends LitElement {
@@ -47,18 +54,27 @@ export class KeysElement extends LitElement {
     base,
     dialogStyle,
     css`
-      dl {
-        display: grid;
-        grid-template-columns: auto 1fr;
-        gap: 0.3rem 1.25rem;
-        align-items: baseline;
+      dialog {
+        max-width: min(72rem, calc(100vw - 2rem));
       }
-      dt {
-        white-space: nowrap;
+      dl {
+        columns: 2 24rem;
+        column-gap: 2rem;
+      }
+      dl div {
+        display: grid;
+        grid-template-columns: minmax(7rem, 35%) 1fr;
+        gap: 0.75rem;
+        align-items: baseline;
+        padding: 0.15rem 0;
+        break-inside: avoid;
+      }
+      dd {
+        font-size: 0.875rem;
       }
       kbd {
         display: inline-block;
-        margin-right: 0.3rem;
+        margin: 0 0.3rem 0.1rem 0;
         padding: 0.05rem 0.45rem;
         border: 1px solid var(--line);
         border-bottom-width: 2px;
@@ -74,6 +90,8 @@ export class KeysElement extends LitElement {
   ];
 
   @property({ attribute: false }) texts!: PageTexts;
+  /** Whether two runs are compared. */
+  @property({ type: Boolean }) pair = false;
   @query('dialog') private dialog!: HTMLDialogElement;
 
   toggle(): void {
@@ -87,15 +105,19 @@ export class KeysElement extends LitElement {
 
   override render(): TemplateResult {
     const { texts } = this;
+    const missing = only[this.pair ? 'one' : 'pair'];
     return html`<dialog aria-labelledby="title">
-      <h2 id="title">${texts.keys}</h2>
+      <h2 id="title" tabindex="-1" autofocus>${texts.keys}</h2>
       <dl>
-        ${keys.map(
-          ([use, names]) => html`
-            <dt>${names.map((name) => html`<kbd>${name}</kbd>`)}</dt>
-            <dd>${texts.keyMap[use]}</dd>
-          `,
-        )}
+        ${keys
+          .filter(([use]) => !missing.has(use))
+          .map(
+            ([use, names]) =>
+              html`<div>
+                <dt>${names.map((name) => html`<kbd>${name}</kbd>`)}</dt>
+                <dd>${texts.keyMap[use]}</dd>
+              </div>`,
+          )}
       </dl>
       <button @click=${() => this.toggle()}>${texts.close}</button>
     </dialog>`;

@@ -119,7 +119,7 @@ export const playerStyle = css`
       order: -1;
       height: 22rem;
     }
-    .side.predict {
+    .side:is(.predict, .exact) {
       order: -1;
       height: auto;
     }

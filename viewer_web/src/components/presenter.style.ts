@@ -10,7 +10,6 @@ export const presenterStyle = css`
     gap: 0.5rem;
     background: var(--paper);
     --bar: 0px;
-    --caption: none;
   }
   @media (min-width: 1000px) {
     :host([presenting]) {
@@ -60,7 +59,7 @@ export const presenterStyle = css`
     grid-column: 2;
     height: auto;
   }
-  :host([presenting]) .panels:has(.side.predict) {
+  :host([presenting]) .panels:has(> .side:is(.predict, .exact)) {
     grid-template-rows: minmax(0, 1fr) minmax(0, 2.4fr);
   }
   :host([presenting]) .dock {

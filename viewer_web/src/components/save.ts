@@ -41,7 +41,8 @@ export class SaveElement extends LitElement {
   async save(kind: Kind): Promise<void> {
     const { view } = this;
     const { header, step } = view;
-    const name = `${fileName(header.scene.name, header.method, `step-${step}`)}.${kind}`;
+    const { scene, method, kernel, edition } = header;
+    const name = `${fileName(scene.name, method, kernel, edition, `step-${step}`)}.${kind}`;
     const figure = figureOf(view);
     const svg = new Blob([figure], { type: 'image/svg+xml' });
     download(kind === 'svg' ? svg : await pngOf(figure, width), name);

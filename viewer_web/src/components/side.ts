@@ -23,6 +23,16 @@ import './zbuffer-panel.js';
 
 export type Side = 'state' | 'pixel' | 'exact' | 'solid' | 'predict' | 'bookmarks' | 'scene';
 
+/** What opens it, besides its button. */
+const keys: Readonly<Partial<Record<Side, string>>> = {
+  pixel: 'P',
+  exact: 'X',
+  solid: 'V',
+  scene: 'E',
+  predict: 'Q',
+  bookmarks: 'Shift B',
+};
+
 /** Whether the page brings along the scene in 3D, which is large; a player alone does not. */
 export const hasSolid = (): boolean => customElements.get('vidno-solid') !== undefined;
 
@@ -53,7 +63,7 @@ export class SideElement extends LitElement {
       }
       button {
         min-height: 1.9rem;
-        padding: 0.1rem 0.3rem 0;
+        padding: 0.1rem 0.22rem 0;
         border: 0;
         border-bottom: 3px solid transparent;
         border-radius: 0;
@@ -67,7 +77,8 @@ export class SideElement extends LitElement {
         border-color: var(--accent);
         color: var(--ink);
       }
-      .predict {
+      .asides {
+        display: flex;
         margin-left: auto;
       }
       .predict span {
@@ -125,8 +136,10 @@ export class SideElement extends LitElement {
         ${this.button('exact', exact.exactness)}
         ${hasSolid() ? this.button('solid', solid.solid) : nothing}
         ${editing === null ? nothing : this.button('scene', scene.scene)}
-        ${this.button('predict', html`<span>?</span>`, predict.title)}
-        ${this.button('bookmarks', this.count(), `${marks.title}: ${this.bookmarks.length}`)}
+        <div class="asides">
+          ${this.button('predict', predict.title, html`<span>?</span>`)}
+          ${this.button('bookmarks', `${marks.title}: ${this.bookmarks.length}`, this.count())}
+        </div>
       </div>
       ${this.panel()}
     `;
@@ -153,6 +166,7 @@ export class SideElement extends LitElement {
           .trace=${this.trace}
           .maps=${this.maps}
           ?editable=${editing !== null}
+          ?bare=${this.bare}
         ></vidno-exactness>`;
       case 'bookmarks':
         return html`<vidno-bookmarks
@@ -170,7 +184,7 @@ export class SideElement extends LitElement {
       case 'scene':
         return editing === null ? this.state() : this.scene(editing);
       case 'solid':
-        return html`<vidno-solid .view=${view}></vidno-solid>`;
+        return html`<vidno-solid .view=${view} ?bare=${this.bare}></vidno-solid>`;
       case 'state':
         return this.state();
     }
@@ -190,12 +204,17 @@ export class SideElement extends LitElement {
     ></vidno-scene-panel>`;
   }
 
-  private button(side: Side, shown: unknown, label?: string): TemplateResult {
+  private button(
+    side: Side,
+    label: string,
+    shown: string | TemplateResult = label,
+  ): TemplateResult {
+    const key = keys[side];
     return html`<button
       class=${side}
       aria-pressed=${side === this.side ? 'true' : 'false'}
-      aria-label=${label ?? nothing}
-      title=${label ?? nothing}
+      aria-label=${label === shown ? nothing : label}
+      title=${key === undefined ? label : `${label} (${key})`}
       @click=${() => this.dispatchEvent(new CustomEvent('side', { detail: side }))}
     >
       ${shown}

@@ -1,10 +1,11 @@
-import { LitElement, css, html } from 'lit';
+import { LitElement, css, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
 import { caption } from '../solid/caption.js';
 import { Space } from '../solid/space.js';
 import type { View } from '../view.js';
+import { hiddenStyle } from './hidden.style.js';
 import './solid-stage.js';
 import { base } from './theme.js';
 
@@ -13,6 +14,7 @@ import { base } from './theme.js';
 export class SolidElement extends LitElement {
   static override styles = [
     base,
+    hiddenStyle,
     css`
       :host {
         display: flex;
@@ -24,7 +26,6 @@ export class SolidElement extends LitElement {
         min-height: 0;
       }
       .caption {
-        display: var(--caption, block);
         flex: none;
         height: 11em;
         padding: 0.4rem 0.75rem;
@@ -49,6 +50,8 @@ export class SolidElement extends LitElement {
   ];
 
   @property({ attribute: false }) view!: View;
+  /** In a hall the words are only to be heard. */
+  @property({ type: Boolean }) bare = false;
   private space!: Space;
 
   override willUpdate(changed: PropertyValues<this>): void {
@@ -61,7 +64,12 @@ export class SolidElement extends LitElement {
     const { solid } = texts[view.language];
     return html`
       <vidno-solid-stage .view=${view} .space=${space}></vidno-solid-stage>
-      <div class="caption" tabindex="0" role="region" aria-label=${solid.title}>
+      <div
+        class=${this.bare ? 'heard' : 'caption'}
+        tabindex=${this.bare ? nothing : 0}
+        role="region"
+        aria-label=${solid.title}
+      >
         ${caption(view, space, solid).map((words) => html`<p>${words}</p>`)}
       </div>
     `;

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { headerOf, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { isWrong, verdictOf } from './verdict.js';
+import { isCertain, isWrong, verdictOf } from './verdict.js';
 
 const orient: Event = {
   e: 'orient',
@@ -65,4 +65,9 @@ it('a step that decides nothing by numbers has none', async () => {
   const trace = await traceOf(textWith(headerOf('zbuffer'), [clear]));
   expect(verdictOf(trace, 0)).toBeNull();
   expect(verdictOf(trace, 1)).toBeNull();
+});
+
+it('two kernels decide as exact arithmetic does, checked or not', () => {
+  const kernels = ['double', 'bits:8', 'grid:4', 'filtered', 'exact'];
+  expect(kernels.filter(isCertain)).toEqual(['filtered', 'exact']);
 });

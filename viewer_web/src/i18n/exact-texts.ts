@@ -18,6 +18,7 @@ export interface ExactTexts {
   readonly wrong: string;
   readonly undefined: string;
   readonly unchecked: string;
+  readonly certain: string;
   readonly check: string;
   readonly nothing: string;
   readonly lens: (at: string) => string;

@@ -201,6 +201,7 @@ export type KeyUse =
   | 'cursor'
   | 'zoom'
   | 'layer'
+  | 'mark'
   | 'predict'
   | 'answer'
   | 'bookmark'

@@ -54,8 +54,8 @@ export class Editor {
   private chosen: Spot | null = null;
   private drawn: readonly Vertex[] | null = null;
   private said: Pick<Editing, 'messages' | 'refused'> = { messages: '', refused: false };
-  /** A scene file came in: the sketch is to be what the library made of it. */
-  private adopts = false;
+  /** A scene file came in, to be run so: the sketch is to be what the library makes of it. */
+  private adopts: Options | null = null;
   private readonly tracer: Tracer;
 
   constructor(
@@ -75,10 +75,9 @@ export class Editor {
     this.begin(sketchOf(scene), { method, edition, kernel, detail, check: false });
   }
 
-  /** Runs the text of a scene file, as it is. */
+  /** Runs the text of a scene file, as it is; one that is refused changes nothing. */
   load(file: string, options: Options): void {
-    this.begin(emptySketch, options);
-    this.adopts = true;
+    this.adopts = options;
     this.tracer.run(file, options);
   }
 
@@ -100,7 +99,7 @@ export class Editor {
   private begin(sketch: Sketch, options: Options): void {
     this.undo = new Undo(sketch);
     this.options = options;
-    this.adopts = false;
+    this.adopts = null;
     this.chosen = null;
     this.drawn = null;
     this.said = { messages: '', refused: false };
@@ -157,16 +156,21 @@ export class Editor {
   }
 
   private run(): void {
+    this.adopts = null;
     this.tracer.run(this.undo.value, this.options);
   }
 
   private take(trace: Trace | null, messages: string): void {
+    const { adopts, followers } = this;
+    this.adopts = null;
+    if (trace === null && adopts !== null) {
+      followers.refused(messages);
+      return;
+    }
+    if (trace !== null && adopts !== null) this.begin(sketchOf(trace.header.scene), adopts);
     this.said = { messages, refused: trace === null };
-    if (trace !== null && this.adopts) this.undo = new Undo(sketchOf(trace.header.scene));
-    if (trace !== null) this.followers.traced(trace);
-    else if (this.adopts) this.followers.refused(messages);
-    this.adopts = false;
-    this.followers.changed(this.editing);
+    if (trace !== null) followers.traced(trace);
+    followers.changed(this.editing);
   }
 }
 

@@ -46,7 +46,7 @@ export function wordOf({ method, edition, kernel, detail, check }: Options): str
 export function optionsOf(word: string): Options {
   const [method = '', edition, kernel = usual.kernel, detail = '', check] = word.split('.');
   return runnable({
-    method: method in tables ? (method as Method) : usual.method,
+    method: Object.hasOwn(tables, method) ? (method as Method) : usual.method,
     edition: edition === 'printed' ? edition : usual.edition,
     kernel,
     detail: details.includes(detail as Detail) ? (detail as Detail) : usual.detail,

@@ -21,4 +21,12 @@ describe('a label', () => {
     const [text] = textsOf([label(80, [1, 0])], views.front, frame);
     expect(text?.x).toBeCloseTo(80 - 22.03);
   });
+
+  it('stands on the other side, or a line above, where another one stands', () => {
+    // One fits on either side of their point; the third is a line, 11.5, higher.
+    const same = label(50, [1, 0]);
+    const texts = textsOf([same, same, same], views.front, frame);
+    expect(texts.map(({ x }) => Math.round(x))).toEqual([72, 28, 72]);
+    expect(texts.map(({ y }) => y)).toEqual([50, 50, 38.5]);
+  });
 });

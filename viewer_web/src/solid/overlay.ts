@@ -24,28 +24,46 @@ export interface Text {
   readonly size: number;
 }
 
-/** Labels beside their points, on the other side where there is no room. */
+/** Labels beside their points: elsewhere near it where there is no room, or another label. */
 export function textsOf(labels: readonly Label[], turn: Turn, frame: Frame): readonly Text[] {
-  const size = textSize / frame.scale;
-  const [left, top, width, height] = frame.shown;
-  return labels.map((label) => {
-    const [u, v] = seen(turn, label.at);
-    const half = (label.text.length * size * letter) / 2;
-    const [across, down] = label.side;
-    const x = beside(u, across * (half + apart / frame.scale), half, [left, left + width]);
-    return { label, x, y: beside(v, down * size, size / 2, [top, top + height]), size };
-  });
+  const texts: Text[] = [];
+  for (const label of labels) {
+    const places = placesOf(label, turn, frame);
+    const inside = places.filter((place) => isIn(place, frame));
+    const free = inside.find((place) => !texts.some((text) => doOverlap(text, place)));
+    const found = free ?? inside[0] ?? places[0];
+    if (found !== undefined) texts.push(found);
+  }
+  return texts;
 }
 
-/** So far from a point, in that direction if what is there stays within the ends. */
-function beside(
-  at: number,
-  by: number,
-  half: number,
-  [from, to]: readonly [number, number],
-): number {
-  const isIn = at + by - half >= from && at + by + half <= to;
-  return isIn ? at + by : at - by;
+/** Where a label may stand, best first; one in the middle of its point stands there only. */
+function placesOf(label: Label, turn: Turn, frame: Frame): readonly Text[] {
+  const size = textSize / frame.scale;
+  const [u, v] = seen(turn, label.at);
+  const [across, down] = label.side;
+  const away = halfOf({ label, size }) + apart / frame.scale;
+  const lines = across === 0 ? [down, -down] : [0, -1, 1, -2, 2].map((by) => down + by);
+  return lines.flatMap((line) =>
+    [across, -across].map((side) => ({ label, x: u + side * away, y: v + line * size, size })),
+  );
+}
+
+/** Half the width of a text. */
+const halfOf = ({ label, size }: Pick<Text, 'label' | 'size'>): number =>
+  (label.text.length * size * letter) / 2;
+
+function isIn(text: Text, { shown: [left, top, width, height] }: Frame): boolean {
+  const { x, y, size } = text;
+  const half = halfOf(text);
+  const isAcross = x - half >= left && x + half <= left + width;
+  return isAcross && y - size / 2 >= top && y + size / 2 <= top + height;
+}
+
+/** Lines one under the other do not. */
+function doOverlap(a: Text, b: Text): boolean {
+  const isBeside = Math.abs(a.x - b.x) >= halfOf(a) + halfOf(b);
+  return !isBeside && Math.abs(a.y - b.y) < 0.99 * a.size;
 }
 
 /** Dots are over all else, hidden or not. */

@@ -4,6 +4,7 @@ import {
   cleanNote,
   formatBookmarks,
   longestNote,
+  marked,
   mostBookmarks,
   parseBookmarks,
   withBookmark,
@@ -31,6 +32,11 @@ describe('bookmarks', () => {
 
   it('are one a step: a new note takes the place of the old', () => {
     expect(withBookmark(three, 17, 'new')).toEqual([three[0], { step: 17, note: 'new' }, three[2]]);
+  });
+
+  it('keep their note when their step is marked again', () => {
+    expect(marked(three, 4)).toEqual(three);
+    expect(marked(three, 5)[1]).toEqual({ step: 5, note: '' });
   });
 
   it('are removed by their step', () => {

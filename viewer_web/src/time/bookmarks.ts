@@ -33,6 +33,11 @@ export function withBookmark(bookmarks: Bookmarks, step: number, note: string): 
   return [...others, { step, note: cleanNote(note) }].sort((a, b) => a.step - b.step);
 }
 
+/** With the step marked; a note that it has is kept. */
+export function marked(bookmarks: Bookmarks, step: number): Bookmarks {
+  return bookmarkAt(bookmarks, step) === null ? withBookmark(bookmarks, step, '') : bookmarks;
+}
+
 export function withoutBookmark(bookmarks: Bookmarks, step: number): Bookmarks {
   return bookmarks.filter((bookmark) => bookmark.step !== step);
 }

@@ -44,12 +44,14 @@ export const exact: ExactTexts = {
   wrong: 'Wrong.',
   undefined: 'After a wrong turn there is no right answer here.',
   unchecked: 'This run was not held against exact arithmetic.',
+  certain: 'Under these numbers every decision is exact.',
   check: 'Check every decision',
   nothing:
     'This step decides nothing by numbers. Go to a sign, a comparison or a range; “Go to: a wrong decision” finds those that are wrong.',
   lens: (at) => `The same decision around ${at}`,
-  apart: (ulp) => `Each square is a neighbour in this kernel’s numbers, ${ulp} apart.`,
-  noLens: 'There is no map of this decision: it is about no point that could move by an ulp.',
+  apart: (ulp) => `Each square is a neighbouring number, ${ulp} apart.`,
+  noLens:
+    'There is no map of this decision: signs and comparisons of two polygons’ depths have one, but not under all numbers.',
   drawing: 'Asking at each neighbour…',
   wrongPlaces: (wrong, all) =>
     wrong === 0 ? `Right at all ${all} places.` : `Wrong at ${wrong} of ${all} places.`,

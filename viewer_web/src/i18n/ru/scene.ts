@@ -9,7 +9,7 @@ export const scene: SceneTexts = {
   edition: 'текст',
   detail: 'подробность',
   details: { windows: 'окна', polygons: 'многоугольники', signs: 'знаки' },
-  check: 'проверять каждое решение',
+  check: 'сверять все решения',
   undo: 'Отменить',
   redo: 'Вернуть',
   draw: 'Нарисовать многоугольник',
