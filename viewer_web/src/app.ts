@@ -71,7 +71,8 @@ export class AppElement extends LitElement implements Shown {
     this.setup = { ...setup, language: setup.language ?? this.setup.language };
     this.toggleAttribute('embed', setup.setting.embed);
     const { session } = this;
-    if (rival !== session.rival.word) session.rival.choose(withOf(rival ?? '', document));
+    const beside = this.isAsked ? null : rival;
+    if (beside !== session.rival.word) session.rival.choose(withOf(beside ?? '', document));
     if (live !== null) {
       void session.openCarried(live, place);
       return;
@@ -96,11 +97,16 @@ export class AppElement extends LitElement implements Shown {
     return this.comparison ?? this.player;
   }
 
+  /** The reader has to answer what comes next, and cannot look at it beside. */
+  private get isAsked(): boolean {
+    return this.setup.setting.ask === 'forced';
+  }
+
   /** To another run beside this one, and back. */
   private compare(): void {
     const { rival, trace } = this.session;
     if (rival.chosen !== null) rival.choose(null);
-    else if (trace !== null) this.choice.show();
+    else if (trace !== null && !this.isAsked) this.choice.show();
   }
 
   /** To the scene and back to the state; to the drawing of a polygon; to the comparison. */
@@ -165,6 +171,7 @@ export class AppElement extends LitElement implements Shown {
         .language=${language}
         ?open=${trace !== null}
         ?comparing=${rival.chosen !== null}
+        ?alone=${this.isAsked}
         @keys=${() => this.stage.showKeys()}
         @compare=${() => this.compare()}
         @present=${() => this.stage.present(true)}

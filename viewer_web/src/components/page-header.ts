@@ -52,6 +52,8 @@ export class PageHeaderElement extends LitElement {
   @property({ type: Boolean }) open = false;
   /** Whether another run is beside it. */
   @property({ type: Boolean }) comparing = false;
+  /** Whether no other run may be. */
+  @property({ type: Boolean }) alone = false;
 
   override render(): TemplateResult {
     const { page, compare } = texts[this.language];
@@ -62,12 +64,11 @@ export class PageHeaderElement extends LitElement {
         <button @click=${() => this.ask('keys')} ?disabled=${!this.open}>
           ${page.keys} <kbd>?</kbd>
         </button>
-
         <button
           aria-pressed=${this.comparing ? 'true' : 'false'}
           title=${this.comparing ? compare.leave : nothing}
           @click=${() => this.ask('compare')}
-          ?disabled=${!this.open}
+          ?disabled=${!this.open || this.alone}
         >
           ${compare.compare} <kbd>D</kbd>
         </button>

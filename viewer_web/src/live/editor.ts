@@ -57,6 +57,8 @@ export class Editor {
   /** A scene file came in, to be run so: the sketch is to be what the library makes of it. */
   private adopts: Options | null = null;
   private readonly tracer: Tracer;
+  /** The frame in which a change is told at the latest. */
+  private telling = 0;
 
   constructor(
     library: Blob,
@@ -92,7 +94,25 @@ export class Editor {
     const { options } = this;
     this.perform(act);
     if (this.undo.depth > depth && act.do !== 'redo') this.followers.began();
-    if (this.undo.value !== before || this.options !== options) this.run();
+    if (this.undo.value === before && this.options === options) {
+      this.followers.changed(this.editing);
+    } else {
+      this.run();
+      this.tellSoon();
+    }
+  }
+
+  /** Together with the run, if that is quick: a page that is drawn twice for each move does not follow the pointer. */
+  private tellSoon(): void {
+    if (this.telling !== 0) return;
+    this.telling = requestAnimationFrame(() => {
+      this.telling = requestAnimationFrame(() => this.tell());
+    });
+  }
+
+  private tell(): void {
+    cancelAnimationFrame(this.telling);
+    this.telling = 0;
     this.followers.changed(this.editing);
   }
 
@@ -170,7 +190,7 @@ export class Editor {
     if (trace !== null && adopts !== null) this.begin(sketchOf(trace.header.scene), adopts);
     this.said = { messages, refused: trace === null };
     if (trace !== null) followers.traced(trace);
-    followers.changed(this.editing);
+    this.tell();
   }
 }
 
