@@ -238,9 +238,7 @@ export class ComparisonElement extends TimedElement {
   }
 
   private onCommand({ detail }: CustomEvent<Command>): void {
-    if (detail.do === 'play') this.togglePlay();
-    else if (detail.do === 'speed') this.clock.speed = detail.speed;
-    else if (detail.do === 'seek') this.moveTo(detail.step);
+    this.steer(detail);
   }
 
   /** Does what a key means; the page passes on keys that were pressed outside. */

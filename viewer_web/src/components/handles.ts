@@ -36,12 +36,16 @@ export class HandlesElement extends LitElement {
   @state() private pen: Place = [0, 0];
 
   private drags = 0;
+  /** The corner that the keyboard has moved since it was shown last. */
+  private keyed: Spot | null = null;
 
   override updated(changed: PropertyValues<this>): void {
     super.updated(changed);
     if (!changed.has('editing')) return;
     const wasDrawing = changed.get('editing')?.drawn ?? null;
     if (wasDrawing === null && this.editing.drawn !== null) this.startDrawing();
+    if (this.keyed !== null) this.followCorner(this.keyed);
+    this.keyed = null;
   }
 
   private startDrawing(): void {
@@ -183,17 +187,19 @@ export class HandlesElement extends LitElement {
 
   private onKey(event: KeyboardEvent, spot: Spot): void {
     if (event.ctrlKey || event.metaKey) return;
-    const what = cornerAct(event, this.editing.sketch, spot);
+    const what = cornerAct(event, spot);
     if (what === null) return;
     event.preventDefault();
     this.act(what);
-    const vertex = this.editing.sketch.polygons[spot.polygon]?.vertices[spot.vertex];
-    const to = vertex && led([vertex[0], vertex[1]], event);
-    if (to) this.follow(to);
+    this.keyed = spot;
   }
 
   private onFocus(spot: Spot): void {
     this.act({ do: 'choose', spot });
+    this.followCorner(spot);
+  }
+
+  private followCorner(spot: Spot): void {
     const vertex = this.editing.sketch.polygons[spot.polygon]?.vertices[spot.vertex];
     if (vertex !== undefined) this.follow([vertex[0], vertex[1]]);
   }

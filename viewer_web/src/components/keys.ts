@@ -93,10 +93,14 @@ export class KeysElement extends LitElement {
   /** Whether two runs are compared. */
   @property({ type: Boolean }) pair = false;
   @query('dialog') private dialog!: HTMLDialogElement;
+  @query('h2') private heading!: HTMLElement;
 
   toggle(): void {
     if (this.dialog.open) this.dialog.close();
-    else this.dialog.showModal();
+    else {
+      this.dialog.showModal();
+      this.heading.focus(); // and not the button at its end, which may be out of sight
+    }
   }
 
   get open(): boolean {
@@ -107,7 +111,7 @@ export class KeysElement extends LitElement {
     const { texts } = this;
     const missing = only[this.pair ? 'one' : 'pair'];
     return html`<dialog aria-labelledby="title">
-      <h2 id="title" tabindex="-1" autofocus>${texts.keys}</h2>
+      <h2 id="title" tabindex="-1">${texts.keys}</h2>
       <dl>
         ${keys
           .filter(([use]) => !missing.has(use))

@@ -228,10 +228,8 @@ export class PlayerElement extends TimedElement {
   }
 
   private onCommand({ detail }: CustomEvent<Command>): void {
-    if (detail.do === 'play') this.togglePlay();
-    else if (detail.do === 'speed') this.clock.speed = detail.speed;
-    else if (detail.do === 'bookmarks') this.keepBookmarks(detail.bookmarks);
-    else this.moveTo(detail.step);
+    if (detail.do === 'bookmarks') this.keepBookmarks(detail.bookmarks);
+    else this.steer(detail);
   }
 
   /** Does what a key means; the page passes on keys that were pressed outside the player. */

@@ -5,6 +5,7 @@ import { isSpeed } from '../setting.js';
 import { canonical } from '../state/canonical.js';
 import type { Trace } from '../trace/trace.js';
 import { Clock } from './clock.js';
+import type { Command } from './transport.js';
 
 /** What stands at a step of a trace, and may play from there. Each step that is shown is told by an event `vidno-step`. */
 export class TimedElement extends LitElement {
@@ -53,6 +54,13 @@ export class TimedElement extends LitElement {
       if (this.step >= this.last) this.step = this.first;
       this.clock.start();
     }
+  }
+
+  /** Does what the controls ask of time. */
+  protected steer(command: Command): void {
+    if (command.do === 'play') this.togglePlay();
+    else if (command.do === 'speed') this.clock.speed = command.speed;
+    else if (command.do === 'seek') this.moveTo(command.step);
   }
 
   moveTo(step: number): void {

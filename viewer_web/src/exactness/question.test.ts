@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf, textWith, traceOf } from '../testing/traces.js';
+import { headerOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event, Method } from '../trace/events.js';
 import { questionOf, questionText } from './question.js';
 import type { Question } from './question.js';
@@ -16,16 +16,6 @@ const square = [
   [8, 8, 0.5],
   [0, 8, 0.5],
 ];
-const push: Event = {
-  e: 'push',
-  at: 'W3',
-  window: [0, 0, 8, 8],
-  apl: [
-    ['A', false],
-    ['B', false],
-  ],
-};
-const pop: Event = { e: 'pop', at: 'W5', window: [0, 0, 8, 8] };
 const corners: Event = { e: 'corners', at: 'PW1', z: '-inf' };
 const depths = [1, 2, 3, 4].map((): Event => ({
   e: 'depth',

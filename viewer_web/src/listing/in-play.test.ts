@@ -1,20 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf, textWith, traceOf } from '../testing/traces.js';
+import { headerOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { valuesInPlay } from './in-play.js';
 
 /** Two polygons in a window: A is passed, B is being tested at its first corner. */
 const events: readonly Event[] = [
-  {
-    e: 'push',
-    at: 'W3',
-    window: [0, 0, 8, 8],
-    apl: [
-      ['A', false],
-      ['B', false],
-    ],
-  },
-  { e: 'pop', at: 'W5', window: [0, 0, 8, 8] },
+  push,
+  pop,
   { e: 'call', at: 'W6', of: 'ProcessWindow' },
   { e: 'corners', at: 'PW1', z: '-inf' },
   { e: 'box', at: 'PW3', polygon: 'A', box: [0, 0, 8, 8], outside: false },

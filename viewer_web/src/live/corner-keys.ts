@@ -1,7 +1,7 @@
 import { moves } from '../picture/pixel.js';
 import type { Act } from './editor.js';
 import * as sketch from './sketch.js';
-import type { Sketch, Spot } from './sketch.js';
+import type { Sketch, Spot, Vertex } from './sketch.js';
 
 export type Place = readonly [x: number, y: number];
 
@@ -24,20 +24,31 @@ export function led([x, y]: Place, { key, shiftKey, altKey }: KeyboardEvent): Pl
   return [x + way[0] * by, y + way[1] * by];
 }
 
-/** What a key does to a corner that has the focus. */
-export function cornerAct(event: KeyboardEvent, drawn: Sketch, spot: Spot): Act | null {
+/** What a key does to a corner that has the focus, wherever keys before it, still to be shown, have led. */
+export function cornerAct(event: KeyboardEvent, spot: Spot): Act | null {
   const { key } = event;
-  const [x, y, z] = drawn.polygons[spot.polygon]?.vertices[spot.vertex] ?? [0, 0, 0];
   const name = `${key} ${spot.polygon} ${spot.vertex}`;
-  const to = led([x, y], event);
-  if (to !== null) {
-    return { do: 'edit', edit: (old) => sketch.moveVertex(old, spot, ...to), name };
+  const edit = (change: (old: Sketch, corner: Vertex) => Sketch, steady?: string): Act => ({
+    do: 'edit',
+    edit: (old) => {
+      const corner = old.polygons[spot.polygon]?.vertices[spot.vertex];
+      return corner === undefined ? old : change(old, corner);
+    },
+    ...(steady === undefined ? {} : { name: steady }),
+  });
+  if (key in moves) {
+    const move = (old: Sketch, [x, y]: Vertex): Sketch => {
+      const to = led([x, y], event);
+      return to === null ? old : sketch.moveVertex(old, spot, ...to);
+    };
+    return edit(move, name);
   }
   if (key === 'PageUp' || key === 'PageDown') {
-    const depth = Math.min(1, Math.max(-1, z + (key === 'PageUp' ? depthStep : -depthStep)));
-    return { do: 'edit', edit: (old) => sketch.setDepth(old, spot, depth), name };
+    const by = key === 'PageUp' ? depthStep : -depthStep;
+    const depth = (z: number): number => Math.min(1, Math.max(-1, z + by));
+    return edit((old, [, , z]) => sketch.setDepth(old, spot, depth(z)), name);
   }
-  if (key === 'Delete') return { do: 'edit', edit: (old) => sketch.removeVertex(old, spot) };
-  if (key === '+') return { do: 'edit', edit: (old) => sketch.splitEdge(old, spot) };
+  if (key === 'Delete') return edit((old) => sketch.removeVertex(old, spot));
+  if (key === '+') return edit((old) => sketch.splitEdge(old, spot));
   return null;
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { answers, questionFrom } from '../testing/questions.js';
-import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
+import { headerOf, textOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
 import { kinds } from './question.js';
@@ -29,16 +29,8 @@ describe('Warnock’s algorithm asks', () => {
 
   it('of a window where a polygon goes, with the step that says so', async () => {
     const events: readonly Event[] = [
-      {
-        e: 'push',
-        at: 'W3',
-        window: [0, 0, 8, 8],
-        apl: [
-          ['A', false],
-          ['B', false],
-        ],
-      },
-      { e: 'pop', at: 'W5', window: [0, 0, 8, 8] },
+      push,
+      pop,
       { e: 'call', at: 'W6', of: 'ProcessWindow' },
       { e: 'corners', at: 'PW1', z: '-inf' },
       { e: 'discard', at: 'PW3', polygon: 'A' },

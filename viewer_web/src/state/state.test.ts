@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf, textOf, textWith, traceNames, traceOf } from '../testing/traces.js';
+import { headerOf, textOf, textWith, traceNames, traceOf, pop, push } from '../testing/traces.js';
 import { samples } from '../testing/samples.js';
 import type { Event } from '../trace/events.js';
 import { Unreadable } from '../trace/trace.js';
@@ -51,20 +51,10 @@ describe('both methods paint the same picture', () => {
 });
 
 describe('a list of active polygons', () => {
-  const root: Event = {
-    e: 'push',
-    at: 'W3',
-    window: [0, 0, 8, 8],
-    apl: [
-      ['A', false],
-      ['B', false],
-    ],
-  };
-  const pop: Event = { e: 'pop', at: 'W5', window: [0, 0, 8, 8] };
   const discard: Event = { e: 'discard', at: 'PW3', polygon: 'A' };
 
   async function stackAfter(part: Event): Promise<unknown> {
-    const trace = await traceOf(textWith(headerOf('warnock'), [root, pop, part, discard]));
+    const trace = await traceOf(textWith(headerOf('warnock'), [push, pop, part, discard]));
     return stateAt(trace, 4);
   }
 
@@ -93,14 +83,14 @@ describe('a list of active polygons', () => {
   });
 });
 
-const [push, , part] = samples.push;
+const [pushed, , part] = samples.push;
 const first = <T>(list: readonly T[]): T => {
   const [item] = list;
   if (item === undefined) throw new Error('an empty list of samples');
   return item;
 };
 const popped: Event = { e: 'pop', at: 'W5', window: [0, 0, 8, 8] };
-const started = push ? [push, popped] : [];
+const started = pushed ? [pushed, popped] : [];
 const polygon = first(samples.polygon);
 const added = first(samples.ael_add);
 

@@ -69,6 +69,18 @@ export function headerOf(method: Method, detail: Detail = 'signs'): object {
   };
 }
 
+/** Of the same scene: the first window goes on the stack, and comes off. */
+export const push: Event<'push'> = {
+  e: 'push',
+  at: 'W3',
+  window: [0, 0, 8, 8],
+  apl: [
+    ['A', false],
+    ['B', false],
+  ],
+};
+export const pop: Event<'pop'> = { e: 'pop', at: 'W5', window: [0, 0, 8, 8] };
+
 export function linesOf(...values: readonly unknown[]): string {
   return values.map((value) => `${JSON.stringify(value)}\n`).join('');
 }
