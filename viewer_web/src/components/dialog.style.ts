@@ -13,6 +13,10 @@ export const dialogStyle = css`
   dialog::backdrop {
     background: rgb(10 12 18 / 45%);
   }
+  /* It has the focus at first, but is nothing to be pressed. */
+  h2:focus {
+    outline: none;
+  }
   h2 {
     margin-bottom: 0.75rem;
     font-size: 1rem;
