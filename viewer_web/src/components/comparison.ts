@@ -5,8 +5,6 @@ import { Comparison, differing, pictureAt } from '../compare/comparison.js';
 import type { Steps } from '../compare/parting.js';
 import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
-import { isLanguage } from '../i18n/language.js';
-import type { Language } from '../i18n/language.js';
 import type { Editing } from '../live/editor.js';
 import type { Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
@@ -23,16 +21,13 @@ import './comparison-facts.js';
 import type { Switch } from './comparison-facts.js';
 import { pairActions } from './comparison-keys.js';
 import { comparisonStyle } from './comparison.style.js';
-import { Keyboard } from './keyboard.js';
-import './keys.js';
-import type { KeysElement } from './keys.js';
+import type { Actions } from './keyboard.js';
 import { askForLayer } from './layers.js';
 import { Pointing } from './pointing.js';
-import { Presenter } from './presenter.js';
 import { presenterStyle } from './presenter.style.js';
 import { ReadOn } from './read-on.js';
+import { StageElement } from './stage-element.js';
 import { base, tokens } from './theme.js';
-import { TimedElement } from './timed.js';
 import './transport.js';
 import type { Command } from './transport.js';
 import './travel.js';
@@ -54,7 +49,7 @@ interface Half {
  * mark the pixels that differ.
  */
 @customElement('vidno-comparison')
-export class ComparisonElement extends TimedElement {
+export class ComparisonElement extends StageElement {
   static override styles = [tokens, base, presenterStyle, comparisonStyle];
 
   /** The other run, and how many of its steps are there. */
@@ -67,14 +62,11 @@ export class ComparisonElement extends TimedElement {
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ attribute: false }) layer: Layer = 'picture';
-  @property() override lang = 'en';
   @property({ attribute: false }) editing: Editing | null = null;
-  @property({ type: Boolean, reflect: true }) presenting = false;
   @state() private linked = true;
   /** Whether the corners of the scene can be dragged, in the first picture. */
   @state() isEdited = false;
   @state() private otherStep = 0;
-  @query('vidno-keys') readonly keys!: KeysElement;
   @query('vidno-travel') readonly travel!: TravelElement;
   @queryAll('vidno-compared-run') readonly runs!: NodeListOf<ComparedRunElement>;
   private comparison: Comparison | null = null;
@@ -82,9 +74,7 @@ export class ComparisonElement extends TimedElement {
   private history: History | null = null;
   /** How many pixels differ now. */
   private differs: number | null = null;
-  private readonly keyboard = new Keyboard(this, (event) => pairActions(this, event));
   private readonly pointing = new Pointing(this);
-  readonly presenter = new Presenter(this);
   private readonly reader = new ReadOn(this, mostPerFrame);
 
   override willUpdate(changed: PropertyValues<this>): void {
@@ -98,6 +88,10 @@ export class ComparisonElement extends TimedElement {
     this.reader.read(this);
     this.pair(this.comparison, rival);
     this.halves = this.look(trace, rival);
+  }
+
+  protected override actions(event: KeyboardEvent): Actions {
+    return pairActions(this, event);
   }
 
   /** Goes on with what takes a pass over the runs. */
@@ -121,10 +115,6 @@ export class ComparisonElement extends TimedElement {
       { side: 'one', trace, view: viewOf(trace, step, choice), against },
       { side: 'other', trace: rival, view: viewOf(rival, otherStep, choice), against: back },
     ];
-  }
-
-  private get language(): Language {
-    return isLanguage(this.lang) ? this.lang : 'en';
   }
 
   private get isMarked(): boolean {
@@ -227,23 +217,8 @@ export class ComparisonElement extends TimedElement {
     this.dispatchEvent(new CustomEvent<Bookmarks>('vidno-bookmarks', { detail }));
   }
 
-  showKeys(): void {
-    this.keys.toggle();
-  }
-
-  /** Shows itself to a hall, or no longer. */
-  present(on: boolean): void {
-    this.presenting = on;
-    this.dispatchEvent(new CustomEvent('vidno-present', { detail: on }));
-  }
-
   private onCommand({ detail }: CustomEvent<Command>): void {
     this.steer(detail);
-  }
-
-  /** Does what a key means; the page passes on keys that were pressed outside. */
-  handleKey(event: KeyboardEvent): void {
-    this.keyboard.handle(event);
   }
 }
 

@@ -1,8 +1,6 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
-import { isLanguage } from '../i18n/language.js';
-import type { Language } from '../i18n/language.js';
 import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
@@ -18,9 +16,7 @@ import { viewOf } from '../view.js';
 import type { View } from '../view.js';
 import { embeddedStyle } from './embedded.style.js';
 import { hiddenStyle } from './hidden.style.js';
-import { Keyboard } from './keyboard.js';
-import './keys.js';
-import type { KeysElement } from './keys.js';
+import type { Actions } from './keyboard.js';
 import './listing.js';
 import type { ListingElement } from './listing.js';
 import { isOnlyEdited } from './only-edited.js';
@@ -31,13 +27,12 @@ import { PixelHistory } from './pixel-history.js';
 import { Pointing } from './pointing.js';
 import { playerStyle } from './player.style.js';
 import { Predictor } from './predictor.js';
-import { Presenter } from './presenter.js';
 import { presenterStyle } from './presenter.style.js';
 import { hasSolid } from './side.js';
 import type { Side, SideElement } from './side.js';
 import { Source } from './source.js';
+import { StageElement } from './stage-element.js';
 import { base, tokens } from './theme.js';
-import { TimedElement } from './timed.js';
 import './transport.js';
 import type { Command } from './transport.js';
 import './travel.js';
@@ -49,7 +44,7 @@ import type { TravelElement } from './travel.js';
  * the bookmarks, when they change, by `vidno-bookmarks`; `linked` says that these are kept in the page's address.
  */
 @customElement('vidno-player')
-export class PlayerElement extends TimedElement {
+export class PlayerElement extends StageElement {
   static override styles = [tokens, base, hiddenStyle, playerStyle, embeddedStyle, presenterStyle];
 
   /** The address of a trace, or `#id` of a block of JSON Lines in the page; else `trace` and `length` are set. */
@@ -65,26 +60,20 @@ export class PlayerElement extends TimedElement {
   /** The exact picture of the scene. */
   @property({ attribute: false }) exact: Exact = null;
   @property({ type: Boolean }) linked = false;
-  @property() override lang = 'en';
   /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) link: LinkMade | null = null;
-  /** For a projector: told by `vidno-present` when keys change it. */
-  @property({ type: Boolean, reflect: true }) presenting = false;
   /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
   @property() ask = '';
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
-  @query('vidno-keys') readonly keys!: KeysElement;
   @query('vidno-listing') readonly listing!: ListingElement;
   @query('vidno-picture-panel') readonly picture!: PicturePanelElement;
   @query('vidno-travel') readonly travel!: TravelElement;
   @query('vidno-side') private panel!: SideElement;
   private view: View | null = null;
-  private readonly keyboard = new Keyboard(this, (event) => actionsOf(this, event));
   private readonly source = new Source(this);
   private readonly pointing = new Pointing(this);
-  readonly presenter = new Presenter(this);
   readonly predictor = new Predictor(this);
   private readonly chosen = new PixelHistory(this);
 
@@ -101,12 +90,12 @@ export class PlayerElement extends TimedElement {
     this.view = trace && viewOf(trace, step, { language, pixel, pointed: this.pointing.at, asked });
   }
 
-  protected override get limit(): number {
-    return Math.min(this.last, this.predictor.limit);
+  protected override actions(event: KeyboardEvent): Actions {
+    return actionsOf(this, event);
   }
 
-  get language(): Language {
-    return isLanguage(this.lang) ? this.lang : 'en';
+  protected override get limit(): number {
+    return Math.min(this.last, this.predictor.limit);
   }
 
   /** Whether there are all controls and all panels. */
@@ -217,24 +206,9 @@ export class PlayerElement extends TimedElement {
     if (this.view) this.pointing.move(by, this.view);
   }
 
-  showKeys(): void {
-    this.keys.toggle();
-  }
-
-  /** Shows itself to a hall, or no longer. */
-  present(on: boolean): void {
-    this.presenting = on;
-    this.dispatchEvent(new CustomEvent('vidno-present', { detail: on }));
-  }
-
   private onCommand({ detail }: CustomEvent<Command>): void {
     if (detail.do === 'bookmarks') this.keepBookmarks(detail.bookmarks);
     else this.steer(detail);
-  }
-
-  /** Does what a key means; the page passes on keys that were pressed outside the player. */
-  handleKey(event: KeyboardEvent): void {
-    this.keyboard.handle(event);
   }
 }
 

@@ -19,10 +19,18 @@ async function compiled(packed: Blob): Promise<WebAssembly.Module> {
   return WebAssembly.compile(await new Response(bytes).arrayBuffer());
 }
 
+const modules = new WeakMap<Blob, Promise<WebAssembly.Module>>();
+
+/** The same for all who make something with the library: to compile it takes a while. */
+function moduleOf(library: Blob): Promise<WebAssembly.Module> {
+  const module = modules.get(library) ?? compiled(library);
+  modules.set(library, module);
+  return module;
+}
+
 /** Has the library make something in a worker, one at a time. Of the requests that wait only the newest is met. */
 export class Maker<W extends What> {
   private worker: Worker | null = null;
-  private module: Promise<WebAssembly.Module> | null = null;
   private turn = 0;
   private running: { readonly turn: number; readonly since: number } | null = null;
   private waiting: string | null = null;
@@ -63,8 +71,7 @@ export class Maker<W extends What> {
   }
 
   private async send(turn: number): Promise<void> {
-    this.module ??= compiled(this.library);
-    const module = await this.module;
+    const module = await moduleOf(this.library);
     if (this.running?.turn !== turn || this.waiting === null) return;
     this.worker ??= this.started(module);
     this.running = { turn, since: performance.now() };

@@ -1,0 +1,41 @@
+import { property, query } from 'lit/decorators.js';
+import { isLanguage } from '../i18n/language.js';
+import type { Language } from '../i18n/language.js';
+import { Keyboard } from './keyboard.js';
+import type { Actions } from './keyboard.js';
+import './keys.js';
+import type { KeysElement } from './keys.js';
+import { Presenter } from './presenter.js';
+import { TimedElement } from './timed.js';
+
+/** What shows one run or two: in a language, steered by keys, and to a hall. */
+export abstract class StageElement extends TimedElement {
+  @property() override lang = 'en';
+  /** For a projector: told by `vidno-present` when keys change it. */
+  @property({ type: Boolean, reflect: true }) presenting = false;
+  @query('vidno-keys') readonly keys!: KeysElement;
+  readonly presenter = new Presenter(this);
+  private readonly keyboard = new Keyboard(this, (event) => this.actions(event));
+
+  /** What keys do now. */
+  protected abstract actions(event: KeyboardEvent): Actions;
+
+  get language(): Language {
+    return isLanguage(this.lang) ? this.lang : 'en';
+  }
+
+  showKeys(): void {
+    this.keys.toggle();
+  }
+
+  /** Shows itself to a hall, or no longer. */
+  present(on: boolean): void {
+    this.presenting = on;
+    this.dispatchEvent(new CustomEvent('vidno-present', { detail: on }));
+  }
+
+  /** Does what a key means; the page passes on keys that were pressed outside. */
+  handleKey(event: KeyboardEvent): void {
+    this.keyboard.handle(event);
+  }
+}
