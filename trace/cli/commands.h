@@ -71,6 +71,13 @@ struct PageOptions {
     std::string output;
 };
 
+struct LessonOptions {
+    std::vector<std::string> folders;
+    std::string source, output;  // of a new one: a scene or a mesh; the folder
+    std::string run;             // of a pin: the run's name, empty for the first
+    std::uint64_t step = 0;
+};
+
 struct MeshOptions {
     std::string mesh, output;
     ImportOptions import;
@@ -129,6 +136,10 @@ int chart(const ChartOptions& options);
 int replay(const ReplayOptions& options);
 int diff(const DiffOptions& options);
 int page(const PageOptions& options);
+int lesson_new(const LessonOptions& options);
+int lesson_pin(const LessonOptions& options);
+int lesson_check(const LessonOptions& options);
+int lesson_build(const LessonOptions& options);
 int import(const MeshOptions& options);
 int stability(const StabilityOptions& options);
 int methods();
