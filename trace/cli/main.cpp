@@ -25,7 +25,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->capture_default_str();
     command.add_option("--kernel", options.kernel, "Which arithmetic decides")->check(a_kernel)->capture_default_str();
     command.add_option("--edition", options.edition, "The procedures put right, or as the text prints them")
-        ->check(CLI::IsMember({"corrected", "printed"}))
+        ->check(CLI::IsMember(words(edition_names)))
         ->capture_default_str();
 }
 
@@ -60,7 +60,7 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
     command.add_option("--kernel", options.kernel, "Which arithmetic decides [double, or the trace's]")
         ->check(a_kernel);
     command.add_option("--edition", options.edition, "corrected or printed [corrected, or the trace's]")
-        ->check(CLI::IsMember({"corrected", "printed"}));
+        ->check(CLI::IsMember(words(edition_names)));
     command.footer(
         "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"
         "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");
