@@ -24,7 +24,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->check(CLI::IsMember(words(method_names)))
         ->capture_default_str();
     command.add_option("--kernel", options.kernel, "Which arithmetic decides")->check(a_kernel)->capture_default_str();
-    command.add_option("--edition", options.edition, "The procedures put right, or as the text prints them")
+    command
+        .add_option("--edition", options.edition,
+                    "The procedures put right, as the text prints them, or with a mistake")
         ->check(CLI::IsMember(words(edition_names)))
         ->capture_default_str();
 }
@@ -59,7 +61,7 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
         ->check(CLI::IsMember(words(method_names)));
     command.add_option("--kernel", options.kernel, "Which arithmetic decides [double, or the trace's]")
         ->check(a_kernel);
-    command.add_option("--edition", options.edition, "corrected or printed [corrected, or the trace's]")
+    command.add_option("--edition", options.edition, "Which text of the procedures [corrected, or the trace's]")
         ->check(CLI::IsMember(words(edition_names)));
     command.footer(
         "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"

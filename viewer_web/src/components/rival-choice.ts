@@ -11,6 +11,7 @@ import { idOf } from '../lessons.js';
 import type { Lesson, LessonTrace } from '../lessons.js';
 import { kernels, runnable, runs, usual } from '../live/options.js';
 import type { Options } from '../live/options.js';
+import { namesFor } from '../trace/editions.js';
 import type { Trace } from '../trace/trace.js';
 import { dialogStyle } from './dialog.style.js';
 import { base } from './theme.js';
@@ -146,7 +147,8 @@ export class RivalChoiceElement extends LitElement {
         )}
       </p>
       <div class="row other">
-        ${this.select('method', methods)} ${this.select('edition', editions)}
+        ${this.select('method', methods)}
+        ${this.select('edition', namesFor(wanted.method, editions))}
         ${this.select('kernel', numbers)}
         <button name="run" @click=${() => this.choose({ kind: 'run', options: wanted })}>
           ${say.run}

@@ -5,6 +5,7 @@ import { live } from 'lit/directives/live.js';
 import { texts } from '../i18n/index.js';
 import { kernels, runs } from '../live/options.js';
 import { resize } from '../live/sketch.js';
+import { namesFor } from '../trace/editions.js';
 import { details } from '../trace/events.js';
 import { FormElement } from './form.js';
 import { formStyle } from './form.style.js';
@@ -27,7 +28,8 @@ export class RunFormElement extends FormElement {
         <h3>${say.run}</h3>
         <div class="fields">
           ${this.select('method', methods)} ${this.select('kernel', this.kernelNames())}
-          ${this.select('edition', editions)} ${this.select('detail', levels)}
+          ${this.select('edition', namesFor(editing.options.method, editions))}
+          ${this.select('detail', levels)}
         </div>
         <label class="line">
           <input

@@ -1,5 +1,6 @@
 import type { Detail, Method } from '../trace/events.js';
-import type { Edition } from '../trace/header.js';
+import { has, isMistake } from '../trace/editions.js';
+import type { Edition } from '../trace/editions.js';
 
 /** How a scene is run. */
 export interface Options {
@@ -33,13 +34,16 @@ export const kernels = [
   'exact',
 ] as const;
 
-/** Whether a method and an edition run under a kernel. */
+/** Whether a method has an edition and both run under a kernel. */
 export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'check'>): boolean {
+  if (isMistake(edition)) return has(method, edition) && /^(double|exact)$/.test(kernel);
   if (kernel.startsWith('depth:')) return method === 'zbuffer';
   return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);
 }
 
-/** The nearest to some options that can be run: the kernel is what gives way. */
+/** The nearest to some options that can be run: a mistake that the method has not gives way, then the kernel. */
 export function runnable(options: Options): Options {
-  return runs(options) ? options : { ...options, kernel: usual.kernel };
+  const edition = has(options.method, options.edition) ? options.edition : usual.edition;
+  const nearest = { ...options, edition };
+  return runs(nearest) ? nearest : { ...nearest, kernel: usual.kernel };
 }
