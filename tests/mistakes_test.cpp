@@ -10,6 +10,7 @@
 #include "check.h"
 #include "output.h"
 #include "scene_json.h"
+#include "support/editions.h"
 #include "support/reference.h"
 #include "support/scenes.h"
 
@@ -20,8 +21,8 @@ namespace {
 
 std::vector<Edition> all_mistakes() {
     std::vector<Edition> mistakes;
-    for (std::size_t i = 0; i < edition_choices.size(); ++i) {
-        if (is_mistake(Edition(i))) mistakes.push_back(Edition(i));
+    for (const Edition edition : all_editions()) {
+        if (is_mistake(edition)) mistakes.push_back(edition);
     }
     return mistakes;
 }

@@ -10,7 +10,7 @@
 
 namespace vidno {
 
-/// Corrected, as printed, or with one usual mistake; these in the order of Mistakes.
+/// Corrected, as printed, or with one usual mistake.
 enum class Edition : unsigned char {
     corrected,
     printed,

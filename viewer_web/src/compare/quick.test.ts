@@ -14,17 +14,6 @@ describe('a run is quickly held against', () => {
     ]);
   });
 
-  it('the corrected text, if it has a mistake, and no numbers that cannot run it', () => {
-    const words = quickRuns({ ...usual, edition: 'one-list' }).map(([, options]) =>
-      wordOf(options),
-    );
-    expect(words).toEqual([
-      'zbuffer.corrected.double.signs',
-      'warnock.corrected.double.signs',
-      'warnock.one-list.exact.signs',
-    ]);
-  });
-
   it('what can be run: the kernel gives way', () => {
     const depth = quickRuns({ ...usual, method: 'zbuffer', kernel: 'depth:8' });
     expect(depth[0]?.[1].kernel).toBe('double');

@@ -1,11 +1,10 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { texts } from '../i18n/index.js';
-import { kernels, runs } from '../live/options.js';
+import { kernels, offeredNames, runs } from '../live/options.js';
 import { resize } from '../live/sketch.js';
-import { namesFor } from '../trace/editions.js';
 import { details } from '../trace/events.js';
 import { FormElement } from './form.js';
 import { formStyle } from './form.style.js';
@@ -28,8 +27,7 @@ export class RunFormElement extends FormElement {
         <h3>${say.run}</h3>
         <div class="fields">
           ${this.select('method', methods)} ${this.select('kernel', this.kernelNames())}
-          ${this.select('edition', namesFor(editing.options.method, editions))}
-          ${this.select('detail', levels)}
+          ${this.select('edition', offeredNames(editions))} ${this.select('detail', levels)}
         </div>
         <label class="line">
           <input
@@ -41,6 +39,7 @@ export class RunFormElement extends FormElement {
           />
           ${say.check}
         </label>
+        ${editing.corrects ? html`<p>${say.corrects}</p>` : nothing}
       </section>
       ${this.area()}
     `;

@@ -12,19 +12,10 @@ it('leaves out the kernels that have no Z-buffer, and those that never err, of t
   expect(count({ method: 'warnock', edition: 'printed' })).toBe(5); // nor filtered, grid:4, grid:8
 });
 
-it('runs a usual mistake where it can be made, under double and exact', () => {
-  expect(count({ method: 'warnock', edition: 'one-list' })).toBe(2);
-  expect(count({ method: 'zbuffer', edition: 'one-list' })).toBe(0);
-  expect(count({ method: 'zbuffer', edition: 'y-flipped' })).toBe(2);
-});
-
-it('goes back to the corrected text where the method cannot have the mistake', () => {
-  const runs = { ...usual, method: 'zbuffer', edition: 'one-list', kernel: 'filtered' } as const;
-  expect(runnable(runs)).toEqual({ ...runs, edition: 'corrected' });
-  expect(runnable({ ...runs, edition: 'y-flipped' })).toMatchObject({
-    edition: 'y-flipped',
-    kernel: 'double',
-  });
+it('runs no usual mistake: the corrected text is run instead', () => {
+  expect(count({ edition: 'one-list' })).toBe(0);
+  const exact = { ...usual, kernel: 'exact' };
+  expect(runnable({ ...exact, edition: 'one-list' })).toEqual(exact);
 });
 
 it('goes back to double where the kernel does not run', () => {
