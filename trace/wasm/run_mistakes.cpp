@@ -1,4 +1,4 @@
-/// The usual mistakes are not in the page's library, which they would make larger by half: live.cpp refuses to run them.
+/// The usual mistakes are not in the page's library, which they would make larger by a third: live.cpp refuses to run them.
 
 #include "run_mistakes.h"
 

@@ -14,7 +14,7 @@ afterAll(async () => {
 it('a trace with a usual mistake opens under its name; a changed scene is run by the corrected text, which is said', async () => {
   const { page, faults } = await open(browser, '#lang=en');
   await opened(page, 'one-list.jsonl', sampleTrace('one-list.warnock.signs'));
-  const title = page.locator('.title');
+  const title = page.locator('div.title');
   expect(await title.textContent()).toContain('mistake: one list for all parts');
   await edit(page);
   const form = page.locator('vidno-run-form');
