@@ -254,7 +254,7 @@ TEST_CASE("Failures: windows along the line where two planes meet") {
 }
 
 TEST_CASE("Failures: no order of painting resolves a cyclic overlap") {
-    const std::string file = VIDNO_ROOT "/lessons/09-cyclic-overlap/scene.json";
+    const std::string file = VIDNO_ROOT "/lessons/01-four-relations/cycle.json";
     const Scene scene = read_scene(read_file(file), file).scene;
     const Picture right = Reference(scene).picture();
     std::vector<std::size_t> order(scene.polygons.size());
