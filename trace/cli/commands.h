@@ -62,6 +62,16 @@ struct ReplayOptions {
     std::optional<std::uint64_t> step;
 };
 
+struct FigureOptions {
+    std::string input, output;
+    std::optional<std::uint64_t> step;
+    std::string steps, pixel, width;  // empty: as usual
+    std::string show = "picture,windows";
+    std::string language = "en";
+    int dots_an_inch = 300;
+    bool greyscale = false, beamer = false;
+};
+
 struct DiffOptions {
     std::string first, second;
 };
@@ -127,6 +137,7 @@ int choose(const ChooseOptions& options);
 int map(const MapOptions& options);
 int chart(const ChartOptions& options);
 int replay(const ReplayOptions& options);
+int figure(const FigureOptions& options);
 int diff(const DiffOptions& options);
 int page(const PageOptions& options);
 int import(const MeshOptions& options);

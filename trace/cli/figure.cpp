@@ -1,0 +1,196 @@
+#include "figure/figure.h"
+
+#include "commands.h"
+#include "figure/writers.h"
+#include "output.h"
+#include "trace_reader.h"
+
+namespace vidno::cli {
+
+namespace {
+
+using figures::About;
+using figures::Drawing;
+
+constexpr std::uint64_t most_panels = 200;
+constexpr double column_width = 80, page_width = 170, slide_width = 146, slide_height = 72;  // millimetres
+
+[[noreturn]] void refuse(const std::string& option, const std::string& reason) {
+    throw Refused(option + ": " + reason);
+}
+
+std::uint64_t whole_number(const std::string& text, const std::string& option) {
+    std::uint64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, number);
+    if (text.empty() || result.ec != std::errc() || result.ptr != end) refuse(option, text + " is no whole number");
+    return number;
+}
+
+std::vector<std::string> split(const std::string& text, const std::string& by) {
+    std::vector<std::string> parts;
+    std::size_t from = 0;
+    for (auto at = text.find(by); at != text.npos; at = text.find(by, from)) {
+        parts.push_back(text.substr(from, at - from));
+        from = at + by.size();
+    }
+    parts.push_back(text.substr(from));
+    return parts;
+}
+
+/// `7`, `7,9,40`, `7..40` or `7..40:3`.
+std::vector<std::uint64_t> steps_of(const std::string& text) {
+    const std::string option = "--steps " + text;
+    std::vector<std::uint64_t> steps;
+    const auto ends = split(text, "..");
+    if (ends.size() == 1) {
+        for (const auto& each : split(text, ",")) steps.push_back(whole_number(each, option));
+        if (!std::is_sorted(steps.begin(), steps.end(), std::less_equal<>())) refuse(option, "steps must rise");
+    } else {
+        const auto last = split(ends[1], ":");
+        if (ends.size() > 2 || last.size() > 2) refuse(option, "not A..B or A..B:BY");
+        const std::uint64_t first = whole_number(ends[0], option);
+        const std::uint64_t end = whole_number(last[0], option);
+        const std::uint64_t by = last.size() == 2 ? whole_number(last[1], option) : 1;
+        if (by == 0 || first > end) refuse(option, "no step lies there");
+        if ((end - first) / by >= most_panels) refuse(option, "more than " + std::to_string(most_panels) + " steps");
+        for (std::uint64_t step = first; step <= end; step += by) steps.push_back(step);
+    }
+    if (steps.size() > most_panels) refuse(option, "more than " + std::to_string(most_panels) + " steps");
+    return steps;
+}
+
+/// `80`, `80mm` or `8cm`, in millimetres.
+double length_of(const std::string& text) {
+    constexpr double least = 30, most = 1000;
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const std::string unit(error == std::errc() ? end : "?");
+    if (unit == "cm") number *= 10;
+    if (unit != "cm" && unit != "mm") refuse("--width " + text, "not a length in mm or cm");
+    if (!(number >= least && number <= most)) refuse("--width " + text, "not between 3 cm and 1 m");
+    return number;
+}
+
+figures::Pixel pixel_of(const std::string& text, const Area& area) {
+    const std::string option = "--pixel " + text;
+    const auto parts = split(text, ",");
+    figures::Pixel pixel;
+    const auto read = [&](const std::string& part, int& to) {
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), to);
+        return !part.empty() && error == std::errc() && end == part.data() + part.size();
+    };
+    if (parts.size() != 2 || !read(parts[0], pixel.x) || !read(parts[1], pixel.y)) refuse(option, "not X,Y");
+    if (!area.contains(pixel.x, pixel.y)) refuse(option, "no pixel of the area");
+    return pixel;
+}
+
+std::vector<figures::Part> parts_of(const FigureOptions& options) {
+    std::vector<figures::Part> parts;
+    for (const auto& name : split(options.show, ",")) {
+        const auto place = place_in(figures::part_names, name);
+        if (place == figures::part_names.size()) {
+            refuse("--show " + options.show, name + " is not one of picture, windows, list, listing, history");
+        }
+        parts.push_back(figures::Part(place));
+    }
+    return parts;
+}
+
+figures::Style style_of(const FigureOptions& options) {
+    return {figures::Language(place_in(figures::language_codes, options.language)), options.greyscale};
+}
+
+/// Goes through a trace and draws what is wanted on the way. Without steps, the last one.
+figures::Figure drawn(TraceReader& reader, std::vector<std::uint64_t> steps, figures::Options options,
+                      std::optional<figures::PixelHistory> history, const std::string& file) {
+    options.moments = std::max<std::size_t>(steps.size(), 1);
+    figures::Figure figure(options);
+    figures::Moment moment(reader.header());
+    std::size_t next = 0;
+    const auto draw_if_wanted = [&] {
+        if (next == steps.size() || moment.state().step() != steps[next]) return;
+        figure.add(moment, history);
+        ++next;
+    };
+    draw_if_wanted();
+    while (steps.empty() || next < steps.size()) {
+        auto event = reader.next();
+        if (!event) break;
+        try {
+            moment.take(std::move(*event));
+        } catch (const Impossible& impossible) {
+            throw Refused(reader.place() + ": step " + std::to_string(moment.state().step() + 1) + ": " +
+                          impossible.reason);
+        }
+        if (history) history->take(moment);
+        draw_if_wanted();
+    }
+    if (steps.empty()) figure.add(moment, history);
+    if (next < steps.size()) {
+        throw Refused(file + ": there is no step " + std::to_string(steps[next]) + ", the last is " +
+                      std::to_string(moment.state().step()));
+    }
+    return figure;
+}
+
+/// How a drawing is written, by the name of the file. Refuses a wrong name before the work.
+using Write = std::string (*)(const Drawing&, const About&, const FigureOptions&);
+Write writer_for(const std::string& output) {
+    if (output == "-" || output.ends_with(".svg"))
+        return [](const Drawing& drawing, const About& about, const FigureOptions&) { return svg_of(drawing, about); };
+    if (output.ends_with(".pdf"))
+        return [](const Drawing& drawing, const About& about, const FigureOptions&) {
+            return figures::pdf_of(svg_of(drawing, about), about);
+        };
+    if (output.ends_with(".png"))
+        return [](const Drawing& drawing, const About& about, const FigureOptions& options) {
+            return figures::png_of(svg_of(drawing, about), options.dots_an_inch);
+        };
+    if (output.ends_with(".tex"))
+        return [](const Drawing& drawing, const About& about, const FigureOptions&) { return tikz_of(drawing, about); };
+    throw Refused(output + ": not .svg, .pdf, .png or .tex");
+}
+
+std::string title_of(const TraceHeader& header, const std::vector<std::uint64_t>& steps,
+                     const figures::FigureWords& words) {
+    std::string title = header.scene.name.empty() ? "" : header.scene.name + " · ";
+    title += header.method == Method::warnock ? words.warnock : words.z_buffer;
+    if (!steps.empty()) title += " · " + std::string(words.step) + " " + std::to_string(steps.front());
+    return title + (steps.size() > 1 ? "–" + std::to_string(steps.back()) : "");
+}
+
+}  // namespace
+
+int figure(const FigureOptions& options) {
+    const Write write = writer_for(options.output);
+    if (options.beamer && !options.output.ends_with(".tex")) refuse("--beamer", "it makes a .tex file");
+    std::vector<std::uint64_t> steps;
+    if (options.step) steps = {*options.step};
+    if (!options.steps.empty()) steps = steps_of(options.steps);
+
+    figures::Options drawing{.show = parts_of(options), .style = style_of(options)};
+    drawing.width = steps.size() > 1 ? page_width : column_width;
+    if (options.beamer) {
+        drawing.width = slide_width;
+        drawing.most_height = slide_height;
+    }
+    if (!options.width.empty()) drawing.width = length_of(options.width);
+
+    TraceReader reader(LineReader(options.input), options.input);
+    std::optional<figures::PixelHistory> history;
+    if (drawing.shows(figures::Part::history)) {
+        if (options.pixel.empty()) refuse("--show history", "of which pixel? --pixel X,Y");
+        history.emplace(pixel_of(options.pixel, reader.header().scene.area));
+    } else if (!options.pixel.empty()) {
+        refuse("--pixel", "it needs --show history");
+    }
+    const About about{title_of(reader.header(), steps, words_of(drawing.style.language)), drawing.style.language};
+    OutputFile file(options.output);
+    const figures::Figure figure = drawn(reader, steps, drawing, std::move(history), options.input);
+    file.write(options.beamer ? beamer_of(figure.panels(), about) : write(figure.strip(), about, options));
+    file.commit();
+    return 0;
+}
+
+}  // namespace vidno::cli
