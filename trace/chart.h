@@ -74,7 +74,16 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
 std::string chart_json(const std::vector<SceneChart>& scenes);
 std::string chart_csv(const std::vector<SceneChart>& scenes);
 
+/// What chart_json wrote. `file` is its name in messages. Throws Refused.
+std::vector<SceneChart> read_chart(std::string_view text, const std::string& file);
+
+/// How a chart is laid out: the panels side by side, and the width of one in units of which 15 are the size of its letters.
+struct ChartLayout {
+    int columns = 2, panel_width = 800;
+};
+
 /// The program by which gnuplot draws a panel a scene, ordinary ones first, as SVG. The axes are given by their places.
-std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error);
+std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
+                         const ChartLayout& layout = {});
 
 }  // namespace vidno

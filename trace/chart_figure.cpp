@@ -38,7 +38,7 @@ constexpr std::array<Series, 10> all_series{{
     {"Z-buffer, printed", Method::zbuffer, std::nullopt, true, "#000000", 6},
 }};
 
-constexpr int panel_width = 800, panel_height = 520, legend_height = 120;
+constexpr int most_panel_height = 520, legend_entry = 300, legend_line = 30;
 
 // By the places of cost_axes and error_axes.
 constexpr std::array<std::string_view, 3> cost_titles{"time, times that of the fastest", "operations",
@@ -201,9 +201,11 @@ private:
 };
 
 /// The names of the series, and of the front.
-std::string legend() {
+std::string legend(int rows) {
     std::string text =
-        "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nset key center center maxrows 3\n"
+        "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nset key center center maxrows " +
+        std::to_string(rows) +
+        "\n"
         "set margins 0, 0, 0, 0\n"
         "set xrange [1:2]\nset yrange [1:2]\n"
         "plot NaN with lines lc '#bbbbbb' lw 6 title 'nothing is cheaper and as right'";
@@ -216,12 +218,18 @@ std::string legend() {
 
 }  // namespace
 
-std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error) {
+std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
+                         const ChartLayout& layout) {
     auto ordered = scenes;
     std::stable_partition(ordered.begin(), ordered.end(), [](const auto& scene) { return !scene.degenerate(); });
-    const int columns = ordered.size() == 1 ? 1 : 2;
+    const int columns = std::min(int(ordered.size()), layout.columns);
     const int rows = (int(ordered.size()) + columns - 1) / columns;
-    const int width = columns * panel_width;
+    const int width = columns * layout.panel_width;
+    const int panel_height = std::min(most_panel_height, layout.panel_width * 3 / 4);
+    const int entries = int(all_series.size()) + 1;
+    const int entries_in_row = std::max(1, width / legend_entry);
+    const int legend_rows = std::max(3, (entries + entries_in_row - 1) / entries_in_row);
+    const int legend_height = (legend_rows + 1) * legend_line;
     const int height = rows * panel_height + legend_height;
 
     std::ostringstream out;
@@ -235,7 +243,8 @@ std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost
             << "\nset size " << 1.0 / columns << "," << panel_share << '\n'
             << Panel(ordered[i], cost, error).script();
     }
-    out << "set origin 0,0\nset size 1," << double(legend_height) / height << '\n' << legend() << "unset multiplot\n";
+    out << "set origin 0,0\nset size 1," << double(legend_height) / height << '\n'
+        << legend(legend_rows) << "unset multiplot\n";
     return out.str();
 }
 

@@ -68,6 +68,7 @@ struct FigureOptions {
     std::string steps, pixel, width;  // empty: as usual
     std::string show = "picture,windows";
     std::string language = "en";
+    std::string kernel = "double", cost = "time", error = "wrongPixels";  // of a map; of a chart
     int dots_an_inch = 300;
     bool greyscale = false, beamer = false;
 };

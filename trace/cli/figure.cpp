@@ -1,8 +1,14 @@
 #include "figure/figure.h"
 
+#include <nlohmann/json.hpp>
+
+#include "chart.h"
 #include "commands.h"
+#include "figure/map_figure.h"
 #include "figure/writers.h"
 #include "output.h"
+#include "program.h"
+#include "question_json.h"
 #include "trace_reader.h"
 
 namespace vidno::cli {
@@ -13,7 +19,7 @@ using figures::About;
 using figures::Drawing;
 
 constexpr std::uint64_t most_panels = 200;
-constexpr double column_width = 80, page_width = 170, slide_width = 146, slide_height = 72;  // millimetres
+constexpr double column_width = 80, page_width = 170, slide_width = 140, slide_height = 72;  // millimetres
 
 [[noreturn]] void refuse(const std::string& option, const std::string& reason) {
     throw Refused(option + ": " + reason);
@@ -134,22 +140,28 @@ figures::Figure drawn(TraceReader& reader, std::vector<std::uint64_t> steps, fig
     return figure;
 }
 
-/// How a drawing is written, by the name of the file. Refuses a wrong name before the work.
-using Write = std::string (*)(const Drawing&, const About&, const FigureOptions&);
-Write writer_for(const std::string& output) {
-    if (output == "-" || output.ends_with(".svg"))
-        return [](const Drawing& drawing, const About& about, const FigureOptions&) { return svg_of(drawing, about); };
-    if (output.ends_with(".pdf"))
-        return [](const Drawing& drawing, const About& about, const FigureOptions&) {
-            return figures::pdf_of(svg_of(drawing, about), about);
-        };
-    if (output.ends_with(".png"))
-        return [](const Drawing& drawing, const About& about, const FigureOptions& options) {
-            return figures::png_of(svg_of(drawing, about), options.dots_an_inch);
-        };
-    if (output.ends_with(".tex"))
-        return [](const Drawing& drawing, const About& about, const FigureOptions&) { return tikz_of(drawing, about); };
+enum class Format { svg, pdf, png, tikz };
+
+/// By the name of the file. Refuses a wrong one before the work.
+Format format_of(const std::string& output) {
+    if (output == "-" || output.ends_with(".svg")) return Format::svg;
+    if (output.ends_with(".pdf")) return Format::pdf;
+    if (output.ends_with(".png")) return Format::png;
+    if (output.ends_with(".tex")) return Format::tikz;
     throw Refused(output + ": not .svg, .pdf, .png or .tex");
+}
+
+std::string encoded(const std::string& svg, const About& about, const FigureOptions& options) {
+    switch (format_of(options.output)) {
+        case Format::pdf: return figures::pdf_of(svg, about);
+        case Format::png: return figures::png_of(svg, options.dots_an_inch);
+        default: return svg;
+    }
+}
+
+std::string encoded(const Drawing& drawing, const About& about, const FigureOptions& options) {
+    if (format_of(options.output) == Format::tikz) return figures::tikz_of(drawing, about);
+    return encoded(figures::svg_of(drawing, about), about, options);
 }
 
 std::string title_of(const TraceHeader& header, const std::vector<std::uint64_t>& steps,
@@ -160,16 +172,20 @@ std::string title_of(const TraceHeader& header, const std::vector<std::uint64_t>
     return title + (steps.size() > 1 ? "–" + std::to_string(steps.back()) : "");
 }
 
-}  // namespace
+void save(const std::string& bytes, const std::string& name) {
+    OutputFile file(name);
+    file.write(bytes);
+    file.commit();
+}
 
-int figure(const FigureOptions& options) {
-    const Write write = writer_for(options.output);
-    if (options.beamer && !options.output.ends_with(".tex")) refuse("--beamer", "it makes a .tex file");
+void draw_trace(const FigureOptions& options) {
+    if (options.beamer && format_of(options.output) != Format::tikz) refuse("--beamer", "it makes a .tex file");
     std::vector<std::uint64_t> steps;
     if (options.step) steps = {*options.step};
     if (!options.steps.empty()) steps = steps_of(options.steps);
 
     figures::Options drawing{.show = parts_of(options), .style = style_of(options)};
+    if (format_of(options.output) == Format::tikz) drawing.style.letters = figures::letters_of_tex;
     drawing.width = steps.size() > 1 ? page_width : column_width;
     if (options.beamer) {
         drawing.width = slide_width;
@@ -186,10 +202,64 @@ int figure(const FigureOptions& options) {
         refuse("--pixel", "it needs --show history");
     }
     const About about{title_of(reader.header(), steps, words_of(drawing.style.language)), drawing.style.language};
-    OutputFile file(options.output);
     const figures::Figure figure = drawn(reader, steps, drawing, std::move(history), options.input);
-    file.write(options.beamer ? beamer_of(figure.panels(), about) : write(figure.strip(), about, options));
-    file.commit();
+    save(options.beamer ? beamer_of(figure.panels(), about) : encoded(figure.strip(), about, options), options.output);
+}
+
+/// What has no steps has no parts to be chosen either, and no TikZ.
+void expect_no_steps(const FigureOptions& options) {
+    if (options.step || !options.steps.empty()) refuse(options.input, "it has no steps: a map or a chart");
+    if (!options.pixel.empty() || options.beamer) refuse(options.input, "--pixel and --beamer are for traces");
+    if (format_of(options.output) == Format::tikz) refuse(options.output, "maps and charts are .svg, .pdf or .png");
+}
+
+void draw_map(const FigureOptions& options, const std::string& text) {
+    expect_no_steps(options);
+    const NamedKernel kernel = *kernel_named(options.kernel);
+    if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
+    const SignMap map = sign_map(read_question(text, options.input), kernel);
+    const double width = options.width.empty() ? column_width : length_of(options.width);
+    const figures::Style style = style_of(options);
+    save(encoded(figures::map_figure(map, style, width), {map.name, style.language}, options), options.output);
+}
+
+/// gnuplot's drawing with a width in millimetres.
+std::string sized(std::string svg, double width) {
+    double columns = 0, rows = 0;
+    const auto at = svg.find(" width=\"");
+    if (at == svg.npos || std::sscanf(svg.c_str() + at, " width=\"%lf\" height=\"%lf\"", &columns, &rows) != 2) {
+        throw Refused("gnuplot: another SVG than expected");
+    }
+    const auto end = svg.find('"', svg.find(" height=\"", at) + 9) + 1;
+    return svg.replace(
+        at, end - at,
+        " width=\"" + figures::decimal(width) + "mm\" height=\"" + figures::decimal(width * rows / columns) + "mm\"");
+}
+
+void draw_chart(const FigureOptions& options, const std::string& text) {
+    expect_no_steps(options);
+    if (options.greyscale) refuse("--greyscale", "of a chart the shapes of its points already tell");
+    const auto scenes = read_chart(text, options.input);
+    const double width = options.width.empty() ? page_width : length_of(options.width);
+    constexpr double unit = 8 / 15. / figures::points_per_millimetre;  // letters of 8 points
+    const std::string script = chart_script(scenes, place_in(names_of(cost_axes), options.cost),
+                                            place_in(names_of(error_axes), options.error), {1, int(width / unit)});
+    const std::string svg = sized(output_of({"gnuplot"}, script), width);
+    save(encoded(svg, {scenes.front().name, figures::Language::english}, options), options.output);
+}
+
+}  // namespace
+
+int figure(const FigureOptions& options) {
+    format_of(options.output);
+    if (!options.input.ends_with(".json")) {
+        draw_trace(options);
+        return 0;
+    }
+    const std::string text = read_file(options.input);
+    const auto document = nlohmann::json::parse(text, nullptr, false);
+    const bool is_chart = document.is_object() && document.value("format", "") == "vidno-chart/1";
+    (is_chart ? draw_chart : draw_map)(options, text);
     return 0;
 }
 

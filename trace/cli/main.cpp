@@ -150,8 +150,11 @@ CLI::App& add_replay(CLI::App& app, ReplayOptions& options) {
 }
 
 CLI::App& add_figure(CLI::App& app, FigureOptions& options) {
-    auto& command = *app.add_subcommand("figure", "Draw steps of a trace for a paper or a slide");
-    command.add_option("TRACE", options.input, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
+    auto& command = *app.add_subcommand("figure", "Draw steps of a trace, a map or a chart for a paper or a slide");
+    command
+        .add_option("TRACE|QUESTION|CHART", options.input,
+                    "A trace, .jsonl or .jsonl.gz, - for standard input; or a question of a map or a chart, .json")
+        ->required();
     auto* step = command.add_option("--step", options.step, "After so many events; without it, at the end");
     command.add_option("--steps", options.steps, "A film strip: N,M,... or A..B or A..B:BY")->excludes(step);
     command
@@ -162,7 +165,16 @@ CLI::App& add_figure(CLI::App& app, FigureOptions& options) {
     command.add_option("--language", options.language, "Of the words in it")
         ->check(CLI::IsMember(words(figures::language_codes)))
         ->capture_default_str();
-    command.add_option("--width", options.width, "In cm or mm [8cm; of a film strip 17cm, of a slide 14.6cm]");
+    command.add_option("--width", options.width, "In cm or mm [8cm; of a film strip 17cm, of a slide 14cm]");
+    command.add_option("--kernel", options.kernel, "Of a map: which arithmetic decides")
+        ->check(a_kernel)
+        ->capture_default_str();
+    command.add_option("--cost", options.cost, "Of a chart: what it has from left to right")
+        ->check(CLI::IsMember(names_of(cost_axes)))
+        ->capture_default_str();
+    command.add_option("--error", options.error, "And from below")
+        ->check(CLI::IsMember(names_of(error_axes)))
+        ->capture_default_str();
     command.add_option("--dpi", options.dots_an_inch, "Of .png")->check(CLI::Range(30, 2400))->capture_default_str();
     command.add_flag("--greyscale", options.greyscale, "No colours, and textures that are darker");
     command.add_flag("--beamer", options.beamer, "A slide with an overlay a step, .tex");

@@ -52,7 +52,7 @@ Drawing Figure::plane(const Moment& moment) const {
         draw_windows(drawing, moment, plane, style);
         draw_marks(drawing, moment, plane, style);
     }
-    draw_names(drawing, moment.scene(), plane);
+    draw_names(drawing, moment.scene(), plane, style);
     return drawing;
 }
 

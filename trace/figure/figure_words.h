@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace vidno::figures {
 
@@ -12,11 +13,11 @@ inline constexpr std::array<std::string_view, 2> language_codes{"en", "ru"};
 struct FigureWords {
     std::string_view code;
     std::string_view warnock, z_buffer;
-    std::string_view step, window, stack, active_polygons, surrounds, nearer_at, corner_depths;
-    std::string_view active_edges, edge, until, row;
+    std::string_view step, stack, active_polygons, surrounds, nearer_at, corner_depths;
+    std::string_view active_edges, edge, until;
     std::string_view pixel, line, what, answer, painted;
     std::string_view empty, more, earlier, yes, no;
-    std::string_view agrees, differs, of;
+    std::string_view computed, right, wrong;
 };
 
 inline constexpr std::array<FigureWords, 2> figure_words{{
@@ -25,7 +26,6 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .warnock = "Warnock",
         .z_buffer = "Z-buffer",
         .step = "step",
-        .window = "Window",
         .stack = "on the stack",
         .active_polygons = "Active polygons (APL)",
         .surrounds = "surrounds",
@@ -34,7 +34,6 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .active_edges = "Active edges (AEL)",
         .edge = "edge",
         .until = "until",
-        .row = "row",
         .pixel = "Pixel",
         .line = "line",
         .what = "what was found",
@@ -45,16 +44,15 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .earlier = "earlier:",
         .yes = "yes",
         .no = "no",
-        .agrees = "right",
-        .differs = "wrong",
-        .of = "of",
+        .computed = "computed",
+        .right = "right",
+        .wrong = "wrong",
     },
     {
         .code = "ru",
         .warnock = "Алгоритм Варнока",
         .z_buffer = "Z-буфер",
         .step = "шаг",
-        .window = "Окно",
         .stack = "в стеке",
         .active_polygons = "Активные многоугольники (APL)",
         .surrounds = "охватывает",
@@ -63,7 +61,6 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .active_edges = "Активные рёбра (AEL)",
         .edge = "ребро",
         .until = "до",
-        .row = "строка",
         .pixel = "Пиксель",
         .line = "строка",
         .what = "что найдено",
@@ -74,12 +71,30 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .earlier = "раньше:",
         .yes = "да",
         .no = "нет",
-        .agrees = "верно",
-        .differs = "неверно",
-        .of = "из",
+        .computed = "вычислено",
+        .right = "верно",
+        .wrong = "неверно",
     },
 }};
 
 constexpr const FigureWords& words_of(Language language) { return figure_words[std::size_t(language)]; }
+
+/// The answers of a map; English ones are their names.
+inline constexpr auto answers_in_russian = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"negative", "отрицательно"},
+    {"zero", "нуль"},
+    {"positive", "положительно"},
+    {"outside", "снаружи"},
+    {"inside", "внутри"},
+    {"nearer", "ближе"},
+    {"not nearer", "не ближе"},
+});
+
+constexpr std::string_view answer_in(Language language, std::string_view answer) {
+    for (const auto& [english, russian] : answers_in_russian) {
+        if (language == Language::russian && english == answer) return russian;
+    }
+    return answer;
+}
 
 }  // namespace vidno::figures

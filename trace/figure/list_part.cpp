@@ -17,12 +17,11 @@ std::string places_of(const std::vector<Corner>& corners) {
     return places.empty() ? "—" : places;
 }
 
-/// z at the corners of the window, as far as it is known.
-std::string corner_depths(const State& state, const FigureWords& words) {
-    if (!state.corners()) return {};
+/// z at the corners of the window.
+std::string corner_depths(const std::array<Value, 4>& corners, const FigureWords& words) {
     std::string text(words.corner_depths);
     for (std::size_t i = 0; i < corner_names.size(); ++i) {
-        text += (i == 0 ? ": " : ", ") + std::string(corner_names[i]) + " " + readable((*state.corners())[i]);
+        text += (i == 0 ? ": " : ", ") + std::string(corner_names[i]) + " " + readable(corners[i]);
     }
     return text;
 }
@@ -32,15 +31,10 @@ void shorten(Table& table, const FigureWords& words) {
     if (table.rows.size() <= most_rows) return;
     const std::size_t first =
         std::min(table.current.value_or(0), table.rows.size() - most_rows);  // the current one on top, if it can be
-    const auto keep = [&](auto& rows) {
-        if (rows.size() <= first) return rows.clear();
-        rows.erase(rows.begin(), rows.begin() + std::ptrdiff_t(first));
-        rows.resize(std::min(rows.size(), most_rows));
-    };
-    table.below += (table.below.empty() ? "" : "; ") + std::string(words.more) + " " +
-                   std::to_string(table.rows.size() - most_rows);
-    keep(table.rows);
-    keep(table.squares);
+    const std::string others = std::string(words.more) + " " + std::to_string(table.rows.size() - most_rows);
+    table.below.insert(table.below.begin(), others);
+    table.rows.erase(table.rows.begin(), table.rows.begin() + std::ptrdiff_t(first));
+    table.rows.resize(most_rows);
     if (table.current) *table.current -= first;
 }
 
@@ -50,19 +44,20 @@ Table active_polygons(const Moment& moment, const Style& style) {
     Table table{.title = std::string(words.active_polygons),
                 .columns = {{"P", 0.28}, {std::string(words.surrounds), 0.3}, {std::string(words.nearer_at), 0.42}}};
     if (!state.current()) {
-        table.below = words.empty;
+        table.below.emplace_back(words.empty);
         return table;
     }
-    table.note = "U = " + readable(state.current()->window) + ", AW: " + std::to_string(state.stack().size());
-    table.below = corner_depths(state, words);
+    table.below.push_back("U = " + readable(state.current()->window) + ", " + std::string(words.stack) + ": " +
+                          std::to_string(state.stack().size()));
+    if (state.corners()) table.below.push_back(corner_depths(*state.corners(), words));
     const auto in_hand = polygon_in_hand(moment);
     for (const auto& [polygon, surrounds] : *state.current()->apl) {
         const auto& [id, color, vertices, edge_on] = moment.scene().polygons[std::size_t(polygon.index)];
         const auto nearer = moment.nearer_at().find(polygon.index);
         if (in_hand == polygon.index) table.current = table.rows.size();
-        table.rows.push_back({id, std::string(surrounds ? words.yes : words.no),
-                              nearer == moment.nearer_at().end() ? "" : places_of(nearer->second)});
-        table.squares.emplace_back(tinted(color, style.greyscale));
+        table.rows.push_back({{id, tinted(color, style.greyscale)},
+                              {std::string(surrounds ? words.yes : words.no)},
+                              {nearer == moment.nearer_at().end() ? "" : places_of(nearer->second)}});
     }
     return table;
 }
@@ -94,10 +89,14 @@ Table active_edges(const Moment& moment, const Style& style) {
     const auto in_hand = edge_in_hand(moment);
     for (const auto& entry : state.ael()) {
         if (in_hand == entry.edge) table.current = table.rows.size();
-        table.rows.push_back({std::to_string(entry.edge), readable(entry.x), readable(entry.z), readable(entry.until),
-                              readable(entry.dx), readable(entry.dz)});
+        table.rows.push_back({{std::to_string(entry.edge)},
+                              {readable(entry.x)},
+                              {readable(entry.z)},
+                              {readable(entry.until)},
+                              {readable(entry.dx)},
+                              {readable(entry.dz)}});
     }
-    if (state.ael().empty()) table.below = words.empty;
+    if (state.ael().empty()) table.below.emplace_back(words.empty);
     return table;
 }
 
@@ -110,7 +109,7 @@ Drawing list_part(const Moment& moment, const Style& style, double width) {
     }
     Table table = header.method == Method::warnock ? active_polygons(moment, style) : active_edges(moment, style);
     shorten(table, words_of(style.language));
-    return drawn(table, width);
+    return drawn(table, width, style.letters);
 }
 
 }  // namespace vidno::figures

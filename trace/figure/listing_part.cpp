@@ -66,14 +66,14 @@ Drawing listing_part(const Moment& moment, const Style& style, double width) {
     const std::string name = procedure.at("name");
     const std::string head = name + "(" + std::string(procedure.at("takes")) + ")";
     if (!frame.at) drawing.add(rectangle({0, 0, width, line_height}, band));
-    put(fitted(head, width, text_size, true), 0, text_size, true);
+    put(fitted(head, width / style.letters, text_size, true), 0, text_size, true);
     rule(y, 0.75);
     y += 0.4;
     for (const json& line : procedure.at("lines")) {
         const bool printed = moment.header().edition == "printed" && line.contains("printed");
         const std::string text = (printed ? line.at("printed") : line).at(language);
         const double left = text_at + level * int(line.at("indent"));
-        const auto pieces = wrapped(text, width - left - hanging, width - left);
+        const auto pieces = wrapped(text, (width - left - hanging) / style.letters, (width - left) / style.letters);
         if (frame.at && line.at("at") == line_names[std::size_t(*frame.at)]) {
             drawing.add(rectangle({0, y + 0.15, width, line_height * double(pieces.size())}, band));
             add_arrow(drawing, 0.4, y + line_height - base_below - 0.1);

@@ -71,14 +71,14 @@ void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const 
     if (in_hand) draw(polygons[std::size_t(*in_hand)], 1);
 }
 
-void draw_names(Drawing& to, const Scene& scene, const Plane& plane) {
+void draw_names(Drawing& to, const Scene& scene, const Plane& plane, const Style& style) {
     if (scene.polygons.size() > most_names) return;
     const Box area = plane.box(whole_area(plane.area));
     const Box middle_row{area.x, area.y + area.height / 2, area.width, 0};
     const Box middle_column{area.x + area.width / 2, area.y, 0, area.height};
     std::vector<Box> taken;
     for (const auto& polygon : scene.polygons) {
-        const double width = width_of(polygon.id, name_size, true) + 0.8;
+        const double width = style.letters * width_of(polygon.id, name_size, true) + 0.8;
         const double height = 0.72 * name_size / points_per_millimetre + 1;
         const auto box_at = [&](glm::dvec2 spot) {
             const Point at = plane.at(spot.x, spot.y);
@@ -88,6 +88,12 @@ void draw_names(Drawing& to, const Scene& scene, const Plane& plane) {
             return std::count_if(scene.polygons.begin(), scene.polygons.end(),
                                  [&](const auto& other) { return &other != &polygon && holds(other, spot); });
         };
+        const auto outlines_at = [&](const Box& box) {
+            return std::count_if(scene.polygons.begin(), scene.polygons.end(),
+                                 [&](const auto& each) { return !clipped(plane.outline(each), true, box).empty(); });
+        };
+        // An id stands in its polygon, if it can be in no other, off outlines, and off the lines of the first windows.
+        const auto far = 16 * std::ptrdiff_t(scene.polygons.size());
         std::optional<Box> best;
         auto least = std::numeric_limits<std::ptrdiff_t>::max();
         for (const auto spot : spots_in(polygon, plane.area)) {
@@ -95,10 +101,8 @@ void draw_names(Drawing& to, const Scene& scene, const Plane& plane) {
             const bool free = plane.shown.holds(box) &&
                               std::none_of(taken.begin(), taken.end(), [&](const Box& t) { return t.overlaps(box); });
             if (!free) continue;
-            // Ids are sought first where they belong, then where no other polygon is, then off the lines of the first windows.
-            const auto many_others = std::ptrdiff_t(scene.polygons.size());
-            const auto crowd = others_at(spot) + (holds(polygon, spot) ? 0 : many_others);
-            const auto badness = 2 * crowd + (box.overlaps(middle_row) || box.overlaps(middle_column) ? 1 : 0);
+            const bool cuts = box.overlaps(middle_row) || box.overlaps(middle_column);
+            const auto badness = 8 * others_at(spot) + (holds(polygon, spot) ? 0 : far) + 2 * outlines_at(box) + cuts;
             if (badness >= least) continue;
             least = badness;
             best = box;

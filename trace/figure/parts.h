@@ -14,6 +14,7 @@ namespace vidno::figures {
 struct Style {
     Language language = Language::english;
     bool greyscale = false;
+    double letters = 1;  // how much wider those of the font are than those of Helvetica
 };
 
 // What stands on the plane of the scene, one above the other.
@@ -34,7 +35,7 @@ void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const S
 void draw_marks(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 /// The polygons' ids: each, where there is room, in its polygon and in as few others as can be; none overlap.
-void draw_names(Drawing& to, const Scene& scene, const Plane& plane);
+void draw_names(Drawing& to, const Scene& scene, const Plane& plane, const Style& style);
 
 // What stands beside it.
 

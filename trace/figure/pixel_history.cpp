@@ -102,10 +102,10 @@ Drawing PixelHistory::part(const Style& style, double width) const {
         const std::string_view meaning = painted ? words.painted : !answer ? "" : *answer ? words.yes : words.no;
         if (painted) table.current = table.rows.size();  // the last time counts
         table.rows.push_back(
-            {std::to_string(step), std::string(line_names[std::size_t(at)]), note, std::string(meaning)});
+            {{std::to_string(step)}, {std::string(line_names[std::size_t(at)])}, {note}, {std::string(meaning)}});
     }
-    if (entries_.empty()) table.below = words.empty;
-    return drawn(table, width);
+    if (entries_.empty()) table.below.emplace_back(words.empty);
+    return drawn(table, width, style.letters);
 }
 
 }  // namespace vidno::figures

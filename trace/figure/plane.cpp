@@ -24,7 +24,9 @@ Color grey_of(const Color& color) {
 
 }  // namespace
 
-Color tinted(const Color& color, bool greyscale) { return mixed(greyscale ? grey_of(color) : color, paper, 0.55); }
+Color printed(const Color& color, bool greyscale) { return greyscale ? grey_of(color) : color; }
+
+Color tinted(const Color& color, bool greyscale) { return mixed(printed(color, greyscale), paper, 0.55); }
 
 Color deep(const Color& color, bool greyscale) {
     const Color dark = mixed(color, ink, 0.35);

@@ -6,6 +6,8 @@
 
 namespace vidno::figures {
 
+/// As it is, or as grey of the same lightness.
+Color printed(const Color& color, bool greyscale);
 /// Pale, that lines and letters stand out on it; grey if so wanted.
 Color tinted(const Color& color, bool greyscale);
 /// For lines on what is tinted.

@@ -54,6 +54,8 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned length) {
 
 void draw(const Handle& handle, cairo_surface_t* surface, double width, double height) {
     const Context context(cairo_create(surface));
+    cairo_set_source_rgb(context.get(), 1, 1, 1);
+    cairo_paint(context.get());
     const RsvgRectangle whole{0, 0, width, height};
     GError* error = nullptr;
     if (!rsvg_handle_render_document(handle.get(), context.get(), &whole, &error)) refuse(error);

@@ -32,48 +32,46 @@ std::string fitted(std::string text, double width, double size, bool bold) {
     return text;
 }
 
-Drawing drawn(const Table& table, double width) {
+Drawing drawn(const Table& table, double width, double letters) {
     Drawing drawing{width, 0};
     double y = line_height;
     const auto put = [&](const std::string& text, double x, Anchor anchor, double size, bool bold) {
         drawing.add(Label{text, {x, y - base_below}, size, anchor, bold, ink});
     };
-    const double note_width = width_of(table.note, small_size);
-    put(fitted(table.title, width - note_width - gap, text_size, true), 0, Anchor::start, text_size, true);
+    const double note_width = letters * width_of(table.note, small_size);
+    put(fitted(table.title, (width - note_width - gap) / letters, text_size, true), 0, Anchor::start, text_size, true);
     if (!table.note.empty()) put(table.note, width, Anchor::end, small_size, false);
     rule(drawing, y, 0.75);
 
-    const auto put_row = [&](const auto& text_of, double size, double shift = 0) {
+    const auto put_row = [&](const auto& cell_of, double size) {
         y += line_height;
         double from = indent;
         for (std::size_t i = 0; i < table.columns.size(); ++i) {
             const auto& [heading, share, anchor] = table.columns[i];
+            const Table::Cell cell = cell_of(i);
             const double column = share * (width - indent);
-            const double x = anchor == Anchor::end ? from + column - gap : from;
-            put(fitted(text_of(i), column - gap - shift, size), x + shift, anchor, size, false);
+            constexpr double side = 2;
+            const double shift = cell.square ? side + 0.8 : 0;
+            if (cell.square) {
+                drawing.add(rectangle({from, y - base_below - side, side, side}, *cell.square, Stroke{ink}));
+            }
+            const double x = anchor == Anchor::end ? from + column - gap : from + shift;
+            put(fitted(cell.text, (column - gap - shift) / letters, size), x, anchor, size, false);
             from += column;
-            shift = 0;
         }
     };
-    put_row([&](std::size_t column) { return table.columns[column].heading; }, small_size);
+    put_row([&](std::size_t column) { return Table::Cell{table.columns[column].heading}; }, small_size);
     rule(drawing, y, 0.5);
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const bool current = row == table.current;
-        if (current) {
+        if (row == table.current) {
             drawing.add(rectangle({0, y + 0.15, width, line_height - 0.15}, band));
             add_arrow(drawing, 0.4, y + line_height - base_below - 0.1);
         }
-        const auto square = row < table.squares.size() ? table.squares[row] : std::nullopt;
-        constexpr double side = 2;
-        if (square) {
-            const Box box{indent, y + line_height - base_below - side, side, side};
-            drawing.add(rectangle(box, *square, Stroke{ink}));
-        }
-        put_row([&](std::size_t i) { return table.rows[row][i]; }, text_size, square ? side + 0.8 : 0);
+        put_row([&](std::size_t column) { return table.rows[row][column]; }, text_size);
     }
-    if (!table.below.empty()) {
+    for (const auto& line : table.below) {
         y += line_height;
-        put(table.below, indent, Anchor::start, small_size, false);
+        put(fitted(line, (width - indent) / letters, small_size), indent, Anchor::start, small_size, false);
     }
     rule(drawing, y + 0.3, 0.75);
     drawing.height = y + 0.6;

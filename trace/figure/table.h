@@ -14,13 +14,18 @@ struct Table {
         Anchor anchor = Anchor::start;
     };
 
+    /// Text, after a square of a colour if it has one.
+    struct Cell {
+        std::string text;
+        std::optional<Color> square{};
+    };
+
     std::string title{};
     std::string note{};  // at the end of the title's line
     std::vector<Column> columns;
-    std::vector<std::vector<std::string>> rows{};
-    std::vector<std::optional<Color>> squares{};  // before the first cell of each row; may be shorter
-    std::optional<std::size_t> current{};         // the row that is marked
-    std::string below{};                          // a last line, or none
+    std::vector<std::vector<Cell>> rows{};
+    std::optional<std::size_t> current{};  // the row that is marked
+    std::vector<std::string> below{};      // last lines
 };
 
 inline constexpr double text_size = 8, small_size = 7;  // points
@@ -33,7 +38,7 @@ void add_arrow(Drawing& to, double x, double base);
 /// Text cut to a width, with an ellipsis.
 std::string fitted(std::string text, double width, double size, bool bold = false);
 
-/// So wide; the height follows from the rows.
-Drawing drawn(const Table& table, double width);
+/// So wide; the height follows from the rows. The letters are so much wider than those of Helvetica.
+Drawing drawn(const Table& table, double width, double letters);
 
 }  // namespace vidno::figures

@@ -57,7 +57,6 @@ constexpr auto in_tex = std::to_array<std::pair<char32_t, std::string_view>>({
     {U'≥', "\\ensuremath{\\geq}"},
     {U'≯', "\\ensuremath{\\not>}"},
     {U'≮', "\\ensuremath{\\not<}"},
-    {U'✓', "\\ensuremath{\\surd}"},
 });
 
 std::string escaped(std::string_view text) {
@@ -108,7 +107,9 @@ std::string command(const Label& label) {
     if (!(label.color == Color{})) options += ", " + option("text", label.color);
     const std::string font = "\\fontsize{" + decimal(label.size) + "bp}{" + decimal(1.2 * label.size) +
                              "bp}\\selectfont" + (label.bold ? "\\bfseries" : "");
-    return "\\node[anchor=" + options + ", font=" + font + "] at " + at(label.at) + " {" + escaped(label.text) + "};\n";
+    return "\\node[anchor=" + options + ", font=" + font + "] at " + at(label.at) + " {\\vidnofit{" +
+           decimal(letters_of_tex * width_of(label.text, label.size, label.bold)) + "mm}{" + escaped(label.text) +
+           "}};\n";
 }
 
 std::string environment(const Drawing& drawing) {
@@ -124,18 +125,22 @@ std::string environment(const Drawing& drawing) {
 
 /// Between these the figure stands in a document of its own, unless it is read inside another one.
 std::string document(std::string_view classes, const About& about, const std::string& body) {
-    const std::string encoding = about.language == Language::russian ? "T2A" : "T1";
+    // Debian's cm-super has the outlines of T2A.
+    const std::string encoding = about.language == Language::russian
+                                     ? "\\usepackage[T2A]{fontenc}\n"
+                                     : "\\usepackage[T1]{fontenc}\n\\usepackage{lmodern}\n";
     std::string title = about.title;
     std::replace(title.begin(), title.end(), '\n', ' ');
     return "% " + title +
            "\n"
-           "% Stands alone under pdfLaTeX; \\input it where the packages tikz and amssymb are loaded.\n"
+           "% Stands alone under pdfLaTeX; \\input it where the package tikz is loaded.\n"
+           "\\def\\vidnofit#1#2{\\setbox0=\\hbox{#2}\\ifdim\\wd0>#1\\resizebox{#1}{\\height}{\\box0}\\else\\box0\\fi}\n"
            "\\expandafter\\ifx\\csname @nodocument\\endcsname\\relax\n"
            "\\let\\vidnoend\\relax\n"
            "\\else\n"
            "\\def\\vidnoend{\\end{document}}\n" +
-           std::string(classes) + "\\usepackage[" + encoding +
-           "]{fontenc}\n\\usepackage[utf8]{inputenc}\n\\usepackage{amssymb}\n\\usepackage{tikz}\n"
+           std::string(classes) + "\\usepackage{cmap}\n" + encoding +
+           "\\usepackage[utf8]{inputenc}\n\\usepackage{tikz}\n"
            "\\begin{document}\n"
            "\\fi\n" +
            body + "\\vidnoend\n";
@@ -148,9 +153,14 @@ std::string tikz_of(const Drawing& drawing, const About& about) {
 }
 
 std::string beamer_of(const std::vector<Drawing>& drawings, const About& about) {
+    constexpr double room = 78;  // millimetres of a slide's height
+    double height = 0;
+    for (const auto& drawing : drawings) height = std::max(height, drawing.height);
+    const std::string scale = decimal(std::min(1., room / height));
     std::string body = "\\begin{frame}\n\\centering\n";
     for (std::size_t i = 0; i < drawings.size(); ++i) {
-        body += "\\only<" + std::to_string(i + 1) + ">{%\n" + environment(drawings[i]) + "}%\n";
+        body +=
+            "\\only<" + std::to_string(i + 1) + ">{\\scalebox{" + scale + "}{%\n" + environment(drawings[i]) + "}}%\n";
     }
     return document("\\documentclass[aspectratio=169]{beamer}\n\\setbeamertemplate{navigation symbols}{}\n", about,
                     body + "\\end{frame}\n");

@@ -43,7 +43,7 @@ void draw_quadtree(Drawing& to, const Moment& moment, const Plane& plane) {
             stacked.push_back(std::move(line));
         }
     }
-    to.add(outlined(std::move(stacked), {ink, 0.5, {1, 1.5}}));
+    to.add(outlined(std::move(stacked), {Color{0x4a, 0x52, 0x60}, 0.4, {0.8, 1.4}}));
     if (const auto& current = moment.state().current()) add_rimmed(to, outlined(cut(plane, current->window), {ink, 1}));
 }
 

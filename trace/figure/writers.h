@@ -19,6 +19,9 @@ struct About {
 /// An SVG document of lines, areas and live text, in millimetres.
 std::string svg_of(const Drawing& drawing, const About& about);
 
+/// How much wider than Helvetica the letters of TeX's usual fonts may be; what is wider still is squeezed.
+inline constexpr double letters_of_tex = 1.16;
+
 /// A document for pdfLaTeX, which has the size of the drawing, and which another one may \input as well: then its font is
 /// used. `about` decides the encoding of fonts.
 std::string tikz_of(const Drawing& drawing, const About& about);
