@@ -38,7 +38,7 @@ constexpr std::array<Series, 10> all_series{{
     {"Z-buffer, printed", Method::zbuffer, std::nullopt, true, "#000000", 6},
 }};
 
-constexpr int most_panel_height = 520, legend_entry = 300, legend_line = 30;
+constexpr int most_panel_height = 520, legend_entry = 400, legend_line = 30;
 
 // By the places of cost_axes and error_axes.
 constexpr std::array<std::string_view, 3> cost_titles{"time, times that of the fastest", "operations",

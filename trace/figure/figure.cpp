@@ -40,7 +40,7 @@ Figure::Figure(const Options& options) : options_(options), columns_(columns_for
 
 bool Figure::is_beside() const { return options_.shows_plane() && options_.shows_text() && panel_width_ >= wide; }
 
-Drawing Figure::plane(const Moment& moment) const {
+Drawing Figure::plane(const Moment& moment, const std::optional<PixelHistory>& history) const {
     const double most_height = options_.most_height.value_or(tallest_plane * plane_width_);
     const Style& style = options_.style;
     const Plane plane = plane_in(moment.scene().area, plane_width_, most_height);
@@ -52,6 +52,7 @@ Drawing Figure::plane(const Moment& moment) const {
         draw_windows(drawing, moment, plane, style);
         draw_marks(drawing, moment, plane, style);
     }
+    if (history) draw_chosen(drawing, history->pixel(), plane);
     draw_names(drawing, moment.scene(), plane, style);
     return drawing;
 }
@@ -59,7 +60,7 @@ Drawing Figure::plane(const Moment& moment) const {
 void Figure::add(const Moment& moment, const std::optional<PixelHistory>& history) {
     const Style& style = options_.style;
     captions_.push_back(caption_of(moment, style));
-    if (options_.shows_plane()) append(planes_, plane(moment));
+    if (options_.shows_plane()) append(planes_, plane(moment, history));
     std::vector<Drawing> texts;
     if (options_.shows(Part::list)) texts.push_back(list_part(moment, style, text_width_));
     if (options_.shows(Part::listing)) texts.push_back(listing_part(moment, style, text_width_));

@@ -46,7 +46,7 @@ private:
     };
 
     bool is_beside() const;
-    Drawing plane(const Moment& moment) const;
+    Drawing plane(const Moment& moment, const std::optional<PixelHistory>& history) const;
     Drawing panel(std::size_t moment) const;
 
     Options options_;

@@ -42,8 +42,7 @@ Drawing legend(const SignMap& map, const Style& style, double width) {
     const auto& words = words_of(style.language);
     const auto counts = map.counts();
     Table table{
-        .title = map.name,
-        .note = std::string(map.decision) + ", " + map.kernel,
+        .title = std::string(map.decision) + ", " + map.kernel,
         .columns = {
             {std::string(words.computed), 0.4}, {std::string(words.right), 0.3}, {std::string(words.wrong), 0.3}}};
     for (std::size_t i = 0; i < map.answers.size(); ++i) {
@@ -58,6 +57,7 @@ Drawing legend(const SignMap& map, const Style& style, double width) {
                               {std::to_string(right), color(i)},
                               {std::to_string(all - right), color((i + 1) % 3)}});
     }
+    if (!map.name.empty()) table.below.push_back(map.name);
     return drawn(table, width, style.letters);
 }
 

@@ -34,6 +34,13 @@ void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const S
 /// What the step itself is about: points, pixels, pieces of edges.
 void draw_marks(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
+struct Pixel {
+    int x = 0, y = 0;
+};
+
+/// The pixel that is asked about, to be found even where pixels are small.
+void draw_chosen(Drawing& to, Pixel pixel, const Plane& plane);
+
 /// The polygons' ids: each, where there is room, in its polygon and in as few others as can be; none overlap.
 void draw_names(Drawing& to, const Scene& scene, const Plane& plane, const Style& style);
 

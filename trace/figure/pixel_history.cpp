@@ -91,8 +91,8 @@ Drawing PixelHistory::part(const Style& style, double width) const {
     const auto& words = words_of(style.language);
     Table table{
         .title = std::string(words.pixel) + " (" + std::to_string(pixel_.x) + ", " + std::to_string(pixel_.y) + ")",
-        .columns = {{std::string(words.step), 0.14, Anchor::end},
-                    {std::string(words.line), 0.16},
+        .columns = {{std::string(words.step), 0.13, Anchor::end},
+                    {std::string(words.line), 0.17},
                     {std::string(words.what), 0.46},
                     {std::string(words.answer), 0.24}}};
     const std::size_t first = entries_.size() > most ? entries_.size() - most : 0;

@@ -6,13 +6,11 @@
 
 namespace vidno::figures {
 
-struct Pixel {
-    int x = 0, y = 0;
-};
-
 class PixelHistory {
 public:
     explicit PixelHistory(Pixel pixel) : pixel_(pixel) {}
+
+    Pixel pixel() const { return pixel_; }
 
     /// Keeps what the step says of the pixel, if it does.
     void take(const Moment& moment);

@@ -68,6 +68,19 @@ void draw_scanline(Drawing& to, const Moment& moment, const Plane& plane) {
 
 }  // namespace
 
+void draw_chosen(Drawing& to, Pixel pixel, const Plane& plane) {
+    constexpr double reach = 1.6;
+    const Box box = plane.box(pixel.x, pixel.y, 1, 1);
+    const Point middle{box.x + box.width / 2, box.y + box.height / 2};
+    const auto corners = box.corners();
+    std::vector<Polyline> lines{{corners[0], corners[1], corners[2], corners[3], corners[0]},
+                                {{box.x - reach, middle.y}, {box.x, middle.y}},
+                                {{box.right(), middle.y}, {box.right() + reach, middle.y}},
+                                {{middle.x, box.y - reach}, {middle.x, box.y}},
+                                {{middle.x, box.bottom()}, {middle.x, box.bottom() + reach}}};
+    add_rimmed(to, outlined(std::move(lines), {ink, 1}));
+}
+
 void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const Style&) {
     if (moment.header().method == Method::warnock) return draw_quadtree(to, moment, plane);
     draw_scanline(to, moment, plane);
