@@ -70,7 +70,10 @@ struct Drawing {
     double width = 0, height = 0;
     std::vector<std::variant<Path, Label>> things{};  // later ones above
 
-    void add(std::variant<Path, Label> thing) { things.push_back(std::move(thing)); }
+    void add(Label label) { things.emplace_back(std::move(label)); }
+    void add(Path path) {
+        if (!path.lines.empty()) things.emplace_back(std::move(path));
+    }
 
     /// Puts a drawing into this one; the size stays as it is.
     void place(const Drawing& part, Point at);

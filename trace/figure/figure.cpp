@@ -45,9 +45,12 @@ Drawing Figure::plane(const Moment& moment, const std::optional<PixelHistory>& h
     const Style& style = options_.style;
     const Plane plane = plane_in(moment.scene().area, plane_width_, most_height);
     Drawing drawing{plane_width_, height_of(plane)};
+    // Outlines of very many polygons would hide the picture: they show where nothing is painted yet.
+    const bool crowded = moment.scene().polygons.size() > most_outlines;
+    if (crowded) draw_outlines(drawing, moment, plane, style);
     if (options_.shows(Part::picture)) draw_picture(drawing, moment, plane, style);
     draw_frame(drawing, plane);
-    draw_outlines(drawing, moment, plane, style);
+    if (!crowded) draw_outlines(drawing, moment, plane, style);
     if (options_.shows(Part::windows)) {
         draw_windows(drawing, moment, plane, style);
         draw_marks(drawing, moment, plane, style);

@@ -8,7 +8,6 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr std::size_t many = 40;  // polygons: their outlines are faint
 constexpr std::size_t most_names = 26;
 constexpr double name_size = 8;
 
@@ -62,7 +61,7 @@ std::vector<glm::dvec2> spots_in(const ScenePolygon& polygon, const Area& area) 
 void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
     const auto& polygons = moment.scene().polygons;
     const auto in_hand = polygon_in_hand(moment);
-    const double usual = polygons.size() > many ? Stroke::hairline : 0.6;
+    const double usual = polygons.size() > most_outlines ? Stroke::hairline : 0.6;
     const auto draw = [&](const ScenePolygon& polygon, double width) {
         const Stroke stroke{deep(polygon.color, style.greyscale), width};
         to.add(Path{clipped(plane.outline(polygon), true, plane.shown), false, {}, stroke});

@@ -25,7 +25,8 @@ void draw_picture(Drawing& to, const Moment& moment, const Plane& plane, const S
 /// The area, and the corners' coordinates around it; y grows downward.
 void draw_frame(Drawing& to, const Plane& plane);
 
-/// The outlines of the polygons.
+/// The outlines of the polygons: more than this are a crowd, and faint.
+inline constexpr std::size_t most_outlines = 40;
 void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 /// Warnock: the windows visited, those on the stack dashed, the current one heavy. Z-buffer: the scanline, the active edges.

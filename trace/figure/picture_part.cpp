@@ -21,7 +21,7 @@ std::vector<Polyline> hatching(const std::vector<Box>& boxes, int slope) {
         const auto [least, most] = std::minmax_element(std::begin(ends), std::end(ends));
         for (int i = int(std::ceil(*least / apart)); i * apart <= *most; ++i) {
             const auto x_at = [&](double y) { return i * apart + slope * y; };
-            const auto [left, right] = std::minmax(x_at(box.y), x_at(box.bottom()));
+            const auto [left, right] = std::minmax({x_at(box.y), x_at(box.bottom())});
             lines[i].emplace_back(std::max(left, box.x), std::min(right, box.right()));
         }
     }
@@ -99,6 +99,7 @@ void draw_picture(Drawing& to, const Moment& moment, const Plane& plane, const S
         std::vector<Polyline> outlines;
         for (const auto& box : boxes) outlines.push_back(box.corners());
         const Color fill = tinted(color, style.greyscale);
+        if (fill == paper) continue;
         // Neighbours overlap by half the stroke: no seam of paper shows between them.
         to.add(Path{std::move(outlines), true, fill, Stroke{fill}});
         const auto texture = texture_of(color, moment.scene());
@@ -108,23 +109,24 @@ void draw_picture(Drawing& to, const Moment& moment, const Plane& plane, const S
 }
 
 void draw_frame(Drawing& to, const Plane& plane) {
-    constexpr double size = 7, gap = 0.8;
+    constexpr double size = tick_size, gap = 0.8;
     const Area& area = plane.area;
     const Box box = plane.box(whole_area(area));
     to.add(rectangle(box, {}, Stroke{ink, 0.5}));
     const double above = plane.shown.y - gap;
     const double left = plane.shown.x - gap;
     const double letter = 0.7 * size / points_per_millimetre;
-    const auto number = [](int value) { return (value < 0 ? "−" : "") + std::to_string(std::abs(value)); };
     const auto put = [&](std::string text, Point at, Anchor anchor) {
         to.add(Label{std::move(text), at, size, anchor, false, ink});
     };
-    put(number(area.x), {box.x, above}, Anchor::middle);
+    put(tick_text(area.x), {box.x, above}, Anchor::middle);
     put("x →", {box.x + box.width / 2, above}, Anchor::middle);
-    put(number(area.right()), {box.right(), above}, Anchor::middle);
-    put(number(area.y), {left, box.y + letter / 2}, Anchor::end);
+    const std::string right = tick_text(area.right());
+    const double room = plane.shown.right() - width_of(right, size) / 2;
+    put(right, {std::min(box.right(), room), above}, Anchor::middle);
+    put(tick_text(area.y), {left, box.y + letter / 2}, Anchor::end);
     put("y ↓", {left, box.y + box.height / 2 + letter / 2}, Anchor::end);
-    put(number(area.bottom()), {left, box.bottom() + letter / 2}, Anchor::end);
+    put(tick_text(area.bottom()), {left, box.bottom() + letter / 2}, Anchor::end);
 }
 
 }  // namespace vidno::figures

@@ -6,7 +6,7 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr double ticks_width = 5, ticks_height = 3.6;  // for numbers at the left and above
+constexpr double ticks_height = 3.6;  // above
 constexpr double below = 1.2;
 
 /// By how much light of each colour the eye gets, of ITU-R BT.709.
@@ -33,8 +33,12 @@ Color deep(const Color& color, bool greyscale) {
     return greyscale ? mixed(grey_of(color), Color{}, 0.6) : dark;
 }
 
+std::string tick_text(int value) { return (value < 0 ? "−" : "") + std::to_string(std::abs(value)); }
+
 Plane plane_in(const Area& area, double width, double most_height) {
     constexpr double margin = 0.04;  // of the longer side
+    const double ticks_width =
+        1.2 + std::max({3.8, width_of(tick_text(area.y), tick_size), width_of(tick_text(area.bottom()), tick_size)});
     const double around = margin * std::max(area.width, area.height);
     const double scale = std::min((width - ticks_width) / (area.width + 2 * around),
                                   (most_height - ticks_height - below) / (area.height + 2 * around));
@@ -47,7 +51,6 @@ Plane plane_in(const Area& area, double width, double most_height) {
 double height_of(const Plane& plane) { return plane.shown.bottom() + below; }
 
 void add_rimmed(Drawing& to, const Path& path) {
-    if (path.lines.empty()) return;
     Path rim = path;
     rim.fill.reset();
     rim.stroke = Stroke{paper, path.stroke->width + 1, {}};

@@ -34,6 +34,10 @@ struct Plane {
     }
 };
 
+/// The numbers at the corners.
+inline constexpr double tick_size = 7;  // points
+std::string tick_text(int value);
+
 /// The plane of an area in so much room, ticks included.
 Plane plane_in(const Area& area, double width, double most_height);
 /// The height that is left with ticks.
