@@ -17,6 +17,7 @@ namespace {
 
 using figures::About;
 using figures::Drawing;
+using figures::Language;
 
 constexpr std::uint64_t most_panels = 200;
 constexpr double column_width = 80, page_width = 170, slide_width = 140, slide_height = 72;  // millimetres
@@ -104,7 +105,7 @@ std::vector<figures::Part> parts_of(const FigureOptions& options) {
 }
 
 figures::Style style_of(const FigureOptions& options) {
-    return {figures::Language(place_in(figures::language_codes, options.language)), options.greyscale};
+    return {Language(place_in(figures::language_codes, options.language)), options.greyscale};
 }
 
 /// Goes through a trace and draws what is wanted on the way. Without steps, the last one.
@@ -239,13 +240,15 @@ std::string sized(std::string svg, double width) {
 void draw_chart(const FigureOptions& options, const std::string& text) {
     expect_no_steps(options);
     if (options.greyscale) refuse("--greyscale", "of a chart the shapes of its points already tell");
+    const figures::Style style = style_of(options);
     const auto scenes = read_chart(text, options.input);
     const double width = options.width.empty() ? page_width : length_of(options.width);
     constexpr double unit = 8 / 15. / figures::points_per_millimetre;  // letters of 8 points
-    const std::string script = chart_script(scenes, place_in(names_of(cost_axes), options.cost),
-                                            place_in(names_of(error_axes), options.error), {1, int(width / unit)});
+    const std::string script = chart_script(
+        scenes, place_in(names_of(cost_axes), options.cost), place_in(names_of(error_axes), options.error),
+        {1, int(width / unit), "Helvetica", style.language == Language::russian ? chart_in_russian : chart_in_english});
     const std::string svg = sized(output_of({"gnuplot"}, script), width);
-    save(encoded(svg, {scenes.front().name, figures::Language::english}, options), options.output);
+    save(encoded(svg, {scenes.front().name, style.language}, options), options.output);
 }
 
 }  // namespace
