@@ -253,8 +253,8 @@ std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost
     const int height = rows * panel_height + legend_height;
 
     std::ostringstream out;
-    out << "set terminal svg size " << width << "," << height << " font " << in_quotes(std::string(layout.font) + ",15")
-        << " background 'white'\n"
+    out << "set encoding utf8\nset terminal svg size " << width << "," << height << " font "
+        << in_quotes(std::string(layout.font) + ",15") << " background 'white'\n"
         << "set multiplot\nset logscale xy\nset format x '" << (cost_axes[cost].name == "time" ? "%g" : "10^{%T}")
         << "'\nset grid lc '#e5e5e5' lt 1\nunset key\n";
     const double panel_share = double(panel_height) / height;

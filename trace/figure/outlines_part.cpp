@@ -1,8 +1,8 @@
 #include <cmath>
 #include <glm/vec2.hpp>
-#include <limits>
 
 #include "parts.h"
+#include "table.h"
 
 namespace vidno::figures {
 
@@ -56,6 +56,56 @@ std::vector<glm::dvec2> spots_in(const ScenePolygon& polygon, const Area& area) 
     return spots;
 }
 
+/// Gives each name its box: in its polygon, if it can be in no other, off outlines, and off the lines of the first windows.
+class NamePlaces {
+public:
+    NamePlaces(const Scene& scene, const Plane& plane) : scene_(scene), plane_(plane) {
+        const Box area = plane.box(whole_area(plane.area));
+        middle_row_ = {area.x, area.y + area.height / 2, area.width, 0};
+        middle_column_ = {area.x + area.width / 2, area.y, 0, area.height};
+    }
+
+    /// None if there is no room.
+    std::optional<Box> take(const ScenePolygon& polygon, double width, double height) {
+        std::optional<Box> best;
+        std::ptrdiff_t least = 0;
+        for (const auto spot : spots_in(polygon, plane_.area)) {
+            const Point at = plane_.at(spot.x, spot.y);
+            const Box box{at.x - width / 2, at.y - height / 2, width, height};
+            if (!is_free(box)) continue;
+            const auto badness = badness_of(polygon, spot, box);
+            if (best && badness >= least) continue;
+            least = badness;
+            best = box;
+        }
+        if (best) taken_.push_back(*best);
+        return best;
+    }
+
+private:
+    bool is_free(const Box& box) const {
+        return plane_.shown.holds(box) &&
+               std::none_of(taken_.begin(), taken_.end(), [&](const Box& each) { return each.overlaps(box); });
+    }
+
+    std::ptrdiff_t badness_of(const ScenePolygon& own, glm::dvec2 spot, const Box& box) const {
+        const auto& polygons = scene_.polygons;
+        const auto others = std::count_if(polygons.begin(), polygons.end(),
+                                          [&](const ScenePolygon& each) { return &each != &own && holds(each, spot); });
+        const auto outlines = std::count_if(polygons.begin(), polygons.end(), [&](const ScenePolygon& each) {
+            return !clipped(plane_.outline(each), true, box).empty();
+        });
+        const bool on_window = box.overlaps(middle_row_) || box.overlaps(middle_column_);
+        const auto outside = holds(own, spot) ? 0 : 16 * std::ptrdiff_t(polygons.size());
+        return outside + 8 * others + 2 * outlines + on_window;
+    }
+
+    const Scene& scene_;
+    const Plane& plane_;
+    Box middle_row_, middle_column_;
+    std::vector<Box> taken_;
+};
+
 }  // namespace
 
 void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
@@ -71,45 +121,17 @@ void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const 
 }
 
 void draw_names(Drawing& to, const Scene& scene, const Plane& plane, const Style& style) {
+    constexpr double around = 0.4, longest = 20;  // millimetres
     if (scene.polygons.size() > most_names) return;
-    const Box area = plane.box(whole_area(plane.area));
-    const Box middle_row{area.x, area.y + area.height / 2, area.width, 0};
-    const Box middle_column{area.x + area.width / 2, area.y, 0, area.height};
-    std::vector<Box> taken;
+    const double height = 0.72 * name_size / points_per_millimetre + 1;
+    NamePlaces places(scene, plane);
     for (const auto& polygon : scene.polygons) {
-        const double width = style.letters * width_of(polygon.id, name_size, true) + 0.8;
-        const double height = 0.72 * name_size / points_per_millimetre + 1;
-        const auto box_at = [&](glm::dvec2 spot) {
-            const Point at = plane.at(spot.x, spot.y);
-            return Box{at.x - width / 2, at.y - height / 2, width, height};
-        };
-        const auto others_at = [&](glm::dvec2 spot) {
-            return std::count_if(scene.polygons.begin(), scene.polygons.end(),
-                                 [&](const auto& other) { return &other != &polygon && holds(other, spot); });
-        };
-        const auto outlines_at = [&](const Box& box) {
-            return std::count_if(scene.polygons.begin(), scene.polygons.end(),
-                                 [&](const auto& each) { return !clipped(plane.outline(each), true, box).empty(); });
-        };
-        // An id stands in its polygon, if it can be in no other, off outlines, and off the lines of the first windows.
-        const auto far = 16 * std::ptrdiff_t(scene.polygons.size());
-        std::optional<Box> best;
-        auto least = std::numeric_limits<std::ptrdiff_t>::max();
-        for (const auto spot : spots_in(polygon, plane.area)) {
-            const Box box = box_at(spot);
-            const bool free = plane.shown.holds(box) &&
-                              std::none_of(taken.begin(), taken.end(), [&](const Box& t) { return t.overlaps(box); });
-            if (!free) continue;
-            const bool cuts = box.overlaps(middle_row) || box.overlaps(middle_column);
-            const auto badness = 8 * others_at(spot) + (holds(polygon, spot) ? 0 : far) + 2 * outlines_at(box) + cuts;
-            if (badness >= least) continue;
-            least = badness;
-            best = box;
-        }
-        if (!best) continue;
-        taken.push_back(*best);
-        to.add(rectangle(*best, paper, Stroke{ink}));
-        to.add(Label{polygon.id, {best->x + width / 2, best->bottom() - 0.5}, name_size, Anchor::middle, true, ink});
+        const std::string name = fitted(polygon.id, longest, name_size, true);
+        const double width = style.letters * width_of(name, name_size, true) + 2 * around;
+        const auto box = places.take(polygon, width, height);
+        if (!box) continue;
+        to.add(rectangle(*box, paper, Stroke{ink}));
+        to.add(Label{name, {box->x + width / 2, box->bottom() - 0.5}, name_size, Anchor::middle, true, ink});
     }
 }
 
