@@ -444,10 +444,72 @@ TEST_CASE("map: a table, a picture or counts; exit 1 if any place is answered wr
     CHECK_MESSAGE(program("map " + question).text == wrong.text, "without a file the table alone");
 }
 
+TEST_CASE("figure: the name decides what is written, the same bytes each time") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + " -o " + run).status == 0);
+    const std::vector<std::pair<std::string, std::string>> beginnings{
+        {".svg", "<?xml"}, {".pdf", "%PDF"}, {".png", "\x89PNG"}, {".tex", "% "}};
+    for (const auto& [extension, beginning] : beginnings) {
+        for (const std::string name : {"a", "b"}) {
+            const auto drawn =
+                program("figure " + run + " --show picture,windows,list,listing -o " + work.file(name + extension));
+            CHECK_MESSAGE(drawn.status == 0, drawn.text);
+        }
+        CHECK(work.read("a" + extension).rfind(beginning, 0) == 0);
+        CHECK(work.read("a" + extension) == work.read("b" + extension));
+    }
+    CHECK(program("figure " + run + " --steps 0..4:2 --beamer -o " + work.file("slide.tex")).status == 0);
+    CHECK(work.read("slide.tex").find("\\only<3>") != std::string::npos);
+    const std::string maps = VIDNO_ROOT "/lessons/maps/";
+    CHECK(program("figure " + maps + "surround.json --language ru -o " + work.file("map.svg")).status == 0);
+    CHECK(work.read("map.svg").find("снаружи") != std::string::npos);
+    REQUIRE(program("chart " + scene + " -o " + work.file("chart.json")).status == 0);
+    CHECK(program("figure " + work.file("chart.json") + " --width 10cm -o " + work.file("chart.svg")).status == 0);
+    CHECK(work.read("chart.svg").find("width=\"100mm\"") != std::string::npos);
+}
+
+TEST_CASE("figure: what it cannot draw is refused in one line, and no file appears") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + " --detail windows -o " + run).status == 0);
+    for (const std::string& call : {
+             "figure " + run + " -o " + work.file("a.gif"),
+             "figure " + run + " --step 100000 -o " + work.file("a.svg"),
+             "figure " + run + " --steps 3..2 -o " + work.file("a.svg"),
+             "figure " + run + " --steps 2,1 -o " + work.file("a.svg"),
+             "figure " + run + " --steps 1..9:0 -o " + work.file("a.svg"),
+             "figure " + run + " --step 1 --steps 1,2 -o " + work.file("a.svg"),
+             "figure " + run + " --show picture,sound -o " + work.file("a.svg"),
+             "figure " + run + " --show history -o " + work.file("a.svg"),
+             "figure " + run + " --show history --pixel 9,9 -o " + work.file("a.svg"),
+             "figure " + run + " --show list -o " + work.file("a.svg"),  // of level windows
+             "figure " + run + " --width 8 -o " + work.file("a.svg"),
+             "figure " + run + " --width 8km -o " + work.file("a.svg"),
+             "figure " + run + " --language la -o " + work.file("a.svg"),
+             "figure " + run + " --beamer -o " + work.file("a.svg"),
+             "figure " + question + " --step 1 -o " + work.file("a.svg"),
+             "figure " + question + " -o " + work.file("a.tex"),
+             "figure " + scene + " -o " + work.file("a.svg"),
+             "figure " + work.file("missing.jsonl") + " -o " + work.file("a.svg"),
+         }) {
+        CAPTURE(call);
+        const auto refused = program(call);
+        CHECK(refused.status == 2);
+        CHECK(refused.text.rfind("vidno: ", 0) == 0);
+        CHECK(refused.text.find('\n') == refused.text.size() - 1);
+    }
+    CHECK(work.files() == 2);
+    CHECK(program("figure " + run + " --show list -o " + work.file("a.svg")).text.find("no APL") != std::string::npos);
+}
+
 TEST_CASE("Help says what there is, exit 0") {
     for (const std::string call :
          {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "chart --help",
-          "page --help", "map --help", "stability --help", "import --help", "methods", "--version"}) {
+          "page --help", "map --help", "figure --help", "stability --help", "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }

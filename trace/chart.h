@@ -1,9 +1,11 @@
 /// Chart: what each way to draw a scene costs, and how wrong it is. CHART.md says what the numbers mean.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "examiner.h"
 
@@ -74,7 +76,27 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
 std::string chart_json(const std::vector<SceneChart>& scenes);
 std::string chart_csv(const std::vector<SceneChart>& scenes);
 
+/// What chart_json wrote. `file` is its name in messages. Throws Refused.
+std::vector<SceneChart> read_chart(std::string_view text, const std::string& file);
+
+/// The words in a chart's figure.
+struct ChartWords {
+    std::array<std::string_view, 3> costs;   // by the places of cost_axes
+    std::array<std::string_view, 4> errors;  // and of error_axes
+    std::array<std::string_view, 10> series;
+    std::string_view front, ordinary, degenerate, no_number;
+};
+extern const ChartWords chart_in_english, chart_in_russian;
+
+/// How a chart is laid out: the panels side by side, and the width of one in units of which 15 are the size of its letters.
+struct ChartLayout {
+    int columns = 2, panel_width = 800;
+    std::string_view font = "DejaVu Sans";
+    const ChartWords& words = chart_in_english;
+};
+
 /// The program by which gnuplot draws a panel a scene, ordinary ones first, as SVG. The axes are given by their places.
-std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error);
+std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
+                         const ChartLayout& layout = {});
 
 }  // namespace vidno

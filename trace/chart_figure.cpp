@@ -11,11 +11,32 @@
 
 namespace vidno {
 
+const ChartWords chart_in_english{
+    .costs = {"time, times that of the fastest", "operations", "operations times bits"},
+    .errors = {"wrong pixels, %", "area that differs, %", "wrong decisions, %", "depth error, ulps"},
+    .series = {"Warnock, bits of arithmetic", "Warnock, grid", "Warnock, smallest window", "Warnock",
+               "Warnock, printed", "Z-buffer, bits of arithmetic", "Z-buffer, grid", "Z-buffer, bits of depth",
+               "Z-buffer", "Z-buffer, printed"},
+    .front = "nothing is cheaper and as right",
+    .ordinary = "ordinary",
+    .degenerate = "degenerate",
+    .no_number = "no number"};
+
+const ChartWords chart_in_russian{
+    .costs = {"время относительно самого быстрого прогона", "операции", "операции × биты"},
+    .errors = {"неверные пиксели, %", "площадь расхождения, %", "неверные решения, %", "ошибка глубины, ulp"},
+    .series = {"Варнок, биты арифметики", "Варнок, сетка", "Варнок, наименьшее окно", "Варнок",
+               "Варнок, как напечатано", "Z-буфер, биты арифметики", "Z-буфер, сетка", "Z-буфер, биты глубины",
+               "Z-буфер", "Z-буфер, как напечатано"},
+    .front = "дешевле и не хуже ничего нет",
+    .ordinary = "обычная",
+    .degenerate = "вырожденная",
+    .no_number = "не число"};
+
 namespace {
 
 /// Runs that are drawn alike: along a knob with a line, else points.
 struct Series {
-    std::string_view name;
     Method method;
     std::optional<Knob> knob;
     Edition edition;
@@ -26,25 +47,19 @@ struct Series {
 };
 
 constexpr std::array<Series, 10> all_series{{
-    {"Warnock, bits of arithmetic", Method::warnock, Knob::bits, Edition::corrected, "#0072b2", 9},
-    {"Warnock, grid", Method::warnock, Knob::grid, Edition::corrected, "#56b4e9", 11},
-    {"Warnock, smallest window", Method::warnock, Knob::window, Edition::corrected, "#cc79a7", 13},
-    {"Warnock", Method::warnock, std::nullopt, Edition::corrected, "#000000", 5},
-    {"Warnock, printed", Method::warnock, std::nullopt, Edition::printed, "#000000", 4},
-    {"Z-buffer, bits of arithmetic", Method::zbuffer, Knob::bits, Edition::corrected, "#d55e00", 8},
-    {"Z-buffer, grid", Method::zbuffer, Knob::grid, Edition::corrected, "#e69f00", 10},
-    {"Z-buffer, bits of depth", Method::zbuffer, Knob::depth, Edition::corrected, "#009e73", 12},
-    {"Z-buffer", Method::zbuffer, std::nullopt, Edition::corrected, "#000000", 7},
-    {"Z-buffer, printed", Method::zbuffer, std::nullopt, Edition::printed, "#000000", 6},
+    {Method::warnock, Knob::bits, Edition::corrected, "#0072b2", 9},
+    {Method::warnock, Knob::grid, Edition::corrected, "#56b4e9", 11},
+    {Method::warnock, Knob::window, Edition::corrected, "#cc79a7", 13},
+    {Method::warnock, std::nullopt, Edition::corrected, "#000000", 5},
+    {Method::warnock, std::nullopt, Edition::printed, "#000000", 4},
+    {Method::zbuffer, Knob::bits, Edition::corrected, "#d55e00", 8},
+    {Method::zbuffer, Knob::grid, Edition::corrected, "#e69f00", 10},
+    {Method::zbuffer, Knob::depth, Edition::corrected, "#009e73", 12},
+    {Method::zbuffer, std::nullopt, Edition::corrected, "#000000", 7},
+    {Method::zbuffer, std::nullopt, Edition::printed, "#000000", 6},
 }};
 
-constexpr int panel_width = 800, panel_height = 520, legend_height = 120;
-
-// By the places of cost_axes and error_axes.
-constexpr std::array<std::string_view, 3> cost_titles{"time, times that of the fastest", "operations",
-                                                      "operations times bits"};
-constexpr std::array<std::string_view, 4> error_titles{"wrong pixels, %", "area that differs, %", "wrong decisions, %",
-                                                       "depth error, ulps"};
+constexpr int most_panel_height = 520, legend_entry = 400, legend_line = 30;
 
 std::string style_of(const Series& series) {
     return "lc '" + std::string(series.color) + "' pt " + std::to_string(series.point) + " ps 0.8 lw 2";
@@ -79,7 +94,8 @@ struct Mark {
 /// above.
 class Panel {
 public:
-    Panel(const SceneChart& scene, std::size_t cost, std::size_t error) : scene_(scene), cost_(cost), error_(error) {
+    Panel(const SceneChart& scene, std::size_t cost, std::size_t error, const ChartWords& words)
+        : scene_(scene), cost_(cost), error_(error), words_(words) {
         double least = infinity;
         double most = 0;
         for (const auto& run : scene.runs) {
@@ -99,9 +115,10 @@ public:
         const int bottom = lowest_ - (has_zero_ ? 2 : 0);
         const int top = highest_ + (has_infinity_ ? 2 : 0);
         std::string text = "set title " +
-                           in_quotes(scene_.name + (scene_.degenerate() ? " (degenerate)" : " (ordinary)")) +
-                           " noenhanced\nset xlabel " + in_quotes(cost_titles[cost_]) + "\nset ylabel " +
-                           in_quotes(error_titles[error_]) + "\nset yrange [" + power_of_ten(bottom) + ":" +
+                           in_quotes(scene_.name + " (" +
+                                     std::string(scene_.degenerate() ? words_.degenerate : words_.ordinary) + ")") +
+                           " noenhanced\nset xlabel " + in_quotes(words_.costs[cost_]) + "\nset ylabel " +
+                           in_quotes(words_.errors[error_]) + "\nset yrange [" + power_of_ten(bottom) + ":" +
                            power_of_ten(top) + "]\nset ytics (" + ytics() + ")\nunset label\n" + labels();
         text += block("front", front());
         std::string plots =
@@ -140,7 +157,7 @@ private:
             const std::string text = plain ? number(std::pow(10, exponent)) : "10^{" + std::to_string(exponent) + "}";
             tics += (tics.empty() ? "'" : ", '") + text + "' " + power_of_ten(exponent);
         }
-        return tics + (has_infinity_ ? ", 'no number' " + power_of_ten(highest_ + 1) : "");
+        return tics + (has_infinity_ ? ", " + in_quotes(words_.no_number) + " " + power_of_ten(highest_ + 1) : "");
     }
 
     std::vector<Mark> marks(const auto& belongs) const {
@@ -196,36 +213,48 @@ private:
 
     const SceneChart& scene_;
     std::size_t cost_, error_;
+    const ChartWords& words_;
     bool has_zero_ = false, has_infinity_ = false;
     int lowest_ = 0, highest_ = 1;  // decades of what is neither
 };
 
 /// The names of the series, and of the front.
-std::string legend() {
+std::string legend(int rows, const ChartWords& words) {
     std::string text =
-        "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nset key center center maxrows 3\n"
+        "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nset key center center maxrows " +
+        std::to_string(rows) +
+        "\n"
         "set margins 0, 0, 0, 0\n"
         "set xrange [1:2]\nset yrange [1:2]\n"
-        "plot NaN with lines lc '#bbbbbb' lw 6 title 'nothing is cheaper and as right'";
-    for (const auto& series : all_series) {
+        "plot NaN with lines lc '#bbbbbb' lw 6 title " +
+        in_quotes(words.front);
+    for (std::size_t i = 0; i < all_series.size(); ++i) {
+        const auto& series = all_series[i];
         text += std::string(", NaN with ") + (series.knob ? "linespoints " : "points ") + style_of(series) + " title " +
-                in_quotes(series.name);
+                in_quotes(words.series[i]);
     }
     return text + "\n";
 }
 
 }  // namespace
 
-std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error) {
+std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
+                         const ChartLayout& layout) {
     auto ordered = scenes;
     std::stable_partition(ordered.begin(), ordered.end(), [](const auto& scene) { return !scene.degenerate(); });
-    const int columns = ordered.size() == 1 ? 1 : 2;
+    const int columns = std::min(int(ordered.size()), layout.columns);
     const int rows = (int(ordered.size()) + columns - 1) / columns;
-    const int width = columns * panel_width;
+    const int width = columns * layout.panel_width;
+    const int panel_height = std::min(most_panel_height, layout.panel_width * 3 / 4);
+    const int entries = int(all_series.size()) + 1;
+    const int entries_in_row = std::max(1, width / legend_entry);
+    const int legend_rows = std::max(3, (entries + entries_in_row - 1) / entries_in_row);
+    const int legend_height = (legend_rows + 1) * legend_line;
     const int height = rows * panel_height + legend_height;
 
     std::ostringstream out;
-    out << "set terminal svg size " << width << "," << height << " font 'DejaVu Sans,15' background 'white'\n"
+    out << "set encoding utf8\nset terminal svg size " << width << "," << height << " font "
+        << in_quotes(std::string(layout.font) + ",15") << " background 'white'\n"
         << "set multiplot\nset logscale xy\nset format x '" << (cost_axes[cost].name == "time" ? "%g" : "10^{%T}")
         << "'\nset grid lc '#e5e5e5' lt 1\nunset key\n";
     const double panel_share = double(panel_height) / height;
@@ -233,9 +262,10 @@ std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost
         const int row = int(i) / columns;
         out << "set origin " << double(int(i) % columns) / columns << "," << 1 - (row + 1) * panel_share
             << "\nset size " << 1.0 / columns << "," << panel_share << '\n'
-            << Panel(ordered[i], cost, error).script();
+            << Panel(ordered[i], cost, error, layout.words).script();
     }
-    out << "set origin 0,0\nset size 1," << double(legend_height) / height << '\n' << legend() << "unset multiplot\n";
+    out << "set origin 0,0\nset size 1," << double(legend_height) / height << '\n'
+        << legend(legend_rows, layout.words) << "unset multiplot\n";
     return out.str();
 }
 

@@ -32,6 +32,9 @@ public:
     bool has(std::string_view key) const { return value_.contains(key); }
     JsonNode at(std::string_view key) const { return JsonNode(*value_.find(key), this, key, 0); }
 
+    bool is_null() const { return value_.is_null(); }
+    bool is_text() const { return value_.is_string(); }
+
     std::size_t size() const;
     JsonNode at(std::size_t index) const { return JsonNode(value_[index], this, {}, index); }
 

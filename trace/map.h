@@ -37,8 +37,11 @@ struct SignMap {
 /// Of the places 0 <= i, j < side <= Question::side. The decision is taken as the corrected procedures take it.
 SignMap sign_map(const Question& question, const NamedKernel& kernel, int side = Question::side);
 
-/// p at the lower left, as in the published maps. The computed answer is the hue; dark where it differs from the exact
-/// one, which changes where black and white pixels run side by side.
+/// The computed answer is the hue; dark where it differs from the exact one.
+Color color_of(const SignMap::Cell& cell);
+
+/// p at the lower left, as in the published maps, in the colours of its cells. The exact answer changes where black and white
+/// pixels run side by side.
 Picture picture_of(const SignMap& map);
 
 std::string map_json(const SignMap& map);

@@ -14,9 +14,9 @@ constexpr std::array<Color, 3> agreeing{{{255, 226, 204}, {255, 255, 255}, {165,
 constexpr std::array<Color, 3> differing{{{215, 95, 0}, {0, 0, 0}, {30, 70, 170}}};
 constexpr Color lower_side{0, 0, 0}, upper_side{255, 255, 255};
 
-Color color_of(const SignMap::Cell& cell) { return (cell.differs() ? differing : agreeing)[place_of(cell.computed)]; }
-
 }  // namespace
+
+Color color_of(const SignMap::Cell& cell) { return (cell.differs() ? differing : agreeing)[place_of(cell.computed)]; }
 
 Picture picture_of(const SignMap& map) {
     const int side = map.side;

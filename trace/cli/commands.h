@@ -62,6 +62,17 @@ struct ReplayOptions {
     std::optional<std::uint64_t> step;
 };
 
+struct FigureOptions {
+    std::string input, output;
+    std::optional<std::uint64_t> step;
+    std::string steps, pin, pixel, width;  // empty: as usual
+    std::string show = "picture,windows";
+    std::string language = "en";
+    std::string kernel = "double", cost = "time", error = "wrongPixels";  // of a map; of a chart
+    int dots_an_inch = 300;
+    bool greyscale = false, beamer = false;
+};
+
 struct DiffOptions {
     std::string first, second;
 };
@@ -91,6 +102,9 @@ struct StabilityOptions {
 
 /// What there is for a campaign, for the help.
 std::string stability_footer();
+
+/// The command `figure`, whose options lessons use as well.
+CLI::App& add_figure(CLI::App& app, FigureOptions& options);
 
 /// The options of `import` that say who looks at the mesh from where.
 void add_camera_options(CLI::App& command, ImportOptions& import);
@@ -137,6 +151,9 @@ int choose(const ChooseOptions& options);
 int map(const MapOptions& options);
 int chart(const ChartOptions& options);
 int replay(const ReplayOptions& options);
+int figure(const FigureOptions& options);
+/// The bytes of the figure, in the format that the output's name says.
+std::string drawn_figure(const FigureOptions& options);
 int diff(const DiffOptions& options);
 int page(const PageOptions& options);
 int lesson_new(const LessonOptions& options);

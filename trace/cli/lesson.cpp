@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -35,6 +36,37 @@ void remove_course(const std::filesystem::path& folder) {
     }
 }
 
+/// The options of a figure's command. Its files are named from the folder that has the lessons' folder in it.
+FigureOptions options_of(const std::string& command, const Lesson& lesson) {
+    CLI::App app("", "vidno");
+    app.require_subcommand(1);
+    FigureOptions options;
+    add_figure(app, options);
+    try {
+        app.parse(command, true);
+    } catch (const CLI::ParseError& error) {
+        throw Refused(error.what());
+    }
+    if (!options.output.ends_with(".svg")) throw Refused(options.output + ": not .svg");
+    const auto top = std::filesystem::absolute(lesson.folder).lexically_normal().parent_path().parent_path();
+    options.input = (top / options.input).string();
+    return options;
+}
+
+Figures figures_of(const Lesson& lesson, const Story& story, const std::string& language, Problems& problems) {
+    Figures figures;
+    for (const auto& [line, command, file] : story.figures) {
+        try {
+            FigureOptions options = options_of(command, lesson);
+            options.language = language;
+            figures[file] = drawn_figure(options);
+        } catch (const Refused& refused) {
+            problems.push_back({story.file, line, refused.what()});
+        }
+    }
+    return figures;
+}
+
 /// The files of a lesson in a folder, and what the index of lessons says of it.
 Json built(const Lesson& lesson, const std::filesystem::path& folder, Problems& problems) {
     std::map<std::string, std::unique_ptr<OutputFile>> files;
@@ -46,7 +78,9 @@ Json built(const Lesson& lesson, const std::filesystem::path& folder, Problems& 
     for (const auto& [name, file] : files) file->commit();
 
     const std::string story = lesson.id + ".lesson.json";
-    write_file(folder / story, lesson_json(lesson, steps, {}) + '\n');
+    const Figures in_english = figures_of(lesson, lesson.english, "en", problems);
+    const Figures in_russian = figures_of(lesson, lesson.russian, "ru", problems);
+    write_file(folder / story, lesson_json(lesson, steps, in_english, in_russian) + '\n');
     Json traces = Json::array();
     for (const auto& run : lesson.runs) {
         traces.push_back({{"file", run.trace_file(lesson.id)},
@@ -69,6 +103,8 @@ int lesson_check(const LessonOptions& options) {
         const Lesson lesson = read_lesson(folder, problems);
         check_lesson(lesson, problems);
         if (!lesson.runs.empty()) run_lesson(lesson, problems);
+        figures_of(lesson, lesson.english, "en", problems);
+        figures_of(lesson, lesson.russian, "ru", problems);
     }
     return told(problems);
 }

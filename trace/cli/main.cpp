@@ -5,6 +5,7 @@
 
 #include "chart.h"
 #include "commands.h"
+#include "figure/figure_words.h"
 #include "refused.h"
 
 namespace {
@@ -246,6 +247,51 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
 
 }  // namespace
 
+namespace vidno::cli {
+
+CLI::App& add_figure(CLI::App& app, FigureOptions& options) {
+    auto& command = *app.add_subcommand("figure", "Draw steps of a trace, a map or a chart for a paper or a slide");
+    command
+        .add_option(
+            "TRACE|LESSON|QUESTION|CHART", options.input,
+            "A trace, .jsonl or .jsonl.gz, - for standard input; the folder of a lesson; or a question of a map or a "
+            "chart, .json")
+        ->required();
+    auto* step = command.add_option("--step", options.step, "After so many events; without it, at the end");
+    auto* steps = command.add_option("--steps", options.steps, "A film strip: N,M,... or A..B or A..B:BY");
+    command.add_option("--pin", options.pin, "Of a lesson: the step of this pin")->excludes(step)->excludes(steps);
+    steps->excludes(step);
+    command
+        .add_option("--show", options.show,
+                    "Of picture, windows (of Z-buffer the scanline), list (APL or AEL), listing, history")
+        ->capture_default_str();
+    command.add_option("--pixel", options.pixel, "X,Y: whose history is shown");
+    command.add_option("--language", options.language, "Of the words in it")
+        ->check(CLI::IsMember(words(figures::language_codes)))
+        ->capture_default_str();
+    command.add_option("--width", options.width, "In cm or mm [8cm; of a film strip 17cm, of a slide 14cm]");
+    command.add_option("--kernel", options.kernel, "Of a map: which arithmetic decides")
+        ->check(a_kernel)
+        ->capture_default_str();
+    command.add_option("--cost", options.cost, "Of a chart: what it has from left to right")
+        ->check(CLI::IsMember(names_of(cost_axes)))
+        ->capture_default_str();
+    command.add_option("--error", options.error, "And from below")
+        ->check(CLI::IsMember(names_of(error_axes)))
+        ->capture_default_str();
+    command.add_option("--dpi", options.dots_an_inch, "Of .png")->check(CLI::Range(30, 2400))->capture_default_str();
+    command.add_flag("--greyscale", options.greyscale, "No colours, and textures that are darker");
+    command.add_flag("--beamer", options.beamer, "A slide with an overlay a step, .tex");
+    command.add_option("-o", options.output, "The figure, .svg, .pdf, .png or .tex; - writes SVG to standard output")
+        ->required();
+    command.footer(
+        "Example: vidno figure run.jsonl.gz --step 40 --show picture,windows,list,listing -o figure.pdf\n"
+        "The .tex stands alone under pdfLaTeX, and can be \\input into a document, whose font it then has.");
+    return command;
+}
+
+}  // namespace vidno::cli
+
 int main(int argc, char** argv) {
     CLI::App app{"vidno runs the textbook hidden-surface procedures one small step at a time.", "vidno"};
     app.require_subcommand(0, 1);  // one; but a wrong one is told before none
@@ -261,6 +307,7 @@ int main(int argc, char** argv) {
     MapOptions mapped;
     ChartOptions charted;
     ReplayOptions replayed;
+    FigureOptions drawn;
     DiffOptions compared;
     PageOptions paged;
     LessonOptions lesson;
@@ -276,6 +323,7 @@ int main(int argc, char** argv) {
     add_map(app, mapped).callback([&] { status = map(mapped); });
     add_chart(app, charted).callback([&] { status = chart(charted); });
     add_replay(app, replayed).callback([&] { status = replay(replayed); });
+    add_figure(app, drawn).callback([&] { status = figure(drawn); });
     add_diff(app, compared).callback([&] { status = diff(compared); });
     add_page(app, paged).callback([&] { status = page(paged); });
     auto& lessons = add_lesson(app, lesson, status);

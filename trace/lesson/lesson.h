@@ -36,6 +36,8 @@ struct Lesson {
     Story english, russian;
 
     std::string file(const std::string& name) const { return folder + '/' + name; }
+    /// The run of that name, which there is.
+    const LessonRun& run(const std::string& name) const;
 };
 
 /// Reads the files of a lesson; what is wrong in them is added to the problems. Throws Refused if it is no lesson.
@@ -58,7 +60,10 @@ using Steps = std::map<std::string, std::uint64_t>;
 Steps run_lesson(const Lesson& lesson, Problems& problems,
                  const std::function<void(const LessonRun&, std::string_view)>& take = {});
 
-/// The lesson as its page takes it, on one line; `figures` are SVG, by the names of their files.
-std::string lesson_json(const Lesson& lesson, const Steps& steps, const std::map<std::string, std::string>& figures);
+/// The figures of a story as SVG, by the names of their files.
+using Figures = std::map<std::string, std::string>;
+
+/// The lesson as its page takes it, on one line.
+std::string lesson_json(const Lesson& lesson, const Steps& steps, const Figures& in_english, const Figures& in_russian);
 
 }  // namespace vidno

@@ -11,6 +11,10 @@
 
 namespace vidno {
 
+const LessonRun& Lesson::run(const std::string& name) const {
+    return *std::find_if(runs.begin(), runs.end(), [&](const LessonRun& each) { return each.name == name; });
+}
+
 Scene scene_of(const Lesson& lesson, const LessonRun& run) {
     const std::string file = lesson.file(run.scene);
     const bool is_mesh = !file.ends_with(".json");
@@ -62,7 +66,8 @@ Steps run_lesson(const Lesson& lesson, Problems& problems,
     return steps;
 }
 
-std::string lesson_json(const Lesson& lesson, const Steps& steps, const std::map<std::string, std::string>& figures) {
+std::string lesson_json(const Lesson& lesson, const Steps& steps, const Figures& in_english,
+                        const Figures& in_russian) {
     using Json = nlohmann::ordered_json;
     Json traces = Json::object();
     for (const auto& run : lesson.runs) traces[run.name] = run.trace_file(lesson.id);
@@ -72,11 +77,14 @@ std::string lesson_json(const Lesson& lesson, const Steps& steps, const std::map
             pins[pin.name] = {{"run", pin.run}, {"step", step->second}};
         }
     }
-    const auto told = [](const Story& story) { return Json{{"title", story.title}, {"blocks", story.blocks}}; };
-    const Json whole{
-        {"format", "vidno-lesson/1"}, {"id", lesson.id},
-        {"traces", traces},           {"pins", pins},
-        {"figures", figures},         {"story", {{"en", told(lesson.english)}, {"ru", told(lesson.russian)}}}};
+    const auto told = [](const Story& story, const Figures& figures) {
+        return Json{{"title", story.title}, {"blocks", story.blocks}, {"figures", figures}};
+    };
+    const Json whole{{"format", "vidno-lesson/1"},
+                     {"id", lesson.id},
+                     {"traces", traces},
+                     {"pins", pins},
+                     {"story", {{"en", told(lesson.english, in_english)}, {"ru", told(lesson.russian, in_russian)}}}};
     return whole.dump();
 }
 

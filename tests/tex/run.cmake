@@ -1,0 +1,45 @@
+# Figures of lessons under pdfLaTeX: alone, inside a document with another font, and as a slide. No character may be missing,
+# nothing may stick out, and the text must be there. Run with -P.
+cmake_minimum_required(VERSION 3.25)
+set(lessons ${CMAKE_CURRENT_LIST_DIR}/../../lessons)
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+
+macro(must)
+    execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+endmacro()
+
+function(typeset name pages text)
+    must(${PDFLATEX} -interaction=nonstopmode -halt-on-error ${name}.tex)
+    file(READ ${WORK}/${name}.log log)
+    if(log MATCHES "Missing character|Overfull")
+        message(FATAL_ERROR "${name}.tex: ${CMAKE_MATCH_0}\n${log}")
+    endif()
+    must(pdfinfo ${name}.pdf)
+    if(NOT said MATCHES "Pages: +${pages}\n")
+        message(FATAL_ERROR "${name}.pdf has not ${pages} pages:\n${said}")
+    endif()
+    must(pdftotext -layout ${name}.pdf -)
+    string(FIND "${said}" "${text}" found)
+    if(found EQUAL -1)
+        message(FATAL_ERROR "${name}.pdf lacks ${text}:\n${said}")
+    endif()
+endfunction()
+
+set(all --show picture,windows,list,listing)
+must(${VIDNO} trace ${lessons}/05-polygon-clip/scene.json -o clip.jsonl)
+must(${VIDNO} trace ${lessons}/07-z-buffer-ael/scene.json --method zbuffer --kernel exact -o ael.jsonl)
+must(${VIDNO} trace ${lessons}/10-printed-text/scene.json --edition printed -o printed.jsonl)
+
+must(${VIDNO} figure clip.jsonl --step 90 ${all} -o clip.tex)
+typeset(clip 1 "while AW")
+must(${VIDNO} figure ael.jsonl --step 90 ${all} --language ru -o ael.tex)
+typeset(ael 1 "Активные рёбра (AEL)")
+must(${VIDNO} figure printed.jsonl --steps 1..30:10 --greyscale -o strip.tex)
+typeset(strip 1 "step 21")
+must(${VIDNO} figure clip.jsonl --steps 80..84 --beamer ${all} -o slide.tex)
+typeset(slide 5 "step 84")
+
+file(WRITE ${WORK}/paper.tex "\\documentclass{article}\n\\usepackage[T2A]{fontenc}\n\\usepackage{cmap,tikz}\n"
+    "\\begin{document}\n\\noindent\\input{ael}\n\nThe paper goes on.\n\\end{document}\n")
+typeset(paper 1 "The paper goes on")

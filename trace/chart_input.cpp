@@ -1,0 +1,91 @@
+// Reading a chart, as chart_json writes it.
+
+#include <limits>
+
+#include "chart.h"
+#include "json_node.h"
+
+namespace vidno {
+
+namespace {
+
+template <std::size_t count>
+std::size_t place_of(const JsonNode& word, const std::array<std::string_view, count>& names) {
+    const auto found = std::find(names.begin(), names.end(), word.text());
+    if (found == names.end()) word.refuse("unknown word");
+    return std::size_t(found - names.begin());
+}
+
+std::uint64_t count_of(const JsonNode& node) {
+    const double number = node.number();
+    if (!(number >= 0 && number < 0x1p53)) node.refuse("not a count");
+    return std::uint64_t(number);
+}
+
+double number_or_infinite(const JsonNode& node) {
+    if (!node.is_text()) return node.number();
+    if (node.text() != "inf") node.refuse("not a number");
+    return std::numeric_limits<double>::infinity();
+}
+
+ChartRun run_of(const JsonNode& node) {
+    node.require_keys({"method", "kernel", "edition", "window", "knob", "value", "complete", "seconds", "time",
+                       "operations", "bits", "counts", "wrongPixels", "area", "decisions", "wrongDecisions",
+                       "depthUlps", "front"});
+    const auto kernel = kernel_named(node.at("kernel").text());
+    if (!kernel) node.at("kernel").refuse("no kernel");
+    ChartRun run{{Method(place_of(node.at("method"), method_names)), *kernel}, {}, {}};
+    run.way.edition = Edition(place_of(node.at("edition"), edition_names));
+    run.way.smallest_window = node.at("window").whole_number(1, largest_side);
+    if (!node.at("knob").is_null()) {
+        run.way.knob = Knob(place_of(node.at("knob"), knob_names));
+        run.way.value = node.at("value").whole_number(0, largest_side);
+    }
+    run.cost = {node.at("seconds").number(), node.at("time").number(), node.at("operations").number()};
+    if (!node.at("bits").is_null()) run.cost.bits = node.at("bits").number();
+    run.found.complete = node.at("complete").truth();
+    run.found.wrong_pixels = count_of(node.at("wrongPixels"));
+    run.found.area = node.at("area").number();
+    run.found.decisions = count_of(node.at("decisions"));
+    run.found.wrong_decisions = count_of(node.at("wrongDecisions"));
+    run.found.depth_ulps = number_or_infinite(node.at("depthUlps"));
+    for (std::size_t cost = 0; cost < cost_axes.size(); ++cost) {
+        const JsonNode front = node.at("front");
+        front.require_keys({cost_axes[0].name, cost_axes[1].name, cost_axes[2].name});
+        const JsonNode errors = front.at(cost_axes[cost].name);
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            for (std::size_t error = 0; error < error_axes.size(); ++error) {
+                if (errors.at(i).text() == error_axes[error].name) run.on_front[cost][error] = true;
+            }
+        }
+    }
+    return run;
+}
+
+SceneChart scene_of(const JsonNode& node) {
+    node.require_keys({"name", "kind", "unsteady", "pixels", "polygons", "area", "scene", "runs"});
+    SceneChart scene{.name = node.at("name").text(),
+                     .unsteady = count_of(node.at("unsteady")),
+                     .pixels = count_of(node.at("pixels")),
+                     .polygons = count_of(node.at("polygons")),
+                     .area = node.at("area").number()};
+    const JsonNode runs = node.at("runs");
+    for (std::size_t i = 0; i < runs.size(); ++i) scene.runs.push_back(run_of(runs.at(i)));
+    return scene;
+}
+
+}  // namespace
+
+std::vector<SceneChart> read_chart(std::string_view text, const std::string& file) {
+    return read_json(text, file, [](const JsonNode& node) {
+        node.require_keys({"format", "rounds", "scenes"});
+        if (node.at("format").text() != "vidno-chart/1") node.at("format").refuse("not vidno-chart/1");
+        const JsonNode scenes = node.at("scenes");
+        if (scenes.size() == 0) scenes.refuse("no scene");
+        std::vector<SceneChart> charts;
+        for (std::size_t i = 0; i < scenes.size(); ++i) charts.push_back(scene_of(scenes.at(i)));
+        return charts;
+    });
+}
+
+}  // namespace vidno

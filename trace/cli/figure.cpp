@@ -1,0 +1,302 @@
+#include "figure/figure.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "chart.h"
+#include "commands.h"
+#include "figure/map_figure.h"
+#include "figure/writers.h"
+#include "lesson/event_lines.h"
+#include "lesson/lesson.h"
+#include "output.h"
+#include "program.h"
+#include "question_json.h"
+#include "trace_reader.h"
+
+namespace vidno::cli {
+
+namespace {
+
+using figures::About;
+using figures::Drawing;
+using figures::Language;
+
+constexpr std::uint64_t most_panels = 200;
+constexpr double column_width = 80, page_width = 170, slide_width = 140, slide_height = 72;  // millimetres
+
+[[noreturn]] void refuse(const std::string& option, const std::string& reason) {
+    throw Refused(option + ": " + reason);
+}
+
+std::uint64_t whole_number(const std::string& text, const std::string& option) {
+    std::uint64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, number);
+    if (text.empty() || result.ec != std::errc() || result.ptr != end) refuse(option, text + " is no whole number");
+    return number;
+}
+
+std::vector<std::string> split(const std::string& text, const std::string& by) {
+    std::vector<std::string> parts;
+    std::size_t from = 0;
+    for (auto at = text.find(by); at != text.npos; at = text.find(by, from)) {
+        parts.push_back(text.substr(from, at - from));
+        from = at + by.size();
+    }
+    parts.push_back(text.substr(from));
+    return parts;
+}
+
+/// `7`, `7,9,40`, `7..40` or `7..40:3`.
+std::vector<std::uint64_t> steps_of(const std::string& text) {
+    const std::string option = "--steps " + text;
+    std::vector<std::uint64_t> steps;
+    const auto ends = split(text, "..");
+    if (ends.size() == 1) {
+        for (const auto& each : split(text, ",")) steps.push_back(whole_number(each, option));
+        if (!std::is_sorted(steps.begin(), steps.end(), std::less_equal<>())) refuse(option, "steps must rise");
+    } else {
+        const auto last = split(ends[1], ":");
+        if (ends.size() > 2 || last.size() > 2) refuse(option, "not A..B or A..B:BY");
+        const std::uint64_t first = whole_number(ends[0], option);
+        const std::uint64_t end = whole_number(last[0], option);
+        const std::uint64_t by = last.size() == 2 ? whole_number(last[1], option) : 1;
+        if (by == 0 || first > end) refuse(option, "no step lies there");
+        if ((end - first) / by >= most_panels) refuse(option, "more than " + std::to_string(most_panels) + " steps");
+        for (std::uint64_t step = first; step <= end; step += by) steps.push_back(step);
+    }
+    if (steps.size() > most_panels) refuse(option, "more than " + std::to_string(most_panels) + " steps");
+    return steps;
+}
+
+/// `80`, `80mm` or `8cm`, in millimetres.
+double length_of(const std::string& text) {
+    constexpr double least = 30, most = 1000;
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const std::string unit(error == std::errc() ? end : "?");
+    if (unit == "cm") number *= 10;
+    if (unit != "cm" && unit != "mm") refuse("--width " + text, "not a length in mm or cm");
+    if (!(number >= least && number <= most)) refuse("--width " + text, "not between 3 cm and 1 m");
+    return number;
+}
+
+figures::Pixel pixel_of(const std::string& text, const Area& area) {
+    const std::string option = "--pixel " + text;
+    const auto parts = split(text, ",");
+    figures::Pixel pixel;
+    const auto read = [&](const std::string& part, int& to) {
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), to);
+        return !part.empty() && error == std::errc() && end == part.data() + part.size();
+    };
+    if (parts.size() != 2 || !read(parts[0], pixel.x) || !read(parts[1], pixel.y)) refuse(option, "not X,Y");
+    if (!area.contains(pixel.x, pixel.y)) refuse(option, "no pixel of the area");
+    return pixel;
+}
+
+std::vector<figures::Part> parts_of(const FigureOptions& options) {
+    std::vector<figures::Part> parts;
+    for (const auto& name : split(options.show, ",")) {
+        const auto place = place_in(figures::part_names, name);
+        if (place == figures::part_names.size()) {
+            refuse("--show " + options.show, name + " is not one of picture, windows, list, listing, history");
+        }
+        parts.push_back(figures::Part(place));
+    }
+    return parts;
+}
+
+figures::Style style_of(const FigureOptions& options) {
+    return {Language(place_in(figures::language_codes, options.language)), options.greyscale};
+}
+
+/// Goes through a trace and draws what is wanted on the way. Without steps, the last one.
+figures::Figure drawn(TraceReader& reader, std::vector<std::uint64_t> steps, figures::Options options,
+                      std::optional<figures::PixelHistory> history, const std::string& file) {
+    options.moments = std::max<std::size_t>(steps.size(), 1);
+    figures::Figure figure(options);
+    figures::Moment moment(reader.header());
+    std::size_t next = 0;
+    const auto draw_if_wanted = [&] {
+        if (next == steps.size() || moment.state().step() != steps[next]) return;
+        figure.add(moment, history);
+        ++next;
+    };
+    draw_if_wanted();
+    while (steps.empty() || next < steps.size()) {
+        auto event = reader.next();
+        if (!event) break;
+        try {
+            moment.take(std::move(*event));
+        } catch (const Impossible& impossible) {
+            throw Refused(reader.place() + ": step " + std::to_string(moment.state().step() + 1) + ": " +
+                          impossible.reason);
+        }
+        if (history) history->take(moment);
+        draw_if_wanted();
+    }
+    if (steps.empty()) figure.add(moment, history);
+    if (next < steps.size()) {
+        throw Refused(file + ": there is no step " + std::to_string(steps[next]) + ", the last is " +
+                      std::to_string(moment.state().step()));
+    }
+    return figure;
+}
+
+enum class Format { svg, pdf, png, tikz };
+
+/// By the name of the file. Refuses a wrong one before the work.
+Format format_of(const std::string& output) {
+    if (output == "-" || output.ends_with(".svg")) return Format::svg;
+    if (output.ends_with(".pdf")) return Format::pdf;
+    if (output.ends_with(".png")) return Format::png;
+    if (output.ends_with(".tex")) return Format::tikz;
+    throw Refused(output + ": not .svg, .pdf, .png or .tex");
+}
+
+std::string encoded(const std::string& svg, const About& about, const FigureOptions& options) {
+    switch (format_of(options.output)) {
+        case Format::pdf: return figures::pdf_of(svg, about);
+        case Format::png: return figures::png_of(svg, options.dots_an_inch);
+        default: return svg;
+    }
+}
+
+std::string encoded(const Drawing& drawing, const About& about, const FigureOptions& options) {
+    if (format_of(options.output) == Format::tikz) return figures::tikz_of(drawing, about);
+    return encoded(figures::svg_of(drawing, about), about, options);
+}
+
+std::string title_of(const TraceHeader& header, const std::vector<std::uint64_t>& steps,
+                     const figures::FigureWords& words) {
+    std::string title = header.scene.name.empty() ? "" : header.scene.name + " · ";
+    title += header.method == Method::warnock ? words.warnock : words.z_buffer;
+    if (!steps.empty()) title += " · " + std::string(words.step) + " " + std::to_string(steps.front());
+    return title + (steps.size() > 1 ? "–" + std::to_string(steps.back()) : "");
+}
+
+struct ToldSteps {
+    LineReader lines;
+    std::vector<std::uint64_t> steps;
+};
+
+/// A pin is a step of its lesson's run, which is traced for it.
+ToldSteps pinned_step(const FigureOptions& options) {
+    Problems problems;
+    const Lesson lesson = read_lesson(options.input, problems);
+    const auto& pins = lesson.pins;
+    const auto pin = std::find_if(pins.begin(), pins.end(), [&](const Pin& each) { return each.name == options.pin; });
+    if (pin == pins.end()) refuse("--pin " + options.pin, options.input + " has no such pin");
+    const LessonRun& run = lesson.run(pin->run);
+    std::string text;
+    PinSearch search(*pin);
+    EventLines lines;
+    trace_run(scene_of(lesson, run), run, [&](std::string_view part) {
+        text += part;
+        lines.take(part, [&](std::uint64_t step, std::string_view line) { search.hear(step, line); });
+    });
+    if (!search.step()) refuse("--pin " + options.pin, search.objection());
+    return {LineReader::of_text(std::move(text)), {*search.step()}};
+}
+
+ToldSteps told_steps(const FigureOptions& options) {
+    const bool is_lesson = std::filesystem::is_directory(options.input);
+    if (is_lesson != !options.pin.empty()) refuse(options.input, "--pin is of a folder of a lesson, and needed there");
+    if (is_lesson) return pinned_step(options);
+    LineReader lines(options.input);
+    if (options.step) return {std::move(lines), {*options.step}};
+    if (!options.steps.empty()) return {std::move(lines), steps_of(options.steps)};
+    return {std::move(lines), {}};
+}
+
+std::string drawn_trace(const FigureOptions& options) {
+    if (options.beamer && format_of(options.output) != Format::tikz) refuse("--beamer", "it makes a .tex file");
+    auto [lines, steps] = told_steps(options);
+
+    figures::Options drawing{.show = parts_of(options), .style = style_of(options)};
+    if (format_of(options.output) == Format::tikz) drawing.style.letters = figures::letters_of_tex;
+    drawing.width = steps.size() > 1 ? page_width : column_width;
+    if (options.beamer) {
+        drawing.width = slide_width;
+        drawing.most_height = slide_height;
+    }
+    if (!options.width.empty()) drawing.width = length_of(options.width);
+
+    TraceReader reader(std::move(lines), options.input);
+    std::optional<figures::PixelHistory> history;
+    if (drawing.shows(figures::Part::history)) {
+        if (options.pixel.empty()) refuse("--show history", "of which pixel? --pixel X,Y");
+        history.emplace(pixel_of(options.pixel, reader.header().scene.area));
+    } else if (!options.pixel.empty()) {
+        refuse("--pixel", "it needs --show history");
+    }
+    const About about{title_of(reader.header(), steps, words_of(drawing.style.language)), drawing.style.language};
+    const figures::Figure figure = drawn(reader, steps, drawing, std::move(history), options.input);
+    return options.beamer ? beamer_of(figure.panels(), about) : encoded(figure.strip(), about, options);
+}
+
+/// What has no steps has no parts to be chosen either, and no TikZ.
+void expect_no_steps(const FigureOptions& options) {
+    if (options.step || !options.steps.empty()) refuse(options.input, "it has no steps: a map or a chart");
+    if (!options.pixel.empty() || options.beamer) refuse(options.input, "--pixel and --beamer are for traces");
+    if (format_of(options.output) == Format::tikz) refuse(options.output, "maps and charts are .svg, .pdf or .png");
+}
+
+std::string drawn_map(const FigureOptions& options, const std::string& text) {
+    expect_no_steps(options);
+    const NamedKernel kernel = *kernel_named(options.kernel);
+    if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
+    const SignMap map = sign_map(read_question(text, options.input), kernel);
+    const double width = options.width.empty() ? column_width : length_of(options.width);
+    const figures::Style style = style_of(options);
+    return encoded(figures::map_figure(map, style, width), {map.name, style.language}, options);
+}
+
+/// gnuplot's drawing with a width in millimetres.
+std::string sized(std::string svg, double width) {
+    double columns = 0, rows = 0;
+    const auto at = svg.find(" width=\"");
+    if (at == svg.npos || std::sscanf(svg.c_str() + at, " width=\"%lf\" height=\"%lf\"", &columns, &rows) != 2) {
+        throw Refused("gnuplot: another SVG than expected");
+    }
+    const auto end = svg.find('"', svg.find(" height=\"", at) + 9) + 1;
+    return svg.replace(
+        at, end - at,
+        " width=\"" + figures::decimal(width) + "mm\" height=\"" + figures::decimal(width * rows / columns) + "mm\"");
+}
+
+std::string drawn_chart(const FigureOptions& options, const std::string& text) {
+    expect_no_steps(options);
+    if (options.greyscale) refuse("--greyscale", "of a chart the shapes of its points already tell");
+    const figures::Style style = style_of(options);
+    const auto scenes = read_chart(text, options.input);
+    const double width = options.width.empty() ? page_width : length_of(options.width);
+    constexpr double unit = 8 / 15. / figures::points_per_millimetre;  // letters of 8 points
+    const std::string script = chart_script(
+        scenes, place_in(names_of(cost_axes), options.cost), place_in(names_of(error_axes), options.error),
+        {1, int(width / unit), "Helvetica", style.language == Language::russian ? chart_in_russian : chart_in_english});
+    const std::string svg = sized(output_of({"gnuplot"}, script), width);
+    return encoded(svg, {scenes.front().name, style.language}, options);
+}
+
+}  // namespace
+
+std::string drawn_figure(const FigureOptions& options) {
+    format_of(options.output);
+    if (!options.input.ends_with(".json")) return drawn_trace(options);
+    const std::string text = read_file(options.input);
+    const auto document = nlohmann::json::parse(text, nullptr, false);
+    const bool is_chart = document.is_object() && document.value("format", "") == "vidno-chart/1";
+    return (is_chart ? drawn_chart : drawn_map)(options, text);
+}
+
+int figure(const FigureOptions& options) {
+    const std::string bytes = drawn_figure(options);
+    OutputFile file(options.output);
+    file.write(bytes);
+    file.commit();
+    return 0;
+}
+
+}  // namespace vidno::cli

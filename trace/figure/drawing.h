@@ -1,0 +1,101 @@
+/// Drawing: what a figure consists of, the same for all that write it. Nothing in it is transparent, nothing a bitmap.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "vidno/scene.h"
+
+namespace vidno::figures {
+
+/// In millimetres, y downward.
+struct Point {
+    double x = 0, y = 0;
+
+    Point operator+(Point other) const { return {x + other.x, y + other.y}; }
+    bool operator==(const Point&) const = default;
+};
+
+struct Box {
+    double x = 0, y = 0, width = 0, height = 0;
+
+    double right() const { return x + width; }
+    double bottom() const { return y + height; }
+    bool overlaps(const Box& other) const {
+        return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+    }
+    bool holds(const Box& other) const {
+        return x <= other.x && other.right() <= right() && y <= other.y && other.bottom() <= bottom();
+    }
+    std::vector<Point> corners() const { return {{x, y}, {right(), y}, {right(), bottom()}, {x, bottom()}}; }
+    bool operator==(const Box&) const = default;
+};
+
+/// Widths and dashes in points, 72 an inch.
+struct Stroke {
+    Color color{};
+    double width = hairline;
+    std::vector<double> dashes{};
+
+    static constexpr double hairline = 0.25;  // no printer loses it
+    bool operator==(const Stroke&) const = default;
+};
+
+using Polyline = std::vector<Point>;
+
+/// Lines, or polygons if they are closed, which look alike; a point in several polygons is filled once.
+struct Path {
+    std::vector<Polyline> lines;
+    bool closed = false;
+    std::optional<Color> fill{};
+    std::optional<Stroke> stroke{};
+};
+
+enum class Anchor { start, middle, end };
+
+/// A line of text.
+struct Label {
+    std::string text;
+    Point at;         // on the base line, where the anchor says
+    double size = 8;  // points
+    Anchor anchor = Anchor::start;
+    bool bold = false;
+    Color color{};
+};
+
+struct Drawing {
+    double width = 0, height = 0;
+    std::vector<std::variant<Path, Label>> things{};  // later ones above
+
+    void add(Label label) { things.emplace_back(std::move(label)); }
+    void add(Path path) {
+        if (!path.lines.empty()) things.emplace_back(std::move(path));
+    }
+
+    /// Puts a drawing into this one; the size stays as it is.
+    void place(const Drawing& part, Point at);
+};
+
+inline constexpr double points_per_millimetre = 72 / 25.4;
+
+inline Path rectangle(const Box& box, std::optional<Color> fill, std::optional<Stroke> stroke = {}) {
+    return {{box.corners()}, true, fill, std::move(stroke)};
+}
+
+/// What of a line, or of the outline of a polygon, lies in a box.
+std::vector<Polyline> clipped(const Polyline& line, bool closed, const Box& to);
+
+/// How wide a line of text is, in millimetres, in a font with the widths of Helvetica: such are Arial and Liberation Sans.
+double width_of(std::string_view text, double size, bool bold = false);
+
+/// A coordinate as it is written, to a thousandth.
+std::string decimal(double value);
+
+/// The characters of a text in UTF-8.
+std::u32string characters_of(std::string_view text);
+std::string utf8(char32_t character);
+
+}  // namespace vidno::figures

@@ -1,0 +1,114 @@
+#include "figure.h"
+
+#include <cmath>
+
+#include "table.h"
+
+namespace vidno::figures {
+
+namespace {
+
+constexpr double gap = 4;               // millimetres between panels and parts
+constexpr double wide = 110;            // a panel has text beside its plane, not below
+constexpr double tallest_plane = 1.25;  // of its width
+constexpr double least_plane = 38, least_text = 76;
+
+/// The columns of a strip, no emptier than they must be.
+std::size_t columns_for(const Options& options) {
+    const double least = options.shows_text() ? least_text : least_plane;
+    const auto fitting = std::size_t(std::max(1., std::floor((options.width + gap) / (least + gap))));
+    const std::size_t rows = (options.moments + fitting - 1) / fitting;
+    return (options.moments + rows - 1) / rows;
+}
+
+std::string caption_of(const Moment& moment, const Style& style) {
+    return std::string(words_of(style.language).step) + " " + std::to_string(moment.state().step());
+}
+
+void append(auto& parts, Drawing drawing) {
+    parts.height = std::max(parts.height, drawing.height);
+    parts.drawings.push_back(std::move(drawing));
+}
+
+}  // namespace
+
+Figure::Figure(const Options& options) : options_(options), columns_(columns_for(options)) {
+    panel_width_ = (options.width - gap * double(columns_ - 1)) / double(columns_);
+    plane_width_ = is_beside() ? 0.46 * panel_width_ : panel_width_;
+    text_width_ = is_beside() ? panel_width_ - plane_width_ - gap : panel_width_;
+}
+
+bool Figure::is_beside() const { return options_.shows_plane() && options_.shows_text() && panel_width_ >= wide; }
+
+Drawing Figure::plane(const Moment& moment, const std::optional<PixelHistory>& history) const {
+    const double most_height = options_.most_height.value_or(tallest_plane * plane_width_);
+    const Style& style = options_.style;
+    const Plane plane = plane_in(moment.scene().area, plane_width_, most_height);
+    Drawing drawing{plane_width_, height_of(plane)};
+    // Outlines of very many polygons would hide the picture: they show where nothing is painted yet.
+    const bool crowded = moment.scene().polygons.size() > most_outlines;
+    if (crowded) draw_outlines(drawing, moment, plane, style);
+    if (options_.shows(Part::picture)) draw_picture(drawing, moment, plane, style);
+    draw_frame(drawing, plane);
+    if (!crowded) draw_outlines(drawing, moment, plane, style);
+    if (options_.shows(Part::windows)) {
+        draw_windows(drawing, moment, plane, style);
+        draw_marks(drawing, moment, plane, style);
+    }
+    if (history) draw_chosen(drawing, history->pixel(), plane);
+    draw_names(drawing, moment.scene(), plane, style);
+    return drawing;
+}
+
+void Figure::add(const Moment& moment, const std::optional<PixelHistory>& history) {
+    const Style& style = options_.style;
+    captions_.push_back(caption_of(moment, style));
+    if (options_.shows_plane()) append(planes_, plane(moment, history));
+    std::vector<Drawing> texts;
+    if (options_.shows(Part::list)) texts.push_back(list_part(moment, style, text_width_));
+    if (options_.shows(Part::listing)) texts.push_back(listing_part(moment, style, text_width_));
+    if (options_.shows(Part::history)) texts.push_back(history->part(style, text_width_));
+    texts_.resize(texts.size());
+    for (std::size_t i = 0; i < texts.size(); ++i) append(texts_[i], std::move(texts[i]));
+}
+
+Drawing Figure::panel(std::size_t moment) const {
+    Drawing drawing{panel_width_, 0};
+    double y = 0;
+    if (options_.shows_plane()) {
+        drawing.place(planes_.drawings[moment], {0, 0});
+        y = planes_.height;
+    }
+    double beside = is_beside() ? 0 : y;
+    for (const auto& [drawings, height] : texts_) {
+        if (beside > 0) beside += gap / 2;
+        drawing.place(drawings[moment], {panel_width_ - text_width_, beside});
+        beside += height;
+    }
+    drawing.height = std::max(y, beside);
+    if (options_.moments > 1) {
+        drawing.height += line_height;
+        const Point middle{options_.shows_plane() ? plane_width_ / 2 : panel_width_ / 2, drawing.height - 0.8};
+        drawing.add(Label{captions_[moment], middle, text_size, Anchor::middle, false, ink});
+    }
+    return drawing;
+}
+
+std::vector<Drawing> Figure::panels() const {
+    std::vector<Drawing> panels;
+    for (std::size_t i = 0; i < captions_.size(); ++i) panels.push_back(panel(i));
+    return panels;
+}
+
+Drawing Figure::strip() const {
+    const auto all = panels();
+    const std::size_t rows = (all.size() + columns_ - 1) / columns_;
+    const double height = all.front().height;
+    Drawing strip{options_.width, double(rows) * height + gap / 2 * double(rows - 1)};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        strip.place(all[i], {double(i % columns_) * (panel_width_ + gap), double(i / columns_) * (height + gap / 2)});
+    }
+    return strip;
+}
+
+}  // namespace vidno::figures

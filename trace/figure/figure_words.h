@@ -1,0 +1,100 @@
+/// The words of figures, in the page's own terms.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace vidno::figures {
+
+enum class Language : unsigned char { english, russian };
+inline constexpr std::array<std::string_view, 2> language_codes{"en", "ru"};
+
+struct FigureWords {
+    std::string_view code;
+    std::string_view warnock, z_buffer;
+    std::string_view step, stack, active_polygons, surrounds, nearer_at, corner_depths;
+    std::string_view active_edges, edge, until;
+    std::string_view pixel, line, what, answer, painted;
+    std::string_view empty, more, earlier, yes, no;
+    std::string_view computed, right, wrong;
+};
+
+inline constexpr std::array<FigureWords, 2> figure_words{{
+    {
+        .code = "en",
+        .warnock = "Warnock",
+        .z_buffer = "Z-buffer",
+        .step = "step",
+        .stack = "on the stack",
+        .active_polygons = "Active polygons (APL)",
+        .surrounds = "surrounds",
+        .nearer_at = "nearer at",
+        .corner_depths = "nearest z at the corners",
+        .active_edges = "Active edges (AEL)",
+        .edge = "edge",
+        .until = "until",
+        .pixel = "Pixel",
+        .line = "line",
+        .what = "what was found",
+        .answer = "for the pixel",
+        .painted = "painted",
+        .empty = "empty",
+        .more = "more",
+        .earlier = "earlier:",
+        .yes = "yes",
+        .no = "no",
+        .computed = "computed",
+        .right = "right",
+        .wrong = "wrong",
+    },
+    {
+        .code = "ru",
+        .warnock = "Алгоритм Варнока",
+        .z_buffer = "Z-буфер",
+        .step = "шаг",
+        .stack = "в стеке",
+        .active_polygons = "Активные многоугольники (APL)",
+        .surrounds = "охватывает",
+        .nearer_at = "ближе в углах",
+        .corner_depths = "наибольшие z в углах",
+        .active_edges = "Активные рёбра (AEL)",
+        .edge = "ребро",
+        .until = "до",
+        .pixel = "Пиксель",
+        .line = "строка",
+        .what = "что найдено",
+        .answer = "для пикселя",
+        .painted = "окрашен",
+        .empty = "пусто",
+        .more = "ещё",
+        .earlier = "раньше:",
+        .yes = "да",
+        .no = "нет",
+        .computed = "вычислено",
+        .right = "верно",
+        .wrong = "неверно",
+    },
+}};
+
+constexpr const FigureWords& words_of(Language language) { return figure_words[std::size_t(language)]; }
+
+/// The answers of a map; English ones are their names.
+inline constexpr auto answers_in_russian = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"negative", "отрицательно"},
+    {"zero", "нуль"},
+    {"positive", "положительно"},
+    {"outside", "снаружи"},
+    {"inside", "внутри"},
+    {"nearer", "ближе"},
+    {"not nearer", "не ближе"},
+});
+
+constexpr std::string_view answer_in(Language language, std::string_view answer) {
+    for (const auto& [english, russian] : answers_in_russian) {
+        if (language == Language::russian && english == answer) return russian;
+    }
+    return answer;
+}
+
+}  // namespace vidno::figures

@@ -1,0 +1,115 @@
+#include "notation.h"
+#include "parts.h"
+#include "refused.h"
+#include "table.h"
+
+namespace vidno::figures {
+
+namespace {
+
+constexpr std::size_t most_rows = 12;
+
+std::string places_of(const std::vector<Corner>& corners) {
+    std::string places;
+    for (const Corner corner : corners) {
+        places += (places.empty() ? "" : ", ") + std::string(corner_names[std::size_t(corner)]);
+    }
+    return places.empty() ? "—" : places;
+}
+
+/// z at the corners of the window.
+std::string corner_depths(const std::array<Value, 4>& corners, const FigureWords& words) {
+    std::string text(words.corner_depths);
+    for (std::size_t i = 0; i < corner_names.size(); ++i) {
+        text += (i == 0 ? ": " : ", ") + std::string(corner_names[i]) + " " + readable(corners[i]);
+    }
+    return text;
+}
+
+/// What has too many rows is cut around its current one.
+void shorten(Table& table, const FigureWords& words) {
+    if (table.rows.size() <= most_rows) return;
+    const std::size_t first =
+        std::min(table.current.value_or(0), table.rows.size() - most_rows);  // the current one on top, if it can be
+    const std::string others = std::string(words.more) + " " + std::to_string(table.rows.size() - most_rows);
+    table.below.insert(table.below.begin(), others);
+    table.rows.erase(table.rows.begin(), table.rows.begin() + std::ptrdiff_t(first));
+    table.rows.resize(most_rows);
+    if (table.current) *table.current -= first;
+}
+
+Table active_polygons(const Moment& moment, const Style& style) {
+    const auto& words = words_of(style.language);
+    const State& state = moment.state();
+    Table table{.title = std::string(words.active_polygons),
+                .columns = {{"P", 0.28}, {std::string(words.surrounds), 0.3}, {std::string(words.nearer_at), 0.42}}};
+    if (!state.current()) {
+        table.below.emplace_back(words.empty);
+        return table;
+    }
+    table.below.push_back("U = " + readable(state.current()->window) + ", " + std::string(words.stack) + ": " +
+                          std::to_string(state.stack().size()));
+    if (state.corners()) table.below.push_back(corner_depths(*state.corners(), words));
+    const auto in_hand = polygon_in_hand(moment);
+    for (const auto& [polygon, surrounds] : *state.current()->apl) {
+        const auto& [id, color, vertices, edge_on] = moment.scene().polygons[std::size_t(polygon.index)];
+        const auto nearer = moment.nearer_at().find(polygon.index);
+        if (in_hand == polygon.index) table.current = table.rows.size();
+        table.rows.push_back({{id, tinted(color, style.greyscale)},
+                              {std::string(surrounds ? words.yes : words.no)},
+                              {nearer == moment.nearer_at().end() ? "" : places_of(nearer->second)}});
+    }
+    return table;
+}
+
+/// The edge that the step is about.
+std::optional<int> edge_in_hand(const Moment& moment) {
+    std::optional<int> edge;
+    if (!moment.event()) return edge;
+    std::visit(
+        [&](const auto& e) {
+            if constexpr (requires { std::optional<int>(e.edge); }) edge = e.edge;
+        },
+        *moment.event());
+    return edge;
+}
+
+Table active_edges(const Moment& moment, const Style& style) {
+    const auto& words = words_of(style.language);
+    const State& state = moment.state();
+    Table table{.title = std::string(words.active_edges),
+                .columns = {{std::string(words.edge), 0.15, Anchor::end},
+                            {"x", 0.17, Anchor::end},
+                            {"z", 0.17, Anchor::end},
+                            {std::string(words.until), 0.15, Anchor::end},
+                            {"Δx", 0.18, Anchor::end},
+                            {"Δz", 0.18, Anchor::end}}};
+    if (state.polygon()) table.note = "P = " + moment.scene().polygons[std::size_t(*state.polygon())].id;
+    if (state.y()) table.note += ", yₜ = " + readable(*state.y());
+    const auto in_hand = edge_in_hand(moment);
+    for (const auto& entry : state.ael()) {
+        if (in_hand == entry.edge) table.current = table.rows.size();
+        table.rows.push_back({{std::to_string(entry.edge)},
+                              {readable(entry.x)},
+                              {readable(entry.z)},
+                              {readable(entry.until)},
+                              {readable(entry.dx)},
+                              {readable(entry.dz)}});
+    }
+    if (state.ael().empty()) table.below.emplace_back(words.empty);
+    return table;
+}
+
+}  // namespace
+
+Drawing list_part(const Moment& moment, const Style& style, double width) {
+    const TraceHeader& header = moment.header();
+    if (header.detail < Detail::polygons) {
+        throw Refused("list: a trace of level windows tells no APL and no AEL");
+    }
+    Table table = header.method == Method::warnock ? active_polygons(moment, style) : active_edges(moment, style);
+    shorten(table, words_of(style.language));
+    return drawn(table, width, style.letters);
+}
+
+}  // namespace vidno::figures

@@ -1,0 +1,92 @@
+#include <nlohmann/json.hpp>
+
+#include "listings_text.h"
+#include "parts.h"
+#include "table.h"
+
+namespace vidno::figures {
+
+namespace {
+
+using nlohmann::json;
+
+const json& procedures() {
+    static const json read = json::parse(listings_text).at("procedures");
+    return read;
+}
+
+bool has_line(const json& procedure, std::string_view label) {
+    const auto& lines = procedure.at("lines");
+    return std::any_of(lines.begin(), lines.end(), [&](const json& line) { return line.at("at") == label; });
+}
+
+/// That of the current line; before its first line, the one that runs.
+const json& procedure_at(const State::Frame& frame) {
+    const auto& all = procedures();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const json& procedure) {
+        return frame.at ? has_line(procedure, line_names[std::size_t(*frame.at)])
+                        : procedure.at("name") == procedure_names[std::size_t(frame.of)];
+    });
+    return *found;  // every label and name stands in the listings: a test holds them to it
+}
+
+std::vector<std::string> wrapped(const std::string& text, double width, double first_width) {
+    std::vector<std::string> lines(1);
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find(' ', from), text.size());
+        const std::string word = text.substr(from, end - from);
+        const double room = lines.size() == 1 ? first_width : width;
+        const std::string longer = lines.back() + (lines.back().empty() ? "" : " ") + word;
+        if (lines.back().empty() || width_of(longer, text_size) <= room) {
+            lines.back() = longer;
+        } else {
+            lines.push_back(word);
+        }
+        from = end + 1;
+    }
+    return lines;
+}
+
+}  // namespace
+
+Drawing listing_part(const Moment& moment, const Style& style, double width) {
+    constexpr double number_at = 2.6, text_at = 9.4, level = 2.6, hanging = 2.6, base_below = 1.1;
+    const std::string language(words_of(style.language).code);
+    const auto& frame = moment.state().calls().back();
+    const json& procedure = procedure_at(frame);
+
+    Drawing drawing{width, 0};
+    double y = line_height;
+    const auto put = [&](const std::string& text, double x, double size, bool bold) {
+        drawing.add(Label{text, {x, y - base_below}, size, Anchor::start, bold, ink});
+    };
+    const auto rule = [&](double at, double thickness) {
+        drawing.add(Path{{{{0, at}, {width, at}}}, false, {}, Stroke{ink, thickness}});
+    };
+    const std::string name = procedure.at("name");
+    const std::string head = name + "(" + std::string(procedure.at("takes")) + ")";
+    if (!frame.at) drawing.add(rectangle({0, 0, width, line_height}, band));
+    put(fitted(head, width / style.letters, text_size, true), 0, text_size, true);
+    rule(y, 0.75);
+    y += 0.4;
+    for (const json& line : procedure.at("lines")) {
+        const bool printed = moment.header().edition == Edition::printed && line.contains("printed");
+        const std::string text = (printed ? line.at("printed") : line).at(language);
+        const double left = text_at + level * int(line.at("indent"));
+        const auto pieces = wrapped(text, (width - left - hanging) / style.letters, (width - left) / style.letters);
+        if (frame.at && line.at("at") == line_names[std::size_t(*frame.at)]) {
+            drawing.add(rectangle({0, y + 0.15, width, line_height * double(pieces.size())}, band));
+            add_arrow(drawing, 0.4, y + line_height - base_below - 0.1);
+        }
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            y += line_height;
+            if (i == 0) put(line.at("at"), number_at, small_size, false);
+            put(pieces[i], left + (i == 0 ? 0 : hanging), text_size, false);
+        }
+    }
+    rule(y + 0.5, 0.75);
+    drawing.height = y + 0.8;
+    return drawing;
+}
+
+}  // namespace vidno::figures

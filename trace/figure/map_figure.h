@@ -1,0 +1,13 @@
+/// A sign map as a drawing.
+#pragma once
+
+#include "map.h"
+#include "parts.h"
+
+namespace vidno::figures {
+
+/// The map with p at the lower left, the border of the exact answers, and under it what the colours mean and how many
+/// places have each.
+Drawing map_figure(const SignMap& map, const Style& style, double width);
+
+}  // namespace vidno::figures

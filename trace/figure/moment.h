@@ -1,0 +1,59 @@
+/// Moment: a step of a run with what a figure shows of it, rebuilt from the events alone.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "state.h"
+
+namespace vidno::figures {
+
+class Moment {
+public:
+    explicit Moment(const TraceHeader& header) : state_(header) {}
+
+    /// Takes the next event. Throws Impossible, as State does.
+    void take(Event event) {
+        state_.apply(event);
+        std::visit([this](const auto& e) { note(e); }, event);
+        event_ = std::move(event);
+    }
+
+    const State& state() const { return state_; }
+    const TraceHeader& header() const { return state_.header(); }
+    const Scene& scene() const { return header().scene; }
+    /// Of this step; none before the first.
+    const std::optional<Event>& event() const { return event_; }
+    /// Taken from AW up to now, the current one last.
+    const std::vector<Window>& visited() const { return visited_; }
+    /// At which corners of the current window a polygon was nearer than all before it, by its place in the scene.
+    const std::map<int, std::vector<Corner>>& nearer_at() const { return nearer_at_; }
+
+private:
+    void note(const event::Pop& e) {
+        visited_.push_back(e.window);
+        nearer_at_.clear();
+    }
+    void note(const event::Nearer& e) { nearer_at_[e.polygon.index] = e.corners; }
+    void note(const auto&) {}
+
+    State state_;
+    std::optional<Event> event_;
+    std::vector<Window> visited_;
+    std::map<int, std::vector<Corner>> nearer_at_;
+};
+
+/// The place of the polygon that the step is about, or that is in hand; none if there is no such.
+inline std::optional<int> polygon_in_hand(const Moment& moment) {
+    std::optional<int> place = moment.state().polygon();
+    if (!moment.event()) return place;
+    std::visit(
+        [&](const auto& e) {
+            if constexpr (requires { e.polygon.index; }) place = e.polygon.index;
+        },
+        *moment.event());
+    return place;
+}
+
+}  // namespace vidno::figures

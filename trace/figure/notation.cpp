@@ -1,0 +1,129 @@
+#include "notation.h"
+
+#include <cmath>
+
+namespace vidno::figures {
+
+namespace {
+
+constexpr std::size_t short_enough = 7;
+
+std::string written(double value, std::chars_format format, int digits) {
+    std::array<char, 64> text;
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
+    return {text.data(), end};
+}
+
+std::string shortest(double value) {
+    std::array<char, 400> text;  // 1e308 has as many digits
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+    return {text.data(), end};
+}
+
+std::string without_zeros(std::string text) {
+    while (text.find('.') != text.npos && (text.back() == '0' || text.back() == '.')) {
+        const bool point = text.back() == '.';
+        text.pop_back();
+        if (point) break;
+    }
+    return text;
+}
+
+std::string short_number(double value) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value < 0 ? "-∞" : "∞";
+    const double size = std::abs(value);
+    if (value == 0) return "0";
+    if (size < 1e-4 || size >= 1e6) {
+        const std::string exact = shortest(value);
+        return exact.size() <= short_enough ? exact : written(value, std::chars_format::scientific, 2);
+    }
+    const std::string exact = shortest(value);
+    if (exact.size() <= short_enough) return exact;
+    const int whole = std::max(0, int(std::floor(std::log10(size))) + 1);
+    for (int digits = 4; digits > 1; --digits) {
+        const int places = std::max(0, digits - (size < 1 ? int(std::floor(std::log10(size))) + 1 : whole));
+        const std::string text = without_zeros(written(value, std::chars_format::fixed, places));
+        if (text.size() <= short_enough) return text;
+    }
+    return written(value, std::chars_format::scientific, 1);
+}
+
+/// A whole number of any length: so many tens times the second.
+std::pair<int, double> scaled(std::string_view digits) {
+    constexpr std::size_t enough = 18;
+    const std::string leading(digits.substr(0, enough));
+    return {int(digits.size() - leading.size()), std::strtod(leading.c_str(), nullptr)};
+}
+
+std::string with_minus_sign(std::string text) {
+    for (auto at = text.find('-'); at != text.npos; at = text.find('-', at)) text.replace(at, 1, "−");
+    return text;
+}
+
+/// What the events say that a history has; the others say nothing.
+struct Note {
+    const Scene& scene;
+
+    const std::string& name(PolygonPlace polygon) const { return scene.polygons[std::size_t(polygon.index)].id; }
+    static std::string compared(const Value& z, const Value& against, bool nearer) {
+        return readable(z) + (nearer ? " > " : " ≯ ") + readable(against);
+    }
+    static std::string half_open(int first, int end) {
+        return "[" + std::to_string(first) + ", " + std::to_string(end) + ")";
+    }
+
+    std::string operator()(const event::Pop& e) const { return readable(e.window); }
+    std::string operator()(const event::Discard& e) const { return "− " + name(e.polygon); }
+    std::string operator()(const event::Nearer& e) const { return name(e.polygon) + ": k = " + std::to_string(e.k); }
+    std::string operator()(const event::Mark& e) const { return name(e.polygon) + ": S = true"; }
+    std::string operator()(const event::Cover& e) const { return name(e.polygon) + ": hasSurround"; }
+    std::string operator()(const event::Uncover& e) const { return name(e.polygon) + ": not hasSurround"; }
+    std::string operator()(const event::Decide& e) const { return std::string(case_names[std::size_t(e.which)]); }
+    std::string operator()(const event::Nearest& e) const { return name(e.polygon) + ": z = " + readable(e.z); }
+    std::string operator()(const event::Fill& e) const {
+        return std::to_string(e.rect.width) + " × " + std::to_string(e.rect.height);
+    }
+    std::string operator()(const event::Draw& e) const { return name(e.polygon); }
+    std::string operator()(const event::Clear& e) const { return "z = " + readable(e.z); }
+    std::string operator()(const event::Columns& e) const { return half_open(e.first, e.end); }
+    std::string operator()(const event::Pixel& e) const { return compared(e.z, e.stored, e.shown); }
+    std::string operator()(const event::Span& e) const {
+        std::string runs;
+        for (const auto& [first, end] : e.runs) runs += (runs.empty() ? "" : " ") + half_open(first, end);
+        return runs.empty() ? "∅" : runs;
+    }
+    std::string operator()(const event::Fault& e) const { return e.reason; }
+    std::string operator()(const auto&) const { return {}; }
+};
+
+}  // namespace
+
+double number_of(const Value& value) {
+    if (!value.fraction) return value.number;
+    std::string_view text = *value.fraction;
+    const bool negative = text.starts_with('-');
+    if (negative) text.remove_prefix(1);
+    const auto slash = text.find('/');
+    const auto [above_tens, above] = scaled(text.substr(0, slash));
+    const auto [below_tens, below] = scaled(text.substr(slash + 1));
+    if (below == 0) return std::numeric_limits<double>::quiet_NaN();
+    return (negative ? -1 : 1) * above / below * std::pow(10, above_tens - below_tens);
+}
+
+std::string readable(const Value& value) {
+    if (!value.fraction) return with_minus_sign(short_number(value.number));
+    const std::string& text = *value.fraction;
+    if (text.ends_with("/1")) return with_minus_sign(text.substr(0, text.size() - 2));
+    if (text.size() <= short_enough || text.ends_with("/0")) return with_minus_sign(text);
+    return "≈" + with_minus_sign(short_number(number_of(value)));
+}
+
+std::string readable(const Window& window) {
+    return "(" + readable(window.x) + ", " + readable(window.y) + ") " + readable(window.width) + " × " +
+           readable(window.height);
+}
+
+std::string note_of(const Event& event, const Scene& scene) { return std::visit(Note{scene}, event); }
+
+}  // namespace vidno::figures

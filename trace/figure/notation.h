@@ -1,0 +1,22 @@
+/// Numbers and what an event says, in the notation of the listings: short, and the same in any language.
+#pragma once
+
+#include <string>
+
+#include "event.h"
+
+namespace vidno::figures {
+
+/// The number itself, or of a fraction the nearest one but for its last digits. Of x/0, NaN.
+double number_of(const Value& value);
+
+/// At most some seven characters, with a real minus sign; `≈` where a fraction was cut.
+std::string readable(const Value& value);
+
+/// As `(8, 0) 8 × 8`.
+std::string readable(const Window& window);
+
+/// What an event says beside its line; empty if that is nothing.
+std::string note_of(const Event& event, const Scene& scene);
+
+}  // namespace vidno::figures

@@ -1,0 +1,49 @@
+/// Plane: how the plane of the scene lies in a drawing, and the looks that belong to the scene.
+#pragma once
+
+#include "drawing.h"
+#include "vidno/window.h"
+
+namespace vidno::figures {
+
+/// As it is, or as grey of the same lightness.
+Color printed(const Color& color, bool greyscale);
+/// Pale, that lines and letters stand out on it; grey if so wanted.
+Color tinted(const Color& color, bool greyscale);
+/// For lines on what is tinted.
+Color deep(const Color& color, bool greyscale);
+
+inline constexpr Color ink{0x10, 0x13, 0x1c}, faint{0x8a, 0x90, 0x9c}, paper{0xff, 0xff, 0xff};
+
+struct Plane {
+    Area area;
+    double scale;  // millimetres a pixel
+    Point origin;  // where the plane's (0, 0) would lie
+    Box shown;     // the area and a margin around it, to which all is cut
+
+    Point at(double x, double y) const { return {origin.x + x * scale, origin.y + y * scale}; }
+    Box box(double x, double y, double width, double height) const {
+        const Point corner = at(x, y);
+        return {corner.x, corner.y, width * scale, height * scale};
+    }
+    Box box(const Window& window) const { return box(window.x, window.y, window.width, window.height); }
+    Polyline outline(const ScenePolygon& polygon) const {
+        Polyline line;
+        for (const auto& vertex : polygon.vertices) line.push_back(at(vertex.x, vertex.y));
+        return line;
+    }
+};
+
+/// The numbers at the corners.
+inline constexpr double tick_size = 7;  // points
+std::string tick_text(int value);
+
+/// The plane of an area in so much room, ticks included.
+Plane plane_in(const Area& area, double width, double most_height);
+/// The height that is left with ticks.
+double height_of(const Plane& plane);
+
+/// Lines with a light rim, which stand out on any ground.
+void add_rimmed(Drawing& to, const Path& path);
+
+}  // namespace vidno::figures

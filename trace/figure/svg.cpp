@@ -1,0 +1,87 @@
+#include "json_text.h"
+#include "writers.h"
+
+namespace vidno::figures {
+
+namespace {
+
+constexpr std::string_view font = "Helvetica, Arial, 'Liberation Sans', 'Nimbus Sans', sans-serif";
+
+/// Text as XML may have it: it has no way to write some characters.
+std::string escaped(std::string_view text) {
+    std::string written;
+    for (const char32_t c : characters_of(text)) {
+        const bool allowed = c == '\t' || c == '\n' || c == '\r' || (c >= 0x20 && c < 0xd800) ||
+                             (c >= 0xe000 && c < 0xfffe) || (c >= 0x10000 && c < 0x110000);
+        switch (c) {
+            case '&': written += "&amp;"; break;
+            case '<': written += "&lt;"; break;
+            case '>': written += "&gt;"; break;
+            case '"': written += "&quot;"; break;
+            default: written += allowed ? utf8(c) : "\ufffd";
+        }
+    }
+    return written;
+}
+
+std::string attribute(std::string_view name, std::string_view value) {
+    return " " + std::string(name) + "=\"" + escaped(value) + "\"";
+}
+
+std::string hex(const Color& color) {
+    Text text;
+    append_hex(text, color);
+    return text.string();
+}
+
+std::string millimetres(double points) { return decimal(points / points_per_millimetre); }
+
+std::string data_of(const Path& path) {
+    std::string data;
+    for (const auto& line : path.lines) {
+        data += 'M';
+        for (const auto& [x, y] : line) data += (data.back() == 'M' ? "" : " ") + decimal(x) + " " + decimal(y);
+        if (path.closed) data += 'Z';
+    }
+    return data;
+}
+
+std::string element(const Path& path) {
+    std::string text = "<path" + attribute("fill", path.fill ? hex(*path.fill) : "none");
+    if (const auto& stroke = path.stroke) {
+        text += attribute("stroke", hex(stroke->color)) + attribute("stroke-width", millimetres(stroke->width));
+        std::string dashes;
+        for (const double dash : stroke->dashes) dashes += (dashes.empty() ? "" : " ") + millimetres(dash);
+        if (!dashes.empty()) text += attribute("stroke-dasharray", dashes);
+    }
+    return text + attribute("d", data_of(path)) + "/>\n";
+}
+
+std::string element(const Label& label) {
+    std::string text = "<text" + attribute("x", decimal(label.at.x)) + attribute("y", decimal(label.at.y)) +
+                       attribute("font-size", millimetres(label.size));
+    if (label.bold) text += attribute("font-weight", "bold");
+    if (label.anchor != Anchor::start)
+        text += attribute("text-anchor", label.anchor == Anchor::middle ? "middle" : "end");
+    if (!(label.color == Color{})) text += attribute("fill", hex(label.color));
+    return text + ">" + escaped(label.text) + "</text>\n";
+}
+
+}  // namespace
+
+std::string svg_of(const Drawing& drawing, const About& about) {
+    const std::string width = decimal(drawing.width);
+    const std::string height = decimal(drawing.height);
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
+                       attribute("width", width + "mm") + attribute("height", height + "mm") +
+                       attribute("viewBox", "0 0 " + width + " " + height) +
+                       attribute("xml:lang", words_of(about.language).code) + attribute("font-family", font) +
+                       attribute("stroke-linejoin", "round") + ">\n<title>" + escaped(about.title) + "</title>\n";
+    text += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+    for (const auto& thing : drawing.things) {
+        text += std::visit([](const auto& each) { return element(each); }, thing);
+    }
+    return text + "</svg>\n";
+}
+
+}  // namespace vidno::figures
