@@ -1,62 +1,16 @@
 // The program as its users call it: what it prints, its exit status, and that no file appears where it refuses.
 
 #include <doctest/doctest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "support/workplace.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-    int status;
-    std::string text;  // standard output and error
-};
-
-Outcome program(const std::string& arguments, const std::string& file = VIDNO_FILE) {
-    std::FILE* pipe = popen(("'" + file + "' " + arguments + " 2>&1 </dev/null").c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    std::string text;
-    std::array<char, 4096> block{};
-    while (const std::size_t count = std::fread(block.data(), 1, block.size(), pipe)) text.append(block.data(), count);
-    const int status = pclose(pipe);
-    REQUIRE_MESSAGE(WIFEXITED(status), "ended by a signal: " << arguments << '\n' << text);
-    return {WEXITSTATUS(status), text};
-}
-
-/// A directory of its own that goes with the test.
-struct Workplace {
-    fs::path directory = fs::temp_directory_path() / ("vidno-test-" + std::to_string(getpid()));
-    Workplace() { fs::create_directories(directory); }
-    ~Workplace() { fs::remove_all(directory); }
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
-
-    std::string file(const std::string& name) const { return (directory / name).string(); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(file(name), std::ios::binary) << text;
-        return file(name);
-    }
-    std::string read(const std::string& name) const {
-        std::ifstream in(file(name), std::ios::binary);
-        std::stringstream text;
-        text << in.rdbuf();
-        return text.str();
-    }
-    bool has(const std::string& name) const { return fs::exists(file(name)); }
-    /// Temporary files included.
-    std::size_t files() const {
-        return std::size_t(std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
-    }
-};
 
 const std::string square_scene = R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":1},"polygons":[)"
                                  R"({"color":"#ff0000","vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}]})";

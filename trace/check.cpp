@@ -26,7 +26,7 @@ Picture told_run(const RunRequest& request, const K& kernel, const std::function
     Recording<const decltype(sink)> recording{Detail::signs, sink};
     const Recorder<K, const decltype(sink)> recorder(recording);
     if constexpr (PrintedKernel<K>) {
-        if (request.printed) {
+        if (request.edition == Edition::printed) {
             return render<Printed>(request.method, request.scene, kernel, recorder, request.smallest_window);
         }
     }

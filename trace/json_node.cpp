@@ -134,7 +134,7 @@ void JsonNode::refuse(std::string_view reason) const { refuse_at(pointer(), reas
 
 void JsonNode::require_keys(std::initializer_list<std::string_view> required,
                             std::initializer_list<std::string_view> optional) const {
-    if (!value_.is_object()) refuse("not an object");
+    object();
     const auto is_in = [](const auto& keys, const std::string& key) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
@@ -149,6 +149,17 @@ void JsonNode::require_keys(std::initializer_list<std::string_view> required,
 std::size_t JsonNode::size() const {
     if (!value_.is_array()) refuse("not an array");
     return value_.size();
+}
+
+std::vector<std::string> JsonNode::keys() const {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : object().items()) keys.push_back(key);
+    return keys;
+}
+
+const json& JsonNode::object() const {
+    if (!value_.is_object()) refuse("not an object");
+    return value_;
 }
 
 const std::string& JsonNode::text() const {

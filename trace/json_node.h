@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "refused.h"
 #include "vidno/scene.h"
@@ -34,6 +35,10 @@ public:
     std::size_t size() const;
     JsonNode at(std::size_t index) const { return JsonNode(value_[index], this, {}, index); }
 
+    /// Of an object, sorted.
+    std::vector<std::string> keys() const;
+
+    const nlohmann::json& object() const;
     const std::string& text() const;
     bool truth() const;
     int whole_number(int least, int greatest) const;

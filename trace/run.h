@@ -41,8 +41,8 @@ struct KernelChoice {
     std::optional<Parameter> parameter{};
     bool runs_warnock = true;
 
-    bool runs(Method method, bool printed) const {
-        return (runs_warnock || method != Method::warnock) && (runs_printed || !printed);
+    bool runs(Method method, Edition edition) const {
+        return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed);
     }
 };
 
@@ -92,7 +92,7 @@ std::string kernel_names();
 struct RunRequest {
     Method method;
     NamedKernel kernel;
-    bool printed;  // the edition
+    Edition edition;
     const Scene& scene;
     Detail detail = Detail::windows;
     TraceWriter* writer = nullptr;           // none: no trace

@@ -71,6 +71,13 @@ struct PageOptions {
     std::string output;
 };
 
+struct LessonOptions {
+    std::vector<std::string> folders;
+    std::string source, output;  // of a new one: a scene or a mesh; the folder
+    std::string run;             // of a pin: the run's name, empty for the first
+    std::uint64_t step = 0;
+};
+
 struct MeshOptions {
     std::string mesh, output;
     ImportOptions import;
@@ -88,8 +95,16 @@ std::string stability_footer();
 /// The options of `import` that say who looks at the mesh from where.
 void add_camera_options(CLI::App& command, ImportOptions& import);
 
+/// The place of a name that the command line has checked.
+std::size_t place_in(const auto& names, const std::string& name) {
+    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+inline Method method_of(const RunOptions& options) { return Method(place_in(method_names, options.method)); }
+inline Edition edition_of(const RunOptions& options) { return Edition(place_in(edition_names, options.edition)); }
+
 /// Refuses a method or an edition that the kernel does not run.
-void expect_run(const NamedKernel& kernel, const std::string& method, const std::string& edition);
+void expect_run(const NamedKernel& kernel, Method method, Edition edition);
 
 /// The kernel of the options, if it runs their method and edition.
 NamedKernel kernel_of(const RunOptions& options);
@@ -105,11 +120,6 @@ bool is_whole(const TraceReader& reader);
 
 /// The scene as the kernel runs it: snapped for `grid`, which is said on standard error; else as it is.
 Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file);
-
-/// The place of a name that the command line has checked.
-std::size_t place_in(const auto& names, const std::string& name) {
-    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
-}
 
 /// Of things that have one, in their order.
 std::vector<std::string> names_of(const auto& named) {
@@ -129,6 +139,10 @@ int chart(const ChartOptions& options);
 int replay(const ReplayOptions& options);
 int diff(const DiffOptions& options);
 int page(const PageOptions& options);
+int lesson_new(const LessonOptions& options);
+int lesson_pin(const LessonOptions& options);
+int lesson_check(const LessonOptions& options);
+int lesson_build(const LessonOptions& options);
 int import(const MeshOptions& options);
 int stability(const StabilityOptions& options);
 int methods();

@@ -25,7 +25,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->capture_default_str();
     command.add_option("--kernel", options.kernel, "Which arithmetic decides")->check(a_kernel)->capture_default_str();
     command.add_option("--edition", options.edition, "The procedures put right, or as the text prints them")
-        ->check(CLI::IsMember({"corrected", "printed"}))
+        ->check(CLI::IsMember(words(edition_names)))
         ->capture_default_str();
 }
 
@@ -60,7 +60,7 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
     command.add_option("--kernel", options.kernel, "Which arithmetic decides [double, or the trace's]")
         ->check(a_kernel);
     command.add_option("--edition", options.edition, "corrected or printed [corrected, or the trace's]")
-        ->check(CLI::IsMember({"corrected", "printed"}));
+        ->check(CLI::IsMember(words(edition_names)));
     command.footer(
         "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"
         "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");
@@ -168,6 +168,39 @@ CLI::App& add_page(CLI::App& app, PageOptions& options) {
     return command;
 }
 
+CLI::App& add_lesson(CLI::App& app, LessonOptions& options, int& status) {
+    auto& command =
+        *app.add_subcommand("lesson", "Write a lesson: its first files, its pins, a check, the built course");
+    command.require_subcommand(0, 1);  // one; but a wrong one is told before none
+    const auto add_folders = [&](CLI::App& sub) {
+        sub.add_option("FOLDER", options.folders, "Folders of lessons")->required();
+    };
+
+    auto& made = *command.add_subcommand("new", "Make the folder of a lesson from a scene or a mesh");
+    made.add_option("SCENE|MESH", options.source, "A scene file, or a mesh: .obj, .off, .ply or .stl")->required();
+    made.add_option("-o", options.output, "The folder, which is not there yet")->required();
+    made.footer("Example: vidno lesson new scene.json -o lessons/11-my-topic");
+    made.callback([&] { status = lesson_new(options); });
+
+    auto& pin = *command.add_subcommand("pin", "Say how to pin a step, as a line for lesson.json");
+    add_folders(pin);
+    pin.add_option("--run", options.run, "Of which run [the first]");
+    pin.add_option("--step", options.step, "Which step, as the page counts them")->required();
+    pin.callback([&] { status = lesson_pin(options); });
+
+    auto& check = *command.add_subcommand("check", "Say what is wrong with lessons, with file and line");
+    add_folders(check);
+    check.footer("Exit status 1: something is wrong.");
+    check.callback([&] { status = lesson_check(options); });
+
+    auto& build = *command.add_subcommand("build", "Trace lessons and place their pins, for the page");
+    add_folders(build);
+    build.add_option("-o", options.output, "The folder of the course")->required();
+    build.footer("Exit status 1: something is wrong, as lesson check says it; the rest is built.");
+    build.callback([&] { status = lesson_build(options); });
+    return command;
+}
+
 CLI::App& add_import(CLI::App& app, MeshOptions& options) {
     auto& command = *app.add_subcommand("import", "Make a scene from a mesh seen by a camera");
     command.add_option("MESH", options.mesh, "A mesh: .obj, .off, .ply or .stl")->required();
@@ -226,6 +259,7 @@ int main(int argc, char** argv) {
     ReplayOptions replayed;
     DiffOptions compared;
     PageOptions paged;
+    LessonOptions lesson;
     MeshOptions mesh;
     StabilityOptions campaign;
     int status = 0;
@@ -240,6 +274,7 @@ int main(int argc, char** argv) {
     add_replay(app, replayed).callback([&] { status = replay(replayed); });
     add_diff(app, compared).callback([&] { status = diff(compared); });
     add_page(app, paged).callback([&] { status = page(paged); });
+    auto& lessons = add_lesson(app, lesson, status);
     add_import(app, mesh).callback([&] { status = import(mesh); });
     add_stability(app, campaign).callback([&] { status = stability(campaign); });
     app.add_subcommand("methods", "What there is: methods, kernels, editions, levels")->callback([&] {
@@ -248,7 +283,9 @@ int main(int argc, char** argv) {
 
     try {
         app.parse(argc, argv);
-        if (app.get_subcommands().empty()) throw CLI::RequiredError::Subcommand(1);
+        const bool is_named =
+            !app.get_subcommands().empty() && (!lessons.parsed() || !lessons.get_subcommands().empty());
+        if (!is_named) throw CLI::RequiredError::Subcommand(1);
         return status;
     } catch (const CLI::ParseError& error) {
         return refuse(app, error);

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "commands.h"
+#include "import.h"
+#include "lesson/lesson.h"
+#include "lesson/new_lesson.h"
+#include "output.h"
+#include "scene_json.h"
+
+namespace vidno::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int told(const Problems& problems) {
+    for (const auto& problem : problems) std::cerr << problem.text() << '\n';
+    return problems.empty() ? 0 : 1;
+}
+
+void write_file(const std::filesystem::path& name, std::string_view bytes) {
+    OutputFile file(name.string());
+    file.write(bytes);
+    file.commit();
+}
+
+/// Of a course that was built here before.
+void remove_course(const std::filesystem::path& folder) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.ends_with(".jsonl.gz") || name.ends_with(".lesson.json")) std::filesystem::remove(entry.path());
+    }
+}
+
+/// The files of a lesson in a folder, and what the index of lessons says of it.
+Json built(const Lesson& lesson, const std::filesystem::path& folder, Problems& problems) {
+    std::map<std::string, std::unique_ptr<OutputFile>> files;
+    const Steps steps = run_lesson(lesson, problems, [&](const LessonRun& run, std::string_view text) {
+        auto& file = files[run.name];
+        if (!file) file = std::make_unique<OutputFile>((folder / run.trace_file(lesson.id)).string());
+        file->write(text);
+    });
+    for (const auto& [name, file] : files) file->commit();
+
+    const std::string story = lesson.id + ".lesson.json";
+    write_file(folder / story, lesson_json(lesson, steps, {}) + '\n');
+    Json traces = Json::array();
+    for (const auto& run : lesson.runs) {
+        traces.push_back({{"file", run.trace_file(lesson.id)},
+                          {"method", method_names[std::size_t(run.method)]},
+                          {"kernel", run.kernel},
+                          {"edition", run.edition},
+                          {"detail", detail_names[std::size_t(run.detail)]}});
+    }
+    return {{"id", lesson.id},
+            {"title", {{"en", lesson.english.plain_title}, {"ru", lesson.russian.plain_title}}},
+            {"traces", std::move(traces)},
+            {"story", story}};
+}
+
+}  // namespace
+
+int lesson_check(const LessonOptions& options) {
+    Problems problems;
+    for (const auto& folder : options.folders) {
+        const Lesson lesson = read_lesson(folder, problems);
+        check_lesson(lesson, problems);
+        if (!lesson.runs.empty()) run_lesson(lesson, problems);
+    }
+    return told(problems);
+}
+
+int lesson_build(const LessonOptions& options) {
+    const std::filesystem::path folder(options.output);
+    std::filesystem::create_directories(folder);
+    remove_course(folder);
+    Problems problems;
+    Json index = Json::array();
+    for (const auto& name : options.folders) {
+        const Lesson lesson = read_lesson(name, problems);
+        check_lesson(lesson, problems);
+        index.push_back(built(lesson, folder, problems));
+        std::cerr << "  " << lesson.id << ": " << lesson.english.plain_title << '\n';
+    }
+    write_file(folder / "index.json", index.dump(1) + '\n');
+    return told(problems);
+}
+
+int lesson_new(const LessonOptions& options) {
+    const std::filesystem::path folder(options.output);
+    if (std::filesystem::exists(folder)) throw Refused(options.output + ": is there already");
+    const bool is_mesh = !options.source.ends_with(".json");
+    const Scene scene =
+        is_mesh ? import_mesh(read_file(options.source), options.source, {}).scene : scene_from(options.source);
+    auto files = new_lesson(scene);
+    files["scene.json"] = is_mesh ? scene_json(scene) + '\n' : read_file(options.source);
+    std::filesystem::create_directories(folder);
+    for (const auto& [name, text] : files) write_file(folder / name, text);
+    std::cerr << options.output << ": write its stories where they say TODO, then vidno lesson check " << options.output
+              << '\n';
+    return 0;
+}
+
+int lesson_pin(const LessonOptions& options) {
+    Problems problems;
+    const Lesson lesson = read_lesson(options.folders.front(), problems);
+    const auto run = std::find_if(lesson.runs.begin(), lesson.runs.end(), [&](const LessonRun& each) {
+        return options.run.empty() || each.name == options.run;
+    });
+    if (run == lesson.runs.end()) throw Refused("--run " + options.run + ": " + lesson.folder + " has no such run");
+    std::cout << pin_of_step(scene_of(lesson, *run), *run, options.step) << '\n';
+    return 0;
+}
+
+}  // namespace vidno::cli

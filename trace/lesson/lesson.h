@@ -1,0 +1,63 @@
+/// Lesson: a folder with scenes, runs of them, and a story in two languages whose links are steps of the runs.
+///
+/// lessons/WRITING.md tells how to write one.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pin.h"
+#include "problem.h"
+#include "run.h"
+#include "story.h"
+
+namespace vidno {
+
+struct LessonRun {
+    std::string name;
+    std::string scene = "scene.json";  // of the lesson's folder, or a mesh
+    Method method{};
+    std::string kernel = "double", edition = "corrected";
+    Detail detail = Detail::signs;
+    bool check = false;
+
+    /// That of the trace, for the lesson of this name.
+    std::string trace_file(const std::string& lesson) const;
+};
+
+struct Lesson {
+    std::string folder;  // as it was given, without a slash at its end
+    std::string id;      // its name
+    std::vector<LessonRun> runs;
+    std::vector<Pin> pins;
+    Story english, russian;
+
+    std::string file(const std::string& name) const { return folder + '/' + name; }
+};
+
+/// Reads the files of a lesson; what is wrong in them is added to the problems. Throws Refused if it is no lesson.
+Lesson read_lesson(const std::string& folder, Problems& problems);
+
+/// Adds what does not fit together: pins, stories, the lessons beside this one.
+void check_lesson(const Lesson& lesson, Problems& problems);
+
+/// The scene of a run; a mesh is looked at by the default camera. Throws Refused.
+Scene scene_of(const Lesson& lesson, const LessonRun& run);
+
+/// Traces a scene as a run of a lesson does.
+void trace_run(const Scene& scene, const LessonRun& run, const TraceWriter::Write& write);
+
+/// The steps of pins, by their names.
+using Steps = std::map<std::string, std::uint64_t>;
+
+/// Runs the lesson and finds its pins. Each trace is given to `take` in pieces. What a pin says and the run does not is
+/// added to the problems. Throws Refused for a scene that is refused.
+Steps run_lesson(const Lesson& lesson, Problems& problems,
+                 const std::function<void(const LessonRun&, std::string_view)>& take = {});
+
+/// The lesson as its page takes it, on one line; `figures` are SVG, by the names of their files.
+std::string lesson_json(const Lesson& lesson, const Steps& steps, const std::map<std::string, std::string>& figures);
+
+}  // namespace vidno

@@ -1,0 +1,175 @@
+#include "new_lesson.h"
+
+#include <array>
+#include <optional>
+
+#include "event_lines.h"
+#include "refused.h"
+
+namespace vidno {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Of more, each sign would be too much to look at.
+constexpr std::size_t most_polygons_with_signs = 50;
+
+constexpr std::string_view english = R"(# TODO: the title
+
+TODO: what there is to see, in two or three sentences.
+
+## Window by window
+
+Warnock's algorithm begins with [the window over the whole area](#start). TODO: what it finds there.
+
+It looks at [WINDOWS windows](#windows). TODO: why so many, or so few.
+
+## Row by row
+
+The Z-buffer begins with [the first row of the first polygon](#row). TODO: what there is to see.
+
+## Questions
+
+1. TODO: a question to think about.
+
+   > TODO: its answer.
+
+2. TODO: another one.
+
+   > TODO: its answer.
+)";
+
+constexpr std::string_view russian = R"(# TODO: название
+
+TODO: что здесь можно увидеть, в двух-трёх предложениях.
+
+## Окно за окном
+
+Алгоритм Варнока начинает с [окна во всю область](#start). TODO: что он в нём находит.
+
+Всего он рассматривает [окон: WINDOWS](#windows). TODO: почему так много или так мало.
+
+## Строка за строкой
+
+Z-буфер начинает с [первой строки первого многоугольника](#row). TODO: что здесь видно.
+
+## Вопросы
+
+1. TODO: вопрос для размышления.
+
+   > TODO: ответ на него.
+
+2. TODO: ещё один.
+
+   > TODO: ответ на него.
+)";
+
+std::string with_count(std::string_view story, std::uint64_t windows) {
+    constexpr std::string_view place = "WINDOWS";
+    std::string text(story);
+    return text.replace(text.find(place), place.size(), std::to_string(windows));
+}
+
+/// The fields that tell what an event is about; the others tell what it comes to.
+Json subject_of(const Json& event) {
+    Json subject;
+    for (const char* key : {"e", "at", "window", "polygon", "edge", "corner", "side", "row", "x", "y", "point"}) {
+        if (event.contains(key)) subject[key] = event[key];
+    }
+    return subject;
+}
+
+bool is_about(const Json& event, const Json& subject) {
+    for (const auto& [key, value] : subject.items()) {
+        if (!event.contains(key) || event[key] != value) return false;
+    }
+    return true;
+}
+
+/// The events that one looks for first: a window, or a polygon and in it a row.
+std::vector<Json> way_to(const std::vector<Json>& events) {
+    std::vector<Json> way;
+    for (const Json& event : events) {
+        const auto& name = event["e"];
+        if (name == "pop" || name == "polygon") way = {subject_of(event)};
+        if (name == "scanline") way = {way.front(), subject_of(event)};
+    }
+    return way;
+}
+
+/// Where the events that the way leads to begin: behind its last one.
+std::size_t end_of(const std::vector<Json>& way, const std::vector<Json>& events) {
+    std::size_t place = 0;
+    for (const Json& subject : way) {
+        while (!is_about(events[place], subject)) ++place;
+        ++place;
+    }
+    return place;
+}
+
+/// A run that says what is not the default.
+std::string run_json(const LessonRun& run) {
+    Json json{{"name", run.name}, {"method", method_names[std::size_t(run.method)]}};
+    if (run.detail != Detail::signs) json["detail"] = detail_names[std::size_t(run.detail)];
+    return json.dump();
+}
+
+std::string pin_json(const std::string& name, const Json& pin) { return Json(name).dump() + ": " + pin.dump(); }
+
+/// One a line, as an author would write them.
+std::string lines_of(const std::vector<std::string>& items) {
+    std::string lines;
+    for (const auto& item : items) lines += (lines.empty() ? "\n  " : ",\n  ") + item;
+    return lines + "\n ";
+}
+
+}  // namespace
+
+std::map<std::string, std::string> new_lesson(const Scene& scene) {
+    LessonRun windows, rows;
+    windows.name = "windows";
+    windows.method = Method::warnock;
+    rows.name = "rows";
+    rows.method = Method::zbuffer;
+    if (scene.polygons.size() > most_polygons_with_signs) windows.detail = rows.detail = Detail::windows;
+
+    std::uint64_t count = 0;
+    EventLines lines;
+    trace_run(scene, windows, [&](std::string_view text) {
+        lines.take(text, [&](std::uint64_t, std::string_view line) { count += line.starts_with(R"({"e":"pop",)"); });
+    });
+
+    const std::vector<std::string> runs{run_json(windows), run_json(rows)};
+    const Json pop{{"e", "pop"}}, scanline{{"e", "scanline"}};
+    const std::vector<std::string> pins{pin_json("start", {{"find", {pop}}}),
+                                        pin_json("windows", {{"find", {pop}}, {"times", count}}),
+                                        pin_json("row", {{"run", rows.name}, {"find", {scanline}}})};
+    const std::string lesson = "{\"format\": \"vidno-lesson/1\",\n \"runs\": [" + lines_of(runs) + "],\n \"pins\": {" +
+                               lines_of(pins) + "}}\n";
+    return {{"lesson.json", lesson},
+            {"story.en.md", with_count(english, count)},
+            {"story.ru.md", with_count(russian, count)}};
+}
+
+std::string pin_of_step(const Scene& scene, const LessonRun& run, std::uint64_t step) {
+    std::vector<Json> events;
+    EventLines lines;
+    trace_run(scene, run, [&](std::string_view text) {
+        lines.take(text, [&](std::uint64_t number, std::string_view line) {
+            if (number <= step) events.push_back(Json::parse(line));
+        });
+    });
+    if (step == 0 || events.size() < step) throw Refused("run " + run.name + ": has no step " + std::to_string(step));
+
+    const Json subject = subject_of(events.back());
+    std::vector<Json> way = way_to(events);
+    if (way.empty() || way.back() != subject) {
+        for (std::size_t i = end_of(way, events); i < events.size(); ++i) {
+            if (is_about(events[i], subject)) way.push_back(subject);
+        }
+    }
+    return Json{{"run", run.name}, {"find", way}}.dump();
+}
+
+}  // namespace vidno

@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "json_node.h"
+#include "lesson.h"
+#include "output.h"
+
+namespace vidno {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> editions{"corrected", "printed"};
+
+/// The line that a refusal names, or that of the value at its JSON pointer, as near as its keys lead.
+int line_of(std::string_view text, const std::string& place) {
+    int line = 0;
+    if (std::sscanf(place.c_str(), "line %d", &line) == 1) return line;
+    std::string_view pointer = place;
+    std::size_t position = 0;
+    while (pointer.starts_with('/')) {
+        pointer.remove_prefix(1);
+        const std::string key = '"' + std::string(pointer.substr(0, pointer.find('/'))) + '"';
+        const auto found = text.find(key, position);
+        if (found != text.npos) position = found;
+        pointer.remove_prefix(std::min(pointer.size(), pointer.find('/')));
+    }
+    return 1 + int(std::count(text.begin(), text.begin() + std::ptrdiff_t(position), '\n'));
+}
+
+/// One of some names, by its place among them; the first one if it is not said.
+std::size_t choice(const JsonNode& node, std::string_view key, const auto& names, std::size_t otherwise) {
+    if (!node.has(key)) return otherwise;
+    const std::string& name = node.at(key).text();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) node.at(key).refuse(name + ": there is none");
+    return std::size_t(found - names.begin());
+}
+
+/// Reads lesson.json.
+class LessonReader {
+public:
+    LessonReader(Lesson& lesson, Problems& problems)
+        : lesson_(lesson), problems_(problems), file_(lesson.file("lesson.json")) {
+        if (!std::filesystem::exists(file_)) throw Refused(file_ + ": not there, so that this is no lesson");
+        text_ = read_file(file_);
+    }
+
+    void read() {
+        guarded([&] {
+            const nlohmann::json document = parse_json(text_);
+            const JsonNode root(document);
+            root.require_keys({"format", "runs", "pins"});
+            if (root.at("format").text() != "vidno-lesson/1") root.at("format").refuse("not \"vidno-lesson/1\"");
+            const JsonNode runs = root.at("runs");
+            if (runs.size() == 0) runs.refuse("a lesson has a run");
+            for (std::size_t i = 0; i < runs.size(); ++i) read_run(runs.at(i));
+            const JsonNode pins = root.at("pins");
+            for (const auto& name : pins.keys()) {
+                guarded([&] { read_pin(name, pins.at(name)); });
+            }
+        });
+    }
+
+private:
+    /// A refusal says where by a pointer; who writes a lesson looks for a line.
+    void guarded(auto&& read) {
+        try {
+            read();
+        } catch (const Refused& refused) {
+            const std::string what = refused.what();
+            problems_.push_back({file_, line_of(text_, what.substr(0, what.find(": "))), what});
+        }
+    }
+
+    void read_run(const JsonNode& node) {
+        node.require_keys({"name", "method"}, {"scene", "kernel", "edition", "detail", "check"});
+        LessonRun run;
+        run.name = node.at("name").text();
+        if (has_run(run.name)) node.at("name").refuse(run.name + ": another run has this name");
+        if (node.has("scene")) run.scene = node.at("scene").text();
+        run.method = Method(choice(node, "method", method_names, 0));
+        run.detail = Detail(choice(node, "detail", detail_names, std::size_t(Detail::signs)));
+        run.edition = editions[choice(node, "edition", editions, 0)];
+        if (node.has("kernel")) run.kernel = node.at("kernel").text();
+        const auto kernel = kernel_named(run.kernel);
+        if (!kernel) node.at("kernel").refuse(run.kernel + " is not one of " + kernel_names());
+        if (!kernel->choice->runs(run.method, run.edition == "printed")) {
+            node.refuse(run.kernel + " does not run this method in this edition");
+        }
+        run.check = node.has("check") && node.at("check").truth();
+        lesson_.runs.push_back(std::move(run));
+    }
+
+    void read_pin(const std::string& name, const JsonNode& node) {
+        node.require_keys({"find"}, {"run", "says", "times"});
+        Pin pin;
+        pin.name = name;
+        pin.line = line_of(text_, "/pins/" + name);
+        pin.run = node.has("run") ? node.at("run").text() : lesson_.runs.front().name;
+        if (!has_run(pin.run)) node.at("run").refuse(pin.run + ": no run has this name");
+        const JsonNode find = node.at("find");
+        for (std::size_t i = 0; i < find.size(); ++i) pin.find.push_back(find.at(i).object());
+        if (pin.find.empty()) find.refuse("holds no event");
+        if (node.has("says")) pin.says = node.at("says").object();
+        if (node.has("times")) {
+            pin.times = node.at("times").whole_number(1, 1 << 30);
+            if (find.size() != 1) find.refuse("of one kind of event is counted how many there are");
+        }
+        lesson_.pins.push_back(std::move(pin));
+    }
+
+    bool has_run(const std::string& name) const {
+        return std::any_of(lesson_.runs.begin(), lesson_.runs.end(),
+                           [&](const LessonRun& run) { return run.name == name; });
+    }
+
+    Lesson& lesson_;
+    Problems& problems_;
+    std::string file_, text_;
+};
+
+Story story_in(const Lesson& lesson, const std::string& language, Problems& problems) {
+    const std::string file = lesson.file("story." + language + ".md");
+    if (std::filesystem::exists(file)) return read_story(read_file(file), file, problems);
+    problems.push_back({file, 1, "is not there"});
+    return {};
+}
+
+}  // namespace
+
+Lesson read_lesson(const std::string& folder, Problems& problems) {
+    Lesson lesson;
+    const auto path = (std::filesystem::path(folder) / "").parent_path();
+    lesson.folder = path.string();
+    lesson.id = std::filesystem::absolute(path).lexically_normal().filename().string();
+    LessonReader(lesson, problems).read();
+    lesson.english = story_in(lesson, "en", problems);
+    lesson.russian = story_in(lesson, "ru", problems);
+    return lesson;
+}
+
+}  // namespace vidno

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "check.h"
+#include "event_lines.h"
+#include "import.h"
+#include "lesson.h"
+#include "output.h"
+#include "scene_json.h"
+#include "snapped_scene.h"
+
+namespace vidno {
+
+Scene scene_of(const Lesson& lesson, const LessonRun& run) {
+    const std::string file = lesson.file(run.scene);
+    const bool is_mesh = !file.ends_with(".json");
+    return (is_mesh ? import_mesh(read_file(file), file, {}) : read_scene(read_file(file), file)).scene;
+}
+
+void trace_run(const Scene& scene, const LessonRun& run, const TraceWriter::Write& write) {
+    const NamedKernel kernel = *kernel_named(run.kernel);
+    const Scene ran = kernel.snaps() ? snapped_scene(scene, kernel.parameter).scene : scene;
+    TraceWriter writer({run.method, run.edition, kernel.name(), run.detail, ran}, write);
+    write_trace({run.method, kernel, run.edition == "printed", ran, run.detail}, writer, run.check);
+}
+
+std::string LessonRun::trace_file(const std::string& lesson) const {
+    const std::string stem = std::filesystem::path(scene).stem().string();
+    std::string file = lesson + (stem == "scene" ? "" : '.' + stem);
+    for (const auto& part : {std::string(method_names[std::size_t(method)]), kernel, edition,
+                             std::string(detail_names[std::size_t(detail)])}) {
+        file += '.' + part;
+    }
+    std::replace(file.begin(), file.end(), ':', '-');
+    return file + (check ? ".checked.jsonl.gz" : ".jsonl.gz");
+}
+
+Steps run_lesson(const Lesson& lesson, Problems& problems,
+                 const std::function<void(const LessonRun&, std::string_view)>& take) {
+    Steps steps;
+    for (const LessonRun& run : lesson.runs) {
+        std::vector<PinSearch> searches;
+        for (const Pin& pin : lesson.pins) {
+            if (pin.run == run.name) searches.emplace_back(pin);
+        }
+        EventLines lines;
+        trace_run(scene_of(lesson, run), run, [&](std::string_view text) {
+            if (take) take(run, text);
+            lines.take(text, [&](std::uint64_t step, std::string_view line) {
+                for (auto& search : searches) search.hear(step, line);
+            });
+        });
+        for (const auto& search : searches) {
+            const auto& [name, line] = std::pair(search.pin().name, search.pin().line);
+            if (search.step()) steps[name] = *search.step();
+            const std::string objection = search.objection();
+            if (objection.empty()) continue;
+            problems.push_back({lesson.file("lesson.json"), line, "pin " + name + ": " + objection});
+        }
+    }
+    return steps;
+}
+
+std::string lesson_json(const Lesson& lesson, const Steps& steps, const std::map<std::string, std::string>& figures) {
+    using Json = nlohmann::ordered_json;
+    Json traces = Json::object();
+    for (const auto& run : lesson.runs) traces[run.name] = run.trace_file(lesson.id);
+    Json pins = Json::object();
+    for (const auto& pin : lesson.pins) {
+        if (const auto step = steps.find(pin.name); step != steps.end()) {
+            pins[pin.name] = {{"run", pin.run}, {"step", step->second}};
+        }
+    }
+    const auto told = [](const Story& story) { return Json{{"title", story.title}, {"blocks", story.blocks}}; };
+    const Json whole{
+        {"format", "vidno-lesson/1"}, {"id", lesson.id},
+        {"traces", traces},           {"pins", pins},
+        {"figures", figures},         {"story", {{"en", told(lesson.english)}, {"ru", told(lesson.russian)}}}};
+    return whole.dump();
+}
+
+}  // namespace vidno

@@ -1,0 +1,48 @@
+/// Story: the text of a lesson in one language, GitHub Markdown turned into blocks that a page can set.
+///
+/// lessons/WRITING.md tells an author what a story may contain; FORMAT.md beside this file, what blocks there are.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problem.h"
+
+namespace vidno {
+
+struct Story {
+    /// Something that the story has in every language, in the order of the text: "heading 2", "pin split".
+    struct Mark {
+        int line;
+        std::string what;
+    };
+    /// A link to a pin, and the words that it stands under.
+    struct PinLink {
+        int line;
+        std::string pin, words;
+    };
+    struct Figure {
+        int line;
+        std::string command, file;
+    };
+
+    std::string file;
+    std::string plain_title;
+    nlohmann::ordered_json title = nlohmann::ordered_json::array();
+    nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
+    std::vector<Mark> marks;
+    std::vector<PinLink> pins;
+    std::vector<Mark> lessons;  // that it leads to, by their folders' names
+    std::vector<Figure> figures;
+    int questions = 0;
+};
+
+/// Reads a story. What a page could not show, and what a story must have and lacks, is added to the problems.
+Story read_story(std::string_view markdown, const std::string& file, Problems& problems);
+
+/// Adds where the second story has another structure than the first.
+void compare_structure(const Story& first, const Story& second, Problems& problems);
+
+}  // namespace vidno
