@@ -10,6 +10,7 @@
 #include "checked.h"
 #include "output.h"
 #include "snapped_scene.h"
+#include "support/editions.h"
 #include "support/kettner.h"
 #include "support/scenes.h"
 #include "support/stage.h"
@@ -227,7 +228,7 @@ TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
             const NamedKernel kernel = *kernel_named(name);
             const Scene scene = kernel.snaps() ? snapped_scene(drawn, 3).scene : drawn;
             for (const Method method : {Method::warnock, Method::zbuffer}) {
-                for (const Edition edition : {Edition::corrected, Edition::printed}) {
+                for (const Edition edition : all_editions()) {
                     if (!kernel.choice->runs(method, edition)) continue;
                     for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
                         CAPTURE(i);

@@ -13,6 +13,7 @@
 #include "recorder.h"
 #include "run.h"
 #include "state.h"
+#include "support/editions.h"
 #include "support/scenes.h"
 #include "support/stage.h"
 #include "trace_reader.h"
@@ -35,7 +36,7 @@ struct Choice {
 std::vector<Choice> all_choices() {
     std::vector<Choice> choices;
     for (const Method method : {Method::warnock, Method::zbuffer}) {
-        for (const Edition edition : {Edition::corrected, Edition::printed}) {
+        for (const Edition edition : all_editions()) {
             for (const std::string kernel :
                  {"float", "double", "bits:4", "bits:11", "depth:6", "filtered", "grid:1", "exact"}) {
                 if (kernel_named(kernel)->choice->runs(method, edition)) choices.push_back({method, edition, kernel});

@@ -52,7 +52,7 @@ Json built(const Lesson& lesson, const std::filesystem::path& folder, Problems& 
         traces.push_back({{"file", run.trace_file(lesson.id)},
                           {"method", method_names[std::size_t(run.method)]},
                           {"kernel", run.kernel},
-                          {"edition", run.edition},
+                          {"edition", edition_names[std::size_t(run.edition)]},
                           {"detail", detail_names[std::size_t(run.detail)]}});
     }
     return {{"id", lesson.id},

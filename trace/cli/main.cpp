@@ -14,6 +14,8 @@ using namespace vidno::cli;
 
 std::vector<std::string> words(const auto& names) { return {names.begin(), names.end()}; }
 
+const CLI::Validator an_edition = CLI::IsMember(words(edition_names)).description("");
+
 const CLI::Validator a_kernel(
     [](const std::string& name) { return kernel_named(name) ? "" : name + " is not one of " + kernel_names(); },
     kernel_names());
@@ -24,8 +26,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->check(CLI::IsMember(words(method_names)))
         ->capture_default_str();
     command.add_option("--kernel", options.kernel, "Which arithmetic decides")->check(a_kernel)->capture_default_str();
-    command.add_option("--edition", options.edition, "The procedures put right, or as the text prints them")
-        ->check(CLI::IsMember(words(edition_names)))
+    command.add_option("--edition", options.edition, "Which text of the procedures: see vidno methods")
+        ->check(an_edition)
+        ->type_name("EDITION")
         ->capture_default_str();
 }
 
@@ -59,8 +62,9 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
         ->check(CLI::IsMember(words(method_names)));
     command.add_option("--kernel", options.kernel, "Which arithmetic decides [double, or the trace's]")
         ->check(a_kernel);
-    command.add_option("--edition", options.edition, "corrected or printed [corrected, or the trace's]")
-        ->check(CLI::IsMember(words(edition_names)));
+    command.add_option("--edition", options.edition, "Which text of the procedures [corrected, or the trace's]")
+        ->check(an_edition)
+        ->type_name("EDITION");
     command.footer(
         "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"
         "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");

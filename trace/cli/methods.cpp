@@ -15,9 +15,11 @@ int methods() {
         if (kernel.parameter) (name += ':') += kernel.parameter->letter;
         std::cout << "  " << name << std::string(11 - name.size(), ' ') << kernel.rule << '\n';
     }
-    std::cout << "editions\n";
-    for (const auto& [name, rule] : edition_choices) {
-        std::cout << "  " << name << std::string(11 - name.size(), ' ') << rule << '\n';
+    std::cout << "editions    (from the third on with one usual mistake, under double and exact)\n";
+    for (const auto& [name, rule, only] : edition_choices) {
+        std::cout << "  " << name << std::string(21 - name.size(), ' ') << rule;
+        if (only) std::cout << "; " << method_names[std::size_t(*only)] << " only";
+        std::cout << '\n';
     }
     std::cout << "levels of detail (each adds events to the one before)\n"
                  "  windows    windows, cases and fills; polygons, scanlines and painted runs\n"

@@ -18,6 +18,13 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     if (edition == Edition::printed && !kernel.choice->runs_printed) {
         throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
     }
+    const std::string named = "--edition " + std::string(choice_of(edition).name);
+    if (is_mistake(edition) && !kernel.choice->runs_mistakes) {
+        throw Refused(named + ": not under --kernel " + kernel.name() + ", but under double and exact");
+    }
+    if (const auto only = choice_of(edition).only; only && *only != method) {
+        throw Refused(named + ": a mistake of --method " + std::string(method_names[std::size_t(*only)]) + " alone");
+    }
 }
 
 NamedKernel kernel_of(const RunOptions& options) {

@@ -19,7 +19,8 @@ struct LessonRun {
     std::string name;
     std::string scene = "scene.json";  // of the lesson's folder, or a mesh
     Method method{};
-    std::string kernel = "double", edition = "corrected";
+    std::string kernel = "double";
+    Edition edition = Edition::corrected;
     Detail detail = Detail::signs;
     bool check = false;
 

@@ -10,8 +10,6 @@ namespace vidno {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> editions{"corrected", "printed"};
-
 /// The line that a refusal names, or that of the value at its JSON pointer, as near as its keys lead.
 int line_of(std::string_view text, const std::string& place) {
     int line = 0;
@@ -81,11 +79,11 @@ private:
         if (node.has("scene")) run.scene = node.at("scene").text();
         run.method = Method(choice(node, "method", method_names, 0));
         run.detail = Detail(choice(node, "detail", detail_names, std::size_t(Detail::signs)));
-        run.edition = editions[choice(node, "edition", editions, 0)];
+        run.edition = Edition(choice(node, "edition", edition_names, std::size_t(Edition::corrected)));
         if (node.has("kernel")) run.kernel = node.at("kernel").text();
         const auto kernel = kernel_named(run.kernel);
         if (!kernel) node.at("kernel").refuse(run.kernel + " is not one of " + kernel_names());
-        if (!kernel->choice->runs(run.method, run.edition == "printed")) {
+        if (!kernel->choice->runs(run.method, run.edition)) {
             node.refuse(run.kernel + " does not run this method in this edition");
         }
         run.check = node.has("check") && node.at("check").truth();

@@ -21,15 +21,16 @@ void trace_run(const Scene& scene, const LessonRun& run, const TraceWriter::Writ
     const NamedKernel kernel = *kernel_named(run.kernel);
     const Scene ran = kernel.snaps() ? snapped_scene(scene, kernel.parameter).scene : scene;
     TraceWriter writer({run.method, run.edition, kernel.name(), run.detail, ran}, write);
-    write_trace({run.method, kernel, run.edition == "printed", ran, run.detail}, writer, run.check);
+    write_trace({run.method, kernel, run.edition, ran, run.detail}, writer, run.check);
 }
 
 std::string LessonRun::trace_file(const std::string& lesson) const {
     const std::string stem = std::filesystem::path(scene).stem().string();
     std::string file = lesson + (stem == "scene" ? "" : '.' + stem);
-    for (const auto& part : {std::string(method_names[std::size_t(method)]), kernel, edition,
-                             std::string(detail_names[std::size_t(detail)])}) {
-        file += '.' + part;
+    for (const std::string_view part : {method_names[std::size_t(method)], std::string_view(kernel),
+                                        edition_names[std::size_t(edition)], detail_names[std::size_t(detail)]}) {
+        file += '.';
+        file += part;
     }
     std::replace(file.begin(), file.end(), ':', '-');
     return file + (check ? ".checked.jsonl.gz" : ".jsonl.gz");

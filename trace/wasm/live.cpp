@@ -63,6 +63,7 @@ Options read_options(const JsonNode& root) {
     Options options;
     options.method = Method(place_of(root.at("method"), method_names));
     options.edition = Edition(place_of(root.at("edition"), edition_names));
+    if (is_mistake(options.edition)) root.at("edition").refuse("a usual mistake, which this library has not");
     options.kernel = read_kernel(root.at("kernel"));
     if (!options.kernel.choice->runs(options.method, options.edition)) {
         root.at("kernel").refuse("does not run this method and edition");
