@@ -12,7 +12,7 @@ afterAll(async () => {
   await browser.close();
 });
 
-const lesson = 'trace=10-printed-text.warnock.double.corrected.signs';
+const lesson = 'trace=09-usual-mistakes.warnock.double.corrected.signs';
 
 describe('a comparison', () => {
   it.each(

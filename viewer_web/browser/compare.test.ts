@@ -12,7 +12,7 @@ afterAll(async () => {
   await browser.close();
 });
 
-const lesson = 'trace=10-printed-text.warnock.double.corrected.signs';
+const lesson = 'trace=09-usual-mistakes.warnock.double.corrected.signs';
 
 describe('the printed text beside the corrected one', () => {
   it('parts in a number and in what is done, and each is gone to', async () => {
@@ -70,7 +70,7 @@ describe('the printed text beside the corrected one', () => {
   it('has its step bookmarked and both its pictures saved, as its map of keys says', async () => {
     const { page } = await comparing(
       browser,
-      `${lesson}&with=10-printed-text.warnock.double.printed.signs&step=20`,
+      `${lesson}&with=09-usual-mistakes.warnock.double.printed.signs&step=20`,
     );
     await page.keyboard.press('b');
     await page.waitForURL(/bookmarks=/);
@@ -161,7 +161,7 @@ describe('other runs', () => {
   it('are traces of the lessons and files', async () => {
     const { page, faults } = await comparing(
       browser,
-      `${lesson}&with=10-printed-text.warnock.double.printed.signs`,
+      `${lesson}&with=09-usual-mistakes.warnock.double.printed.signs`,
     );
     expect((await names(page))[1]).toBe('Warnock · as printed · double');
     await page.keyboard.press('d');

@@ -13,7 +13,7 @@ afterAll(async () => {
   await browser.close();
 });
 
-const printed = (method: string): string => `10-printed-text.${method}.double.printed.signs`;
+const printed = (method: string): string => `09-usual-mistakes.${method}.double.printed.signs`;
 
 async function openLesson(
   trace: string,
@@ -65,7 +65,7 @@ describe('the difference', () => {
 
   it('falls as the run goes on', async () => {
     const { page } = await openLesson(
-      '10-printed-text.warnock.double.corrected.signs',
+      '09-usual-mistakes.warnock.double.corrected.signs',
       {},
       '&layer=difference',
     );
@@ -178,7 +178,7 @@ describe('the choice of a layer', () => {
 
 describe('the windows so far', () => {
   it('are drawn, and those around the current one', async () => {
-    const { page } = await openLesson('10-printed-text.warnock.double.corrected.signs');
+    const { page } = await openLesson('09-usual-mistakes.warnock.double.corrected.signs');
     const boxes = async (role: string): Promise<number> => {
       const d = await page.locator(`vidno-picture > svg > .${role}:not(.casing)`).getAttribute('d');
       return (d?.match(/M/g) ?? []).length;

@@ -15,7 +15,7 @@ describe('the library in the page', () => {
   it.each([
     '02-corner-depths.warnock.double.corrected.signs',
     '08-show-line.zbuffer.float.corrected.signs',
-    '10-printed-text.zbuffer.double.printed.signs',
+    '09-usual-mistakes.zbuffer.double.printed.signs',
   ])('writes what the program wrote: %s', async (trace) => {
     const { page, faults } = await open(browser, `#lang=en&trace=${trace}`);
     await page.locator(title, { hasText: /./u }).waitFor();
