@@ -56,17 +56,24 @@ Drawing listing_part(const Moment& moment, const Style& style, double width) {
     const json& procedure = procedure_at(frame);
 
     Drawing drawing{width, 0};
-    double y = line_height;
-    const auto put = [&](const std::string& text, double x, double size, bool bold) {
-        drawing.add(Label{text, {x, y - base_below}, size, Anchor::start, bold, ink});
+    double y = 0;
+    const auto put = [&](const std::string& text, double x, double size) {
+        drawing.add(Label{text, {x, y - base_below}, size, Anchor::start, false, ink});
     };
     const auto rule = [&](double at, double thickness) {
         drawing.add(Path{{{{0, at}, {width, at}}}, false, {}, Stroke{ink, thickness}});
     };
     const std::string name = procedure.at("name");
     const std::string head = name + "(" + std::string(procedure.at("takes")) + ")";
-    if (!frame.at) drawing.add(rectangle({0, 0, width, line_height}, band));
-    put(fitted(head, width / style.letters, text_size, true), 0, text_size, true);
+    constexpr double bold = 1.08;  // wider
+    const double room = width / style.letters / bold;
+    const auto heads = wrapped(head, room, room);
+    y = line_height * double(heads.size());
+    if (!frame.at) drawing.add(rectangle({0, 0, width, y}, band));
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+        const Point at{i == 0 ? 0 : hanging, line_height * double(i + 1) - base_below};
+        drawing.add(Label{heads[i], at, text_size, Anchor::start, true, ink});
+    }
     rule(y, 0.75);
     y += 0.4;
     for (const json& line : procedure.at("lines")) {
@@ -80,8 +87,8 @@ Drawing listing_part(const Moment& moment, const Style& style, double width) {
         }
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             y += line_height;
-            if (i == 0) put(line.at("at"), number_at, small_size, false);
-            put(pieces[i], left + (i == 0 ? 0 : hanging), text_size, false);
+            if (i == 0) put(line.at("at"), number_at, small_size);
+            put(pieces[i], left + (i == 0 ? 0 : hanging), text_size);
         }
     }
     rule(y + 0.5, 0.75);
