@@ -310,3 +310,11 @@ TEST_CASE("Every step of a run can be pinned") {
         }
     }
 }
+TEST_CASE("The lessons say what their runs do, in both languages") {
+    std::set<std::string> folders;
+    for (const auto& entry : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons")) {
+        if (std::filesystem::exists(entry.path() / "lesson.json")) folders.insert(entry.path().string());
+    }
+    CHECK(folders.size() >= 10);
+    for (const auto& folder : folders) CHECK_MESSAGE(program("lesson check " + folder).text == "", folder);
+}
