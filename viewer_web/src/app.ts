@@ -214,7 +214,7 @@ export class AppElement extends LitElement implements Shown, Told {
           @file=${({ detail }: CustomEvent<File>) => this.openFile(detail)}
         ></vidno-file-drop>
       </nav>
-      ${this.isReading ? reader(this) : nothing}
+      ${this.reading.lesson?.story === undefined ? nothing : reader(this)}
       <main>
         ${heading(session, this.name, language)} ${alone(this)}
         ${isCompared ? besides(this) : nothing}

@@ -39,6 +39,10 @@ export class CommandElement extends LitElement {
         white-space: pre-wrap;
         overflow-wrap: anywhere;
       }
+      span {
+        display: inline-block;
+        max-width: 100%;
+      }
       button {
         flex: none;
         min-height: 1.625rem;
@@ -71,13 +75,25 @@ export class CommandElement extends LitElement {
 
   override render(): TemplateResult {
     const { copy, copied } = this.texts;
-    return html`<pre><code>${this.text.trimEnd()}</code></pre>
+    return html`<pre><code>${this.words()}</code></pre>
       <button aria-live="polite" @click=${this.copy}>${this.isCopied ? copied : copy}</button>`;
+  }
+
+  /** A line may end between words, but not in one, as after the `-` of an option. */
+  private words(): readonly unknown[] {
+    const parts = this.text.trimEnd().split(/(\s+)/);
+    return parts.map((part, i) => (i % 2 === 0 ? html`<span>${part}</span>` : part));
   }
 
   private async copy(): Promise<void> {
     await navigator.clipboard.writeText(this.text.trimEnd());
     this.isCopied = true;
     setTimeout(() => (this.isCopied = false), noticed);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-command': CommandElement;
   }
 }

@@ -72,6 +72,7 @@ export class LessonListElement extends LitElement {
         line-height: 1.35;
       }
       ul a {
+        min-height: 1.5rem;
         padding: 0.2rem 0 0.2rem 0.6rem;
         border-left: 2px solid var(--line);
         color: var(--soft);

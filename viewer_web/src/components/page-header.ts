@@ -40,6 +40,7 @@ export class PageHeaderElement extends LitElement {
           padding: 0 0.5rem;
         }
         .present,
+        :host([told]) .keys,
         kbd {
           display: none;
         }
@@ -56,7 +57,7 @@ export class PageHeaderElement extends LitElement {
   @property({ type: Boolean }) alone = false;
 
   /** Whether the lesson has a text, and whether that is shown. */
-  @property({ type: Boolean }) told = false;
+  @property({ type: Boolean, reflect: true }) told = false;
   @property({ type: Boolean }) reading = false;
 
   override render(): TemplateResult {
@@ -76,7 +77,7 @@ export class PageHeaderElement extends LitElement {
               </button>`
             : nothing
         }
-        <button @click=${() => this.ask('keys')} ?disabled=${!this.open}>
+        <button class="keys" @click=${() => this.ask('keys')} ?disabled=${!this.open}>
           ${page.keys} <kbd>?</kbd>
         </button>
         <button

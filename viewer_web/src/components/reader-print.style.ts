@@ -35,7 +35,8 @@ export const readerPrint = css`
     h4 {
       font-size: 11.5pt;
     }
-    :is(h2, h3, h4) {
+    :is(h2, h3, h4),
+    p:has(+ :is(pre, vidno-command, figure, .formula, .table, ul, ol)) {
       break-after: avoid;
     }
     figure,

@@ -67,6 +67,7 @@ export const readerStyle = [
       flex: 1;
       min-height: 0;
       overflow: auto;
+      overflow-anchor: none;
       overscroll-behavior: contain;
       scrollbar-width: thin;
     }

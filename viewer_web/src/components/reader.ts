@@ -37,7 +37,7 @@ export class ReaderElement extends LitElement {
   @property({ attribute: false }) lessons: readonly Lesson[] = [];
   @property({ attribute: false }) setup!: Setup;
   /** The place to be brought into sight. */
-  @property({ attribute: false }) goal: Goal = { place: null };
+  @property({ attribute: false }) goal: Goal = { place: null, isRead: false };
   /** The pin that one has come to, by the name of its place. */
   @property({ attribute: false }) current: string | null = null;
   @property({ attribute: false }) previous: Lesson | null = null;
@@ -68,9 +68,15 @@ export class ReaderElement extends LitElement {
   }
 
   override updated(changed: PropertyValues<this>): void {
-    const isOther = changed.has('story');
-    if (isOther || changed.has('goal')) this.place.show(this.goal.place, !isOther);
+    if (changed.has('story') || changed.has('goal')) void this.show();
     else if (changed.has('setup')) this.place.restore();
+  }
+
+  /** Only when its parts are there it is known where they stand. */
+  private async show(): Promise<void> {
+    const commands = [...this.article.querySelectorAll('vidno-command')];
+    await Promise.all(commands.map(({ updateComplete }) => updateComplete));
+    this.place.show(this.goal);
   }
 
   reached(now: Reached, isScrolled: boolean): void {

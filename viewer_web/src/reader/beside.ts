@@ -14,6 +14,8 @@ export interface Told {
   readonly session: Session;
   readonly setup: Setup;
   readonly reading: Reading;
+  /** Whether the text of a lesson is beside the run. */
+  readonly isReading: boolean;
   change(part: Partial<Setup>): void;
   /** Opens the table of contents, or closes it, where there is no room for it. */
   turnToContents(isOpen: boolean): void;
@@ -40,6 +42,7 @@ export function contents(page: Told): TemplateResult {
 export function reader(page: Told): TemplateResult {
   const { lessons, setup, reading } = page;
   return html`<vidno-reader
+    ?hidden=${!page.isReading}
     ?inert=${setup.presenting}
     .story=${reading.story}
     .error=${reading.error}

@@ -1,5 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import { readingLine, scrolledTo } from './reading-line.js';
+import type { Goal } from './reading.js';
 
 /** What stands nearest above the reading line: by the names of the places. */
 export interface Reached {
@@ -21,7 +22,7 @@ const isPin = ({ classList }: Element): boolean => classList.contains('pin');
 export interface Read extends ReactiveControllerHost {
   readonly box: HTMLElement;
   readonly article: HTMLElement;
-  /** One has come to another place; whether by scrolling. */
+  /** One has come to another place; whether by reading on. */
   reached(now: Reached, isScrolled: boolean): void;
 }
 
@@ -41,6 +42,8 @@ export class ReadingPlace implements ReactiveController {
   watch(): void {
     const { box } = this.host;
     box.addEventListener('scroll', this.onScroll, { passive: true });
+    // A drawing has its height only when it is read.
+    box.addEventListener('load', () => this.restore(), { capture: true });
     this.sizes.observe(box);
   }
 
@@ -49,20 +52,17 @@ export class ReadingPlace implements ReactiveController {
   }
 
   /** Shows a place, the beginning if there is none: a heading near the top, a pin at the reading line. */
-  show(place: string | null, isSmooth = false): void {
+  show({ place, isRead }: Goal): void {
     const { box } = this.host;
     const mark = this.marks().find(({ dataset }) => dataset['place'] === place);
     if (mark === undefined) {
       this.scrollTo(0);
       return;
     }
-    const isHeading = !isPin(mark);
     const top = this.topOf(mark) + box.scrollTop;
-    const goal = isHeading ? top - 16 : this.scrolledTo(top + 4);
-    if (isSmooth && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
-      box.scrollTo({ top: goal, behavior: 'smooth' });
-    } else this.scrollTo(goal);
-    if (isHeading) mark.focus({ preventScroll: true });
+    this.scrollTo(isPin(mark) ? this.scrolledTo(top + 4) : top - 16);
+    this.tell(isRead, place);
+    if (!isPin(mark)) mark.focus({ preventScroll: true });
   }
 
   /** Scrolls to where one was before the text was set anew. */
@@ -91,13 +91,14 @@ export class ReadingPlace implements ReactiveController {
     this.tell(true);
   };
 
-  private tell(isScrolled: boolean): void {
+  /** Tells what stands above the reading line; or which place it is that was asked for. */
+  private tell(isScrolled: boolean, asked: string | null = null): void {
     const line = this.line();
     const above = this.marks().filter((mark) => this.topOf(mark) <= line);
     const place = (marks: readonly HTMLElement[]): string | null =>
       marks.at(-1)?.dataset['place'] ?? null;
     const now: Reached = {
-      place: place(above),
+      place: asked ?? place(above),
       pin: place(above.filter(isPin)),
       heading: place(above.filter((mark) => !isPin(mark))),
     };
@@ -122,7 +123,7 @@ export class ReadingPlace implements ReactiveController {
   /** Headings and pins that can be seen, in the order of the text. */
   private marks(): readonly HTMLElement[] {
     const marks = this.host.article.querySelectorAll<HTMLElement>('[data-place]');
-    return [...marks].filter((mark) => mark.getClientRects().length > 0);
+    return [...marks].filter((mark) => mark.checkVisibility());
   }
 
   private line(): number {

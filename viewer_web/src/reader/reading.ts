@@ -12,6 +12,8 @@ const stay = 120;
 /** A place in the text that is to be brought into sight; null: its beginning. A new one each time. */
 export interface Goal {
   readonly place: string | null;
+  /** Whether one goes on reading there, so that the run may follow. */
+  readonly isRead: boolean;
 }
 
 /** A pin by the name of its place, which may have the number of the time behind it. */
@@ -26,7 +28,7 @@ export class Reading {
   story: LessonStory | null = null;
   /** Why there is none. */
   error: unknown = null;
-  goal: Goal = { place: null };
+  goal: Goal = { place: null, isRead: false };
   /** What one has reached by reading. */
   reached: Reached = { place: null, pin: null, heading: null };
   /** The pin by which the run has come to its step, by the name of its place. */
@@ -61,7 +63,7 @@ export class Reading {
 
   /** Another place in the same text. */
   visit(place: string): void {
-    this.goal = { place };
+    this.goal = { place, isRead: true };
     this.changed();
   }
 
@@ -116,7 +118,7 @@ export class Reading {
   private async open(lesson: Lesson | null, place: string | null): Promise<boolean> {
     clearTimeout(this.timer);
     if (lesson === this.lesson && (lesson === null || place === null)) return true;
-    const goal = { place };
+    const goal = { place, isRead: false };
     this.goal = goal;
     if (lesson !== this.lesson) {
       this.lesson = lesson;
