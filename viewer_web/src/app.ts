@@ -102,13 +102,14 @@ export class AppElement extends LitElement implements Shown, Told {
     return this.setup.setting.ask === 'forced';
   }
 
+  /** Whether there is the text of a lesson, though it may be out of sight. */
   private get hasText(): boolean {
-    return this.reading.lesson?.story !== undefined && !this.session.isCompared;
+    return this.reading.lesson?.story !== undefined && !this.setup.setting.embed;
   }
 
-  /** Whether the text of a lesson is beside the run. */
+  /** Whether it is beside the run. */
   get isReading(): boolean {
-    return this.hasText && this.setup.reader && !this.setup.setting.embed;
+    return this.hasText && this.setup.reader && !this.session.isCompared;
   }
 
   turnToContents(isOpen: boolean): void {
@@ -121,7 +122,7 @@ export class AppElement extends LitElement implements Shown, Told {
   }
 
   private turnText(): void {
-    if (this.hasText) this.change({ reader: !this.setup.reader });
+    if (this.hasText && !this.session.isCompared) this.change({ reader: !this.setup.reader });
   }
 
   /** To another run beside this one, and back. */
@@ -199,7 +200,7 @@ export class AppElement extends LitElement implements Shown, Told {
         ?open=${trace !== null}
         ?comparing=${rival.chosen !== null}
         ?alone=${this.isAsked}
-        ?told=${this.hasText}
+        ?told=${this.hasText && !isCompared}
         ?reading=${this.isReading}
         @text=${() => this.turnText()}
         @keys=${() => this.stage.showKeys()}
@@ -214,7 +215,7 @@ export class AppElement extends LitElement implements Shown, Told {
           @file=${({ detail }: CustomEvent<File>) => this.openFile(detail)}
         ></vidno-file-drop>
       </nav>
-      ${this.reading.lesson?.story === undefined ? nothing : reader(this)}
+      ${this.hasText ? reader(this) : nothing}
       <main>
         ${heading(session, this.name, language)} ${alone(this)}
         ${isCompared ? besides(this) : nothing}

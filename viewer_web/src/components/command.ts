@@ -7,6 +7,14 @@ import { base } from './theme.js';
 /** Milliseconds for which it is said that something was copied. */
 const noticed = 2000;
 
+/** It may end between words, but not in one, as after the `-` of an option. */
+function line(text: string): TemplateResult {
+  const parts = text.split(/(\s+)/);
+  return html`<span class="line"
+    >${parts.map((part, i) => (i % 2 === 0 ? html`<span class="word">${part}</span>` : part))}</span
+  >`;
+}
+
 /** A command to be tried in a terminal, with a button that copies it. */
 @customElement('vidno-command')
 export class CommandElement extends LitElement {
@@ -39,9 +47,15 @@ export class CommandElement extends LitElement {
         white-space: pre-wrap;
         overflow-wrap: anywhere;
       }
-      span {
+      .line {
+        display: block;
+        padding-left: 1.5em;
+        text-indent: -1.5em;
+      }
+      .word {
         display: inline-block;
         max-width: 100%;
+        text-indent: 0;
       }
       button {
         flex: none;
@@ -75,14 +89,8 @@ export class CommandElement extends LitElement {
 
   override render(): TemplateResult {
     const { copy, copied } = this.texts;
-    return html`<pre><code>${this.words()}</code></pre>
+    return html`<pre><code>${this.text.trimEnd().split('\n').map(line)}</code></pre>
       <button aria-live="polite" @click=${this.copy}>${this.isCopied ? copied : copy}</button>`;
-  }
-
-  /** A line may end between words, but not in one, as after the `-` of an option. */
-  private words(): readonly unknown[] {
-    const parts = this.text.trimEnd().split(/(\s+)/);
-    return parts.map((part, i) => (i % 2 === 0 ? html`<span>${part}</span>` : part));
   }
 
   private async copy(): Promise<void> {

@@ -1,5 +1,5 @@
 import { LitElement, css, html, nothing } from 'lit';
-import type { TemplateResult } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { Setup } from '../address.js';
 import { texts } from '../i18n/index.js';
@@ -57,8 +57,12 @@ export class LessonListElement extends LitElement {
         color: var(--accent);
         text-decoration: underline;
       }
+      h3:has(a) {
+        font-weight: 500;
+      }
       h3 a[aria-current] {
         color: var(--accent);
+        font-weight: 650;
       }
       ul {
         margin: 0 0 0.5rem;
@@ -124,6 +128,14 @@ export class LessonListElement extends LitElement {
   @property({ attribute: false }) read: string | null = null;
   @property({ attribute: false }) story: Story | null = null;
   @property({ attribute: false }) heading: string | null = null;
+
+  override updated(changed: PropertyValues<this>): void {
+    if (!changed.has('story') || this.story === null) return;
+    this.renderRoot
+      .querySelector('[aria-current=page]')
+      ?.closest('li')
+      ?.scrollIntoView({ block: 'nearest' });
+  }
 
   override render(): TemplateResult {
     const { page } = texts[this.language];

@@ -8,7 +8,7 @@ export const readerPrint = css`
       overflow: visible;
       border: 0;
     }
-    header,
+    .bar,
     nav.long,
     .anchor,
     summary::marker {

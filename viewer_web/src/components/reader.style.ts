@@ -19,7 +19,7 @@ export const readerStyle = [
         'Iowan Old Style', Charter, 'Source Serif 4', Cambria, 'PT Serif', 'Noto Serif', Georgia,
         'Liberation Serif', 'DejaVu Serif', serif;
     }
-    header {
+    .bar {
       display: flex;
       flex: none;
       gap: 0.75rem;
@@ -30,14 +30,14 @@ export const readerStyle = [
       color: var(--soft);
       font-size: 0.8125rem;
     }
-    header label {
+    .bar label {
       display: flex;
       gap: 0.4rem;
       align-items: center;
       min-height: 1.75rem;
       cursor: pointer;
     }
-    header input {
+    .bar input {
       margin: 0;
       accent-color: var(--accent);
     }

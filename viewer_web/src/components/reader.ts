@@ -86,7 +86,7 @@ export class ReaderElement extends LitElement {
   override render(): TemplateResult {
     const { reader } = texts[this.language];
     return html`
-      <header>
+      <div class="bar">
         <button class="contents" @click=${() => this.ask('contents')}>${reader.contents}</button>
         <label title=${reader.followHint}>
           <input
@@ -97,7 +97,7 @@ export class ReaderElement extends LitElement {
           ${reader.follow}
         </label>
         ${this.neighbours('short')}
-      </header>
+      </div>
       <div class="box" tabindex="0" role="region" aria-label=${reader.text} @click=${this.onClick}>
         ${this.story === null ? this.excuse() : keyed(this.story.id, this.told(this.story))}
       </div>

@@ -51,13 +51,16 @@ export class Reading {
     const opened = this.open(lesson, at);
     if (live !== null) void this.session.openCarried(live, place);
     else if (trace !== undefined) this.show(trace, place);
-    else if (lesson !== null && (await opened))
+    else if (lesson !== null && (await opened)) {
+      if (at === null) this.goal = { place: null, isRead: false };
       this.begin(lesson, step === null ? at : null, place);
+    }
   }
 
   /** Opens a run by itself, with the text of its lesson. */
   choose(trace: LessonTrace): void {
-    void this.open(this.lessonOf(trace) ?? null, null);
+    const lesson = this.lessonOf(trace) ?? null;
+    if (lesson !== this.lesson) void this.open(lesson, null);
     void this.session.openLesson(trace);
   }
 
@@ -117,7 +120,7 @@ export class Reading {
   /** Says whether this is still what is wanted when the text has been read. */
   private async open(lesson: Lesson | null, place: string | null): Promise<boolean> {
     clearTimeout(this.timer);
-    if (lesson === this.lesson && (lesson === null || place === null)) return true;
+    if (lesson === this.lesson && place === null) return true;
     const goal = { place, isRead: false };
     this.goal = goal;
     if (lesson !== this.lesson) {
