@@ -130,7 +130,7 @@ export function lessonTraces(page: Page): Promise<readonly string[]> {
 
 /** Opens a trace of a lesson by its address, and waits until it is shown. */
 export async function openLesson(page: Page, trace: string): Promise<void> {
-  await page.evaluate((hash) => (location.hash = hash), `#lang=en&trace=${trace}`);
+  await page.evaluate((hash) => (location.hash = hash), `#trace=${trace}`);
   await page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`).waitFor();
 }
 

@@ -44,7 +44,10 @@ describe('the text of a lesson', () => {
 
   it('goes to a pin at once by a click or Enter, and does not move', async () => {
     const { page } = await openReader(browser, '#lang=en');
+    await readTo(page, 'second');
+    await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
     await pin(page, 'scanline').scrollIntoViewIfNeeded();
+    await page.waitForTimeout(400); // until the run has followed
     const before = await scrolled(page);
     await pin(page, 'scanline').click();
     await expect.poll(() => standing(page)).toEqual(['zbuffer', 33, 'scanline']);
