@@ -1,7 +1,18 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, shown, small, whole } from './page.js';
+import {
+  goTo,
+  launch,
+  lessonTraces,
+  open,
+  openLesson,
+  opened,
+  sampleTrace,
+  shown,
+  small,
+  whole,
+} from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -102,10 +113,9 @@ describe('the history of a pixel', () => {
 
   it('is kept in the address', async () => {
     const { page: first } = await open(browser, '#lang=en');
-    const lesson = first.locator('vidno-lesson-list button').last();
-    if ((await lesson.count()) === 0) return;
-    await lesson.click();
-    await lesson.and(first.locator('[aria-pressed="true"]')).waitFor();
+    const last = (await lessonTraces(first)).at(-1);
+    if (last === undefined) return;
+    await openLesson(first, last);
     const area = await first.locator('vidno-picture .area').boundingBox();
     if (area === null) throw new Error('no picture');
     await first.mouse.click(area.x + area.width / 3, area.y + area.height / 2);
@@ -118,9 +128,8 @@ describe('the history of a pixel', () => {
 
   it('has something to say of every lesson', async () => {
     const { page, faults } = await open(browser, '#lang=ru');
-    for (const lesson of await page.locator('vidno-lesson-list button').all()) {
-      await lesson.click();
-      await lesson.and(page.locator('[aria-pressed="true"]')).waitFor();
+    for (const trace of await lessonTraces(page)) {
+      await openLesson(page, trace);
       await whole(page);
       await page.keyboard.press('p');
       await page.keyboard.press('Enter');

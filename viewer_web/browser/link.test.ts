@@ -1,7 +1,7 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { bookmark, listed } from './bookmarks.js';
-import { launch, open } from './page.js';
+import { launch, lessonTraces, open, openLesson as showLesson } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -41,12 +41,7 @@ describe('a link', () => {
       [12, ''],
       [40, 'здесь & там = «да» #1'],
     ]);
-    await page.locator('vidno-lesson-list button').nth(1).click();
-    await page
-      .locator('vidno-lesson-list button')
-      .nth(1)
-      .and(page.locator('[aria-pressed=true]'))
-      .waitFor();
+    await showLesson(page, (await lessonTraces(page))[1] ?? '');
     await expect.poll(() => listed(page)).toEqual([]);
     expect(faults).toEqual([]);
   });

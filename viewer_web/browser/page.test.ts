@@ -1,6 +1,16 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { goTo, launch, open, opened, shown, small, whole } from './page.js';
+import {
+  goTo,
+  launch,
+  lessonTraces,
+  open,
+  openLesson,
+  opened,
+  shown,
+  small,
+  whole,
+} from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -13,12 +23,9 @@ afterAll(async () => {
 describe('each lesson', () => {
   it('opens, plays to its end by keyboard and back, and does nothing else', async () => {
     const { page, faults } = await open(browser, '#lang=en');
-    const ids = await page
-      .locator('vidno-lesson-list button')
-      .evaluateAll((buttons) => buttons.map((button) => button.dataset['trace'] ?? ''));
+    const ids = await lessonTraces(page);
     for (const id of ids) {
-      await page.locator(`button[data-trace="${id}"]`).click();
-      await page.locator(`button[data-trace="${id}"][aria-pressed="true"]`).waitFor();
+      await openLesson(page, id);
       await whole(page);
       await page.keyboard.press('ArrowRight');
       expect((await shown(page)).step).toBe(1);
@@ -113,10 +120,9 @@ const focused = (page: Page): Promise<string> =>
 describe('the address', () => {
   it('reopens a lesson at its step', async () => {
     const { page: first } = await open(browser, '#lang=en');
-    const button = first.locator('vidno-lesson-list button').last();
-    if ((await button.count()) === 0) return;
-    await button.click();
-    await button.and(first.locator('[aria-pressed="true"]')).waitFor(); // shown
+    const last = (await lessonTraces(first)).at(-1);
+    if (last === undefined) return;
+    await openLesson(first, last);
     await whole(first);
     await first.keyboard.press('End');
     const before = await shown(first);

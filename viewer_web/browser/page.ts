@@ -117,6 +117,23 @@ export async function whole(page: Page): Promise<void> {
   await page.locator('vidno-notice :is(.reading, .growing)').waitFor({ state: 'detached' });
 }
 
+/** The traces of all lessons, as the page's address names them. */
+export function lessonTraces(page: Page): Promise<readonly string[]> {
+  return page.evaluate(() => {
+    const index = document.getElementById('vidno-lessons')?.textContent ?? '[]';
+    const lessons = JSON.parse(index) as { traces: { file: string }[] }[];
+    return lessons.flatMap(({ traces }) =>
+      traces.map(({ file }) => file.replace(/\.jsonl(\.gz)?$/, '')),
+    );
+  });
+}
+
+/** Opens a trace of a lesson by its address, and waits until it is shown. */
+export async function openLesson(page: Page, trace: string): Promise<void> {
+  await page.evaluate((hash) => (location.hash = hash), `#trace=${trace}`);
+  await page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`).waitFor();
+}
+
 export async function goTo(page: Page, step: number): Promise<void> {
   const field = page.locator('.dock input[type=number]');
   await field.fill(String(step));

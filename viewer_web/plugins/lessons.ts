@@ -1,26 +1,31 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
 
 interface Index {
   readonly traces: readonly { readonly file: string }[];
+  readonly story?: string;
 }
 
 const harmless = (json: string): string => json.replaceAll('<', '\\u003c');
 
 function tags(directory: string): HtmlTagDescriptor[] {
   const json = readFileSync(join(directory, 'index.json'), 'utf8');
-  const files = (JSON.parse(json) as Index[]).flatMap(({ traces }) => traces);
+  const lessons = JSON.parse(json) as Index[];
+  const traces = lessons.flatMap((lesson) => lesson.traces.map(({ file }) => file));
+  const stories = lessons.flatMap(({ story }) => story ?? []);
+  const file = (name: string): Buffer => readFileSync(join(directory, name));
   return [
-    block(
-      { type: 'application/json', id: 'vidno-lessons' },
-      harmless(JSON.stringify(JSON.parse(json))),
-    ),
-    ...files.map(({ file }) => {
-      const attributes = { type: 'application/octet-stream', 'data-vidno-file': file };
-      return block(attributes, readFileSync(join(directory, file)).toString('base64'));
-    }),
+    block({ type: 'application/json', id: 'vidno-lessons' }, harmless(JSON.stringify(lessons))),
+    ...traces.map((name) => fileBlock(name, file(name))),
+    ...stories.map((name) => fileBlock(name, gzipSync(file(name), { level: 9 }))),
   ];
+}
+
+function fileBlock(name: string, bytes: Buffer): HtmlTagDescriptor {
+  const attributes = { type: 'application/octet-stream', 'data-vidno-file': name };
+  return block(attributes, bytes.toString('base64'));
 }
 
 function block(attrs: Record<string, string>, children: string): HtmlTagDescriptor {
@@ -28,7 +33,7 @@ function block(attrs: Record<string, string>, children: string): HtmlTagDescript
 }
 
 /**
- * Puts the lessons' index and traces into the page as blocks of data. They are no scripts to the browser, so
+ * Puts the lessons' index, traces and stories into the page as blocks of data. They are no scripts to the browser, so
  * that another program, `vidno page`, may exchange them without touching what the page's security policy has hashed.
  */
 export function lessons(directory: string): Plugin {

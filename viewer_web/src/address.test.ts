@@ -2,7 +2,15 @@ import { describe, expect, it } from 'vitest';
 import { formatAddress, parseAddress } from './address.js';
 import { plain } from './setting.js';
 
-const usual = { language: 'en', presenting: false, layer: 'picture', setting: plain } as const;
+const usual = {
+  language: 'en',
+  presenting: false,
+  layer: 'picture',
+  setting: plain,
+  reader: true,
+  follows: true,
+} as const;
+const noLesson = { lesson: null, at: null } as const;
 
 describe('the address', () => {
   it('comes back as it was written', () => {
@@ -20,7 +28,11 @@ describe('the address', () => {
           play: true,
           ask: 'forced',
         },
+        reader: false,
+        follows: false,
       },
+      lesson: '01-near & far',
+      at: 'split.2',
       trace: '01-near & far.warnock',
       live: null,
       rival: 'zbuffer.printed.float.signs',
@@ -37,15 +49,31 @@ describe('the address', () => {
   it('carries a scene of one’s own', () => {
     const live = { run: 'zbuffer.corrected.bits:8.signs', scene: 'q1YqS8zJBwA-_' };
     const place = { step: 4, pixel: null, bookmarks: [{ step: 3, note: 'x' }] } as const;
-    const address = { setup: usual, trace: null, live, rival: null, ...place } as const;
+    const address = {
+      setup: usual,
+      ...noLesson,
+      trace: null,
+      live,
+      rival: null,
+      ...place,
+    } as const;
     expect(parseAddress(formatAddress(address))).toEqual(address);
+  });
+
+  it('leads to a place in the text of a lesson, whose step is that of the place', () => {
+    const nothingElse = { trace: null, live: null, rival: null, step: null, pixel: null };
+    const address = { setup: usual, lesson: '05-clip', at: '3', ...nothingElse, bookmarks: [] };
+    expect(formatAddress(address)).toBe('#lang=en&lesson=05-clip&at=3');
+    expect(parseAddress('#lang=en&lesson=05-clip&at=3')).toEqual(address);
   });
 
   it('forgets step, pixel and bookmarks where nothing is open that a link can hold', () => {
     const bookmarks = [{ step: 3, note: 'x' }];
     const setup = { ...usual, presenting: true, layer: 'exact' } as const;
     const place = { setup, step: 3, pixel: [1, 2], bookmarks } as const;
-    expect(formatAddress({ trace: null, live: null, rival: 'x', ...place })).toBe('#lang=en');
+    expect(formatAddress({ ...noLesson, trace: null, live: null, rival: 'x', ...place })).toBe(
+      '#lang=en',
+    );
   });
 
   it.each([
@@ -70,10 +98,11 @@ describe('the address', () => {
   ])('takes no nonsense: %s', (hash) => {
     expect(parseAddress(hash)).toEqual({
       setup: { ...usual, language: null },
+      ...noLesson,
       trace: null,
       live: null,
       rival: null,
-      step: 0,
+      step: null,
       pixel: null,
       bookmarks: [],
     });

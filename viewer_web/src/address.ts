@@ -17,19 +17,26 @@ export interface Setup {
   /** What the pixels show. */
   readonly layer: Layer;
   readonly setting: Setting;
+  /** Whether the text of the lesson is shown, if it has one, and whether the run follows it. */
+  readonly reader: boolean;
+  readonly follows: boolean;
 }
 
 /**
- * What the page's address holds behind `#`: how it is set up, embedded trace or a scene of one's own, what that is compared
- * with, step, chosen pixel, and bookmarks.
+ * What the page's address holds behind `#`: how it is set up, lesson and place in its text, embedded trace or a scene of
+ * one's own, what that is compared with, step, chosen pixel, and bookmarks.
  */
 export interface Address {
   readonly setup: Omit<Setup, 'language'> & { readonly language: Language | null };
+  /** The lesson whose text is read, and a place in it, as it is named there. */
+  readonly lesson: string | null;
+  readonly at: string | null;
   readonly trace: string | null;
   readonly live: Carried | null;
   /** What it is compared with: another embedded trace, or how else the scene is run. */
   readonly rival: string | null;
-  readonly step: number;
+  /** Null: that of the place in the text, or the beginning. */
+  readonly step: number | null;
   readonly pixel: Pixel | null;
   readonly bookmarks: Bookmarks;
 }
@@ -50,34 +57,42 @@ export function parseAddress(hash: string): Address {
       presenting: fields.get('view') === 'present',
       layer: isLayer(layer) ? layer : 'picture',
       setting: parseSetting(fields),
+      reader: fields.get('reader') !== 'off',
+      follows: fields.get('follow') !== 'off',
     },
+    lesson: fields.get('lesson'),
+    at: fields.get('at'),
     trace: fields.get('trace'),
     live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
     rival: fields.get('with'),
-    step: stepIn(fields.get('step')) ?? 0,
+    step: stepIn(fields.get('step')),
     pixel: parsePixel(fields.get('pixel')),
     bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
   };
 }
 
 export function formatAddress(address: Address): string {
-  const { setup, trace, live, rival, step, pixel, bookmarks } = address;
-  const { language, presenting, layer, setting } = setup;
+  const { setup, lesson, at, trace, live, rival, step, pixel, bookmarks } = address;
+  const { language, presenting, layer, setting, reader, follows } = setup;
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
+  if (lesson !== null) fields.set('lesson', lesson);
+  if (lesson !== null && at !== null) fields.set('at', at);
   if (trace !== null) fields.set('trace', trace);
   if (live !== null) {
     fields.set('run', live.run);
     fields.set('scene', live.scene);
   }
-  if (trace !== null || live !== null) {
+  if (lesson !== null || trace !== null || live !== null) {
+    if (!reader) fields.set('reader', 'off');
+    if (!follows) fields.set('follow', 'off');
     writeSetting(setting, fields);
     if (rival !== null) fields.set('with', rival);
     if (presenting) fields.set('view', 'present');
     if (pixel !== null) fields.set('pixel', pixel.join());
     if (layer !== 'picture') fields.set('layer', layer);
     if (bookmarks.length > 0) fields.set('bookmarks', formatBookmarks(bookmarks));
-    fields.set('step', String(step));
+    if (step !== null) fields.set('step', String(step));
   }
   return `#${fields.toString()}`;
 }

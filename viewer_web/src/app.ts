@@ -11,7 +11,6 @@ import type { ComparisonElement } from './components/comparison.js';
 import './components/file-drop.js';
 import { Keyboard } from './components/keyboard.js';
 import type { Actions } from './components/keyboard.js';
-import './components/lesson-list.js';
 import './components/page-header.js';
 import './components/player.js';
 import type { PlayerElement } from './components/player.js';
@@ -24,7 +23,9 @@ import { texts } from './i18n/index.js';
 import { preferredLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
 import { embeddedLessons, idOf } from './lessons.js';
-import type { LessonTrace } from './lessons.js';
+import { contents, reader } from './reader/beside.js';
+import type { Told } from './reader/beside.js';
+import { Reading } from './reader/reading.js';
 import { Session } from './session.js';
 import { alone, besides } from './stage.js';
 import type { Shown } from './stage.js';
@@ -32,7 +33,7 @@ import { plain } from './setting.js';
 
 /** The page: lessons, files of one's own, and the player. */
 @customElement('vidno-app')
-export class AppElement extends LitElement implements Shown {
+export class AppElement extends LitElement implements Shown, Told {
   static override styles = [tokens, base, appStyle];
 
   @state() setup: Setup = {
@@ -40,13 +41,20 @@ export class AppElement extends LitElement implements Shown {
     presenting: false,
     layer: 'picture',
     setting: plain,
+    reader: true,
+    follows: true,
   };
   @query('vidno-player') private player!: PlayerElement;
   @query('vidno-comparison') private comparison!: ComparisonElement | null;
   @query('vidno-rival-choice') private choice!: RivalChoiceElement;
 
-  private readonly lessons = embeddedLessons(document);
+  @state() private isAtContents = false;
+  readonly lessons = embeddedLessons(document);
   readonly session = new Session(this, () => {
+    this.requestUpdate();
+    this.writeAddress();
+  });
+  readonly reading = new Reading(this.lessons, this.session, () => {
     this.requestUpdate();
     this.writeAddress();
   });
@@ -67,22 +75,14 @@ export class AppElement extends LitElement implements Shown {
   }
 
   private readonly followAddress = (): void => {
-    const { setup, trace, live, rival, ...place } = parseAddress(location.hash);
+    const address = parseAddress(location.hash);
+    const { setup, rival } = address;
     this.setup = { ...setup, language: setup.language ?? this.setup.language };
     this.toggleAttribute('embed', setup.setting.embed);
     const { session } = this;
     const beside = this.isAsked ? null : rival;
     if (beside !== session.rival.word) session.rival.choose(withOf(beside ?? '', document));
-    if (live !== null) {
-      void session.openCarried(live, place);
-      return;
-    }
-    const all = this.lessons.flatMap((lesson) => lesson.traces);
-    const chosen =
-      all.find((each) => idOf(each) === trace) ?? (trace === null ? all[0] : undefined);
-    if (chosen === undefined) return;
-    if (idOf(chosen) === session.lesson) session.move(place);
-    else void session.openLesson(chosen, place);
+    void this.reading.follow(address);
   };
 
   /** Keys that were pressed outside the player are passed on to it. */
@@ -102,6 +102,29 @@ export class AppElement extends LitElement implements Shown {
     return this.setup.setting.ask === 'forced';
   }
 
+  /** Whether there is the text of a lesson, though it may be out of sight. */
+  private get hasText(): boolean {
+    return this.reading.lesson?.story !== undefined && !this.setup.setting.embed;
+  }
+
+  /** Whether it is beside the run. */
+  get isReading(): boolean {
+    return this.hasText && this.setup.reader && !this.session.isCompared;
+  }
+
+  turnToContents(isOpen: boolean): void {
+    this.isAtContents = isOpen && !this.isAtContents;
+  }
+
+  private openFile(file: File): void {
+    this.reading.close();
+    void this.session.openFile(file);
+  }
+
+  private turnText(): void {
+    if (this.hasText && !this.session.isCompared) this.change({ reader: !this.setup.reader });
+  }
+
   /** To another run beside this one, and back. */
   private compare(): void {
     const { rival, trace } = this.session;
@@ -113,7 +136,7 @@ export class AppElement extends LitElement implements Shown {
   private actions(): Actions {
     const { player, comparison } = this;
     const { live } = this.session;
-    const compare = { KeyD: () => this.compare() };
+    const compare = { KeyD: () => this.compare(), KeyR: () => this.turnText() };
     if (live.editing === null) return compare;
     const edit = (on: boolean): void => {
       if (comparison === null) player.side = on ? 'scene' : 'state';
@@ -139,8 +162,11 @@ export class AppElement extends LitElement implements Shown {
 
   private async address(): Promise<string> {
     const live = await this.session.live.carried();
-    const { lesson: trace, place, rival } = this.session;
-    return formatAddress({ setup: this.setup, ...place, trace, live, rival: rival.word });
+    const { session, reading, setup } = this;
+    const { lesson: trace, place, rival } = session;
+    const lesson = reading.lesson?.story === undefined ? null : reading.lesson.id;
+    const at = reading.reached.place;
+    return formatAddress({ setup, ...place, lesson, at, trace, live, rival: rival.word });
   }
 
   async copyLink(): Promise<void> {
@@ -164,6 +190,8 @@ export class AppElement extends LitElement implements Shown {
     const { language, presenting } = this.setup;
     const { trace, live, rival, isCompared } = session;
     this.toggleAttribute('comparing', isCompared);
+    this.toggleAttribute('reading', this.isReading);
+    this.toggleAttribute('contents', this.isReading && this.isAtContents);
     const page = texts[language].page;
     return html`
       <vidno-page-header
@@ -172,23 +200,22 @@ export class AppElement extends LitElement implements Shown {
         ?open=${trace !== null}
         ?comparing=${rival.chosen !== null}
         ?alone=${this.isAsked}
+        ?told=${this.hasText && !isCompared}
+        ?reading=${this.isReading}
+        @text=${() => this.turnText()}
         @keys=${() => this.stage.showKeys()}
         @compare=${() => this.compare()}
         @present=${() => this.stage.present(true)}
         @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
       ></vidno-page-header>
       <nav ?inert=${presenting}>
-        <vidno-lesson-list
-          .lessons=${this.lessons}
-          .chosen=${session.lesson}
-          .language=${language}
-          @choose=${({ detail }: CustomEvent<LessonTrace>) => session.openLesson(detail)}
-        ></vidno-lesson-list>
+        ${contents(this)}
         <vidno-file-drop
           .texts=${page}
-          @file=${({ detail }: CustomEvent<File>) => session.openFile(detail)}
+          @file=${({ detail }: CustomEvent<File>) => this.openFile(detail)}
         ></vidno-file-drop>
       </nav>
+      ${this.hasText ? reader(this) : nothing}
       <main>
         ${heading(session, this.name, language)} ${alone(this)}
         ${isCompared ? besides(this) : nothing}

@@ -1,5 +1,5 @@
 import { fileIn } from './base64.js';
-import { list, oneOf, part, text } from './trace/check.js';
+import { list, oneOf, optional, part, text } from './trace/check.js';
 import type { Checked } from './trace/check.js';
 import { editions } from './trace/editions.js';
 import { details, tables } from './trace/events.js';
@@ -18,7 +18,12 @@ const entry = part({
 });
 
 const lessonList = list(
-  part({ id: text, title: part({ en: text, ru: text }), traces: list(entry) }),
+  part({
+    id: text,
+    title: part({ en: text, ru: text }),
+    traces: list(entry),
+    story: optional(text),
+  }),
 );
 
 export type LessonTrace = Checked<typeof entry>;
@@ -35,7 +40,8 @@ export function embeddedLessons(page: Document): readonly Lesson[] {
   return block === null ? [] : lessonList(JSON.parse(block.textContent), '');
 }
 
-export function embeddedFile(page: Document, { file }: LessonTrace): Blob | null {
+/** The file of this name that the page brings along. */
+export function embeddedFile(page: Document, file: string): Blob | null {
   const blocks = page.querySelectorAll<HTMLScriptElement>('script[data-vidno-file]');
   const block = [...blocks].find((each) => each.dataset['vidnoFile'] === file);
   return block === undefined ? null : fileIn(block);

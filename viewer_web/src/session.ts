@@ -18,7 +18,7 @@ import { openTrace } from './trace/open.js';
 import type { Trace } from './trace/trace.js';
 
 /** Where in a trace the page is, and what is marked in it. */
-export type Place = Pick<Address, 'step' | 'pixel' | 'bookmarks'>;
+export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };
 const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
 
 /** What is to be said about a trace that is shown. */
@@ -86,7 +86,7 @@ export class Session implements ReactiveController {
 
   async openLesson(chosen: LessonTrace, place = beginning): Promise<void> {
     const { file: name, ...run } = chosen;
-    const file = embeddedFile(document, chosen);
+    const file = embeddedFile(document, name);
     if (file === null) return;
     if (!name.endsWith('.json')) this.open(file, name, idOf(chosen), place);
     else this.openScene(await file.text(), name, { ...run, check: false }, place);

@@ -16,6 +16,8 @@ import type { Bookmarks } from './time/bookmarks.js';
 export interface Shown {
   readonly session: Session;
   readonly setup: Setup;
+  /** Whether the text of a lesson is beside the run. */
+  readonly isReading: boolean;
   change(part: Partial<Setup>): void;
   copyLink(): Promise<void>;
 }
@@ -49,6 +51,7 @@ export function alone(page: Shown): TemplateResult {
       .controls=${setting.controls}
       .ask=${setting.ask ?? ''}
       ?presenting=${presenting && trace !== null}
+      ?beside=${page.isReading && !presenting}
       ?linked=${session.isLinked}
       .layer=${layer}
       .exact=${exactOf(page)}

@@ -74,7 +74,7 @@ export class Rival {
     else if (chosen?.kind === 'before') this.show(chosen.trace);
     else if (chosen?.kind === 'file') this.open(chosen.file, chosen.file.name);
     else if (chosen?.kind === 'lesson') {
-      const file = embeddedFile(document, chosen.lesson);
+      const file = embeddedFile(document, chosen.lesson.file);
       if (file !== null) this.open(file, chosen.lesson.file);
     }
     this.changed();

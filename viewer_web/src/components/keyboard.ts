@@ -1,5 +1,8 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 
+const isSummary = (target: EventTarget | undefined): boolean =>
+  target instanceof HTMLElement && target.localName === 'summary';
+
 /** Whether the element in focus means the key for itself. */
 export function takesKey(event: KeyboardEvent): boolean {
   const [target] = event.composedPath();
@@ -8,7 +11,8 @@ export function takesKey(event: KeyboardEvent): boolean {
     return target.type === 'range' ? !['?', ' ', '+', '-'].includes(event.key) : event.key !== '?';
   }
   if (target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement) return true;
-  return target instanceof HTMLButtonElement && event.key === ' ';
+  const isPressed = target instanceof HTMLButtonElement || isSummary(target);
+  return isPressed && event.key === ' ';
 }
 
 /** What is done at keys, each by what it writes or else by its place, which is the same in any language. */

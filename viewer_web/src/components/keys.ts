@@ -38,12 +38,13 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['compare', ['D']],
   ['parting', ['J', 'Shift J']],
   ['save', ['S', 'Shift S']],
+  ['reader', ['R']],
   ['map', ['?']],
 ];
 
 /** What there is only where a run is alone, and only where it is compared. */
 const only: Readonly<Record<'one' | 'pair', ReadonlySet<KeyUse>>> = {
-  one: new Set(['layer', 'predict', 'answer', 'bookmarks', 'exact', 'solid', 'turn']),
+  one: new Set(['layer', 'predict', 'answer', 'bookmarks', 'exact', 'solid', 'turn', 'reader']),
   pair: new Set(['mark', 'parting']),
 };
 

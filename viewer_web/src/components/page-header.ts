@@ -8,7 +8,7 @@ import './languages.js';
 import { base } from './theme.js';
 
 /**
- * The line at the top of the page. Events `keys`, `compare`, `present` and `choose`, of a language, tell what
+ * The line at the top of the page. Events `keys`, `text`, `compare`, `present` and `choose`, of a language, tell what
  * is asked for.
  */
 @customElement('vidno-page-header')
@@ -40,6 +40,7 @@ export class PageHeaderElement extends LitElement {
           padding: 0 0.5rem;
         }
         .present,
+        :host([told]) .keys,
         kbd {
           display: none;
         }
@@ -55,13 +56,28 @@ export class PageHeaderElement extends LitElement {
   /** Whether no other run may be. */
   @property({ type: Boolean }) alone = false;
 
+  /** Whether the lesson has a text, and whether that is shown. */
+  @property({ type: Boolean, reflect: true }) told = false;
+  @property({ type: Boolean }) reading = false;
+
   override render(): TemplateResult {
-    const { page, compare } = texts[this.language];
+    const { page, compare, reader } = texts[this.language];
     return html`<header>
       <h1>vidno</h1>
       <p class="tagline">${page.tagline}</p>
       <div class="tools">
-        <button @click=${() => this.ask('keys')} ?disabled=${!this.open}>
+        ${
+          this.told
+            ? html`<button
+                aria-pressed=${this.reading ? 'true' : 'false'}
+                title=${this.reading ? reader.hide : nothing}
+                @click=${() => this.ask('text')}
+              >
+                ${reader.text} <kbd>R</kbd>
+              </button>`
+            : nothing
+        }
+        <button class="keys" @click=${() => this.ask('keys')} ?disabled=${!this.open}>
           ${page.keys} <kbd>?</kbd>
         </button>
         <button
@@ -84,7 +100,7 @@ export class PageHeaderElement extends LitElement {
   }
 
   private ask(
-    what: 'keys' | 'compare' | 'present' | 'choose',
+    what: 'keys' | 'text' | 'compare' | 'present' | 'choose',
     detail: Language | null = null,
   ): void {
     this.dispatchEvent(new CustomEvent(what, { detail }));

@@ -35,7 +35,7 @@ export class PicturePanelElement extends LitElement {
       vidno-layers,
       vidno-legend {
         flex: none;
-        display: var(--legend, block);
+        display: var(--signs, var(--legend, block));
       }
       vidno-layers {
         display: var(--tools, var(--legend, flex));

@@ -25,6 +25,7 @@ import type { PicturePanelElement } from './picture-panel.js';
 import { actionsOf } from './player-keys.js';
 import { PixelHistory } from './pixel-history.js';
 import { Pointing } from './pointing.js';
+import { playerBesideStyle } from './player-beside.style.js';
 import { playerStyle } from './player.style.js';
 import { Predictor } from './predictor.js';
 import { presenterStyle } from './presenter.style.js';
@@ -45,7 +46,15 @@ import type { TravelElement } from './travel.js';
  */
 @customElement('vidno-player')
 export class PlayerElement extends StageElement {
-  static override styles = [tokens, base, hiddenStyle, playerStyle, embeddedStyle, presenterStyle];
+  static override styles = [
+    tokens,
+    base,
+    hiddenStyle,
+    playerStyle,
+    embeddedStyle,
+    playerBesideStyle,
+    presenterStyle,
+  ];
 
   /** The address of a trace, or `#id` of a block of JSON Lines in the page; else `trace` and `length` are set. */
   @property() src = '';
@@ -65,6 +74,8 @@ export class PlayerElement extends StageElement {
   @property({ attribute: false }) link: LinkMade | null = null;
   /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
   @property() ask = '';
+  /** Whether the text of a lesson is beside it. */
+  @property({ type: Boolean, reflect: true }) beside = false;
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-listing') readonly listing!: ListingElement;

@@ -48,6 +48,7 @@ export const sliderStyle = css`
   }
   .strip {
     position: relative;
+    display: var(--strip, block);
     height: ${stripHeight}px;
     margin: 0 calc(var(--thumb) / 2);
     cursor: pointer;

@@ -12,6 +12,7 @@ import type { ExactTexts } from './exact-texts.js';
 import type { CompareTexts } from './compare-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { PredictTexts } from './predict-texts.js';
+import type { ReaderTexts } from './reader-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { SolidTexts } from './solid-texts.js';
 import type { Words } from './words.js';
@@ -42,6 +43,7 @@ export interface Texts {
   readonly solid: SolidTexts;
   readonly predict: PredictTexts;
   readonly compare: CompareTexts;
+  readonly reader: ReaderTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -221,4 +223,5 @@ export type KeyUse =
   | 'compare'
   | 'parting'
   | 'save'
+  | 'reader'
   | 'map';

@@ -1,3 +1,4 @@
+import { boundedText } from '../bounded-text.js';
 import { fromBase64, toBase64Url } from '../base64.js';
 import { details, tables } from '../trace/events.js';
 import type { Detail, Method } from '../trace/events.js';
@@ -23,18 +24,8 @@ export async function packed(text: string): Promise<string | null> {
 
 /** What was packed; throws if it was not, or if it is too long. */
 export async function unpacked(letters: string): Promise<string> {
-  const reader = through(
-    new Blob([fromBase64(letters)]),
-    new DecompressionStream('deflate-raw'),
-  ).getReader();
-  const parts: Uint8Array<ArrayBuffer>[] = [];
-  let length = 0;
-  for (let part = await reader.read(); !part.done; part = await reader.read()) {
-    parts.push(part.value as Uint8Array<ArrayBuffer>);
-    length += part.value.length;
-    if (length > longestText) throw new RangeError('too long a scene');
-  }
-  return new Blob(parts).text();
+  const bytes = new Blob([fromBase64(letters)]);
+  return boundedText(through(bytes, new DecompressionStream('deflate-raw')), longestText);
 }
 
 /** How a scene is run, as it stands in an address: "warnock.corrected.double.signs", perhaps with ".check". */

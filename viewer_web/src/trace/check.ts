@@ -148,17 +148,40 @@ export function plainObject(value: unknown, path: string): Readonly<Record<strin
   throw new Refusal(path, 'object', describe(value));
 }
 
-/** An object with these fields at least; others are left out. */
-export function part<F extends Fields>(
-  fields: F,
-): Check<{ readonly [K in keyof F]: Checked<F[K]> }> {
+/** An object with these fields at least, the optional ones maybe; others are left out. */
+export function part<F extends Fields>(fields: F): Check<Recorded<F>> {
   return (value, path) => {
     const object = plainObject(value, path);
-    const entries = Object.entries(fields).map(([key, check]) => {
-      if (!Object.hasOwn(object, key)) throw new Refusal(child(path, key), 'missing');
-      return [key, check(object[key], child(path, key))] as const;
-    });
-    return Object.fromEntries(entries) as { readonly [K in keyof F]: Checked<F[K]> };
+    const result: Record<string, unknown> = {};
+    for (const [key, check] of Object.entries(fields)) {
+      if (Object.hasOwn(object, key)) result[key] = check(object[key], child(path, key));
+      else if (check.optional !== true) throw new Refusal(child(path, key), 'missing');
+    }
+    return result as Recorded<F>;
+  };
+}
+
+/** An object whose fields, of any names, are all alike. */
+export function dictionary<T>(check: Check<T>): Check<ReadonlyMap<string, T>> {
+  return (value, path) => {
+    const fields = Object.entries(plainObject(value, path));
+    return new Map(fields.map(([key, inside]) => [key, check(inside, child(path, key))]));
+  };
+}
+
+type Kinds = Readonly<Record<string, Fields>>;
+/** An object with the fields of its kind, which `is` names. */
+export type OneKind<K extends Kinds> = {
+  readonly [N in keyof K & string]: Recorded<K[N]> & { readonly is: N };
+}[keyof K & string];
+
+/** An object with at least the fields of the kind that its field `is` names; others are left out. */
+export function oneKind<const K extends Kinds>(kinds: K): Check<OneKind<K>> {
+  const kind = part({ is: oneOf(...Object.keys(kinds)) });
+  const checks = new Map(Object.entries(kinds).map(([is, fields]) => [is, part(fields)]));
+  return (value, path) => {
+    const { is } = kind(value, path);
+    return { is, ...checks.get(is)?.(value, path) } as OneKind<K>;
   };
 }
 

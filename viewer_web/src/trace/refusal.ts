@@ -20,6 +20,10 @@ export interface Reasons {
   missing: [];
   unknownKey: [];
   twice: [];
+  // A story does not fit its lesson.
+  noSuchPin: [name: string];
+  noSuchRun: [name: string];
+  noWebAddress: [found: string];
   // A line is not what may stand there.
   empty: [];
   notJson: [found: string];

@@ -94,6 +94,7 @@ export const page: PageTexts = {
     compare: 'compare with another run, and leave that',
     parting: 'to where they part in what is done; as written',
     save: 'save the picture as SVG, as PNG',
+    reader: 'show, hide the text of the lesson',
     map: 'this map of keys',
   },
   window: 'Window',

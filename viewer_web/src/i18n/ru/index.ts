@@ -6,6 +6,7 @@ import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
 import { predict } from './predict.js';
+import { reader } from './reader.js';
 import { reasons } from './reasons.js';
 import { scene } from './scene.js';
 import { sentences } from './sentences.js';
@@ -29,4 +30,5 @@ export const texts: Texts = {
   exact,
   solid,
   compare,
+  reader,
 };

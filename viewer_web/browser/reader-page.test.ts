@@ -1,0 +1,237 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { readingLine } from '../src/reader/reading-line.js';
+import { launch, shown, whole } from './page.js';
+import { openReader, pin, readTo, scrolled, standing } from './reader.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+/** How far a pin is below the top of the text's box. */
+const below = (page: Page, place: string): Promise<number> =>
+  pin(page, place).evaluate((mark) => {
+    const box = mark.closest('.box')?.getBoundingClientRect() ?? new DOMRect();
+    return mark.getBoundingClientRect().top - box.top;
+  });
+
+const title = (page: Page): Promise<string | null> => page.locator('article h2').textContent();
+
+describe('the table of contents', () => {
+  it('has the headings of the lesson, leads to them, and shows where one is', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en');
+    const headings = page.locator('vidno-lesson-list ul a');
+    expect((await headings.allTextContents()).map((text) => text.trim())).toEqual([
+      'The first windows',
+      'A list n',
+      'The other method',
+    ]);
+    await headings.last().focus();
+    await page.keyboard.press('Enter');
+    const reached = page.locator('vidno-lesson-list ul a[aria-current=location]');
+    await expect.poll(() => reached.textContent()).toContain('The other method');
+    await expect
+      .poll(() =>
+        page
+          .locator('article h3')
+          .last()
+          .evaluate((e) => e.matches(':focus')),
+      )
+      .toBe(true);
+    await page.waitForFunction(() => location.hash.includes('at=3'));
+    expect(faults).toEqual([]);
+  });
+
+  it('leads to other lessons, and the way back to the place where one was', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en');
+    await readTo(page, 'second');
+    await page.waitForFunction(() => location.hash.endsWith('step=60'));
+    const before = await below(page, 'second');
+    await page.getByRole('link', { name: 'Lesson second' }).first().click();
+    await expect.poll(() => title(page)).toBe('second');
+    await expect.poll(() => standing(page)).toEqual(['zbuffer', 0, undefined]);
+    await page.goBack();
+    await expect.poll(() => standing(page)).toEqual(['warnock', 60, undefined]);
+    expect(await title(page)).toContain('From windows');
+    expect(Math.abs((await below(page, 'second')) - before)).toBeLessThan(60);
+    expect(faults).toEqual([]);
+  });
+
+  it('is opened over the text where there is no room beside it', async () => {
+    const { page } = await openReader(browser, '#lang=en', {
+      viewport: { width: 390, height: 844 },
+    });
+    const list = page.locator('vidno-lesson-list');
+    expect(await list.isVisible()).toBe(false);
+    await page.getByRole('button', { name: 'Contents' }).click();
+    await list.getByRole('link', { name: 'The other method' }).click();
+    await list.waitFor({ state: 'hidden' });
+    await page.waitForFunction(() => location.hash.includes('at=3'));
+  });
+});
+
+describe('previous and next', () => {
+  it('lead from lesson to lesson that has a text, at the top and at the end', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    const [top, end] = [page.locator('nav.short'), page.locator('nav.long')];
+    expect(await top.getByRole('link').count()).toBe(1);
+    await end.getByRole('link', { name: 'Next lesson Lesson second' }).click();
+    await expect.poll(() => title(page)).toBe('second');
+    expect(await end.getByRole('link').count()).toBe(1);
+    await top.getByRole('link', { name: 'Previous lesson: Lesson first' }).click();
+    await expect.poll(() => title(page)).toContain('From windows');
+    expect(await scrolled(page)).toBe(0);
+  });
+});
+
+describe('the address', () => {
+  it('of a pin opens its run at its step, with the pin at the reading line', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first&at=scanline');
+    await expect.poll(() => standing(page)).toEqual(['zbuffer', 33, 'scanline']);
+    const line = await page
+      .locator('.box')
+      .evaluate((box) => [box.scrollTop, box.scrollHeight - box.clientHeight, box.clientHeight]);
+    const [at = 0, most = 0, height = 0] = line;
+    const above = readingLine(at, most, height) - (await below(page, 'scanline'));
+    expect(above).toBeGreaterThan(0);
+    expect(above).toBeLessThan(20);
+    await page.waitForTimeout(400);
+    expect(await standing(page)).toEqual(['zbuffer', 33, 'scanline']);
+    expect(faults).toEqual([]);
+  });
+
+  it('with a step stays there, whatever the text says', async () => {
+    const { page } = await openReader(
+      browser,
+      '#lang=en&lesson=first&at=second&trace=small.warnock.signs&step=3',
+    );
+    await expect.poll(() => scrolled(page)).toBeGreaterThan(200);
+    await page.waitForTimeout(400);
+    expect((await shown(page)).step).toBe(3);
+  });
+
+  it('of old, with a trace alone, shows the text of its lesson as well', async () => {
+    const { page } = await openReader(browser, '#lang=en&trace=small.zbuffer.signs&step=4');
+    await whole(page);
+    expect(await title(page)).toContain('From windows');
+    expect(await standing(page)).toEqual(['zbuffer', 4, undefined]);
+  });
+
+  it('with a strange place is that of the lesson', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first&at=%3Cb%3E.2');
+    expect(await standing(page)).toEqual(['warnock', 0, undefined]);
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('the place in the text', () => {
+  it('is kept when the language is switched, the window resized, the text hidden', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    await readTo(page, 'second');
+    await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
+    const before = await below(page, 'second');
+    const isKept = async (): Promise<void> => {
+      await expect
+        .poll(async () => Math.abs((await below(page, 'second')) - before))
+        .toBeLessThan(80);
+      expect(await standing(page)).toEqual(['warnock', 60, 'second']);
+    };
+    await page.locator('button[lang=ru]').click();
+    await page.locator('article[lang=ru]').waitFor();
+    await isKept();
+    await page.locator('button[lang=en]').click();
+    await isKept();
+    await page.setViewportSize({ width: 1250, height: 900 });
+    await isKept();
+    await page.keyboard.press('r');
+    await page.locator('vidno-reader').waitFor({ state: 'hidden' });
+    await page.waitForFunction(() => location.hash.includes('reader=off'));
+    await page.getByRole('button', { name: 'Text' }).click();
+    await isKept();
+  });
+
+  it('is out of reach while the run is presented', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    await page.keyboard.press('f');
+    await page.locator('.corner').waitFor();
+    expect(await page.locator('vidno-reader').getAttribute('inert')).not.toBe(null);
+    const covered = await page
+      .locator('vidno-player')
+      .evaluate((player) => player.getBoundingClientRect().width === innerWidth);
+    expect(covered).toBe(true);
+  });
+});
+
+describe('beside the text', () => {
+  it.each([
+    [390, 844],
+    [820, 1180],
+    [1024, 768],
+    [1280, 800],
+    [1440, 900],
+    [1920, 1080],
+  ])('at %s x %s px the run is in sight, and nothing is cut off', async (width, height) => {
+    const { page, faults } = await openReader(browser, '#lang=ru', { viewport: { width, height } });
+    await readTo(page, 'first');
+    await expect.poll(() => standing(page)).toEqual(['warnock', 5, 'first']);
+    const size = await page.evaluate(() => {
+      const { scrollWidth, scrollHeight } = document.documentElement;
+      return [scrollWidth, scrollHeight];
+    });
+    expect(size).toEqual([width, height]);
+    for (const part of ['vidno-picture', '.sentence', '.slider']) {
+      const box = await page.locator(part).first().boundingBox();
+      if (box === null) throw new Error(`${part} is not there`);
+      expect(box.y, part).toBeGreaterThanOrEqual(0);
+      expect(box.y + box.height, part).toBeLessThanOrEqual(height);
+    }
+    const picture = await page.locator('vidno-picture').boundingBox();
+    expect(Math.min(picture?.width ?? 0, picture?.height ?? 0)).toBeGreaterThan(170);
+    const text = await page.locator('.box').boundingBox();
+    expect(text?.height).toBeGreaterThan(0.4 * height);
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('on paper', () => {
+  const pages = async (page: Page): Promise<number> => {
+    const pdf = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
+    return pdf.match(/\/Type\s*\/Page\b/g)?.length ?? 0;
+  };
+
+  it('there is the text alone, with the answers and the numbers of the steps', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en', { colorScheme: 'dark' });
+    await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    for (const part of ['article h2', '.answer', 'figure img', 'article math']) {
+      expect(await page.locator(part).first().isVisible(), part).toBe(true);
+    }
+    for (const part of ['main', 'nav', 'vidno-page-header', '.bar', 'nav.long']) {
+      expect(await page.locator(part).first().isVisible(), part).toBe(false);
+    }
+    const note = await pin(page, 'second').evaluate(
+      (mark) => getComputedStyle(mark, '::after').content,
+    );
+    expect(note).toContain('step 60');
+    const ink = await page
+      .locator('article p')
+      .first()
+      .evaluate((e) => getComputedStyle(e).color);
+    expect(ink).toBe('rgb(0, 0, 0)');
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    expect(await page.locator('details').getAttribute('open')).toBe(null);
+    expect(faults).toEqual([]);
+  });
+
+  it('the text takes as many sheets as it needs, the run alone takes one', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    expect(await pages(page)).toBeGreaterThan(1);
+    await page.keyboard.press('r');
+    await page.locator('vidno-reader').waitFor({ state: 'hidden' });
+    expect(await pages(page)).toBe(1);
+  });
+});

@@ -1,0 +1,158 @@
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { evil, sampleLesson } from '../src/testing/lessons.js';
+import { violations } from './axe.js';
+import { launch, opened, shown, small } from './page.js';
+import { openReader, pin, readTo, scrolled, standing } from './reader.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+describe('the text of a lesson', () => {
+  it('is followed by the run as one scrolls, into another run too, and back', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en');
+    expect(await standing(page)).toEqual(['warnock', 0, undefined]);
+    for (const [place, now] of [
+      ['first', ['warnock', 5, 'first']],
+      ['second', ['warnock', 60, 'second']],
+      ['scanline', ['zbuffer', 33, 'scanline']],
+      ['second', ['warnock', 60, 'second']],
+    ] as const) {
+      await readTo(page, place);
+      await expect.poll(() => standing(page)).toEqual(now);
+    }
+    expect(faults).toEqual([]);
+  });
+
+  it('does not pull the reader back who steps by himself, until he comes to another pin', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    await readTo(page, 'first');
+    await expect.poll(() => standing(page)).toEqual(['warnock', 5, 'first']);
+    await page.keyboard.press('ArrowRight');
+    await page.mouse.wheel(0, 20);
+    await page.mouse.wheel(0, -20);
+    await page.waitForTimeout(500);
+    expect((await shown(page)).step).toBe(6);
+    await readTo(page, 'second');
+    await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
+  });
+
+  it('goes to a pin at once by a click or Enter, and does not move', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    await readTo(page, 'second');
+    await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
+    await pin(page, 'scanline').scrollIntoViewIfNeeded();
+    await page.waitForTimeout(400); // until the run has followed
+    const before = await scrolled(page);
+    await pin(page, 'scanline').click();
+    await expect.poll(() => standing(page)).toEqual(['zbuffer', 33, 'scanline']);
+    expect(await scrolled(page)).toBe(before);
+    await pin(page, 'second').focus();
+    await page.keyboard.press('Enter');
+    await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
+  });
+
+  it('is not followed if the reader does not want it, which the address remembers', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    const follow = page.getByRole('checkbox', { name: 'Follow the text' });
+    await follow.click();
+    await readTo(page, 'second');
+    await page.waitForFunction(() => /follow=off.*step=0/.test(location.hash));
+    await page.waitForTimeout(300);
+    expect(await standing(page)).toEqual(['warnock', 0, undefined]);
+    await follow.click();
+    await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
+    await page.waitForFunction(() => !location.hash.includes('follow='));
+  });
+
+  it('is not there for a lesson without one, nor for a file of one’s own', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=third');
+    expect(await page.locator('vidno-reader').count()).toBe(0);
+    expect(await page.getByRole('button', { name: 'Text' }).count()).toBe(0);
+    await page.getByRole('link', { name: 'Lesson first' }).click();
+    await page.locator('vidno-reader h2').waitFor();
+    await opened(page, 'small.jsonl', small);
+    expect(await page.locator('vidno-reader').count()).toBe(0);
+  });
+
+  it('has formulas, tables, figures, code and questions', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en');
+    const fraction = page.locator('p math mfrac').first();
+    expect(await fraction.evaluate((e) => [e.namespaceURI, e.textContent])).toEqual([
+      'http://www.w3.org/1998/Math/MathML',
+      '12',
+    ]);
+    expect(await page.locator('.formula math').first().textContent()).toBe('ax+by+cz+d=0');
+    expect(await page.locator('.formula math').first().getAttribute('display')).toBe('block');
+    expect(await page.locator('figure img').getAttribute('alt')).toBe('Two windows');
+    const size = await page
+      .locator('figure img')
+      .evaluate((image: HTMLImageElement) => [image.naturalWidth, image.naturalHeight]);
+    expect(size).toEqual([80, 60]);
+    expect(await page.locator('figure').nth(1).locator('figcaption').textContent()).toBe(
+      'Without a drawing',
+    );
+    expect(await page.locator('td.right').textContent()).toBe('1');
+    expect(await page.locator('article > pre').textContent()).toBe('int i = 0; // <b>');
+    expect(faults).toEqual([]);
+  });
+
+  it('hides an answer until it is asked for, by keyboard as well', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    const answer = page.locator('.answer');
+    expect(await answer.isVisible()).toBe(false);
+    await page.locator('summary').focus();
+    await page.keyboard.press('Space');
+    await answer.waitFor();
+    await page.keyboard.press('Enter');
+    await answer.waitFor({ state: 'hidden' });
+    expect((await shown(page)).step).toBe(0);
+  });
+
+  it('lets a command be copied', async () => {
+    const { page } = await openReader(browser, '#lang=en', {
+      permissions: ['clipboard-read', 'clipboard-write'],
+    });
+    const command = page.locator('vidno-command', { hasText: 'vidno methods' });
+    await command.getByRole('button', { name: 'Copy' }).click();
+    await command.getByRole('button', { name: 'Copied' }).waitFor();
+    expect(await page.evaluate(() => navigator.clipboard.readText())).toBe('vidno methods');
+  });
+
+  it('is text, whatever a stranger has put into it', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en');
+    expect(await page.locator('article h2').textContent()).toContain(evil);
+    expect(await page.locator('article img[onerror]').count()).toBe(0);
+    expect(faults).toEqual([]);
+  });
+
+  it('is refused in a sentence if it is wrong, and the runs are there', async () => {
+    const wrong = sampleLesson({ pins: { first: { run: 'run', step: -1 } } });
+    const { page, faults } = await openReader(browser, '#lang=en', {}, wrong);
+    expect(await page.locator('vidno-reader [role=alert]').textContent()).toMatch(
+      /^\s*The text of this lesson cannot be read at pins\.first\.step: a whole number/,
+    );
+    await page.keyboard.press('ArrowRight');
+    expect((await shown(page)).step).toBe(1);
+    await page.locator('[data-trace="small.zbuffer.signs"]').click();
+    await expect.poll(async () => (await standing(page))[0]).toBe('zbuffer');
+    expect(faults).toEqual([]);
+  });
+
+  it.each([
+    ['light', 1440],
+    ['dark', 1440],
+    ['light', 390],
+  ] as const)('can be used by everyone (%s, %s px)', async (colorScheme, width) => {
+    const viewport = { width, height: 844 };
+    const { page } = await openReader(browser, '#lang=ru', { colorScheme, viewport });
+    await pin(page, 'first').click();
+    await page.locator('summary').click();
+    expect(await violations(page)).toEqual([]);
+  });
+});

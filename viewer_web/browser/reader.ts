@@ -1,0 +1,86 @@
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import type { Browser, BrowserContextOptions, Locator, Page } from 'playwright-core';
+import { indexEntry, sampleLesson, shortLesson } from '../src/testing/lessons.js';
+import { openUrl, sampleTrace } from './page.js';
+import type { Opened } from './page.js';
+
+const built = fileURLToPath(new URL('../dist/index.html', import.meta.url));
+
+/** The lessons of the page, without what the build has put into it. */
+const blocks =
+  /<script type="application\/(?:json" id="vidno-lessons|octet-stream" data-vidno-file)[^]*?<\/script>/g;
+
+/** The page as `vidno page` makes it: with three lessons, of which the last has no text. */
+function pageOf(lesson: object): string {
+  const stories = { 'first.lesson.json': lesson, 'second.lesson.json': shortLesson('second') };
+  const files = [
+    ...['small.warnock.signs', 'small.zbuffer.signs'].map(
+      (name) => [`${name}.jsonl`, Buffer.from(sampleTrace(name))] as const,
+    ),
+    ...Object.entries(stories).map(
+      ([name, story]) => [name, gzipSync(JSON.stringify(story))] as const,
+    ),
+  ];
+  const index = [
+    indexEntry('first', ['warnock', 'zbuffer'], 'first.lesson.json'),
+    indexEntry('second', ['zbuffer'], 'second.lesson.json'),
+    indexEntry('third', ['warnock']),
+  ];
+  const json = JSON.stringify(index).replaceAll('<', '\\u003c');
+  const data = [
+    `<script type="application/json" id="vidno-lessons">${json}</script>`,
+    ...files.map(
+      ([name, bytes]) =>
+        `<script type="application/octet-stream" data-vidno-file="${name}">${bytes.toString('base64')}</script>`,
+    ),
+  ];
+  const page = readFileSync(built, 'utf8').replace(blocks, '');
+  return page.replace('</body>', () => `${data.join('')}</body>`);
+}
+
+/** Opens a page of a lesson with a text, of another one and of one without. */
+export async function openReader(
+  browser: Browser,
+  hash: string,
+  options: BrowserContextOptions = {},
+  lesson: object = sampleLesson(),
+): Promise<Opened> {
+  const file = join(mkdtempSync(join(tmpdir(), 'vidno-')), 'page.html');
+  writeFileSync(file, pageOf(lesson));
+  const viewport = { width: 1440, height: 900 };
+  const opened = await openUrl(browser, pathToFileURL(file).href + hash, { viewport, ...options });
+  await opened.page.locator('vidno-listing').waitFor();
+  return opened;
+}
+
+export const pin = (page: Page, place: string): Locator =>
+  page.locator(`.pin[data-place="${place}"]`);
+
+/** Scrolls as a reader does, so that the place is a little above the reading line. */
+export async function readTo(page: Page, place: string): Promise<void> {
+  await page.locator('vidno-reader .box').hover();
+  const by = await pin(page, place).evaluate((mark) => {
+    const box = mark.closest('.box')?.getBoundingClientRect() ?? new DOMRect();
+    return mark.getBoundingClientRect().bottom - box.top - box.height / 3 + 8;
+  });
+  await page.mouse.wheel(0, by);
+}
+
+/** What the page stands at: the method of the run, the step, and the pin that is marked. */
+export function standing(page: Page): Promise<readonly unknown[]> {
+  return page.evaluate(() => {
+    const root = document.querySelector('vidno-app')?.shadowRoot;
+    const player = root?.querySelector('vidno-player');
+    const marked = root
+      ?.querySelector('vidno-reader')
+      ?.shadowRoot?.querySelector('.pin[aria-current]');
+    return [player?.trace?.header.method, player?.step, marked?.getAttribute('data-place')];
+  });
+}
+
+export const scrolled = (page: Page): Promise<number> =>
+  page.locator('vidno-reader .box').evaluate((box) => box.scrollTop);

@@ -1,0 +1,36 @@
+import { css } from 'lit';
+
+/** Formulas by a font of the system that has tables for mathematics; the classes are those that Temml writes. */
+export const formulaStyle = css`
+  math {
+    font-family:
+      'Cambria Math', 'STIX Two Math', 'Latin Modern Math', 'Libertinus Math',
+      'DejaVu Math TeX Gyre', math;
+    font-size: 1.04em;
+    line-height: normal;
+    hyphens: none;
+  }
+  .formula {
+    padding: 0.15em 0;
+    overflow: auto hidden;
+    text-align: center;
+  }
+  .formula math {
+    display: block math;
+    margin: 0;
+  }
+  .glued {
+    white-space: nowrap;
+  }
+  .tml-right {
+    text-align: -webkit-right;
+    text-align: right;
+  }
+  .tml-left {
+    text-align: -webkit-left;
+    text-align: left;
+  }
+  mtable.tml-jot > mtr > mtd {
+    padding-block: 0.7ex;
+  }
+`;

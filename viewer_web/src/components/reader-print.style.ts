@@ -1,0 +1,87 @@
+import { css } from 'lit';
+
+/** A paper of its own: A4, lines of 140 mm, what was hidden shown, what is only to be pressed left out. */
+export const readerPrint = css`
+  @media print {
+    :host {
+      display: block;
+      overflow: visible;
+      border: 0;
+    }
+    .bar,
+    nav.long,
+    .anchor,
+    summary::marker {
+      display: none;
+    }
+    .box {
+      overflow: visible;
+    }
+    article {
+      max-width: 146mm;
+      padding: 0;
+      font-size: 11pt;
+      line-height: 1.45;
+      orphans: 3;
+      widows: 3;
+    }
+    h2 {
+      margin-bottom: 8mm;
+      font-size: 20pt;
+    }
+    h3 {
+      font-size: 14pt;
+    }
+    h4 {
+      font-size: 11.5pt;
+    }
+    :is(h2, h3, h4),
+    p:has(+ :is(pre, vidno-command, figure, .formula, .table, ul, ol)) {
+      break-after: avoid;
+    }
+    figure,
+    table,
+    pre,
+    .formula {
+      break-inside: avoid;
+    }
+    .pin,
+    .lesson {
+      padding: 0;
+      margin: 0;
+      background: none !important;
+      color: inherit;
+      text-decoration: none;
+    }
+    .pin::after {
+      content: ' [' attr(data-step) ']';
+      color: var(--soft);
+      font: 0.72em var(--sans);
+      white-space: nowrap;
+    }
+    .link {
+      color: inherit;
+    }
+    .link::after {
+      content: ' (' attr(href) ')';
+      font-size: 0.8em;
+      overflow-wrap: anywhere;
+    }
+    .question {
+      padding: 0 0 0 4mm;
+      border-left-width: 1.5pt;
+      border-left-color: var(--line);
+      break-inside: avoid;
+    }
+    summary {
+      list-style: none;
+      color: var(--soft);
+      font-weight: 600;
+      font-size: 8.5pt;
+    }
+    figure img {
+      padding: 0;
+      max-height: 110mm;
+    }
+  }
+`;

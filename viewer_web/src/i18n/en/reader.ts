@@ -1,0 +1,22 @@
+import type { ReaderTexts } from '../reader-texts.js';
+
+export const reader: ReaderTexts = {
+  text: 'Text',
+  hide: 'Hide the text',
+  contents: 'Contents',
+  follow: 'Follow the text',
+  followHint: 'The run goes to the place that you read about.',
+  step: (step) => `step ${step}`,
+  pin: (step, run) => `Step ${step}: ${run}`,
+  linkHere: (heading) => `Link to “${heading}”`,
+  question: (number) => `Question ${number}`,
+  answer: 'Answer',
+  copy: 'Copy',
+  copied: 'Copied',
+  previous: 'Previous lesson',
+  next: 'Next lesson',
+  otherLessons: 'Other lessons',
+  refused: (where, reason) =>
+    `The text of this lesson cannot be read${where === '' ? '' : ` at ${where}`}: ${reason}. Its runs are there as ever.`,
+  broken: 'The text of this lesson cannot be read. Its runs are there as ever.',
+};

@@ -1,0 +1,20 @@
+/** What is said around the text of a lesson. */
+export interface ReaderTexts {
+  readonly text: string;
+  readonly hide: string;
+  readonly contents: string;
+  readonly follow: string;
+  readonly followHint: string;
+  readonly step: (step: number) => string;
+  readonly pin: (step: number, run: string) => string;
+  readonly linkHere: (heading: string) => string;
+  readonly question: (number: number) => string;
+  readonly answer: string;
+  readonly copy: string;
+  readonly copied: string;
+  readonly previous: string;
+  readonly next: string;
+  readonly otherLessons: string;
+  readonly refused: (where: string, reason: string) => string;
+  readonly broken: string;
+}

@@ -1,0 +1,22 @@
+import type { ReaderTexts } from '../reader-texts.js';
+
+export const reader: ReaderTexts = {
+  text: 'Текст',
+  hide: 'Скрыть текст',
+  contents: 'Содержание',
+  follow: 'Следовать за текстом',
+  followHint: 'Прогон переходит туда, о чём вы читаете.',
+  step: (step) => `шаг ${step}`,
+  pin: (step, run) => `Шаг ${step}: ${run}`,
+  linkHere: (heading) => `Ссылка на «${heading}»`,
+  question: (number) => `Вопрос ${number}`,
+  answer: 'Ответ',
+  copy: 'Копировать',
+  copied: 'Скопировано',
+  previous: 'Предыдущий урок',
+  next: 'Следующий урок',
+  otherLessons: 'Другие уроки',
+  refused: (where, reason) =>
+    `Текст этого урока не читается${where === '' ? '' : `, место ${where}`}: ${reason}. Прогоны урока доступны, как и прежде.`,
+  broken: 'Текст этого урока не читается. Прогоны урока доступны, как и прежде.',
+};

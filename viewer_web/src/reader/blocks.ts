@@ -1,0 +1,104 @@
+import { html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import '../components/command.js';
+import { formula } from './formula.js';
+import { inlines, plainWords } from './inlines.js';
+import type { Align, Block, Blocks, Figure, Heading, Inlines, Question, Table } from './story.js';
+import type { Telling } from './telling.js';
+
+/** What a story consists of, one below the other. */
+export function blocks(all: Blocks, telling: Telling): readonly TemplateResult[] {
+  return all.map((block) => told(block, telling));
+}
+
+function told(block: Block, telling: Telling): TemplateResult {
+  switch (block.is) {
+    case 'heading':
+      return heading(block, telling);
+    case 'paragraph':
+      return html`<p>${inlines(block.text, telling)}</p>`;
+    case 'list': {
+      const items = block.items.map((item) => html`<li>${blocks(item, telling)}</li>`);
+      return block.ordered
+        ? html`<ol>
+            ${items}
+          </ol>`
+        : html`<ul>
+            ${items}
+          </ul>`;
+    }
+    case 'quote':
+      return html`<blockquote>${blocks(block.blocks, telling)}</blockquote>`;
+    case 'question':
+      return question(block, telling);
+    case 'code':
+      return block.language === 'sh'
+        ? html`<vidno-command .text=${block.text} .texts=${telling.texts}></vidno-command>`
+        : html`<pre tabindex="0"><code>${block.text}</code></pre>`;
+    case 'formula':
+      return html`<div class="formula">${formula(block.tex, true)}</div>`;
+    case 'figure':
+      return figure(block, telling);
+    case 'table':
+      return table(block, telling);
+  }
+}
+
+function heading(block: Heading, telling: Telling): TemplateResult {
+  const { story, lesson, addressOf, texts } = telling;
+  const place = story.places.get(block) ?? '';
+  const address = addressOf(lesson.id, place) ?? nothing;
+  const words = html`${inlines(block.text, telling)}
+    <a class="anchor" href=${address} aria-label=${texts.linkHere(plainWords(block.text))}>#</a>`;
+  return block.level === 2
+    ? html`<h3 data-place=${place} tabindex="-1">${words}</h3>`
+    : html`<h4 data-place=${place} tabindex="-1">${words}</h4>`;
+}
+
+function question({ number, blocks: asked, answer }: Question, telling: Telling): TemplateResult {
+  const { texts } = telling;
+  return html`<section class="question" aria-label=${texts.question(number)}>
+    <p class="number">${texts.question(number)}</p>
+    ${blocks(asked, telling)}
+    <details>
+      <summary>${texts.answer}</summary>
+      <div class="answer">${blocks(answer, telling)}</div>
+    </details>
+  </section>`;
+}
+
+function figure({ caption, command, file }: Figure, telling: Telling): TemplateResult {
+  const drawing = telling.drawingOf(file);
+  return html`<figure>
+    ${drawing === null ? nothing : html`<img src=${drawing} alt=${plainWords(caption)} />`}
+    <figcaption>${inlines(caption, telling)}</figcaption>
+    <vidno-command small .text=${command} .texts=${telling.texts}></vidno-command>
+  </figure>`;
+}
+
+function table({ head, align, rows }: Table, telling: Telling): TemplateResult {
+  const cell = (tag: 'th' | 'td') => (text: Inlines, column: number) => {
+    const words = inlines(text, telling);
+    const side: Align = align[column] ?? '';
+    return tag === 'th'
+      ? html`<th scope="col" class=${side}>${words}</th>`
+      : html`<td class=${side}>${words}</td>`;
+  };
+  return html`<div class="table">
+    <table>
+      <thead>
+        <tr>
+          ${head.map(cell('th'))}
+        </tr>
+      </thead>
+      <tbody>
+        ${rows.map(
+          (row) =>
+            html`<tr>
+              ${row.map(cell('td'))}
+            </tr>`,
+        )}
+      </tbody>
+    </table>
+  </div>`;
+}

@@ -1,0 +1,26 @@
+import { describe, expect, it } from 'vitest';
+import { glued } from './glue.js';
+
+const z = { is: 'formula', tex: 'z' } as const;
+
+describe('a formula', () => {
+  it('keeps the signs around it on its line', () => {
+    expect(glued(['at (', z, '), not'])).toEqual([
+      'at ',
+      { is: 'glued', before: '(', tex: 'z', after: '),' },
+      ' not',
+    ]);
+  });
+
+  it('keeps the rest of its word', () => {
+    expect(glued([z, '-буфер и'])).toEqual([
+      { is: 'glued', before: '', tex: 'z', after: '-буфер' },
+      ' и',
+    ]);
+  });
+
+  it('takes nothing from words, nor from another formula', () => {
+    const bare = { is: 'glued', before: '', tex: 'z', after: '' };
+    expect(glued(['for ', z, z, ' and'])).toEqual(['for ', bare, bare, ' and']);
+  });
+});

@@ -1,0 +1,76 @@
+import { html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { formula } from './formula.js';
+import { glued } from './glue.js';
+import type { Glued } from './glue.js';
+import type { Inline, Inlines, PinLink } from './story.js';
+import type { Telling } from './telling.js';
+
+type Told = string | TemplateResult;
+
+/** Words and what stands among them; without a telling nothing leads elsewhere, as in a table of contents. */
+export function inlines(text: Inlines, telling: Telling | null): readonly Told[] {
+  return glued(text).map((inline) => (typeof inline === 'string' ? inline : told(inline, telling)));
+}
+
+function told(inline: Exclude<Inline, string> | Glued, telling: Telling | null): Told {
+  switch (inline.is) {
+    case 'emphasis':
+      return html`<em>${inlines(inline.text, telling)}</em>`;
+    case 'strong':
+      return html`<strong>${inlines(inline.text, telling)}</strong>`;
+    case 'code':
+      return html`<code>${inline.text}</code>`;
+    case 'formula':
+      return formula(inline.tex);
+    case 'glued':
+      return html`<span class="glued">${inline.before}${formula(inline.tex)}${inline.after}</span>`;
+    case 'pin':
+    case 'lesson':
+    case 'link':
+      return link(inline, inlines(inline.text, telling), telling);
+  }
+}
+
+function link(
+  inline: Extract<Inline, { readonly is: 'pin' | 'lesson' | 'link' }>,
+  words: readonly Told[],
+  telling: Telling | null,
+): TemplateResult {
+  if (telling === null) return html`${words}`;
+  if (inline.is === 'pin') return pinLink(inline, words, telling);
+  if (inline.is === 'link') {
+    return html`<a class="link" href=${inline.url} target="_blank" rel="noopener noreferrer"
+      >${words}</a
+    >`;
+  }
+  const address = telling.addressOf(inline.id);
+  return address === null ? html`${words}` : html`<a class="lesson" href=${address}>${words}</a>`;
+}
+
+function pinLink(link: PinLink, words: readonly Told[], telling: Telling): TemplateResult {
+  const { lesson, story, texts, current, addressOf, runOf } = telling;
+  const place = story.places.get(link);
+  const pin = lesson.pins.get(link.pin);
+  if (place === undefined || pin === undefined) return html`${words}`;
+  return html`<a
+    class="pin"
+    data-place=${place}
+    data-step=${texts.step(pin.step)}
+    title=${texts.pin(pin.step, runOf(pin))}
+    href=${addressOf(lesson.id, place) ?? nothing}
+    aria-current=${place === current ? 'step' : nothing}
+    >${words}</a
+  >`;
+}
+
+/** The words alone, for those who cannot see them. */
+export function plainWords(text: Inlines): string {
+  return text
+    .map((inline) => {
+      if (typeof inline === 'string') return inline;
+      if (inline.is === 'formula') return inline.tex;
+      return inline.is === 'code' ? inline.text : plainWords(inline.text);
+    })
+    .join('');
+}

@@ -1,0 +1,31 @@
+import { formatAddress } from '../address.js';
+import type { Setup } from '../address.js';
+import type { PageTexts } from '../i18n/texts.js';
+import type { Lesson } from '../lessons.js';
+import { runName } from '../run-name.js';
+import type { LessonStory, Pin } from './story.js';
+
+/** The address of a lesson, or of a place in its text: the step is that of the place. Null where there is no such lesson. */
+export type AddressOf = (lesson: string, place?: string) => string | null;
+
+export function addressIn(lessons: readonly Lesson[], setup: Setup): AddressOf {
+  return (id, place) => {
+    if (!lessons.some((each) => each.id === id)) return null;
+    const nothingElse = { trace: null, live: null, rival: null, step: null, pixel: null };
+    return formatAddress({ setup, lesson: id, at: place ?? null, ...nothingElse, bookmarks: [] });
+  };
+}
+
+/** The run of a pin in words. */
+export function runOf(
+  pin: Pin,
+  story: LessonStory,
+  lessons: readonly Lesson[],
+  page: PageTexts,
+): string {
+  const file = story.traces.get(pin.run);
+  const trace = lessons.flatMap(({ traces }) => traces).find((each) => each.file === file);
+  if (trace === undefined) return pin.run;
+  const { method, variant } = runName(trace, page);
+  return variant === '' ? method : `${method}, ${variant}`;
+}

@@ -1,0 +1,148 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import { readingLine, scrolledTo } from './reading-line.js';
+import type { Goal } from './reading.js';
+
+/** What stands nearest above the reading line: by the names of the places. */
+export interface Reached {
+  /** A pin or a heading. */
+  readonly place: string | null;
+  readonly pin: string | null;
+  readonly heading: string | null;
+}
+
+/** A part of the text, by its number, and how much of it is above the reading line. */
+interface Kept {
+  readonly part: number;
+  readonly above: number;
+}
+
+const isPin = ({ classList }: Element): boolean => classList.contains('pin');
+
+/** What is read: in a box that scrolls, an article of parts one below the other. */
+export interface Read extends ReactiveControllerHost {
+  readonly box: HTMLElement;
+  readonly article: HTMLElement;
+  /** One has come to another place; whether by reading on. */
+  reached(now: Reached, isScrolled: boolean): void;
+}
+
+/** Where in a text its reader is. It stays there when the text is set anew. */
+export class ReadingPlace implements ReactiveController {
+  private kept: Kept | null = null;
+  /** Where the page itself has scrolled to. */
+  private own = 0;
+  private last = '';
+  private readonly sizes = new ResizeObserver(() => this.restore());
+
+  constructor(private readonly host: Read) {
+    host.addController(this);
+  }
+
+  /** To be called when the box is there. */
+  watch(): void {
+    const { box } = this.host;
+    box.addEventListener('scroll', this.onScroll, { passive: true });
+    // A drawing has its height only when it is read.
+    box.addEventListener('load', () => this.restore(), { capture: true });
+    this.sizes.observe(box);
+  }
+
+  hostDisconnected(): void {
+    this.sizes.disconnect();
+  }
+
+  /** Shows a place, the beginning if there is none: a heading near the top, a pin at the reading line. */
+  show({ place, isRead }: Goal): void {
+    const { box } = this.host;
+    const mark = this.marks().find(({ dataset }) => dataset['place'] === place);
+    if (mark === undefined) {
+      this.scrollTo(0);
+      return;
+    }
+    const top = this.topOf(mark) + box.scrollTop;
+    this.scrollTo(isPin(mark) ? this.scrolledTo(top + 4) : top - 16);
+    this.tell(isRead, place);
+    if (!isPin(mark)) mark.focus({ preventScroll: true });
+  }
+
+  /** Scrolls to where one was before the text was set anew. */
+  restore(): void {
+    const { kept, host } = this;
+    const part = kept && host.article.children[kept.part];
+    if (!part || host.box.clientHeight === 0) return;
+    const { height } = part.getBoundingClientRect();
+    const top = this.topOf(part) + host.box.scrollTop;
+    this.scrollTo(this.scrolledTo(top + kept.above * height), kept);
+  }
+
+  private scrollTo(top: number, kept: Kept | null = null): void {
+    const { box } = this.host;
+    box.scrollTop = top;
+    this.own = box.scrollTop;
+    this.kept = kept ?? this.keep();
+    this.tell(false);
+  }
+
+  private readonly onScroll = (): void => {
+    const { box } = this.host;
+    if (box.clientHeight === 0 || Math.abs(box.scrollTop - this.own) < 1) return;
+    this.own = -1;
+    this.kept = this.keep();
+    this.tell(true);
+  };
+
+  /** Tells what stands above the reading line; or which place it is that was asked for. */
+  private tell(isScrolled: boolean, asked: string | null = null): void {
+    const line = this.line();
+    const above = this.marks().filter((mark) => this.topOf(mark) <= line);
+    const place = (marks: readonly HTMLElement[]): string | null =>
+      marks.at(-1)?.dataset['place'] ?? null;
+    const now: Reached = {
+      place: asked ?? place(above),
+      pin: place(above.filter(isPin)),
+      heading: place(above.filter((mark) => !isPin(mark))),
+    };
+    const said = JSON.stringify(now);
+    if (said === this.last) return;
+    this.last = said;
+    this.host.reached(now, isScrolled);
+  }
+
+  private keep(): Kept {
+    const parts = [...this.host.article.children];
+    const line = this.line();
+    const below = parts.findIndex(
+      (part) => part.getBoundingClientRect().bottom - this.top() > line,
+    );
+    const part = below < 0 ? parts.length - 1 : below;
+    const box = parts[part]?.getBoundingClientRect();
+    if (box === undefined) return { part: 0, above: 0 };
+    return { part, above: (line - (box.top - this.top())) / Math.max(1, box.height) };
+  }
+
+  /** Headings and pins that can be seen, in the order of the text. */
+  private marks(): readonly HTMLElement[] {
+    const marks = this.host.article.querySelectorAll<HTMLElement>('[data-place]');
+    return [...marks].filter((mark) => mark.checkVisibility());
+  }
+
+  private line(): number {
+    return readingLine(this.host.box.scrollTop, this.most, this.host.box.clientHeight);
+  }
+
+  private scrolledTo(place: number): number {
+    return scrolledTo(place, this.most, this.host.box.clientHeight);
+  }
+
+  private get most(): number {
+    return this.host.box.scrollHeight - this.host.box.clientHeight;
+  }
+
+  private top(): number {
+    return this.host.box.getBoundingClientRect().top;
+  }
+
+  private topOf(part: Element): number {
+    return part.getBoundingClientRect().top - this.top();
+  }
+}

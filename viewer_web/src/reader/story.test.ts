@@ -1,0 +1,65 @@
+import { gzipSync } from 'node:zlib';
+import { describe, expect, it } from 'vitest';
+import { sampleLesson } from '../testing/lessons.js';
+import { lessonStory, readStory } from './story.js';
+import type { LessonStory } from './story.js';
+
+const packed = (text: string): Blob => new Blob([Uint8Array.from(gzipSync(text))]);
+
+/** The lesson with one paragraph of these inlines. */
+function saying(...text: readonly unknown[]): object {
+  const story = { title: ['x'], blocks: [{ is: 'paragraph', text }] };
+  return sampleLesson({ story: { en: story, ru: story } });
+}
+
+const refused = (value: unknown): string => {
+  try {
+    lessonStory(value);
+  } catch (refusal) {
+    return (refusal as Error).message;
+  }
+  return 'taken';
+};
+
+describe('the file of a lesson', () => {
+  it('is read with its pins, figures and both texts', async () => {
+    const lesson: LessonStory = await readStory(packed(JSON.stringify(sampleLesson())));
+    expect(lesson.pins.get('scanline')).toEqual({ run: 'depths', step: 33 });
+    expect([...lesson.figures.keys()]).toEqual(['windows.svg']);
+    expect(lesson.story.ru.blocks[1]).toEqual({ is: 'heading', level: 2, text: ['Первые окна'] });
+  });
+
+  it('names its places alike in both languages: headings by number, pins by name and time', () => {
+    const { en, ru } = lessonStory(sampleLesson()).story;
+    const names = ['1', 'first', 'second', '2', 'first.2', '3', 'scanline'];
+    expect([...en.places.values()]).toEqual(names);
+    expect([...ru.places.values()]).toEqual(names);
+  });
+
+  it('may have fields that are not known', () => {
+    expect(lessonStory(sampleLesson({ later: 1 })).id).toBe('first');
+  });
+
+  it.each<[string, unknown, string]>([
+    ['another format', sampleLesson({ format: 'vidno-lesson/2' }), 'format oneOf'],
+    ['a pin of no run', sampleLesson({ traces: { run: 'x' } }), 'pins.scanline.run noSuchRun'],
+    ['no text', sampleLesson({ story: {} }), 'story.en missing'],
+    ['a way to no pin', saying({ is: 'pin', pin: 'x', text: [] }), 'story.en noSuchPin x'],
+    [
+      'an address that is a program',
+      saying({ is: 'link', url: 'javascript:alert(1)', text: [] }),
+      'story.en.blocks[0].text[0].url noWebAddress',
+    ],
+    ['an unknown inline', saying({ is: 'image' }), 'story.en.blocks[0].text[0].is oneOf'],
+    ['a name that all objects have', saying({ is: 'toString' }), '.is oneOf'],
+    ['a number among words', saying(1), 'story.en.blocks[0].text[0] object'],
+  ])('is refused with %s', (_what, value, message) => {
+    expect(refused(value)).toContain(message);
+  });
+
+  it('is refused where it is no JSON or no gzip, or unpacks to too much', async () => {
+    await expect(readStory(packed('{'))).rejects.toThrow('notJson');
+    await expect(readStory(new Blob(['x']))).rejects.toThrow();
+    await expect(readStory(packed(' '.repeat(16_000_001)))).rejects.toThrow(RangeError);
+  });
+});

@@ -1,0 +1,187 @@
+import {
+  bool,
+  count,
+  dictionary,
+  list,
+  oneKind,
+  oneOf,
+  optional,
+  part,
+  text,
+} from '../trace/check.js';
+import type { Check } from '../trace/check.js';
+import { parseJson } from '../trace/parse.js';
+import { Refusal, describe } from '../trace/refusal.js';
+import { boundedText } from '../bounded-text.js';
+import { placesIn } from './places.js';
+import type { Mark } from './places.js';
+
+/** A piece of a line: words, or what stands among them. */
+export type Inline =
+  | string
+  | { readonly is: 'emphasis' | 'strong'; readonly text: Inlines }
+  | { readonly is: 'code'; readonly text: string }
+  | { readonly is: 'formula'; readonly tex: string }
+  | PinLink
+  | { readonly is: 'lesson'; readonly id: string; readonly text: Inlines }
+  | { readonly is: 'link'; readonly url: string; readonly text: Inlines };
+export type Inlines = readonly Inline[];
+
+/** Words that lead to a step of a run. */
+export interface PinLink {
+  readonly is: 'pin';
+  readonly pin: string;
+  readonly text: Inlines;
+}
+
+export interface Heading {
+  readonly is: 'heading';
+  readonly level: number;
+  readonly text: Inlines;
+}
+
+export type Block =
+  | Heading
+  | { readonly is: 'paragraph'; readonly text: Inlines }
+  | { readonly is: 'list'; readonly ordered: boolean; readonly items: readonly Blocks[] }
+  | { readonly is: 'quote'; readonly blocks: Blocks }
+  | Question
+  | { readonly is: 'code'; readonly language: string; readonly text: string }
+  | { readonly is: 'formula'; readonly tex: string }
+  | Figure
+  | Table;
+export type Blocks = readonly Block[];
+
+/** Something to think about. */
+export interface Question {
+  readonly is: 'question';
+  /** From 1 within the lesson. */
+  readonly number: number;
+  readonly blocks: Blocks;
+  readonly answer: Blocks;
+}
+
+export interface Figure {
+  readonly is: 'figure';
+  readonly caption: Inlines;
+  /** What makes it. */
+  readonly command: string;
+  /** Among the lesson's figures, if it is there. */
+  readonly file: string;
+}
+
+export interface Table {
+  readonly is: 'table';
+  readonly head: readonly Inlines[];
+  readonly align: readonly Align[];
+  readonly rows: readonly (readonly Inlines[])[];
+}
+const alignments = ['left', 'right', 'center', ''] as const;
+export type Align = (typeof alignments)[number];
+
+/** What a lesson says in one language. */
+export interface Story {
+  readonly title: Inlines;
+  readonly blocks: Blocks;
+  /** Its headings and pins in the order in which they are read, by which an address names them. */
+  readonly places: ReadonlyMap<Mark, string>;
+}
+
+/** A step of one of the lesson's runs. */
+export interface Pin {
+  readonly run: string;
+  readonly step: number;
+}
+
+/** A lesson as `vidno lesson build` writes it: its text in both languages, and what the text leads to. */
+export interface LessonStory {
+  readonly id: string;
+  /** The file of each run. */
+  readonly traces: ReadonlyMap<string, string>;
+  readonly pins: ReadonlyMap<string, Pin>;
+  /** Drawings as SVG, by name. */
+  readonly figures: ReadonlyMap<string, string>;
+  readonly story: Readonly<Record<'en' | 'ru', Story>>;
+}
+
+/** `javascript:` and the like are addresses as well. */
+const webAddress: Check<string> = (value, path) => {
+  const address = text(value, path);
+  if (/^https?:\/\//.test(address)) return address;
+  throw new Refusal(path, 'noWebAddress', describe(value));
+};
+
+const inlines: Check<Inlines> = (value, path) => list(inline)(value, path);
+
+const noWords = oneKind({
+  emphasis: { text: inlines },
+  strong: { text: inlines },
+  code: { text },
+  formula: { tex: text },
+  pin: { pin: text, text: inlines },
+  lesson: { id: text, text: inlines },
+  link: { url: webAddress, text: inlines },
+});
+
+const inline: Check<Inline> = (value, path) =>
+  typeof value === 'string' ? value : noWords(value, path);
+
+const blocks: Check<Blocks> = (value, path) => list(block)(value, path);
+
+const level = oneOf(2, 3);
+
+const block: Check<Block> = oneKind({
+  heading: { level, text: inlines },
+  paragraph: { text: inlines },
+  list: { ordered: bool, items: list(blocks) },
+  quote: { blocks },
+  question: { number: count, blocks, answer: blocks },
+  code: { language: text, text },
+  formula: { tex: text },
+  figure: { caption: inlines, command: text, file: text },
+  table: {
+    head: list(inlines),
+    align: list(oneOf(...alignments)),
+    rows: list(list(inlines)),
+  },
+});
+
+const written = part({ title: inlines, blocks });
+const story: Check<Story> = (value, path) => {
+  const read = written(value, path);
+  return { ...read, places: placesIn(read) };
+};
+
+const lesson = part({
+  format: oneOf('vidno-lesson/1'),
+  id: text,
+  traces: dictionary(text),
+  pins: dictionary(part({ run: text, step: count })),
+  figures: optional(dictionary(text)),
+  story: part({ en: story, ru: story }),
+});
+
+/** The lesson that a value is; anything else is refused, a pin that leads nowhere as well. */
+export function lessonStory(value: unknown): LessonStory {
+  const { figures = new Map<string, string>(), ...read } = lesson(value, '');
+  for (const [name, { run }] of read.pins) {
+    if (!read.traces.has(run)) throw new Refusal(`pins.${name}.run`, 'noSuchRun', run);
+  }
+  for (const [language, { places }] of Object.entries(read.story)) {
+    for (const mark of places.keys()) {
+      if (mark.is === 'pin' && !read.pins.has(mark.pin)) {
+        throw new Refusal(`story.${language}`, 'noSuchPin', mark.pin);
+      }
+    }
+  }
+  return { ...read, figures };
+}
+
+/** A few bytes may unpack to very many. */
+const longestStory = 16_000_000;
+
+/** The lesson in a file of JSON, packed by gzip. Throws a Refusal where it is none, else what the browser throws. */
+export async function readStory(file: Blob): Promise<LessonStory> {
+  const stream = file.stream().pipeThrough<Uint8Array>(new DecompressionStream('gzip'));
+  return lessonStory(parseJson(await boundedText(stream, longestStory)));
+}

@@ -1,0 +1,14 @@
+import type { PageTexts } from './i18n/texts.js';
+import type { LessonTrace } from './lessons.js';
+
+/** A run of a lesson in words: its method, and in what it is not as usual. */
+export function runName(
+  { method, kernel, edition }: LessonTrace,
+  page: PageTexts,
+): { readonly method: string; readonly variant: string } {
+  const unusual = [
+    ...(edition === 'corrected' ? [] : [page.editions[edition]]),
+    ...(kernel === 'double' ? [] : [kernel]),
+  ];
+  return { method: page.methods[method], variant: unusual.join(', ') };
+}
