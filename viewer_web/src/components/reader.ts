@@ -45,7 +45,7 @@ export class ReaderElement extends LitElement {
   @query('.box') readonly box!: HTMLElement;
   @query('article') readonly article!: HTMLElement;
 
-  private drawings = new Drawings(new Map());
+  private readonly drawings = new Drawings();
   private readonly place = new ReadingPlace(this);
   protected readonly printed = new PrintedWhole(this);
 
@@ -58,9 +58,7 @@ export class ReaderElement extends LitElement {
   }
 
   override willUpdate(changed: PropertyValues<this>): void {
-    if (!changed.has('story')) return;
-    this.drawings.forget();
-    this.drawings = new Drawings(this.story?.figures ?? new Map());
+    if (changed.has('story')) this.drawings.forget();
   }
 
   override firstUpdated(): void {
@@ -115,7 +113,7 @@ export class ReaderElement extends LitElement {
       current,
       addressOf,
       runOf: (pin: Pin) => runOf(pin, lesson, this.lessons, page),
-      drawingOf: (file: string) => this.drawings.addressOf(file),
+      drawingOf: (svg: string) => this.drawings.addressOf(svg),
     };
     return html`<article lang=${language}>
       <h2>${inlines(story.title, telling)}</h2>

@@ -68,9 +68,11 @@ function question({ number, blocks: asked, answer }: Question, telling: Telling)
 }
 
 function figure({ caption, command, file }: Figure, telling: Telling): TemplateResult {
-  const drawing = telling.drawingOf(file);
+  const svg = telling.story.figures.get(file);
+  const image = (drawing: string): TemplateResult =>
+    html`<img src=${drawing} alt=${plainWords(caption)} />`;
   return html`<figure>
-    ${drawing === null ? nothing : html`<img src=${drawing} alt=${plainWords(caption)} />`}
+    ${svg === undefined ? nothing : image(telling.drawingOf(svg))}
     <figcaption>${inlines(caption, telling)}</figcaption>
     <vidno-command small .text=${command} .texts=${telling.texts}></vidno-command>
   </figure>`;

@@ -1,15 +1,11 @@
-/** The drawings of a lesson as addresses that images can show. */
+/** Drawings of a lesson, which are SVG, as addresses that images can show. */
 export class Drawings {
   private readonly addresses = new Map<string, string>();
 
-  constructor(private readonly files: ReadonlyMap<string, string>) {}
-
-  addressOf(file: string): string | null {
-    const text = this.files.get(file);
-    if (text === undefined) return null;
+  addressOf(svg: string): string {
     const address =
-      this.addresses.get(file) ?? URL.createObjectURL(new Blob([text], { type: 'image/svg+xml' }));
-    this.addresses.set(file, address);
+      this.addresses.get(svg) ?? URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+    this.addresses.set(svg, address);
     return address;
   }
 

@@ -25,7 +25,7 @@ describe('the file of a lesson', () => {
   it('is read with its pins, figures and both texts', async () => {
     const lesson: LessonStory = await readStory(packed(JSON.stringify(sampleLesson())));
     expect(lesson.pins.get('scanline')).toEqual({ run: 'depths', step: 33 });
-    expect([...lesson.figures.keys()]).toEqual(['windows.svg']);
+    expect([...lesson.story.en.figures.keys()]).toEqual(['windows.svg']);
     expect(lesson.story.ru.blocks[1]).toEqual({ is: 'heading', level: 2, text: ['Первые окна'] });
   });
 

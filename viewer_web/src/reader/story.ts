@@ -83,6 +83,8 @@ export type Align = (typeof alignments)[number];
 export interface Story {
   readonly title: Inlines;
   readonly blocks: Blocks;
+  /** Drawings as SVG, by name. */
+  readonly figures: ReadonlyMap<string, string>;
   /** Its headings and pins in the order in which they are read, by which an address names them. */
   readonly places: ReadonlyMap<Mark, string>;
 }
@@ -99,8 +101,6 @@ export interface LessonStory {
   /** The file of each run. */
   readonly traces: ReadonlyMap<string, string>;
   readonly pins: ReadonlyMap<string, Pin>;
-  /** Drawings as SVG, by name. */
-  readonly figures: ReadonlyMap<string, string>;
   readonly story: Readonly<Record<'en' | 'ru', Story>>;
 }
 
@@ -146,10 +146,10 @@ const block: Check<Block> = oneKind({
   },
 });
 
-const written = part({ title: inlines, blocks });
+const written = part({ title: inlines, blocks, figures: optional(dictionary(text)) });
 const story: Check<Story> = (value, path) => {
-  const read = written(value, path);
-  return { ...read, places: placesIn(read) };
+  const { figures = new Map<string, string>(), ...read } = written(value, path);
+  return { ...read, figures, places: placesIn(read) };
 };
 
 const lesson = part({
@@ -157,13 +157,12 @@ const lesson = part({
   id: text,
   traces: dictionary(text),
   pins: dictionary(part({ run: text, step: count })),
-  figures: optional(dictionary(text)),
   story: part({ en: story, ru: story }),
 });
 
 /** The lesson that a value is; anything else is refused, a pin that leads nowhere as well. */
 export function lessonStory(value: unknown): LessonStory {
-  const { figures = new Map<string, string>(), ...read } = lesson(value, '');
+  const read = lesson(value, '');
   for (const [name, { run }] of read.pins) {
     if (!read.traces.has(run)) throw new Refusal(`pins.${name}.run`, 'noSuchRun', run);
   }
@@ -174,7 +173,7 @@ export function lessonStory(value: unknown): LessonStory {
       }
     }
   }
-  return { ...read, figures };
+  return read;
 }
 
 /** A few bytes may unpack to very many. */

@@ -13,6 +13,6 @@ export interface Telling {
   readonly addressOf: AddressOf;
   /** The run of a pin, in words. */
   readonly runOf: (pin: Pin) => string;
-  /** The address of a drawing. */
-  readonly drawingOf: (file: string) => string | null;
+  /** The address of a drawing, which is SVG. */
+  readonly drawingOf: (svg: string) => string;
 }

@@ -92,6 +92,10 @@ function told(language: Language): object {
       ),
       words,
     ],
+    figures: {
+      'windows.svg':
+        '<svg xmlns="http://www.w3.org/2000/svg" width="80" height="60"><rect width="80" height="60"/></svg>',
+    },
   };
 }
 
@@ -105,10 +109,6 @@ export function sampleLesson(other: object = {}): object {
       first: { run: 'run', step: 5 },
       second: { run: 'run', step: 60 },
       scanline: { run: 'depths', step: 33 },
-    },
-    figures: {
-      'windows.svg':
-        '<svg xmlns="http://www.w3.org/2000/svg" width="80" height="60"><rect width="80" height="60"/></svg>',
     },
     story: { en: told('en'), ru: told('ru') },
     ...other,
