@@ -58,26 +58,15 @@ std::size_t take_blocks(std::string& page, std::string_view opening) {
     return first;
 }
 
-/// The lessons' index and files, in the form that `viewer_web/plugins/lessons.ts` gives them.
-std::string blocks_of(const std::vector<PageFile>& files) {
-    auto index = nlohmann::ordered_json::array();
-    std::string blocks;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        const PageFile& file = files[i];
-        // The number keeps files of the same name in different folders apart; a name may be any bytes.
-        const std::string name = std::to_string(i + 1) + (file.is_scene ? ".json" : ".jsonl.gz");
-        index.push_back({{"id", name},
-                         {"title", {{"en", file.title}, {"ru", file.title}}},
-                         {"traces",
-                          {{{"file", name},
-                            {"method", file.method},
-                            {"kernel", file.kernel},
-                            {"edition", file.edition},
-                            {"detail", file.detail}}}}});
-        blocks += std::string(file_block) + name + "\">" + base64(file.bytes) + std::string(end_of_block);
+/// In the form that `viewer_web/plugins/lessons.ts` gives them.
+std::string blocks_of(const PageContent& content) {
+    const auto bad_text = nlohmann::ordered_json::error_handler_t::replace;  // a name may be any bytes
+    std::string blocks =
+        std::string(index_block) + as_block(content.index.dump(-1, ' ', false, bad_text)) + std::string(end_of_block);
+    for (const auto& [name, bytes] : content.files) {
+        blocks += std::string(file_block) + name + "\">" + base64(bytes) + std::string(end_of_block);
     }
-    const std::string json = index.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    return std::string(index_block) + as_block(json) + std::string(end_of_block) + blocks;
+    return blocks;
 }
 
 /// Puts JSON into the block that the page of charts has for it.
@@ -105,18 +94,32 @@ std::string address_of(const std::string& name) {
 
 }  // namespace
 
-std::string trace_page(const std::vector<PageFile>& files) {
+void PageContent::add(const PageFile& file) {
+    // The number keeps files of the same name in different folders apart.
+    const std::string name = std::to_string(files.size() + 1) + (file.is_scene ? ".json" : ".jsonl.gz");
+    index.push_back({{"id", name},
+                     {"title", {{"en", file.title}, {"ru", file.title}}},
+                     {"traces",
+                      {{{"file", name},
+                        {"method", file.method},
+                        {"kernel", file.kernel},
+                        {"edition", file.edition},
+                        {"detail", file.detail}}}}});
+    files.emplace_back(name, file.bytes);
+    has_scene = has_scene || file.is_scene;
+}
+
+std::string trace_page(const PageContent& content) {
     std::string page = built_page("index.html");
-    if (files.empty()) return page;
-    const bool has_scene = std::any_of(files.begin(), files.end(), [](const PageFile& file) { return file.is_scene; });
-    if (has_scene && page.find(R"(id="vidno-library">)") == page.npos) {
+    if (content.files.empty()) return page;
+    if (content.has_scene && page.find(R"(id="vidno-library">)") == page.npos) {
         throw Refused("index.html: was built without the library that runs a scene");
     }
     const auto lessons = take_blocks(page, index_block);
     take_blocks(page, file_block);
     const auto body = page.rfind("</body>");
     if (body == page.npos) throw Refused("index.html: is not the page of traces");
-    return page.insert(std::min(lessons, body), blocks_of(files));
+    return page.insert(std::min(lessons, body), blocks_of(content));
 }
 
 std::string chart_page(const std::string& json) {

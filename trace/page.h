@@ -1,12 +1,14 @@
 /// Page: the built pages that come with the program.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vidno {
 
-/// What a page of traces has beside each other: a trace, or a scene that it runs when it is opened.
+/// A trace, or a scene that the page runs when it is opened.
 struct PageFile {
     std::string title;
     std::string method, kernel, edition, detail;  // of the run
@@ -14,9 +16,18 @@ struct PageFile {
     bool is_scene = false;
 };
 
-/// The page that shows traces, with these files instead of its lessons, or, if there are none, with the lessons. Throws
+/// What a page has beside each other: an index, as that of a course, and the files that it names.
+struct PageContent {
+    nlohmann::ordered_json index = nlohmann::ordered_json::array();
+    std::vector<std::pair<std::string, std::string>> files;  // a trace or a story is gzipped
+    bool has_scene = false;
+
+    void add(const PageFile& file);
+};
+
+/// The page that shows traces, with this content instead of its lessons, or, if there is none, with the lessons. Throws
 /// Refused if no page was built, or if it cannot run a scene.
-std::string trace_page(const std::vector<PageFile>& files);
+std::string trace_page(const PageContent& content);
 
 /// The page that shows a chart, with the chart in it and, if it was built, the address of the page that replays its runs.
 /// Throws Refused if no page was built.

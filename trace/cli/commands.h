@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "import.h"
+#include "page.h"
 #include "run.h"
 #include "stability.h"
 #include "trace_reader.h"
@@ -156,6 +157,8 @@ int figure(const FigureOptions& options);
 std::string drawn_figure(const FigureOptions& options);
 int diff(const DiffOptions& options);
 int page(const PageOptions& options);
+/// Builds a lesson into a page. False if something is wrong with it, which is said.
+bool add_lesson(const std::string& folder, PageContent& content);
 int lesson_new(const LessonOptions& options);
 int lesson_pin(const LessonOptions& options);
 int lesson_check(const LessonOptions& options);

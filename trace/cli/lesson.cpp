@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <memory>
+#include <map>
 
 #include "commands.h"
 #include "import.h"
@@ -67,32 +67,42 @@ Figures figures_of(const Lesson& lesson, const Story& story, const std::string& 
     return figures;
 }
 
-/// The files of a lesson in a folder, and what the index of lessons says of it.
-Json built(const Lesson& lesson, const std::filesystem::path& folder, Problems& problems) {
-    std::map<std::string, std::unique_ptr<OutputFile>> files;
-    const Steps steps = run_lesson(lesson, problems, [&](const LessonRun& run, std::string_view text) {
-        auto& file = files[run.name];
-        if (!file) file = std::make_unique<OutputFile>((folder / run.trace_file(lesson.id)).string());
-        file->write(text);
-    });
-    for (const auto& [name, file] : files) file->commit();
+/// What the index of a course says of a lesson, and the files that this names.
+struct Built {
+    Json entry;
+    std::vector<std::pair<std::string, std::string>> traces;
+    std::string story_name, story;
+};
 
-    const std::string story = lesson.id + ".lesson.json";
+Built built(const std::string& folder, Problems& problems) {
+    const Lesson lesson = read_lesson(folder, problems);
+    check_lesson(lesson, problems);
+    std::map<std::string, std::string> texts;  // of the traces, by their runs
+    const Steps steps =
+        run_lesson(lesson, problems, [&](const LessonRun& run, std::string_view text) { texts[run.name] += text; });
     const Figures in_english = figures_of(lesson, lesson.english, "en", problems);
     const Figures in_russian = figures_of(lesson, lesson.russian, "ru", problems);
-    write_file(folder / story, lesson_json(lesson, steps, in_english, in_russian) + '\n');
+
+    Built made;
+    made.story_name = lesson.id + ".lesson.json";
+    made.story = lesson_json(lesson, steps, in_english, in_russian);
     Json traces = Json::array();
     for (const auto& run : lesson.runs) {
-        traces.push_back({{"file", run.trace_file(lesson.id)},
-                          {"method", method_names[std::size_t(run.method)]},
-                          {"kernel", run.kernel},
-                          {"edition", edition_names[std::size_t(run.edition)]},
-                          {"detail", detail_names[std::size_t(run.detail)]}});
+        const std::string file = run.trace_file(lesson.id);
+        made.traces.emplace_back(file, std::move(texts[run.name]));
+        Json trace{{"file", file},
+                   {"method", method_names[std::size_t(run.method)]},
+                   {"kernel", run.kernel},
+                   {"edition", edition_names[std::size_t(run.edition)]},
+                   {"detail", detail_names[std::size_t(run.detail)]}};
+        if (!run.other_scene().empty()) trace["scene"] = run.other_scene();
+        traces.push_back(std::move(trace));
     }
-    return {{"id", lesson.id},
-            {"title", {{"en", lesson.english.plain_title}, {"ru", lesson.russian.plain_title}}},
-            {"traces", std::move(traces)},
-            {"story", story}};
+    made.entry = {{"id", lesson.id},
+                  {"title", {{"en", lesson.english.plain_title}, {"ru", lesson.russian.plain_title}}},
+                  {"traces", std::move(traces)},
+                  {"story", made.story_name}};
+    return made;
 }
 
 }  // namespace
@@ -116,13 +126,23 @@ int lesson_build(const LessonOptions& options) {
     Problems problems;
     Json index = Json::array();
     for (const auto& name : options.folders) {
-        const Lesson lesson = read_lesson(name, problems);
-        check_lesson(lesson, problems);
-        index.push_back(built(lesson, folder, problems));
-        std::cerr << "  " << lesson.id << ": " << lesson.english.plain_title << '\n';
+        const Built lesson = built(name, problems);
+        for (const auto& [file, text] : lesson.traces) write_file(folder / file, text);
+        write_file(folder / lesson.story_name, lesson.story + '\n');
+        index.push_back(lesson.entry);
+        std::cerr << "  " << name << '\n';
     }
     write_file(folder / "index.json", index.dump(1) + '\n');
     return told(problems);
+}
+
+bool add_lesson(const std::string& folder, PageContent& content) {
+    Problems problems;
+    const Built lesson = built(folder, problems);
+    for (const auto& [file, text] : lesson.traces) content.files.emplace_back(file, gzipped(text));
+    content.files.emplace_back(lesson.story_name, gzipped(lesson.story));
+    content.index.push_back(lesson.entry);
+    return told(problems) == 0;
 }
 
 int lesson_new(const LessonOptions& options) {

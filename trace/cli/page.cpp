@@ -53,11 +53,15 @@ int page(const PageOptions& options) {
     trace_page({});  // refuses what would be missing in the end before the work
     OutputFile output(options.output);
     bool whole = true;
-    std::vector<PageFile> files;
+    PageContent content;
     for (const auto& file : options.files) {
-        files.push_back(is_trace(file) ? trace_file(file, whole) : scene_file(file));
+        if (std::filesystem::is_directory(file)) {
+            whole = add_lesson(file, content) && whole;
+        } else {
+            content.add(is_trace(file) ? trace_file(file, whole) : scene_file(file));
+        }
     }
-    output.write(trace_page(files));
+    output.write(trace_page(content));
     output.commit();
     return whole ? 0 : 1;
 }

@@ -24,6 +24,8 @@ struct LessonRun {
     Detail detail = Detail::signs;
     bool check = false;
 
+    /// The scene's name, without what its file's name ends in; empty for `scene.json`.
+    std::string other_scene() const;
     /// That of the trace, for the lesson of this name.
     std::string trace_file(const std::string& lesson) const;
 };

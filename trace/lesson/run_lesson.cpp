@@ -28,9 +28,13 @@ void trace_run(const Scene& scene, const LessonRun& run, const TraceWriter::Writ
     write_trace({run.method, kernel, run.edition, ran, run.detail}, writer, run.check);
 }
 
-std::string LessonRun::trace_file(const std::string& lesson) const {
+std::string LessonRun::other_scene() const {
     const std::string stem = std::filesystem::path(scene).stem().string();
-    std::string file = lesson + (stem == "scene" ? "" : '.' + stem);
+    return stem == "scene" ? "" : stem;
+}
+
+std::string LessonRun::trace_file(const std::string& lesson) const {
+    std::string file = lesson + (other_scene().empty() ? "" : '.' + other_scene());
     for (const std::string_view part : {method_names[std::size_t(method)], std::string_view(kernel),
                                         edition_names[std::size_t(edition)], detail_names[std::size_t(detail)]}) {
         file += '.';

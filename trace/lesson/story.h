@@ -1,6 +1,6 @@
 /// Story: the text of a lesson in one language, GitHub Markdown turned into blocks that a page can set.
 ///
-/// lessons/WRITING.md tells an author what a story may contain; FORMAT.md beside this file, what blocks there are.
+/// lessons/WRITING.md tells an author what a story may contain, trace/LESSON.md what blocks there are.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -15,6 +15,8 @@ const entry = part({
   kernel: text,
   edition: oneOf(...editions),
   detail: oneOf(...details),
+  /** Its name among the scenes of the lesson, if it has others. */
+  scene: optional(text),
 });
 
 const lessonList = list(
