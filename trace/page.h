@@ -1,6 +1,7 @@
 /// Page: the built pages that come with the program.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct PageFile {
 /// The page that shows traces, with these files instead of its lessons, or, if there are none, with the lessons. Throws
 /// Refused if no page was built, or if it cannot run a scene.
 std::string trace_page(const std::vector<PageFile>& files);
+
+/// The address under which a browser opens a file of this machine. The path is absolute.
+std::string file_address(const std::filesystem::path& path);
 
 /// The page that shows a chart, with the chart in it and, if it was built, the address of the page that replays its runs.
 /// Throws Refused if no page was built.

@@ -71,6 +71,12 @@ struct PageOptions {
     std::string output;
 };
 
+struct GradeOptions {
+    std::string program, output;      // or a trace; the output may be empty
+    std::vector<std::string> scenes;  // none: those of the program
+    int seconds = 10;
+};
+
 struct MeshOptions {
     std::string mesh, output;
     ImportOptions import;
@@ -129,6 +135,7 @@ int chart(const ChartOptions& options);
 int replay(const ReplayOptions& options);
 int diff(const DiffOptions& options);
 int page(const PageOptions& options);
+int grade(const GradeOptions& options);
 int import(const MeshOptions& options);
 int stability(const StabilityOptions& options);
 int methods();
