@@ -45,7 +45,8 @@ void set_plane(ExactPolygon& polygon, const std::vector<glm::dvec3>& vertices, d
     const glm::dvec3& o = vertices[0];
     Rational a(0), b(0), c(0);
     const auto from_first = [&](const glm::dvec3& v) {
-        return std::array{Rational(v.x) - Rational(o.x), Rational(v.y) - Rational(o.y), Rational(v.z) - Rational(o.z)};
+        return std::array<Rational, 3>{Rational(v.x) - Rational(o.x), Rational(v.y) - Rational(o.y),
+                                       Rational(v.z) - Rational(o.z)};
     };
     for (std::size_t i = 2; i < vertices.size(); ++i) {
         const auto u = from_first(vertices[i - 1]), v = from_first(vertices[i]);
