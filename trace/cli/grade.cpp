@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <map>
 
 #include "check.h"
 #include "commands.h"
@@ -15,13 +16,10 @@ namespace vidno::cli {
 
 namespace {
 
-std::string quoted(const Scene& scene) { return '"' + (scene.name.empty() ? "a scene" : scene.name) + '"'; }
+/// A program that did not end so often is not waited for any more.
+constexpr int enough_endless = 2;
 
-std::string differences_of(const SceneGrade& grade) {
-    std::string list;
-    for (const Difference each : grade.judgement->differences) list += (list.empty() ? "" : "; ") + std::string(words_of(each));
-    return list;
-}
+std::string quoted(const Scene& scene) { return '"' + (scene.name.empty() ? "a scene" : scene.name) + '"'; }
 
 std::string place_of(const Wrong& wrong) {
     return "step " + std::to_string(wrong.step) + (wrong.at.empty() ? "" : ", " + wrong.at);
@@ -32,11 +30,26 @@ void print_line(const SceneGrade& grade, const Limits& limits) {
         std::cout << "  " << std::left << std::setw(11) << verdict << grade.scene.name << (more.empty() ? "" : ": ") << more << '\n';
     };
     if (!grade.judgement) return line("not judged", grade.not_judged);
-    if (grade.judgement->wrong) return line("wrong", place_of(*grade.judgement->wrong));
-    if (grade.run.ended.ending != Ending::done) return line("wrong", words_of(grade.run.ended, limits));
+    const std::string ended = grade.run.ended.ending == Ending::done ? "" : words_of(grade.run.ended, limits);
+    if (grade.judgement->wrong) {
+        return line("wrong", place_of(*grade.judgement->wrong) + (ended.empty() ? "" : "; ") + ended);
+    }
+    if (!ended.empty()) return line("wrong", ended);
     if (!grade.run.complete) return line("wrong", "the trace is cut short");
-    const std::string differences = differences_of(grade);
-    line(differences.empty() ? "right" : "different", differences);
+    line("right", "");
+}
+
+/// What is different from our procedures and as right.
+void print_differences(const std::vector<SceneGrade>& grades) {
+    std::map<Difference, int> scenes;
+    for (const auto& grade : grades) {
+        if (!grade.judgement) continue;
+        for (const Difference each : grade.judgement->differences) ++scenes[each];
+    }
+    if (!scenes.empty()) std::cout << "\nDifferent, and as right:\n";
+    for (const auto& [difference, count] : scenes) {
+        std::cout << "  " << words_of(difference) << " (" << count << (count == 1 ? " scene" : " scenes") << ")\n";
+    }
 }
 
 /// What the program printed, indented; the first lines of it.
@@ -128,11 +141,15 @@ std::vector<SceneGrade> grades_of(const GradeOptions& options, const Limits& lim
         return grades;
     }
     Progress progress("scenes");
-    for (const Scene& scene : scenes_of(options)) {
+    const std::vector<Scene> scenes = scenes_of(options);
+    int endless = 0;
+    for (const Scene& scene : scenes) {
         progress.show(grades.size());
         grades.push_back(grade_scene(options.program, scene, limits));
+        if (grades.back().run.ended.ending == Ending::out_of_time && ++endless == enough_endless) break;
     }
     progress.clear();
+    if (grades.size() < scenes.size()) std::cout << "  Not run on the " << scenes.size() - grades.size() << " scenes after these.\n";
     return grades;
 }
 
@@ -155,6 +172,7 @@ int grade(const GradeOptions& options) {
     limits.time = std::chrono::seconds(options.seconds);
     const std::vector<SceneGrade> grades = grades_of(options, limits);
     for (const auto& each : grades) print_line(each, limits);
+    print_differences(grades);
     const auto wrong = std::count_if(grades.begin(), grades.end(), [](const auto& each) { return !each.right(); });
     if (wrong == 0) {
         std::cout << "\nRight" << (grades.size() > 1 ? " on all " + std::to_string(grades.size()) + " scenes" : "") << ".\n";

@@ -38,7 +38,7 @@ void Claims::judge_start(double z, const std::string& what) const {
         if (!truth_.has_inside(p) || truth_.farthest(p) > z) continue;
         throw False{Symptom::start, what + " at " + in_words(z),
                     id(p) + " has a vertex at depth " + in_words(truth_.farthest(p)) +
-                        ", so that it is not nearer than nothing: start below all depths"};
+                        ", which is not nearer than that: start below all depths"};
     }
 }
 

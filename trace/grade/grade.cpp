@@ -28,10 +28,13 @@ SceneGrade graded(const Scene& scene, StudentRun run) {
     return grade;
 }
 
+/// Whether b fails as a does, no later in the run.
 bool fails_alike(const SceneGrade& a, const SceneGrade& b) {
     if (b.right() || a.run.ended.ending != b.run.ended.ending || a.judgement.has_value() != b.judgement.has_value()) return false;
     if (!a.judgement || a.judgement->wrong.has_value() != b.judgement->wrong.has_value()) return !a.judgement;
-    return !a.judgement->wrong || a.judgement->wrong->symptom == b.judgement->wrong->symptom;
+    if (!a.judgement->wrong) return true;
+    // A smaller scene that takes longer to show it would show it worse.
+    return a.judgement->wrong->symptom == b.judgement->wrong->symptom && b.judgement->wrong->step <= a.judgement->wrong->step;
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ SceneGrade grade_trace(std::string text);
 /// Which usual mistake the program behaves like.
 std::optional<UsualMistake> usual_mistake(const std::vector<SceneGrade>& grades);
 
-/// The smallest scene on which the program fails in the same way, its run with it. Gives up making it smaller after so many
+/// The smallest scene on which the program fails in the same way, at no later step, its run with it. Gives up making it smaller after so many
 /// runs or so long. `progress` is called before each run.
 struct Patience {
     int runs = 300;

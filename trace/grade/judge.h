@@ -30,6 +30,7 @@ enum class Symptom : unsigned char {
     overlooked,      // a polygon that shows was not looked at in the window
     not_plain,       // a window is called empty or single that is not
     too_small,       // a window of a pixel is split, or a larger one called a pixel
+    stray_window,    // no part of one that was split, or the first one does not cover the area
     parts_missing,   // the parts of a window do not cover it
     clip,            // not the part in the window
     clipped_away,    // nothing is left of a polygon that has a part in the window

@@ -64,13 +64,13 @@ void WarnockJudge::judge(const event::Push& e) {
         const bool covers = e.window.x <= area.x && e.window.y <= area.y && e.window.right() >= area.right() &&
                             e.window.bottom() >= area.bottom();
         if (!covers) {
-            throw False{Symptom::parts_missing, "the first window is " + in_words(e.window),
+            throw False{Symptom::stray_window, "the first window is " + in_words(e.window),
                         "the area is " + in_words(whole_area(area))};
         }
         if (!(e.window == covering_square(area))) note(Difference::other_windows);
     }
     if (tree_.push(e.window, step_)) return;
-    throw False{Symptom::parts_missing, in_words(e.window) + " goes on the stack",
+    throw False{Symptom::stray_window, in_words(e.window) + " goes on the stack",
                 "it is no part of a window that was split"};
 }
 

@@ -24,7 +24,7 @@ public:
     void finish();
 
 private:
-    void judge(const auto&) {}
+    void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Push& e);
     void judge(const event::Skip& e) { tree_.skip(e.window); }

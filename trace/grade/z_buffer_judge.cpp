@@ -103,7 +103,7 @@ void ZBufferJudge::judge(const event::AelSort& e) const {
 
 /// An edge may go when its last row is done, and not before.
 void ZBufferJudge::judge(const event::AelDrop& e) const {
-    if (!polygon_ || !state().row()) return;
+    if (!polygon_ || !state().row() || *state().row() + 1 >= scene().area.bottom()) return;
     const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
     for (const int edge : e.edges) {
         const double lower = std::max(vertices[std::size_t(edge)].y, vertices[std::size_t(edge + 1) % vertices.size()].y);

@@ -25,7 +25,7 @@ private:
         int polygon = Seen::background;  // that it shows
     };
 
-    void judge(const auto&) {}
+    void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Clear& e);
     void judge(const event::Polygon& e);
