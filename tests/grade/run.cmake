@@ -1,0 +1,71 @@
+# `vidno grade` on students' programs: the right ones pass and are told what is different, each wrong one is told its mistake,
+# and one that does not end well is told so. Run with -P; COMPILER, VIDNO and WORK are given.
+cmake_minimum_required(VERSION 3.25)
+set(student ${CMAKE_CURRENT_LIST_DIR}/../../lessons/student)
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+
+# Builds a program of the student and grades it: `status` and `report` are what comes of it. More words are options.
+function(grade source)
+    get_filename_component(program ${source} NAME_WE)
+    execute_process(COMMAND ${COMPILER} -std=c++14 -O1 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} ${source}
+                            -o ${program} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${VIDNO} grade ./${program} ${ARGN} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE code
+                    OUTPUT_VARIABLE said ERROR_VARIABLE errors)
+    set(status ${code} PARENT_SCOPE)
+    set(report "${said}${errors}" PARENT_SCOPE)
+endfunction()
+
+function(must_say program code text)
+    string(FIND "${report}" "${text}" found)
+    if(NOT status STREQUAL code OR found EQUAL -1)
+        message(FATAL_ERROR "${program}: ${status} instead of ${code}, or without \"${text}\":\n${report}")
+    endif()
+endfunction()
+
+# Its differences are those named, in their order, and no others.
+function(must_be_right source)
+    grade(${source})
+    must_say(${source} 0 "Right on all ")
+    string(REGEX MATCHALL "\n  [^\n]* \\([0-9]+ scenes?\\)" told "${report}")
+    list(TRANSFORM told REPLACE "\n  ([^\n]*) \\([0-9]+ scenes?\\)" "\\1")
+    if(NOT told STREQUAL "${ARGN}")
+        message(FATAL_ERROR "${source}: \"${told}\" instead of \"${ARGN}\":\n${report}")
+    endif()
+endfunction()
+
+function(must_make mistake words)
+    grade(${CMAKE_CURRENT_LIST_DIR}/${mistake}.cpp)
+    must_say(${mistake} 1 "It behaves like a usual mistake: ${words}")
+    must_say(${mistake} 1 "The smallest scene that shows it:")
+endfunction()
+
+# On a scene whose trace is short, so that the end comes soon.
+function(must_end program words)
+    grade(${CMAKE_CURRENT_LIST_DIR}/${program}.cpp --seconds 2 --scenes ${student}/../05-polygon-clip/scene.json)
+    must_say(${program} 1 "The program ${words}")
+endfunction()
+
+set(outline "another rule for points of an outline")
+must_be_right(${student}/warnock.cpp "${outline}")
+must_be_right(${student}/z_buffer.cpp "${outline}")
+must_be_right(${CMAKE_CURRENT_LIST_DIR}/recursion.cpp "${outline}" "recursion instead of the stack")
+must_be_right(${CMAKE_CURRENT_LIST_DIR}/other_order.cpp "the parts of a window in another order"
+              "the polygons in another order" "outlines gone round the other way" "${outline}")
+must_be_right(${CMAKE_CURRENT_LIST_DIR}/half_open_float.cpp "${outline}" "numbers in float")
+
+must_make(one_list "one APL is shared by all parts of a window")
+must_make(depths_not_cleared "the depths are not cleared")
+must_make(clip_order_reversed "the sides of the window are gone round the other way")
+must_make(y_flipped "the picture is upside down")
+must_make(depth_sign_reversed "the sign of z is reversed")
+must_make(boundary_outside "points on an outline count as outside")
+must_make(integer_division "a window is halved in whole numbers")
+must_make(surround_kept "hasSurround is never reset")
+
+must_end(crash "crashed (SIGSEGV: ")
+must_end(endless_loop "did not end within 2 s")
+must_end(endless_output "")  # too long or too much, as fast as the disk is
+must_end(endless_printing "wrote more than 64 MiB")
+must_end(endless_memory "asked for more than 512 MiB of memory")
