@@ -263,7 +263,11 @@ protected:
     template <class... Fields>
     void tell(Detail from, const char* event, const char* at, const Fields&... fields) {
         if (closed_ || from > detail_) return;
-        put(object("e", event, "at", at, fields...));
+        tell_line(object("e", event, "at", at, fields...));
+    }
+    /// An event that is a line already.
+    void tell_line(const std::string& line) {
+        put(line);
         ++events_;
     }
 

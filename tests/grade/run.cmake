@@ -7,9 +7,10 @@ file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 
 # Builds a program of the student and grades it: `status` and `report` are what comes of it. More words are options.
+set(language -std=c++14)
 function(grade source)
     get_filename_component(program ${source} NAME_WE)
-    execute_process(COMMAND ${COMPILER} -std=c++14 -O1 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} ${source}
+    execute_process(COMMAND ${COMPILER} ${language} -O1 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} ${source}
                             -o ${program} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
     execute_process(COMMAND ${VIDNO} grade ./${program} ${ARGN} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE code
                     OUTPUT_VARIABLE said ERROR_VARIABLE errors)
@@ -69,3 +70,11 @@ must_end(endless_loop "did not end within 2 s")
 must_end(endless_output "")  # too long or too much, as fast as the disk is
 must_end(endless_printing "wrote more than 64 MiB")
 must_end(endless_memory "asked for more than 512 MiB of memory")
+
+# Procedures of one's own in a run of vidno's.
+set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
+set(language -std=c++20 -ffp-contract=off -I${root}/lib -I${root}/trace)
+must_be_right(${student}/surround_test.cpp "${outline}")
+grade(${CMAKE_CURRENT_LIST_DIR}/half_plane_clip.cpp)
+must_say(half_plane_clip 1 "the program: the part of B in the window (8, 0) of 8 x 8 has 3 vertices")
+must_say(half_plane_clip 1 "(10.75, 11.25, 0.5) lies outside the window")

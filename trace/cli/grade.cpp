@@ -121,7 +121,7 @@ void write_page(const SceneGrade& grade, const std::string& file) {
     const auto& judgement = grade.judgement;
     const std::uint64_t step = judgement && judgement->wrong ? judgement->wrong->step : grade.run.events.size();
     std::cout << "\nThe program's run beside the right one, at that step:\n  " << file_address(std::filesystem::absolute(file))
-              << "#trace=1.jsonl.gz&with=2.jsonl.gz&step=" << step << '\n';
+              << "#trace=1&with=2&step=" << step << '\n';
 }
 
 std::vector<Scene> scenes_of(const GradeOptions& options) {
