@@ -30,7 +30,7 @@ Scene whole_quad() { return SceneBuilder(area_16).quad(-1, -1, 17, 17, 0).build(
 Scene half_quad() { return SceneBuilder(area_16).quad(-1, -1, 8.5, 17, 0).build(); }
 
 Findings examined(const Scene& scene, Method method, const std::string& kernel, int smallest_window = 1) {
-    RunRequest request{method, *kernel_named(kernel), false, scene};
+    RunRequest request{method, *kernel_named(kernel), Edition::corrected, scene};
     request.smallest_window = smallest_window;
     std::vector<std::size_t> sources(scene.polygons.size());
     std::iota(sources.begin(), sources.end(), std::size_t{0});
@@ -120,8 +120,8 @@ TEST_CASE("Depth error: a wall that is snapped to another place is as far off as
     const Scene scene =
         SceneBuilder({0, 0, 32, 32}).polygon({{0.25, -1, z(0.25)}, {31.75, -1, z(31.75)}, {0.25, 33, z(0.25)}}).build();
     const SnappedScene snapped = snapped_scene(scene, 1);
-    const Findings found =
-        Examiner(scene).examine({Method::zbuffer, *kernel_named("grid:1"), false, snapped.scene}, snapped.sources);
+    const Findings found = Examiner(scene).examine(
+        {Method::zbuffer, *kernel_named("grid:1"), Edition::corrected, snapped.scene}, snapped.sources);
     CHECK(found.depth_ulps == doctest::Approx(std::ldexp(0.25 / 64, 52)).epsilon(1e-6));
 }
 
@@ -138,7 +138,8 @@ TEST_CASE("Cost in bits: operations times the bits of their numbers") {
     const auto cost_of = [&](Method method, const std::string& kernel) {
         for (const auto& run : chart.runs) {
             const auto& way = run.way;
-            if (way.method == method && way.kernel.name() == kernel && !way.printed && way.knob != Knob::window) {
+            if (way.method == method && way.kernel.name() == kernel && way.edition == Edition::corrected &&
+                way.knob != Knob::window) {
                 return run.cost;
             }
         }
@@ -195,7 +196,7 @@ TEST_CASE("A run that a fault ended is on no front") {
     for (const auto& run : charted(scene).runs) {
         if (run.found.complete) continue;
         ++ended;
-        CHECK(run.way.printed);
+        CHECK(run.way.edition == Edition::printed);
         CHECK(run.way.kernel.name() == "exact");
         for (const auto& errors : run.on_front) CHECK(std::count(errors.begin(), errors.end(), true) == 0);
     }

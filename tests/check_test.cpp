@@ -10,6 +10,7 @@
 #include "checked.h"
 #include "output.h"
 #include "snapped_scene.h"
+#include "support/editions.h"
 #include "support/kettner.h"
 #include "support/scenes.h"
 #include "support/stage.h"
@@ -32,8 +33,8 @@ struct Court {
     Verdict last() const { return verdicts.back(); }
 };
 
-CheckReport checked(const Scene& scene, Method method, std::string_view kernel, bool printed = false) {
-    return check_run({method, *kernel_named(kernel), printed, scene}, right_picture(scene));
+CheckReport checked(const Scene& scene, Method method, std::string_view kernel, Edition edition = Edition::corrected) {
+    return check_run({method, *kernel_named(kernel), edition, scene}, right_picture(scene));
 }
 
 std::uint64_t wrong_decisions(const CheckReport& report) {
@@ -212,7 +213,7 @@ TEST_CASE("Under filtered it is counted what decided") {
 TEST_CASE("The printed text is wrong without a wrong decision: its procedures are") {
     // X-W3: the near square, 8 x 8 pixels, does not surround the window and is overlooked for the far one, which does.
     const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
-    const CheckReport report = checked(scene, Method::warnock, "double", true);
+    const CheckReport report = checked(scene, Method::warnock, "double", Edition::printed);
     CHECK(report.wrong_pixels == 64);
     CHECK(wrong_decisions(report) == 0);
     CHECK(report.found_something());
@@ -227,13 +228,13 @@ TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
             const NamedKernel kernel = *kernel_named(name);
             const Scene scene = kernel.snaps() ? snapped_scene(drawn, 3).scene : drawn;
             for (const Method method : {Method::warnock, Method::zbuffer}) {
-                for (const bool printed : {false, true}) {
-                    if (!kernel.choice->runs(method, printed)) continue;
+                for (const Edition edition : all_editions()) {
+                    if (!kernel.choice->runs(method, edition)) continue;
                     for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
                         CAPTURE(i);
                         CAPTURE(name);
-                        RunRequest request{method, kernel, printed, scene, detail};
-                        const TraceHeader header{method, printed ? "printed" : "corrected", name, detail, scene};
+                        RunRequest request{method, kernel, edition, scene, detail};
+                        const TraceHeader header{method, edition, name, detail, scene};
                         const auto traced = [&](auto make) {
                             std::ostringstream text;
                             TraceWriter writer(header, [&](std::string_view part) { text << part; });

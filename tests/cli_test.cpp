@@ -255,6 +255,9 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "trace " + scene + " --max-events -1" + output,
              "trace " + scene + " --kernel filtered --edition printed" + output,
              "trace " + scene + " --kernel depth:16 --method warnock" + output,
+             "trace " + scene + " --kernel float --edition one-list" + output,
+             "trace " + scene + " --method zbuffer --edition one-list" + output,
+             "trace " + scene + " --edition depths-not-cleared" + output,
              "trace " + work.file("missing.json") + output,
              "trace " + work.directory.string() + output,
              "trace " + scene + " -o " + work.file("no/such/place.jsonl"),
@@ -332,6 +335,27 @@ TEST_CASE("check: a table and the wrong pixels, exit 1 if anything is wrong; of 
     CHECK(program("check " + trace).text == wrong.text);
     CHECK(program("check " + trace + " --kernel double").status == 0);
     CHECK(program("replay " + trace + " -o " + work.file("a.ppm")).status == 0);
+}
+
+TEST_CASE("A usual mistake runs by its name: traced, replayed, run again by check, held against the right run") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    // Upside down the square of the only row is the same.
+    CHECK(program("render " + scene + " --edition y-flipped -o " + work.file("a.ppm")).status == 0);
+    CHECK(work.read("a.ppm") == square_picture);
+    // Z starts at 0, and the square lies there.
+    const std::string wrong = work.file("wrong.jsonl"), right = work.file("right.jsonl");
+    REQUIRE(program("trace " + scene + " --method zbuffer --edition depths-not-cleared -o " + wrong).status == 0);
+    REQUIRE(program("trace " + scene + " --method zbuffer -o " + right).status == 0);
+    CHECK(work.read("wrong.jsonl").find(R"("edition":"depths-not-cleared")") != std::string::npos);
+    CHECK(program("replay " + wrong + " -o " + work.file("b.ppm")).status == 0);
+    CHECK(work.read("b.ppm") == std::string("P6\n2 1\n255\n\xff\xff\xff\xff\xff\xff", 17));
+    const auto checked = program("check " + wrong);
+    CHECK(checked.status == 1);
+    CHECK(checked.text.find("wrong pixels: 1 of 2") != std::string::npos);
+    CHECK(program("diff " + wrong + " " + right).status == 1);
+    const auto refused = program("render " + scene + " --edition depths-not-cleared -o " + work.file("c.ppm"));
+    CHECK(refused.text == "vidno: --edition depths-not-cleared: a mistake of --method zbuffer alone\n");
 }
 
 TEST_CASE("shrink: a scene that still fails; what does not fail is refused") {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
@@ -43,17 +44,23 @@ std::vector<Entry> atlas() {
     return entries;
 }
 
+Edition edition_named(const std::string& name) {
+    const auto found = std::find(edition_names.begin(), edition_names.end(), name);
+    REQUIRE(found != edition_names.end());
+    return Edition(found - edition_names.begin());
+}
+
 RunRequest request_of(const json& run, const Scene& scene) {
     const bool warnock = run.at("method") == "warnock";
     return {warnock ? Method::warnock : Method::zbuffer, *kernel_named(run.at("kernel").get<std::string>()),
-            run.at("edition") == "printed", scene, Detail::signs};
+            edition_named(run.at("edition")), scene, Detail::signs};
 }
 
 /// What a run shows of its failure.
 class Shown {
 public:
     Shown(const json& told, const Scene& scene) : request_(request_of(told, scene)), picture_(run(request_)) {
-        const TraceHeader header{request_.method, told.at("edition"), request_.kernel.name(), Detail::signs, scene};
+        const TraceHeader header{request_.method, request_.edition, request_.kernel.name(), Detail::signs, scene};
         TraceWriter writer(header, [&](std::string_view part) { trace_ += part; });
         request_.writer = &writer;
         writer.finish(run(request_));
@@ -290,13 +297,13 @@ TEST_CASE("Failures: an empty list has no least element") {
     // At the end of each of two polygons S and AEL are empty, in both editions; a row that comes next must never come.
     const Scene scene = SceneBuilder(area_16).quad(2.25, 2.25, 8.25, 8.25, 0).quad(4.5, 4.5, 12.5, 12.5, .5).build();
     const Picture right = right_picture(scene);
-    for (const bool printed : {false, true}) {
+    for (const Edition edition : {Edition::corrected, Edition::printed}) {
         int without_next = 0;
         const auto hear = [&](const Event& event) {
             const auto* drop = std::get_if<event::AelDrop>(&event);
             without_next += drop && std::isinf(drop->next.number) ? 1 : 0;
         };
-        check_run({Method::zbuffer, *kernel_named("double"), printed, scene}, right, hear);
+        check_run({Method::zbuffer, *kernel_named("double"), edition, scene}, right, hear);
         CHECK(without_next == 2);
     }
 }

@@ -16,12 +16,12 @@ namespace {
 
 using Place = SceneTruth::Place;
 
-StudentRun run_of(const Scene& scene, Method method, const char* kernel, bool printed = false, Detail detail = Detail::signs) {
+StudentRun run_of(const Scene& scene, Method method, const char* kernel, Edition edition = Edition::corrected,
+                  Detail detail = Detail::signs) {
     const NamedKernel named = *kernel_named(kernel);
     std::string text;
-    TraceWriter writer({method, printed ? "printed" : "corrected", named.name(), detail, scene},
-                       [&](std::string_view part) { text += part; });
-    write_trace({method, named, printed, scene, detail}, writer, false);
+    TraceWriter writer({method, edition, named.name(), detail, scene}, [&](std::string_view part) { text += part; });
+    write_trace({method, named, edition, scene, detail}, writer, false);
     return read_student_trace(std::move(text));
 }
 
@@ -30,7 +30,7 @@ Judgement judgement_of(const StudentRun& run) { return judge(*run.header, run.ev
 /// The events of a run with one kind of them changed, wherever `change` finds something to change.
 template <class E>
 Judgement with_changed(const Scene& scene, Method method, auto change, Detail detail = Detail::signs) {
-    StudentRun run = run_of(scene, method, "double", false, detail);
+    StudentRun run = run_of(scene, method, "double", Edition::corrected, detail);
     for (auto& event : run.events) {
         if (E* e = std::get_if<E>(&event)) {
             if (change(*e)) break;
@@ -40,7 +40,8 @@ Judgement with_changed(const Scene& scene, Method method, auto change, Detail de
 }
 
 std::string wrong_of(const Judgement& judgement) {
-    return judgement.wrong ? judgement.wrong->at + ": " + judgement.wrong->told + ": " + judgement.wrong->right : "right";
+    return judgement.wrong ? judgement.wrong->at + ": " + judgement.wrong->told + ": " + judgement.wrong->right
+                           : "right";
 }
 
 /// Two squares side by side on the line x = 4.5, through the centres of column 4.
@@ -50,8 +51,10 @@ Scene neighbours() { return SceneBuilder({0, 0, 8, 8}).quad(1, 1, 4.5, 7, .25).q
 
 TEST_CASE("The truth of a scene: depths and places, by hand") {
     // z = x / 8 - 1/2, from -1/2 at x = 0 to 1/2 at x = 8.
-    const Scene scene =
-        SceneBuilder({0, 0, 8, 8}).polygon({{0, 0, -.5}, {8, 0, .5}, {8, 4, .5}, {0, 4, -.5}}).quad(0, 0, 8, 8, 0).build();
+    const Scene scene = SceneBuilder({0, 0, 8, 8})
+                            .polygon({{0, 0, -.5}, {8, 0, .5}, {8, 4, .5}, {0, 4, -.5}})
+                            .quad(0, 0, 8, 8, 0)
+                            .build();
     const SceneTruth truth(scene, Precision::twice);
     CHECK(truth.depth(0, 2, 3) == -.25);
     CHECK(truth.is_depth(0, 2, 3, -.25));
@@ -82,10 +85,14 @@ TEST_CASE("The truth of a scene: the part of a polygon in a window, in any order
     CHECK_FALSE(truth.no_part(0, window, part));
     CHECK_FALSE(truth.no_part(0, window, {part.rbegin(), part.rend()}));
     CHECK_FALSE(truth.no_part(0, window, {part[2], part[3], part[0], {1, 1, .5}, part[1]}));  // one more on an edge
-    CHECK(*truth.no_part(0, window, {part[0], part[1], part[2]}) == "its area is 4.5, that of the part in the window 9");
-    CHECK(*truth.no_part(0, window, {part[0], part[2], part[1], part[3]}) == "its area is 0, that of the part in the window 9");
-    CHECK(*truth.no_part(0, window, {part[0], part[1], {3, 5, .5}, {0, 5, .5}}) == "(3, 5, 0.5) lies outside the window");
-    CHECK(*truth.no_part(0, window, {part[0], {4, 1, .5}, {4, 4, .5}, part[3]}) == "(4, 1, 0.5) lies outside the polygon");
+    CHECK(*truth.no_part(0, window, {part[0], part[1], part[2]}) ==
+          "its area is 4.5, that of the part in the window 9");
+    CHECK(*truth.no_part(0, window, {part[0], part[2], part[1], part[3]}) ==
+          "its area is 0, that of the part in the window 9");
+    CHECK(*truth.no_part(0, window, {part[0], part[1], {3, 5, .5}, {0, 5, .5}}) ==
+          "(3, 5, 0.5) lies outside the window");
+    CHECK(*truth.no_part(0, window, {part[0], {4, 1, .5}, {4, 4, .5}, part[3]}) ==
+          "(4, 1, 0.5) lies outside the polygon");
     CHECK(*truth.no_part(0, window, {part[0], part[1], part[2], {0, 4, .25}}) ==
           "(0, 4, 0.25) is not on the polygon's plane: its depth there is 0.5");
     CHECK(*truth.no_part(0, window, {}) == "nothing is left of it, and in the window there is an area of 9");
@@ -131,7 +138,7 @@ TEST_CASE("Judging: our own runs are right on the scenes for students, at every 
         CAPTURE(scene.name);
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
-                const Judgement judgement = judgement_of(run_of(scene, method, "double", false, detail));
+                const Judgement judgement = judgement_of(run_of(scene, method, "double", Edition::corrected, detail));
                 CHECK(wrong_of(judgement) == "right");
                 CHECK(judgement.differences.empty());
             }
@@ -141,7 +148,9 @@ TEST_CASE("Judging: our own runs are right on the scenes for students, at every 
 
 TEST_CASE("Judging: one claim that is changed is the one that is found") {
     const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
-    const auto symptom = [](const Judgement& judgement) { return judgement.wrong ? judgement.wrong->symptom : Symptom::impossible; };
+    const auto symptom = [](const Judgement& judgement) {
+        return judgement.wrong ? judgement.wrong->symptom : Symptom::impossible;
+    };
     SUBCASE("a depth") {
         const auto change = [](event::Depth& e) { return e.z = e.z.number + .125, true; };
         CHECK(symptom(with_changed<event::Depth>(scene, Method::warnock, change)) == Symptom::depth);
@@ -169,7 +178,8 @@ TEST_CASE("Judging: one claim that is changed is the one that is found") {
     }
     SUBCASE("the pixels of a row") {
         const auto change = [](event::Span& e) { return e.runs = {{e.runs[0].first, e.runs[0].end - 1}}, true; };
-        CHECK(symptom(with_changed<event::Span>(scene, Method::zbuffer, change, Detail::windows)) == Symptom::not_painted);
+        CHECK(symptom(with_changed<event::Span>(scene, Method::zbuffer, change, Detail::windows)) ==
+              Symptom::not_painted);
     }
     SUBCASE("where an edge is on a row") {
         const auto change = [](event::AelStep& e) { return e.x = e.x.number + 1, true; };
@@ -180,7 +190,30 @@ TEST_CASE("Judging: one claim that is changed is the one that is found") {
 TEST_CASE("Judging: the printed text fails where it is known to") {
     // X-W1: polygons that surround the window leave the list; the far quad surrounds the first one.
     const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
-    CHECK(judgement_of(run_of(scene, Method::warnock, "double", true)).wrong.has_value());
+    CHECK(judgement_of(run_of(scene, Method::warnock, "double", Edition::printed)).wrong.has_value());
+}
+
+TEST_CASE("Judging: the library's own usual mistakes are found, and named") {
+    for (const EditionChoice& choice : edition_choices) {
+        const auto edition = Edition(&choice - edition_choices.data());
+        if (!is_mistake(edition)) continue;
+        for (const Method method : {Method::warnock, Method::zbuffer}) {
+            if (!kernel_named("double")->choice->runs(method, edition)) continue;
+            CAPTURE(choice.name);
+            CAPTURE(int(method));
+            std::vector<StudentRun> runs;
+            std::vector<Judgement> judgements;
+            for (const Scene& scene : scenes_to_grade()) {
+                runs.push_back(run_of(scene, method, "double", edition));
+                judgements.push_back(judgement_of(runs.back()));
+            }
+            std::vector<Observation> observed;
+            for (std::size_t i = 0; i < runs.size(); ++i) observed.push_back({&*runs[i].header, &judgements[i], true});
+            const auto is_wrong = [](const Judgement& judgement) { return judgement.wrong.has_value(); };
+            CHECK(std::any_of(judgements.begin(), judgements.end(), is_wrong));
+            CHECK(usual_mistake(observed) == edition);
+        }
+    }
 }
 
 TEST_CASE("Judging: a trace that was cut short is judged as far as it goes") {

@@ -49,7 +49,7 @@ Results whole(const Campaign& campaign) {
 }
 
 Picture picture_of(const Scene& scene, Method method, const char* kernel) {
-    return run({method, *kernel_named(kernel), false, scene});
+    return run({method, *kernel_named(kernel), Edition::corrected, scene});
 }
 
 const Campaign small{7, 2, {"slivers", "vertices"}, {"float", "double"}, {"zbuffer"}};

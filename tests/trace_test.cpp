@@ -13,6 +13,7 @@
 #include "recorder.h"
 #include "run.h"
 #include "state.h"
+#include "support/editions.h"
 #include "support/scenes.h"
 #include "support/stage.h"
 #include "trace_reader.h"
@@ -24,21 +25,21 @@ namespace {
 
 struct Choice {
     Method method;
-    bool printed;
+    Edition edition;
     std::string kernel;
 
     RunRequest request(const Scene& scene, Detail detail, TraceWriter* writer) const {
-        return {method, *kernel_named(kernel), printed, scene, detail, writer};
+        return {method, *kernel_named(kernel), edition, scene, detail, writer};
     }
 };
 
 std::vector<Choice> all_choices() {
     std::vector<Choice> choices;
     for (const Method method : {Method::warnock, Method::zbuffer}) {
-        for (const bool printed : {false, true}) {
+        for (const Edition edition : all_editions()) {
             for (const std::string kernel :
                  {"float", "double", "bits:4", "bits:11", "depth:6", "filtered", "grid:1", "exact"}) {
-                if (kernel_named(kernel)->choice->runs(method, printed)) choices.push_back({method, printed, kernel});
+                if (kernel_named(kernel)->choice->runs(method, edition)) choices.push_back({method, edition, kernel});
             }
         }
     }
@@ -46,7 +47,7 @@ std::vector<Choice> all_choices() {
 }
 
 TraceHeader header_of(const Scene& scene, const Choice& choice, Detail detail) {
-    return {choice.method, choice.printed ? "printed" : "corrected", choice.kernel, detail, scene};
+    return {choice.method, choice.edition, choice.kernel, detail, scene};
 }
 
 struct TracedRun {
@@ -175,7 +176,8 @@ private:
 
 template <class K, class Set>
 int check_rebuilt(const Scene& scene, Method method) {
-    const TraceHeader header{method, std::string(Set::name), std::string(K::name), Detail::polygons, scene};
+    constexpr Edition edition = std::same_as<Set, Printed> ? Edition::printed : Edition::corrected;
+    const TraceHeader header{method, edition, std::string(K::name), Detail::polygons, scene};
     Rebuilt rebuilt(header);
     Stage<K, Set, Compare<K>> stage(scene, Compare<K>(rebuilt));
     try {
@@ -244,7 +246,7 @@ TEST_CASE("Sufficient: the picture at every level") {
     for (const auto& choice : all_choices()) {
         for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
             CAPTURE(choice.kernel);
-            CAPTURE(choice.printed);
+            CAPTURE(int(choice.edition));
             CAPTURE(int(detail));
             const auto [text, picture] = traced(scene, choice, detail);
             TraceReader reader = reader_of(text);
@@ -375,14 +377,14 @@ TEST_CASE("FORMAT.md: the worked example is what the program writes") {
     const auto end = format.str().find("```", begin + opening.size());
     const std::string example = format.str().substr(begin + opening.size(), end - begin - opening.size());
     TraceReader reader = reader_of(example);
-    const Choice choice{reader.header().method, false, "double"};
+    const Choice choice{reader.header().method, Edition::corrected, "double"};
     CHECK(traced(reader.header().scene, choice, reader.header().detail).text == example);
 }
 
 TEST_CASE("The index of lines says where each event is, and what it is called") {
     const Scene scene = small_scene();
     for (const Method method : {Method::warnock, Method::zbuffer}) {
-        const Choice choice{method, false, "double"};
+        const Choice choice{method, Edition::corrected, "double"};
         std::string text;
         LineIndex index;
         TraceWriter writer(

@@ -38,8 +38,8 @@ std::vector<Way> fixed_ways(Method method) {
     std::vector<Way> ways;
     for (const auto& choice : kernel_choices) {
         if (choice.parameter) continue;
-        for (const bool printed : {false, true}) {
-            if (choice.runs(method, printed)) ways.push_back({method, {&choice}, printed});
+        for (const Edition edition : {Edition::corrected, Edition::printed}) {
+            if (choice.runs(method, edition)) ways.push_back({method, {&choice}, edition});
         }
     }
     return ways;
@@ -49,7 +49,7 @@ std::vector<Way> turned(Method method, Knob knob, std::string_view kernel, int l
     std::vector<Way> ways;
     for (int value = least; value <= most; ++value) {
         const std::string name = std::string(kernel) + ":" + std::to_string(value);
-        ways.push_back({method, *kernel_named(name), false, 1, knob, value});
+        ways.push_back({method, *kernel_named(name), Edition::corrected, 1, knob, value});
     }
     return ways;
 }
@@ -58,7 +58,7 @@ std::vector<Way> larger_windows(const Scene& scene) {
     std::vector<Way> ways;
     const auto largest = int(covering_square(scene.area).width);
     for (int side = 2; side <= largest; side *= 2) {
-        ways.push_back({Method::warnock, *kernel_named("double"), false, side, Knob::window, side});
+        ways.push_back({Method::warnock, *kernel_named("double"), Edition::corrected, side, Knob::window, side});
     }
     return ways;
 }
@@ -155,7 +155,7 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress) {
     std::vector<RunRequest> requests;
     for (const Way& way : ways_to_draw(scene)) {
         const SnappedScene& as_run = stage.scene_for(way.kernel);
-        RunRequest request{way.method, way.kernel, way.printed, as_run.scene};
+        RunRequest request{way.method, way.kernel, way.edition, as_run.scene};
         request.smallest_window = way.smallest_window;
         const Findings found = examiner.examine(request, as_run.sources);
         chart.runs.push_back({way, cost_of(way, scene, found.operations), found});

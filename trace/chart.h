@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, 4> knob_names{"bits", "depth", "gr
 struct Way {
     Method method;
     NamedKernel kernel;
-    bool printed = false;
+    Edition edition = Edition::corrected;
     int smallest_window = 1;
     std::optional<Knob> knob{};
     int value = 0;  // how far it is turned

@@ -18,24 +18,24 @@ struct Series {
     std::string_view name;
     Method method;
     std::optional<Knob> knob;
-    bool printed;
+    Edition edition;
     std::string_view color;  // of Okabe and Ito, whom colour-blind people can read
     int point;               // gnuplot's number for a shape
 
-    bool has(const Way& way) const { return way.method == method && way.knob == knob && way.printed == printed; }
+    bool has(const Way& way) const { return way.method == method && way.knob == knob && way.edition == edition; }
 };
 
 constexpr std::array<Series, 10> all_series{{
-    {"Warnock, bits of arithmetic", Method::warnock, Knob::bits, false, "#0072b2", 9},
-    {"Warnock, grid", Method::warnock, Knob::grid, false, "#56b4e9", 11},
-    {"Warnock, smallest window", Method::warnock, Knob::window, false, "#cc79a7", 13},
-    {"Warnock", Method::warnock, std::nullopt, false, "#000000", 5},
-    {"Warnock, printed", Method::warnock, std::nullopt, true, "#000000", 4},
-    {"Z-buffer, bits of arithmetic", Method::zbuffer, Knob::bits, false, "#d55e00", 8},
-    {"Z-buffer, grid", Method::zbuffer, Knob::grid, false, "#e69f00", 10},
-    {"Z-buffer, bits of depth", Method::zbuffer, Knob::depth, false, "#009e73", 12},
-    {"Z-buffer", Method::zbuffer, std::nullopt, false, "#000000", 7},
-    {"Z-buffer, printed", Method::zbuffer, std::nullopt, true, "#000000", 6},
+    {"Warnock, bits of arithmetic", Method::warnock, Knob::bits, Edition::corrected, "#0072b2", 9},
+    {"Warnock, grid", Method::warnock, Knob::grid, Edition::corrected, "#56b4e9", 11},
+    {"Warnock, smallest window", Method::warnock, Knob::window, Edition::corrected, "#cc79a7", 13},
+    {"Warnock", Method::warnock, std::nullopt, Edition::corrected, "#000000", 5},
+    {"Warnock, printed", Method::warnock, std::nullopt, Edition::printed, "#000000", 4},
+    {"Z-buffer, bits of arithmetic", Method::zbuffer, Knob::bits, Edition::corrected, "#d55e00", 8},
+    {"Z-buffer, grid", Method::zbuffer, Knob::grid, Edition::corrected, "#e69f00", 10},
+    {"Z-buffer, bits of depth", Method::zbuffer, Knob::depth, Edition::corrected, "#009e73", 12},
+    {"Z-buffer", Method::zbuffer, std::nullopt, Edition::corrected, "#000000", 7},
+    {"Z-buffer, printed", Method::zbuffer, std::nullopt, Edition::printed, "#000000", 6},
 }};
 
 constexpr int panel_width = 800, panel_height = 520, legend_height = 120;
@@ -174,7 +174,7 @@ private:
         constexpr double close = 2.5;
         std::string text;
         for (const auto& series : all_series) {
-            if (series.knob || series.printed) continue;
+            if (series.knob || series.edition == Edition::printed) continue;
             auto named = marks_of(series);
             std::sort(named.begin(), named.end());
             std::vector<Mark> labels;

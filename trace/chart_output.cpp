@@ -32,7 +32,7 @@ Json json_of(const ChartRun& run) {
     const auto& [way, cost, found, on_front] = run;
     return {{"method", method_names[std::size_t(way.method)]},
             {"kernel", way.kernel.name()},
-            {"edition", way.printed ? "printed" : "corrected"},
+            {"edition", edition_names[std::size_t(way.edition)]},
             {"window", way.smallest_window},
             {"knob", way.knob ? Json(knob_names[std::size_t(*way.knob)]) : Json()},
             {"value", way.knob ? Json(way.value) : Json()},

@@ -6,6 +6,7 @@
 #include "checked.h"
 #include "kernels.h"
 #include "recorder.h"
+#include "run_mistakes.h"
 #include "vidno/printed.h"
 
 namespace vidno {
@@ -22,11 +23,14 @@ struct Audience {
 
 template <Kernel K>
 Picture told_run(const RunRequest& request, const K& kernel, const std::function<void(const Event&)>& hear) {
+    if constexpr (requires { told_mistake(request, kernel, hear); }) {
+        if (is_mistake(request.edition)) return told_mistake(request, kernel, hear);
+    }
     const auto sink = [&](const auto& event) { hear(event); };
     Recording<const decltype(sink)> recording{Detail::signs, sink};
     const Recorder<K, const decltype(sink)> recorder(recording);
     if constexpr (PrintedKernel<K>) {
-        if (request.printed) {
+        if (request.edition == Edition::printed) {
             return render<Printed>(request.method, request.scene, kernel, recorder, request.smallest_window);
         }
     }

@@ -40,7 +40,9 @@ namespace {
 constexpr int samples_a_side = 8;  // of a pixel
 
 /// The right one; `exact` would take longer.
-Picture picture_of(const Scene& scene) { return run({Method::zbuffer, *kernel_named("filtered"), false, scene}); }
+Picture picture_of(const Scene& scene) {
+    return run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
+}
 
 /// The colours of the samples: the picture of the scene made so many times as large.
 Picture samples_of(const Scene& scene) {

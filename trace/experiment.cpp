@@ -140,7 +140,7 @@ Tally look_at_windows(RunRequest request) {
 
 Pictures pictures_of(const Series& series, Method method, const NamedKernel& kernel) {
     Pictures pictures;
-    for (const auto& scene : series) pictures.push_back(run({method, kernel, false, scene}));
+    for (const auto& scene : series) pictures.push_back(run({method, kernel, Edition::corrected, scene}));
     return pictures;
 }
 
@@ -224,7 +224,7 @@ Tallies try_out(const Experiment& experiment, const Series& series, const std::v
         const Series own = snaps ? snapped(series, kernel.parameter) : series;
         const Pictures own_right = snaps ? right_of(own) : right;
         for (const Method method : methods) {
-            const RunRequest request{method, kernel, false, own.front()};
+            const RunRequest request{method, kernel, Edition::corrected, own.front()};
             switch (experiment.kind) {
                 case moved: tallies.push_back(look_at_decisions(request)); break;
                 case swept:

@@ -123,7 +123,7 @@ private:
             const std::string what = "bits of arithmetic, " + std::string(method_names[std::size_t(method)]);
             const auto picture_under = [&](const std::string& kernel) {
                 progress_();
-                return run({method, *kernel_named(kernel), false, least_});
+                return run({method, *kernel_named(kernel), Edition::corrected, least_});
             };
             const auto picture_at = [&](int bits) { return picture_under("bits:" + std::to_string(bits)); };
             const auto wrong_in_double = wrong_pixel(picture_under("double"), right_);

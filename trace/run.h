@@ -1,4 +1,5 @@
-/// Running a method as chosen at run time: one translation unit a kernel, two editions, with a trace or without.
+/// Running a method as chosen at run time: one translation unit a kernel, and one for the usual mistakes; with a trace or
+/// without.
 #pragma once
 
 #include <functional>
@@ -26,6 +27,9 @@ Picture run_filtered(const RunRequest&);  // the corrected edition only
 Picture run_grid(const RunRequest&);      // the corrected edition only, of a snapped scene (snapped_scene.h)
 Picture run_exact(const RunRequest&);
 
+/// An edition with a mistake, under a kernel that runs it.
+Picture run_mistake(const RunRequest&);
+
 struct KernelChoice {
     /// A whole number that follows the name: `bits:12`.
     struct Parameter {
@@ -40,15 +44,19 @@ struct KernelChoice {
     bool runs_printed = true;
     std::optional<Parameter> parameter{};
     bool runs_warnock = true;
+    bool runs_mistakes = false;
 
-    bool runs(Method method, bool printed) const {
-        return (runs_warnock || method != Method::warnock) && (runs_printed || !printed);
+    bool runs(Method method, Edition edition) const {
+        const auto only = choice_of(edition).only;
+        return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed) &&
+               (runs_mistakes || !is_mistake(edition)) && (!only || *only == method);
     }
 };
 
 inline constexpr std::array kernel_choices{
     KernelChoice{"float", "IEEE binary32; decisions as they fall", run_float},
-    KernelChoice{"double", "IEEE binary64; decisions as they fall", run_double},
+    KernelChoice{
+        .name = "double", .rule = "IEEE binary64; decisions as they fall", .run = run_double, .runs_mistakes = true},
     KernelChoice{"bits",
                  "every result rounded to P bits; decisions as they fall",
                  run_bits,
@@ -69,7 +77,10 @@ inline constexpr std::array kernel_choices{
         run_grid,
         false,
         {{'K', 1, finest_grid, 8}}},
-    KernelChoice{"exact", "exact rationals; every decision is right, the reference", run_exact},
+    KernelChoice{.name = "exact",
+                 .rule = "exact rationals; every decision is right, the reference",
+                 .run = run_exact,
+                 .runs_mistakes = true},
 };
 
 /// A kernel as it is named: `double`, `bits:12`, `grid` for `grid:8`.
@@ -92,7 +103,7 @@ std::string kernel_names();
 struct RunRequest {
     Method method;
     NamedKernel kernel;
-    bool printed;  // the edition
+    Edition edition;
     const Scene& scene;
     Detail detail = Detail::windows;
     TraceWriter* writer = nullptr;           // none: no trace
@@ -100,6 +111,8 @@ struct RunRequest {
     std::function<void()> progress = [] {};  // without a trace, called at each window or polygon; checked, at each step
 };
 
-inline Picture run(const RunRequest& request) { return request.kernel.choice->run(request); }
+inline Picture run(const RunRequest& request) {
+    return is_mistake(request.edition) ? run_mistake(request) : request.kernel.choice->run(request);
+}
 
 }  // namespace vidno

@@ -28,7 +28,7 @@ Picture run_set(const RunRequest& request, K kernel) {
 template <Kernel K>
 Picture run_kernel(const RunRequest& request, K kernel) {
     if constexpr (PrintedKernel<K>) {
-        if (request.printed) return run_set<Printed>(request, kernel);
+        if (request.edition == Edition::printed) return run_set<Printed>(request, kernel);
     }
     return run_set<Corrected>(request, kernel);
 }

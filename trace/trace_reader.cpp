@@ -276,8 +276,7 @@ TraceHeader read_header(const std::string& line, const std::string& file) {
     expect_keys(object, {"format", "method", "edition", "kernel", "detail", "scene"}, "");
     TraceHeader header;
     header.method = Method(index_of(required(object, "method", ""), method_names, "/method"));
-    constexpr std::array<std::string_view, 2> editions{"corrected", "printed"};
-    header.edition = editions[index_of(required(object, "edition", ""), editions, "/edition")];
+    header.edition = Edition(index_of(required(object, "edition", ""), edition_names, "/edition"));
     header.kernel = read_kernel(required(object, "kernel", ""));
     header.detail = Detail(index_of(required(object, "detail", ""), detail_names, "/detail"));
     header.scene = read_scene(required(object, "scene", "").dump(), file + ":1: /scene").scene;

@@ -9,7 +9,9 @@ namespace vidno {
 std::string header_json(const TraceHeader& header) {
     std::string text = R"({"format":"vidno-trace/1","method":")";
     text += method_names[std::size_t(header.method)];
-    text += R"(","edition":")" + header.edition + R"(","kernel":")" + header.kernel + R"(","detail":")";
+    text += R"(","edition":")";
+    text += edition_names[std::size_t(header.edition)];
+    text += R"(","kernel":")" + header.kernel + R"(","detail":")";
     text += detail_names[std::size_t(header.detail)];
     text += R"(","scene":)" + scene_json(header.scene) + "}\n";
     return text;

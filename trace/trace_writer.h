@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "edition.h"
 #include "event_json.h"
 #include "vidno/vidno.h"
 
@@ -11,7 +12,7 @@ namespace vidno {
 
 struct TraceHeader {
     Method method{};
-    std::string edition;
+    Edition edition{};
     std::string kernel;
     Detail detail{};
     Scene scene;

@@ -106,7 +106,7 @@ function seen({ scene, fails, holds, shows }) {
   if (shows.off) return farthestCut(failing, holding);
   const checked = trace('checked', file, fails, '--check');
   const wrong = checked.findIndex(({ e }) => e === 'disagree');
-  if (fails.edition !== 'printed' && wrong >= 0) return { step: wrong, there: 'wrong', value: checked[wrong] };
+  if (fails.edition === 'corrected' && wrong >= 0) return { step: wrong, there: 'wrong', value: checked[wrong] };
   const painted = painting(scene, failing, shows.pixel);
   return { step: painted.step, there: 'pixel', value: [painted.id, painting(scene, holding, shows.pixel).id] };
 }
@@ -114,7 +114,7 @@ function seen({ scene, fails, holds, shows }) {
 function row(language, { name, entry, found }) {
   const { title, why, remedy, fails, source } = entry;
   const text = words[language];
-  const run = fails ? `${fails.method}, ${fails.kernel}${fails.edition === 'printed' ? ', printed' : ''}` : text.test;
+  const run = fails ? `${fails.method}, ${fails.kernel}${fails.edition === 'corrected' ? '' : `, ${fails.edition}`}` : text.test;
   const there = found ? text[found.there](found.value) : '';
   const because = why[language] + (source ? ` (${source})` : '');
   return [`[${title[language]}](${name}.json)`, because, run, found?.step ?? '', there, remedy[language]];

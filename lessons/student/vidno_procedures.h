@@ -87,7 +87,8 @@ struct SetOf : Corrected {
         if constexpr (HasPolygonClip<Mine>) {
             const Rectangle rectangle{window.x, window.y, window.width, window.height};
             std::vector<vidno::Vertex<double>> clipped;
-            for (const auto& [x, y, z] : Mine::polygon_clip(plain(polygon.vertices), rectangle)) clipped.push_back({x, y, z});
+            for (const auto& [x, y, z] : Mine::polygon_clip(plain(polygon.vertices), rectangle))
+                clipped.push_back({x, y, z});
             return clipped;
         } else {
             return Corrected::polygon_clip(run, polygon, window);
@@ -144,10 +145,8 @@ inline vidno::Scene for_vidno(const Scene& scene) {
     const auto color = [](const Color& c) {
         return vidno::Color{std::uint8_t(c.red), std::uint8_t(c.green), std::uint8_t(c.blue)};
     };
-    vidno::Scene made{scene.name,
-                      {scene.area.x, scene.area.y, scene.area.width, scene.area.height},
-                      color(scene.background),
-                      {}};
+    vidno::Scene made{
+        scene.name, {scene.area.x, scene.area.y, scene.area.width, scene.area.height}, color(scene.background), {}};
     for (const Polygon& polygon : scene.polygons) {
         made.polygons.push_back({polygon.id, color(polygon.color), {}, is_edge_on(polygon)});
         for (const Vertex& v : polygon.vertices) made.polygons.back().vertices.push_back({v.x, v.y, v.z});

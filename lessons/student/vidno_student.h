@@ -80,7 +80,8 @@ inline Scene scene_to_draw(const Scene& own) {
         Polygon polygon{name(), color(), {}};
         std::size_t vertices = 0;
         text >> vertices;
-        for (Vertex v{}; polygon.vertices.size() < vertices && text >> v.x >> v.y >> v.z;) polygon.vertices.push_back(v);
+        for (Vertex v{}; polygon.vertices.size() < vertices && text >> v.x >> v.y >> v.z;)
+            polygon.vertices.push_back(v);
         scene.polygons.push_back(polygon);
     }
     if (!text) std::cerr << "vidno: the scene " << file << " cannot be read\n";
@@ -192,7 +193,9 @@ protected:
     };
 
     Trace(const std::string& own_file, const char* name, const Scene& scene, Detail detail, Precision precision)
-        : scene_(scene), graded_file_(told_by_grade("VIDNO_TRACE")), detail_(graded_file_.empty() ? detail : Detail::signs) {
+        : scene_(scene),
+          graded_file_(told_by_grade("VIDNO_TRACE")),
+          detail_(graded_file_.empty() ? detail : Detail::signs) {
         const std::string file = graded_file_.empty() ? own_file : graded_file_;
         file_.open(file, std::ios::binary);
         begin("open");

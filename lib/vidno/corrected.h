@@ -2,8 +2,13 @@
 ///
 /// A procedure set is a struct of static functions. A set of one's own derives from this one and hides what it does
 /// otherwise: a whole procedure, or one of the rules below, in which editions of the text differ. trace/FORMAT.md and
-/// `vidno methods` name the editions; printed.h lists the defects (X-...).
+/// `vidno methods` name the editions; printed.h lists the defects (X-...), mistakes.h the usual mistakes.
 #pragma once
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "floating_horizon/floating_horizon.h"
 #include "floating_horizon/horizon.h"
@@ -46,6 +51,9 @@ struct Corrected : Warnock,
     /// W3: the first window. A power-of-two square splits into whole pixels; parts off the area are skipped.
     static Window root_window(const Area& area) { return covering_square(area); }
 
+    /// W13: the parts of a window: together they are the window.
+    static std::vector<Window> parts(const Window& window) { return parts_of(window); }
+
     /// W13: the list of a part of a window: its own copy.
     template <class List>
     static std::shared_ptr<List> list_for_part(const std::shared_ptr<List>& list) {
@@ -61,9 +69,29 @@ struct Corrected : Warnock,
     /// PW7: is a polygon that is nearest at k corners a reason to doubt the surrounding one before it.
     static bool uncovers(int k) { return k > 0; }
 
+    /// PL2: the corners of a window, gone round so that a positive cross product with a side lies outside.
+    template <class K>
+    static auto corners_around(const K& kernel, const Window& window) {
+        return std::array{kernel.point(window.x, window.y), kernel.point(window.x, window.bottom()),
+                          kernel.point(window.right(), window.bottom()), kernel.point(window.right(), window.y)};
+    }
+
     /// PL5: do two cross products have strictly opposite signs.
     static bool opposite(const auto& kernel, const auto& p, const auto& q) {
         return kernel.sign(p) != Sign::zero && kernel.sign(p) == -kernel.sign(q);
+    }
+
+    /// I1: a vertex of the scene on the screen: y grows downward in both.
+    static auto on_screen(const auto& kernel, const Area&, const glm::dvec3& vertex) { return kernel.vertex(vertex); }
+
+    /// Z1: what Z starts at: every depth is nearer.
+    static auto first_depth(const auto& kernel) { return kernel.farthest(); }
+
+    /// L4: the columns first <= x < end that a line shows: those whose centres lie between its ends, these included.
+    static std::pair<int, int> columns_shown(const auto& run, int row, const auto& left, const auto& right,
+                                             const auto& /*polygon*/) {
+        return {run.kernel.first_column(left, row, run.area.x, run.area.right()),
+                run.kernel.last_column(right, row, run.area.x, run.area.right()) + 1};
     }
 
     /// FH1: what the horizons start at: there are none.

@@ -77,7 +77,7 @@ struct Run {
         polygon.index = int(polygons.size());
         polygon.color = source.color;
         polygon.edge_on = source.edge_on;
-        for (const auto& vertex : source.vertices) polygon.vertices.push_back(kernel.vertex(vertex));
+        for (const auto& vertex : source.vertices) polygon.vertices.push_back(Set::on_screen(kernel, area, vertex));
         polygon.box = box_around(polygon.vertices);
         polygon.plane = kernel.plane(Set::initialize_polygon(*this, polygon.vertices), polygon.vertices);
         trace.plane(Line::I1, polygon, polygon.plane);

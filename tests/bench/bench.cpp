@@ -140,7 +140,7 @@ void record(benchmark::State& state) {
     double bytes = 0;
     double events = 0;
     for (auto _ : state) {
-        TraceWriter writer({method, "corrected", "double", Detail::signs, scene},
+        TraceWriter writer({method, Edition::corrected, "double", Detail::signs, scene},
                            [&](std::string_view text) { bytes += double(text.size()); });
         run(method, scene, writer);
         events = double(writer.events());

@@ -34,7 +34,8 @@ private:
             trace_.decide(Case::split);
             const double half = side / 2;
             for (int i = 3; i >= 0; --i) {
-                if (!is_off(x + i % 2 * half, y + i / 2 * half)) trace_.push(x + i % 2 * half, y + i / 2 * half, half, half);
+                if (!is_off(x + i % 2 * half, y + i / 2 * half))
+                    trace_.push(x + i % 2 * half, y + i / 2 * half, half, half);
             }
             for (int i = 0; i < 4; ++i) {
                 if (!is_off(x + i % 2 * half, y + i / 2 * half)) show(x + i % 2 * half, y + i / 2 * half, half);
@@ -50,7 +51,8 @@ private:
         const Point corners[] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
         std::vector<Vertex> vertices = scene_.polygons[std::size_t(polygon)].vertices;
         trace_.clip_begin(polygon);
-        for (int i = 0; i < 4 && !vertices.empty(); ++i) vertices = clipped_by(vertices, corners[i], corners[(i + 1) % 4]);
+        for (int i = 0; i < 4 && !vertices.empty(); ++i)
+            vertices = clipped_by(vertices, corners[i], corners[(i + 1) % 4]);
         trace_.clip_result(polygon, vertices);
         return vertices;
     }

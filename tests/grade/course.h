@@ -99,7 +99,8 @@ inline double covering_side(const Area& area) {
 inline void fill_square(WarnockTrace& trace, const Scene& scene, double x, double y, double side, Color color) {
     const Area& area = scene.area;
     const int left = int(x), top = int(y), size = int(side);
-    trace.fill(left, top, std::min(size, area.x + area.width - left), std::min(size, area.y + area.height - top), color);
+    trace.fill(left, top, std::min(size, area.x + area.width - left), std::min(size, area.y + area.height - top),
+               color);
 }
 
 /// The half of a polygon that lies on the inner side of from -> to: where `cross` is not positive.

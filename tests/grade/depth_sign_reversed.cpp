@@ -6,7 +6,8 @@ int main() {
     ZBufferTrace trace("depth_sign_reversed.jsonl", scene);
     const Area& area = scene.area;
     const double far_away = 1000;
-    std::vector<std::vector<double>> depths(std::size_t(area.height), std::vector<double>(std::size_t(area.width), far_away));
+    std::vector<std::vector<double>> depths(std::size_t(area.height),
+                                            std::vector<double>(std::size_t(area.width), far_away));
     trace.clear(far_away);
     for (int i = 0; i < int(scene.polygons.size()); ++i) {
         const Polygon& polygon = scene.polygons[std::size_t(i)];

@@ -28,7 +28,8 @@ private:
         int count = 0;
         for (const Polygon& polygon : scene_.polygons) {
             const Box box = box_of(polygon);
-            const bool off = box.left >= r.x + r.width || box.right <= r.x || box.top >= r.y + r.height || box.bottom <= r.y;
+            const bool off =
+                box.left >= r.x + r.width || box.right <= r.x || box.top >= r.y + r.height || box.bottom <= r.y;
             if (!off) ++count;
         }
         if (count == 0) {

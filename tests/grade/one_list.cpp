@@ -11,7 +11,8 @@ struct Window {
 class Warnock {
 public:
     Warnock(const Scene& scene, WarnockTrace& trace) : scene_(scene), trace_(trace) {
-        Window first{double(scene.area.x), double(scene.area.y), covering_side(scene.area), std::make_shared<std::vector<int>>()};
+        Window first{double(scene.area.x), double(scene.area.y), covering_side(scene.area),
+                     std::make_shared<std::vector<int>>()};
         for (int i = 0; i < int(scene.polygons.size()); ++i) {
             if (!is_edge_on(polygon(i))) first.list->push_back(i);
         }

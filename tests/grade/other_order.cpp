@@ -68,7 +68,8 @@ private:
         std::vector<Entry> kept;
         for (Entry entry : tile.list) {
             const Box box = box_of(at(entry.polygon));
-            if (box.right <= tile.x || box.left >= tile.x + tile.side || box.bottom <= tile.y || box.top >= tile.y + tile.side) {
+            if (box.right <= tile.x || box.left >= tile.x + tile.side || box.bottom <= tile.y ||
+                box.top >= tile.y + tile.side) {
                 trace_.discard(entry.polygon);
                 continue;
             }
@@ -103,7 +104,8 @@ private:
             const double half = tile.side / 2;
             for (int i = 0; i < 4; ++i) {
                 const Tile part{tile.x + (i % 2) * half, tile.y + (i / 2) * half, half, tile.list};
-                if (part.x < scene_.area.x + scene_.area.width && part.y < scene_.area.y + scene_.area.height) push(part);
+                if (part.x < scene_.area.x + scene_.area.width && part.y < scene_.area.y + scene_.area.height)
+                    push(part);
             }
         }
     }

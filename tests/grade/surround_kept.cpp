@@ -41,8 +41,8 @@ private:
         std::vector<int> kept;
         for (const int i : cell.polygons) {
             const Box box = box_of(polygon(i));
-            if (is_edge_on(polygon(i)) || box.left > cell.x + cell.side || box.right < cell.x || box.top > cell.y + cell.side ||
-                box.bottom < cell.y) {
+            if (is_edge_on(polygon(i)) || box.left > cell.x + cell.side || box.right < cell.x ||
+                box.top > cell.y + cell.side || box.bottom < cell.y) {
                 trace_.discard(i);
                 continue;
             }

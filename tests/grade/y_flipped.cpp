@@ -24,7 +24,8 @@ private:
         std::vector<int> meeting;
         for (int i = 0; i < int(scene_.polygons.size()); ++i) {
             const Box box = box_of(scene_.polygons[std::size_t(i)]);
-            if (box.left < w.x + w.side && box.right > w.x && box.top < w.y + w.side && box.bottom > w.y) meeting.push_back(i);
+            if (box.left < w.x + w.side && box.right > w.x && box.top < w.y + w.side && box.bottom > w.y)
+                meeting.push_back(i);
         }
         if (meeting.empty()) {
             trace_.decide(Case::empty);
@@ -35,9 +36,10 @@ private:
         } else {
             trace_.decide(Case::split);
             const double half = w.side / 2;
-            for (const Square& part : {Square{w.x, w.y, half}, Square{w.x, w.y + half, half}, Square{w.x + half, w.y, half},
-                                       Square{w.x + half, w.y + half, half}}) {
-                if (part.x >= scene_.area.x + scene_.area.width || part.y >= scene_.area.y + scene_.area.height) continue;
+            for (const Square& part : {Square{w.x, w.y, half}, Square{w.x, w.y + half, half},
+                                       Square{w.x + half, w.y, half}, Square{w.x + half, w.y + half, half}}) {
+                if (part.x >= scene_.area.x + scene_.area.width || part.y >= scene_.area.y + scene_.area.height)
+                    continue;
                 windows_.push_back(part);
                 trace_.push(part.x, part.y, half, half);
             }

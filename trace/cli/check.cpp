@@ -15,7 +15,7 @@ namespace {
 TraceHeader run_of(const std::string& file) {
     if (is_trace(file)) return TraceReader(LineReader(file), file).header();
     const RunOptions defaults;
-    return {Method::warnock, defaults.edition, defaults.kernel, Detail::signs, scene_from(file)};
+    return {Method::warnock, edition_of(defaults), defaults.kernel, Detail::signs, scene_from(file)};
 }
 
 void print(const CheckReport& report, const Area& area) {
@@ -48,12 +48,12 @@ void print(const CheckReport& report, const Area& area) {
 int check(const CheckOptions& options) {
     TraceHeader run = run_of(options.input);
     if (options.method) run.method = Method(place_in(method_names, *options.method));
+    if (options.edition) run.edition = Edition(place_in(edition_names, *options.edition));
     run.kernel = options.kernel.value_or(run.kernel);
-    run.edition = options.edition.value_or(run.edition);
     const NamedKernel kernel = *kernel_named(run.kernel);
-    expect_run(kernel, std::string(method_names[std::size_t(run.method)]), run.edition);
+    expect_run(kernel, run.method, run.edition);
     const Scene scene = scene_for(kernel, run.scene, options.input);
-    RunRequest request{run.method, kernel, run.edition == "printed", scene};
+    RunRequest request{run.method, kernel, run.edition, scene};
     Progress progress("steps");
     request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };
     const CheckReport report = check_run(request, right_picture(run.scene));

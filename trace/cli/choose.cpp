@@ -19,7 +19,7 @@ struct Candidate {
     std::size_t wrong_pixels = 0;
     double seconds = 0;
 
-    RunRequest request() const { return {method, kernel, false, scene}; }
+    RunRequest request() const { return {method, kernel, Edition::corrected, scene}; }
 };
 
 /// Both methods under each kernel that is cheaper than exact rationals and takes the scene.
@@ -50,7 +50,7 @@ std::uint64_t sum_of(const auto& counts) {
 /// Why the picture is known to be right: the run under `filtered`, with each decision held against exact arithmetic. False
 /// if one was not confirmed.
 bool print_certificate(const Candidate& chosen, const Scene& scene) {
-    const RunRequest filtered{chosen.method, *kernel_named("filtered"), false, scene};
+    const RunRequest filtered{chosen.method, *kernel_named("filtered"), Edition::corrected, scene};
     const CheckReport certain = check_run(filtered, right_picture(scene));
     const auto& by = certain.decided_by;
     std::cout << "certificate: its picture is that of " << method_names[std::size_t(chosen.method)]
@@ -68,7 +68,7 @@ bool print_certificate(const Candidate& chosen, const Scene& scene) {
 int choose(const ChooseOptions& options) {
     const Scene scene = scene_from(options.scene);
     auto candidates = candidates_for(scene);
-    const Picture right = run({Method::zbuffer, *kernel_named("filtered"), false, scene});
+    const Picture right = run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
     std::vector<RunRequest> requests;
     for (auto& candidate : candidates) {
         candidate.wrong_pixels = different_pixels(run(candidate.request()), right);

@@ -94,8 +94,16 @@ std::string stability_footer();
 /// The options of `import` that say who looks at the mesh from where.
 void add_camera_options(CLI::App& command, ImportOptions& import);
 
+/// The place of a name that the command line has checked.
+std::size_t place_in(const auto& names, const std::string& name) {
+    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+inline Method method_of(const RunOptions& options) { return Method(place_in(method_names, options.method)); }
+inline Edition edition_of(const RunOptions& options) { return Edition(place_in(edition_names, options.edition)); }
+
 /// Refuses a method or an edition that the kernel does not run.
-void expect_run(const NamedKernel& kernel, const std::string& method, const std::string& edition);
+void expect_run(const NamedKernel& kernel, Method method, Edition edition);
 
 /// The kernel of the options, if it runs their method and edition.
 NamedKernel kernel_of(const RunOptions& options);
@@ -111,11 +119,6 @@ bool is_whole(const TraceReader& reader);
 
 /// The scene as the kernel runs it: snapped for `grid`, which is said on standard error; else as it is.
 Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file);
-
-/// The place of a name that the command line has checked.
-std::size_t place_in(const auto& names, const std::string& name) {
-    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
-}
 
 /// Of things that have one, in their order.
 std::vector<std::string> names_of(const auto& named) {

@@ -27,7 +27,8 @@ std::string place_of(const Wrong& wrong) {
 
 void print_line(const SceneGrade& grade, const Limits& limits) {
     const auto line = [&](const char* verdict, const std::string& more) {
-        std::cout << "  " << std::left << std::setw(11) << verdict << grade.scene.name << (more.empty() ? "" : ": ") << more << '\n';
+        std::cout << "  " << std::left << std::setw(11) << verdict << grade.scene.name << (more.empty() ? "" : ": ")
+                  << more << '\n';
     };
     if (!grade.judgement) return line("not judged", grade.not_judged);
     const std::string ended = grade.run.ended.ending == Ending::done ? "" : words_of(grade.run.ended, limits);
@@ -95,7 +96,7 @@ PageFile page_file(const std::string& title, const TraceHeader& header, const st
     return {title,
             std::string(method_names[std::size_t(header.method)]),
             header.kernel,
-            header.edition,
+            std::string(choice_of(header.edition).name),
             std::string(detail_names[std::size_t(header.detail)]),
             gzipped(trace),
             false};
@@ -104,10 +105,10 @@ PageFile page_file(const std::string& title, const TraceHeader& header, const st
 /// The right run of the scene that the program drew, by the same method.
 PageFile right_run(const TraceHeader& drawn) {
     const NamedKernel kernel = *kernel_named("filtered");
-    const TraceHeader header{drawn.method, "corrected", kernel.name(), Detail::signs, drawn.scene};
+    const TraceHeader header{drawn.method, Edition::corrected, kernel.name(), Detail::signs, drawn.scene};
     std::string text;
     TraceWriter writer(header, [&](std::string_view part) { text += part; });
-    write_trace({drawn.method, kernel, false, drawn.scene, Detail::signs}, writer, false);
+    write_trace({drawn.method, kernel, Edition::corrected, drawn.scene, Detail::signs}, writer, false);
     return page_file("Right", header, text);
 }
 
@@ -120,8 +121,8 @@ void write_page(const SceneGrade& grade, const std::string& file) {
     output.commit();
     const auto& judgement = grade.judgement;
     const std::uint64_t step = judgement && judgement->wrong ? judgement->wrong->step : grade.run.events.size();
-    std::cout << "\nThe program's run beside the right one, at that step:\n  " << file_address(std::filesystem::absolute(file))
-              << "#trace=1&with=2&step=" << step << '\n';
+    std::cout << "\nThe program's run beside the right one, at that step:\n  "
+              << file_address(std::filesystem::absolute(file)) << "#trace=1&with=2&step=" << step << '\n';
 }
 
 std::vector<Scene> scenes_of(const GradeOptions& options) {
@@ -149,7 +150,8 @@ std::vector<SceneGrade> grades_of(const GradeOptions& options, const Limits& lim
         if (grades.back().run.ended.ending == Ending::out_of_time && ++endless == enough_endless) break;
     }
     progress.clear();
-    if (grades.size() < scenes.size()) std::cout << "  Not run on the " << scenes.size() - grades.size() << " scenes after these.\n";
+    if (grades.size() < scenes.size())
+        std::cout << "  Not run on the " << scenes.size() - grades.size() << " scenes after these.\n";
     return grades;
 }
 
@@ -175,14 +177,16 @@ int grade(const GradeOptions& options) {
     print_differences(grades);
     const auto wrong = std::count_if(grades.begin(), grades.end(), [](const auto& each) { return !each.right(); });
     if (wrong == 0) {
-        std::cout << "\nRight" << (grades.size() > 1 ? " on all " + std::to_string(grades.size()) + " scenes" : "") << ".\n";
+        std::cout << "\nRight" << (grades.size() > 1 ? " on all " + std::to_string(grades.size()) + " scenes" : "")
+                  << ".\n";
         return 0;
     }
     const SceneGrade& first = telling(grades);
     std::cout << "\nWrong on " << wrong << " of " << grades.size() << ", first on " << quoted(first.scene) << ":\n";
     print_failure(first, limits);
     if (const auto mistake = usual_mistake(grades)) {
-        std::cout << "\nIt behaves like a usual mistake: " << words_of(*mistake) << ".\n";
+        std::cout << "\nIt behaves like a usual mistake, " << choice_of(*mistake).name << ": " << advice_on(*mistake)
+                  << ".\n";
     }
     if (is_trace(options.program) || !first.run.header) {
         if (!options.output.empty()) write_page(first, options.output);

@@ -14,6 +14,8 @@ using namespace vidno::cli;
 
 std::vector<std::string> words(const auto& names) { return {names.begin(), names.end()}; }
 
+const CLI::Validator an_edition = CLI::IsMember(words(edition_names)).description("");
+
 const CLI::Validator a_kernel(
     [](const std::string& name) { return kernel_named(name) ? "" : name + " is not one of " + kernel_names(); },
     kernel_names());
@@ -24,8 +26,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->check(CLI::IsMember(words(method_names)))
         ->capture_default_str();
     command.add_option("--kernel", options.kernel, "Which arithmetic decides")->check(a_kernel)->capture_default_str();
-    command.add_option("--edition", options.edition, "The procedures put right, or as the text prints them")
-        ->check(CLI::IsMember({"corrected", "printed"}))
+    command.add_option("--edition", options.edition, "Which text of the procedures: see vidno methods")
+        ->check(an_edition)
+        ->type_name("EDITION")
         ->capture_default_str();
 }
 
@@ -59,8 +62,9 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
         ->check(CLI::IsMember(words(method_names)));
     command.add_option("--kernel", options.kernel, "Which arithmetic decides [double, or the trace's]")
         ->check(a_kernel);
-    command.add_option("--edition", options.edition, "corrected or printed [corrected, or the trace's]")
-        ->check(CLI::IsMember({"corrected", "printed"}));
+    command.add_option("--edition", options.edition, "Which text of the procedures [corrected, or the trace's]")
+        ->check(an_edition)
+        ->type_name("EDITION");
     command.footer(
         "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"
         "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");
@@ -169,18 +173,22 @@ CLI::App& add_page(CLI::App& app, PageOptions& options) {
 }
 
 CLI::App& add_grade(CLI::App& app, GradeOptions& options) {
-    auto& command = *app.add_subcommand("grade", "Judge a student's program, or its trace, by the meaning of each step");
+    auto& command =
+        *app.add_subcommand("grade", "Judge a student's program, or its trace, by the meaning of each step");
     command
-        .add_option("PROGRAM|TRACE", options.program,
-                    "A program that writes a trace by lessons/student/vidno_student.h, or such a trace (.jsonl, .jsonl.gz)")
+        .add_option(
+            "PROGRAM|TRACE", options.program,
+            "A program that writes a trace by lessons/student/vidno_student.h, or such a trace (.jsonl, .jsonl.gz)")
         ->required();
     command.add_option("--scenes", options.scenes, "Scene files to run it on; without them, on a set of small ones");
     command.add_option("--seconds", options.seconds, "How long a run may take")
         ->check(CLI::Range(1, 3600))
         ->capture_default_str();
-    command.add_option("-o", options.output, "A page, .html, with the wrong run on the smallest scene beside the right one");
+    command.add_option("-o", options.output,
+                       "A page, .html, with the wrong run on the smallest scene beside the right one");
     command.footer(
-        "Another order, another rule for outlines, recursion and float are as right. The program is run with limits of\n"
+        "Another order, another rule for outlines, recursion and float are as right. The program is run with limits "
+        "of\n"
         "time, memory and output, which guard against mistakes, not against malice.\n"
         "Example: vidno grade ./warnock -o report.html\n"
         "Exit status 1: something is wrong.");

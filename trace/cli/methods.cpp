@@ -15,10 +15,13 @@ int methods() {
         if (kernel.parameter) (name += ':') += kernel.parameter->letter;
         std::cout << "  " << name << std::string(11 - name.size(), ' ') << kernel.rule << '\n';
     }
-    std::cout << "editions\n"
-                 "  corrected  the procedures with the errors of the printed text put right\n"
-                 "  printed    as the course text prints them, errors included\n"
-                 "levels of detail (each adds events to the one before)\n"
+    std::cout << "editions    (from the third on with one usual mistake, under double and exact)\n";
+    for (const auto& [name, rule, only] : edition_choices) {
+        std::cout << "  " << name << std::string(21 - name.size(), ' ') << rule;
+        if (only) std::cout << "; " << method_names[std::size_t(*only)] << " only";
+        std::cout << '\n';
+    }
+    std::cout << "levels of detail (each adds events to the one before)\n"
                  "  windows    windows, cases and fills; polygons, scanlines and painted runs\n"
                  "  polygons   relations, corner depths and clips; the active edge list and stored depths\n"
                  "  signs      every orientation test and every depth comparison\n";

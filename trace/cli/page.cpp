@@ -38,7 +38,7 @@ PageFile trace_file(const std::string& file, bool& whole) {
     RunOptions run;
     run.method = method_names[std::size_t(header.method)];
     run.kernel = header.kernel;
-    run.edition = header.edition;
+    run.edition = edition_names[std::size_t(header.edition)];
     run.detail = detail_names[std::size_t(header.detail)];
     PageFile made = page_file_of(file, header.scene, run);
     made.bytes = read_file(file);

@@ -18,20 +18,18 @@ namespace {
 class Trial {
 public:
     explicit Trial(const RunOptions& options)
-        : kernel_(kernel_of(options)),
-          method_(Method(place_in(method_names, options.method))),
-          printed_(options.edition == "printed") {}
+        : kernel_(kernel_of(options)), method_(method_of(options)), edition_(edition_of(options)) {}
 
-    RunRequest request(const Scene& scene) const { return {method_, kernel_, printed_, scene, Detail::signs}; }
+    RunRequest request(const Scene& scene) const { return {method_, kernel_, edition_, scene, Detail::signs}; }
     Picture picture(const Scene& scene) const { return run(request(scene)); }
     CheckReport check(const Scene& scene) const { return check_run(request(scene), right_picture(scene)); }
 
     bool wrong_picture(const Scene& scene) const {
-        return picture(scene) != run({Method::zbuffer, *kernel_named("filtered"), false, scene});
+        return picture(scene) != run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
     }
     bool reaches(const std::string& label, const Scene& scene) const {
         std::string text;
-        TraceWriter writer({method_, printed_ ? "printed" : "corrected", kernel_.name(), Detail::signs, scene},
+        TraceWriter writer({method_, edition_, kernel_.name(), Detail::signs, scene},
                            [&](std::string_view part) { text += part; });
         RunRequest traced = request(scene);
         traced.writer = &writer;
@@ -42,7 +40,7 @@ public:
 private:
     NamedKernel kernel_;
     Method method_;
-    bool printed_;
+    Edition edition_;
 };
 
 /// The procedure that is the first to decide wrongly.

@@ -44,7 +44,9 @@ Campaign with_defaults(Campaign campaign) {
     if (campaign.methods.empty()) campaign.methods.assign(method_names.begin(), method_names.end());
     for (auto& kernel : campaign.kernels) {
         const NamedKernel named = *kernel_named(kernel);
-        for (const auto& method : campaign.methods) expect_run(named, method, "corrected");
+        for (const auto& method : campaign.methods) {
+            expect_run(named, Method(place_in(method_names, method)), Edition::corrected);
+        }
         kernel = named.name();
     }
     return campaign;

@@ -11,18 +11,25 @@
 
 namespace vidno::cli {
 
-void expect_run(const NamedKernel& kernel, const std::string& method, const std::string& edition) {
-    if (method == "warnock" && !kernel.choice->runs_warnock) {
+void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
+    if (method == Method::warnock && !kernel.choice->runs_warnock) {
         throw Refused("--method warnock: not under --kernel " + kernel.name() + ", for it has no Z-buffer");
     }
-    if (edition == "printed" && !kernel.choice->runs_printed) {
+    if (edition == Edition::printed && !kernel.choice->runs_printed) {
         throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
+    }
+    const std::string named = "--edition " + std::string(choice_of(edition).name);
+    if (is_mistake(edition) && !kernel.choice->runs_mistakes) {
+        throw Refused(named + ": not under --kernel " + kernel.name() + ", but under double and exact");
+    }
+    if (const auto only = choice_of(edition).only; only && *only != method) {
+        throw Refused(named + ": a mistake of --method " + std::string(method_names[std::size_t(*only)]) + " alone");
     }
 }
 
 NamedKernel kernel_of(const RunOptions& options) {
     const NamedKernel kernel = *kernel_named(options.kernel);
-    expect_run(kernel, options.method, options.edition);
+    expect_run(kernel, method_of(options), edition_of(options));
     return kernel;
 }
 
@@ -50,8 +57,7 @@ Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file)
 namespace {
 
 RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const Scene& scene) {
-    return {Method(place_in(method_names, options.method)), kernel, options.edition == "printed", scene,
-            Detail(place_in(detail_names, options.detail))};
+    return {method_of(options), kernel, edition_of(options), scene, Detail(place_in(detail_names, options.detail))};
 }
 
 }  // namespace
@@ -67,7 +73,7 @@ int trace(const RunOptions& options) {
         file.write(text);
         if (running) progress.show(running->events());
     };
-    TraceWriter writer({request.method, options.edition, kernel.name(), request.detail, scene}, write,
+    TraceWriter writer({request.method, request.edition, kernel.name(), request.detail, scene}, write,
                        options.most_events);
     running = &writer;
     const bool whole = write_trace(request, writer, options.check);

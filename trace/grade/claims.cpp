@@ -59,8 +59,8 @@ std::string Claims::why_not(int column, int row, Color color) const {
     }
     for (int p = 0; p < int(scene().polygons.size()); ++p) {
         if (truth_.color_of(p) != color || truth_.place(p, x, y) == SceneTruth::Place::outside) continue;
-        return where + ": the depth of " + id(p) + " at its centre is " + in_words(truth_.depth(p, x, y)) + ", that of " +
-               id(right) + " is " + in_words(truth_.depth(right, x, y)) + ", which is nearer";
+        return where + ": the depth of " + id(p) + " at its centre is " + in_words(truth_.depth(p, x, y)) +
+               ", that of " + id(right) + " is " + in_words(truth_.depth(right, x, y)) + ", which is nearer";
     }
     if (right == Seen::background) return where + ": no polygon has its centre";
     return where + ": " + owner_of(truth_.color_of(right)) + " shows at its centre";

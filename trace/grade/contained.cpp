@@ -68,7 +68,8 @@ Ending drain(int pipe, const Limits& limits, std::string& kept) {
     const auto deadline = std::chrono::steady_clock::now() + 2 * limits.time;
     std::array<char, 1 << 16> block;
     for (std::uint64_t printed = 0; printed <= limits.file;) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
         if (left.count() <= 0) return Ending::out_of_time;
         pollfd waiting{pipe, POLLIN, 0};
         if (poll(&waiting, 1, int(left.count())) <= 0) continue;
@@ -113,7 +114,8 @@ std::string signal_words(int signal) {
         case SIGBUS: return "SIGBUS: it reached for memory that is not there";
         case SIGABRT: return "SIGABRT: it gave up, as after an exception that nobody catches or a failed assertion";
         case SIGFPE: return "SIGFPE: it divided a whole number by zero";
-        case SIGILL: return "SIGILL: it reached an instruction that there is not, as at the end of a function without return";
+        case SIGILL:
+            return "SIGILL: it reached an instruction that there is not, as at the end of a function without return";
         default: return strsignal(signal);
     }
 }

@@ -9,7 +9,8 @@ namespace {
 /// Why a run gives nothing to judge; empty if it does.
 std::string nothing_to_judge(const StudentRun& run, const Scene& scene) {
     if (run.trace.empty()) {
-        return "it wrote no trace: a program to be graded draws scene_to_draw(...) and tells a WarnockTrace or ZBufferTrace";
+        return "it wrote no trace: a program to be graded draws scene_to_draw(...) and tells a WarnockTrace or "
+               "ZBufferTrace";
     }
     if (!run.header) return run.unreadable;
     if (run.header->kernel != "float" && run.header->kernel != "double") {
@@ -30,11 +31,13 @@ SceneGrade graded(const Scene& scene, StudentRun run) {
 
 /// Whether b fails as a does, no later in the run.
 bool fails_alike(const SceneGrade& a, const SceneGrade& b) {
-    if (b.right() || a.run.ended.ending != b.run.ended.ending || a.judgement.has_value() != b.judgement.has_value()) return false;
+    if (b.right() || a.run.ended.ending != b.run.ended.ending || a.judgement.has_value() != b.judgement.has_value())
+        return false;
     if (!a.judgement || a.judgement->wrong.has_value() != b.judgement->wrong.has_value()) return !a.judgement;
     if (!a.judgement->wrong) return true;
     // A smaller scene that takes longer to show it would show it worse.
-    return a.judgement->wrong->symptom == b.judgement->wrong->symptom && b.judgement->wrong->step <= a.judgement->wrong->step;
+    return a.judgement->wrong->symptom == b.judgement->wrong->symptom &&
+           b.judgement->wrong->step <= a.judgement->wrong->step;
 }
 
 }  // namespace
@@ -49,10 +52,10 @@ SceneGrade grade_trace(std::string text) {
     return graded(scene, std::move(run));
 }
 
-std::optional<UsualMistake> usual_mistake(const std::vector<SceneGrade>& grades) {
+std::optional<Edition> usual_mistake(const std::vector<SceneGrade>& grades) {
     std::vector<Observation> observed;
     for (const auto& each : grades) {
-        if (each.judgement) observed.push_back({&each.scene, &*each.judgement, each.run.complete});
+        if (each.judgement) observed.push_back({&*each.run.header, &*each.judgement, each.run.complete});
     }
     return usual_mistake(observed);
 }

@@ -14,9 +14,7 @@ struct SceneGrade {
     std::optional<Judgement> judgement;  // none if there was nothing to be judged
     std::string not_judged;              // why, in that case
 
-    bool right() const {
-        return run.ended.ending == Ending::done && run.complete && judgement && !judgement->wrong;
-    }
+    bool right() const { return run.ended.ending == Ending::done && run.complete && judgement && !judgement->wrong; }
 };
 
 /// Throws Refused if the program cannot be started.
@@ -26,7 +24,7 @@ SceneGrade grade_scene(const std::filesystem::path& program, const Scene& scene,
 SceneGrade grade_trace(std::string text);
 
 /// Which usual mistake the program behaves like.
-std::optional<UsualMistake> usual_mistake(const std::vector<SceneGrade>& grades);
+std::optional<Edition> usual_mistake(const std::vector<SceneGrade>& grades);
 
 /// The smallest scene on which the program fails in the same way, at no later step, its run with it. Gives up making it smaller after so many
 /// runs or so long. `progress` is called before each run.

@@ -48,7 +48,9 @@ bool all_single(const std::vector<Event>& events) {
     };
     for (const auto& event : events) {
         std::visit(
-            [&]<class E>(const E& e) { E::fields(e, [&](std::string_view, const auto& field) { Numbers{look}(field); }); },
+            [&]<class E>(const E& e) {
+                E::fields(e, [&](std::string_view, const auto& field) { Numbers{look}(field); });
+            },
             event);
     }
     return all;
@@ -68,7 +70,8 @@ void replay_rest(const std::vector<Event>& events, State& state) {
 }
 
 template <class Judge>
-void judge_by(const SceneTruth& truth, const std::vector<Event>& events, bool complete, State& state, Judgement& found) {
+void judge_by(const SceneTruth& truth, const std::vector<Event>& events, bool complete, State& state,
+              Judgement& found) {
     Judge judge(truth, state, found.differences);
     const auto wrong_at = [&](std::uint64_t step, const False& claim) {
         const std::uint64_t at = claim.step.value_or(step);

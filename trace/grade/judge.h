@@ -20,10 +20,10 @@ namespace vidno {
 
 /// What kind of claim is false. By it a smaller scene is recognized as showing the same, and a usual mistake as itself.
 enum class Symptom : unsigned char {
-    plane,           // not the polygon's
-    depth,           // not that of the plane
-    start,           // something shows behind what the depths start at
-    comparison,      // which of two depths is nearer
+    plane,       // not the polygon's
+    depth,       // not that of the plane
+    start,       // something shows behind what the depths start at
+    comparison,  // which of two depths is nearer
     point_in_polygon,
     left_list,       // a polygon that shows left the list
     surrounded,      // by a polygon before which another shows
@@ -36,13 +36,13 @@ enum class Symptom : unsigned char {
     clipped_away,    // nothing is left of a polygon that has a part in the window
     clipped_inside,  // a vertex in the window is dropped, or one outside kept
     insider,
-    edge,            // of AEL
-    off_window,      // pixels outside of the window
-    off_polygon,     // pixels outside of the polygon
-    hole,            // where polygons meet, the pixel belongs to nobody
-    colour,          // any other wrong colour
-    not_painted,     // pixels that nothing has painted
-    impossible       // no state of the procedure that it could follow
+    edge,         // of AEL
+    off_window,   // pixels outside of the window
+    off_polygon,  // pixels outside of the polygon
+    hole,         // where polygons meet, the pixel belongs to nobody
+    colour,       // any other wrong colour
+    not_painted,  // pixels that nothing has painted
+    impossible    // no state of the procedure that it could follow
 };
 
 /// A claim that is false, in words.

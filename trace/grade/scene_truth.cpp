@@ -32,9 +32,9 @@ Rational twice_area(const Outline2& outline) {
 }
 
 struct ExactPolygon {
-    Outline2 outline;          // without edges of no length; area positive
-    Rational zx, zy, z0;       // z = zx x + zy y + z0
-    double depth_slack = 0;    // what rounding may do to a depth
+    Outline2 outline;        // without edges of no length; area positive
+    Rational zx, zy, z0;     // z = zx x + zy y + z0
+    double depth_slack = 0;  // what rounding may do to a depth
     bool has_inside = false;
 
     Rational depth(const Point2& p) const { return zx * p.x + zy * p.y + z0; }
@@ -59,7 +59,8 @@ void set_plane(ExactPolygon& polygon, const std::vector<glm::dvec3>& vertices, d
     polygon.z0 = Rational(o.z) - polygon.zx * Rational(o.x) - polygon.zy * Rational(o.y);
     // A thin polygon's plane is known so much worse from its vertices.
     const double thinness = std::max(1.0, extent * extent / std::abs(CGAL::to_double(c)));
-    polygon.depth_slack = slack * thinness * (1 + std::abs(CGAL::to_double(polygon.zx)) + std::abs(CGAL::to_double(polygon.zy)));
+    polygon.depth_slack =
+        slack * thinness * (1 + std::abs(CGAL::to_double(polygon.zx)) + std::abs(CGAL::to_double(polygon.zy)));
 }
 
 /// What is left of an outline on the side of a line where `along` times (coordinate - at) is not negative.
@@ -94,7 +95,8 @@ std::vector<Direction> directions_between(const std::vector<Direction>& changes)
     std::vector<Direction> all;
     for (const auto& [x, y] : changes) {
         const double length = std::hypot(x, y);
-        for (const auto& [u, v] : {Direction{x, y}, {-x, -y}, {y, -x}, {-y, x}}) all.push_back({u / length, v / length});
+        for (const auto& [u, v] : {Direction{x, y}, {-x, -y}, {y, -x}, {-y, x}})
+            all.push_back({u / length, v / length});
     }
     const auto angle = [](const Direction& d) { return std::atan2(d.y, d.x); };
     std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return angle(a) < angle(b); });
@@ -117,7 +119,8 @@ struct SceneTruth::Exactly {
 
     Exactly(const Scene& given, Precision precision) : scene(given) {
         const Area& area = scene.area;
-        for (const int v : {area.x, area.y, area.right(), area.bottom()}) largest = std::max(largest, std::abs(double(v)));
+        for (const int v : {area.x, area.y, area.right(), area.bottom()})
+            largest = std::max(largest, std::abs(double(v)));
         for (const auto& polygon : scene.polygons) {
             for (const auto& v : polygon.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y)});
         }
@@ -215,7 +218,8 @@ struct SceneTruth::Exactly {
         seen.by_none = front_of(in, p).front();
         const auto allow = [&](const std::vector<int>& candidates) {
             for (const int q : front_of(candidates, p)) {
-                if (std::find(seen.allowed.begin(), seen.allowed.end(), q) == seen.allowed.end()) seen.allowed.push_back(q);
+                if (std::find(seen.allowed.begin(), seen.allowed.end(), q) == seen.allowed.end())
+                    seen.allowed.push_back(q);
             }
         };
         allow(closed);
@@ -231,7 +235,8 @@ struct SceneTruth::Exactly {
     }
 };
 
-SceneTruth::SceneTruth(const Scene& scene, Precision precision) : exactly_(std::make_unique<const Exactly>(scene, precision)) {}
+SceneTruth::SceneTruth(const Scene& scene, Precision precision)
+    : exactly_(std::make_unique<const Exactly>(scene, precision)) {}
 SceneTruth::~SceneTruth() = default;
 
 const Scene& SceneTruth::scene() const { return exactly_->scene; }
@@ -325,7 +330,8 @@ bool SceneTruth::same_coordinate(double v, double w) const {
 bool SceneTruth::meets(int polygon, const Window& window) const {
     const ExactPolygon& own = exactly_->at(polygon);
     if (!own.has_inside) return false;
-    return twice_area(part_of(own.outline, window)) > Rational(exactly_->slack) * Rational(window.width + window.height);
+    return twice_area(part_of(own.outline, window)) >
+           Rational(exactly_->slack) * Rational(window.width + window.height);
 }
 
 bool SceneTruth::holds(int polygon, const Window& window) const {
@@ -338,7 +344,7 @@ bool SceneTruth::holds(int polygon, const Window& window) const {
 }
 
 std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window,
-                                          const std::vector<glm::dvec3>& vertices) const {
+                                               const std::vector<glm::dvec3>& vertices) const {
     const ExactPolygon& own = exactly_->at(polygon);
     if (!own.has_inside) return std::nullopt;
     const double open = 64 * exactly_->slack;
@@ -358,7 +364,8 @@ std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window
     const Rational right = twice_area(part_of(own.outline, window));
     const Rational area = magnitude(twice_area(told));
     if (magnitude(right - area) <= Rational(open) * Rational(4 * (window.width + window.height))) return std::nullopt;
-    if (told.empty()) return "nothing is left of it, and in the window there is an area of " + in_words(CGAL::to_double(right) / 2);
+    if (told.empty())
+        return "nothing is left of it, and in the window there is an area of " + in_words(CGAL::to_double(right) / 2);
     return "its area is " + in_words(CGAL::to_double(area) / 2) + ", that of the part in the window " +
            in_words(CGAL::to_double(right) / 2);
 }

@@ -76,7 +76,8 @@ public:
     /// Whether the polygon holds the whole window.
     bool holds(int polygon, const Window& window) const;
     /// Why the vertices, in any order round the outline, are not those of the polygon's part in the window; none if they are.
-    std::optional<std::string> no_part(int polygon, const Window& window, const std::vector<glm::dvec3>& vertices) const;
+    std::optional<std::string> no_part(int polygon, const Window& window,
+                                       const std::vector<glm::dvec3>& vertices) const;
 
     const Seen& seen(int column, int row) const;
     Color color_of(int polygon) const;  // or of the background

@@ -10,7 +10,7 @@ namespace vidno {
 
 namespace {
 
-constexpr std::array colors{Color{31, 119, 180},  Color{255, 127, 14}, Color{44, 160, 44},  Color{214, 39, 40},
+constexpr std::array colors{Color{31, 119, 180},  Color{255, 127, 14}, Color{44, 160, 44},   Color{214, 39, 40},
                             Color{148, 103, 189}, Color{140, 86, 75},  Color{227, 119, 194}, Color{23, 190, 207}};
 
 using Vertices = std::vector<glm::dvec3>;
@@ -43,7 +43,8 @@ std::vector<Scene> scenes_to_grade() {
         scene("Two triangles apart", square,
               {{{1.25, 1.25, .25}, {6.25, 2.125, .25}, {2.25, 5.75, .25}},
                {{9.25, 7.125, .5}, {14.75, 7.875, .5}, {10.75, 11.25, .5}}}),
-        scene("A near square before a far one", square, {level(-1, -1, 17, 17, .125), level(4.25, 2.25, 10.25, 7.75, .5)}),
+        scene("A near square before a far one", square,
+              {level(-1, -1, 17, 17, .125), level(4.25, 2.25, 10.25, 7.75, .5)}),
         scene("The near one comes first", square, {level(4.25, 2.25, 10.25, 7.75, .5), level(-1, -1, 17, 17, .125)}),
         scene("Behind depth 0", square, {level(-1, -1, 17, 17, -.75), level(3.25, 1.25, 9.25, 12.75, -.25)}),
         scene("Larger than the area", square, {{{-4.25, 5.75, .25}, {21.25, -3.25, .25}, {12.75, 22.25, .25}}}),

@@ -77,8 +77,8 @@ StudentRun run_student(const std::filesystem::path& program, const Scene& scene,
     const TemporaryFolder folder;
     const auto scene_file = folder.path() / "scene.txt", trace_file = folder.path() / "trace.jsonl";
     std::ofstream(scene_file, std::ios::binary) << scene_text(scene);
-    const Ended ended = run_contained(program, folder.path(),
-                                      {{"VIDNO_SCENE", scene_file.string()}, {"VIDNO_TRACE", trace_file.string()}}, limits);
+    const Ended ended = run_contained(
+        program, folder.path(), {{"VIDNO_SCENE", scene_file.string()}, {"VIDNO_TRACE", trace_file.string()}}, limits);
     StudentRun run;
     if (std::filesystem::exists(trace_file)) run = read_student_trace(read_file(trace_file.string()));
     run.ended = ended;

@@ -106,7 +106,8 @@ void WarnockJudge::finish_window() {
     for_pixels([&](int column, int row) {
         const Color color = state().picture().at(column, row);
         if (truth().allows(column, row, color)) return;
-        throw False{Symptom::clipped_away, in_words(window_) + " is done: " + pixel_in_words(column, row) + " shows " + owner_of(color),
+        throw False{Symptom::clipped_away,
+                    in_words(window_) + " is done: " + pixel_in_words(column, row) + " shows " + owner_of(color),
                     why_not(column, row, color), last_step_};
     });
 }
@@ -122,7 +123,8 @@ void WarnockJudge::finish() {
         for (int column = area.x; column < area.right(); ++column) {
             const Color color = state().picture().at(column, row);
             if (!truth().allows(column, row, color) && !painted_.contains({column, row})) {
-                throw False{Symptom::not_painted, "the run is over, and nothing has painted " + pixel_in_words(column, row),
+                throw False{Symptom::not_painted,
+                            "the run is over, and nothing has painted " + pixel_in_words(column, row),
                             why_not(column, row, color)};
             }
             judge_pixel(column, row, color);
@@ -193,9 +195,10 @@ void WarnockJudge::judge(const event::Surround& e) {
         return;
     }
     if (e.inside == (where == SceneTruth::Place::inside)) return;
-    throw False{Symptom::point_in_polygon,
-                point_in_words(e.point.x.number, e.point.y.number) + " is " + (e.inside ? "inside " : "outside ") + id(p),
-                std::string("it is ") + (e.inside ? "outside" : "inside")};
+    throw False{
+        Symptom::point_in_polygon,
+        point_in_words(e.point.x.number, e.point.y.number) + " is " + (e.inside ? "inside " : "outside ") + id(p),
+        std::string("it is ") + (e.inside ? "outside" : "inside")};
 }
 
 void WarnockJudge::judge(const event::Orient& e) {
@@ -216,7 +219,8 @@ void WarnockJudge::judge(const event::Orient& e) {
 void WarnockJudge::judge(const event::Mark& e) const {
     const int p = e.polygon.index;
     if (truth().holds(p, window_)) return;
-    throw False{Symptom::point_in_polygon, id(p) + " surrounds " + in_words(window_), "not all of its corners are inside"};
+    throw False{Symptom::point_in_polygon, id(p) + " surrounds " + in_words(window_),
+                "not all of its corners are inside"};
 }
 
 void WarnockJudge::judge(const event::Insider& e) const {
@@ -237,10 +241,10 @@ void WarnockJudge::judge_surrounded(Color color) {
     for_pixels([&](int column, int row) {
         if (truth().allows(column, row, color)) return;
         const bool overlooked = overlooks(column, row);
-        throw False{overlooked ? Symptom::overlooked : Symptom::surrounded,
-                    owner_of(color) + " hides all else in " + in_words(window_),
-                    why_not(column, row, color) +
-                        (overlooked ? "; but that polygon was not looked at in this window" : "")};
+        throw False{
+            overlooked ? Symptom::overlooked : Symptom::surrounded,
+            owner_of(color) + " hides all else in " + in_words(window_),
+            why_not(column, row, color) + (overlooked ? "; but that polygon was not looked at in this window" : "")};
     });
 }
 
@@ -313,7 +317,8 @@ void WarnockJudge::judge(const event::Fill& e) {
 
 void WarnockJudge::judge(const event::PointColor& e) {
     const double x = std::floor(e.point.x.number), y = std::floor(e.point.y.number);
-    const bool in_area = scene().area.x <= x && x < scene().area.right() && scene().area.y <= y && y < scene().area.bottom();
+    const bool in_area =
+        scene().area.x <= x && x < scene().area.right() && scene().area.y <= y && y < scene().area.bottom();
     if (e.point.x.number != x + 0.5 || e.point.y.number != y + 0.5 || !in_area) {
         throw False{Symptom::colour,
                     "the colour at " + point_in_words(e.point.x.number, e.point.y.number) + " is that of a pixel",
@@ -351,12 +356,14 @@ void WarnockJudge::judge(const event::ClipResult& e) {
     std::vector<glm::dvec3> vertices;
     for (const auto& v : e.vertices) vertices.push_back({v.x.number, v.y.number, v.z.number});
     if (const auto reason = truth().no_part(p, window_, vertices)) {
-        throw False{vertices.empty() ? Symptom::clipped_away : Symptom::clip, "the part of " + id(p) + " in " + in_words(window_) + " has " +
-                                       std::to_string(vertices.size()) + " vertices",
+        throw False{vertices.empty() ? Symptom::clipped_away : Symptom::clip,
+                    "the part of " + id(p) + " in " + in_words(window_) + " has " + std::to_string(vertices.size()) +
+                        " vertices",
                     *reason};
     }
     const auto turn = [](const auto& list) {
-        return twice_area(list, [](const auto& v) { return v.x; }, [](const auto& v) { return v.y; });
+        return twice_area(
+            list, [](const auto& v) { return v.x; }, [](const auto& v) { return v.y; });
     };
     if (turn(vertices) * turn(scene().polygons[std::size_t(p)].vertices) < 0) note(Difference::order_of_vertices);
 }
@@ -382,8 +389,8 @@ void WarnockJudge::judge(const event::Draw& e) {
         const Color color = after.at(column, row);
         if (!truth().allows(column, row, color)) {
             throw False{any ? Symptom::colour : Symptom::clipped_away,
-                        id(p) + " is drawn in " + in_words(window_) + ", and " + pixel_in_words(column, row) + " shows " +
-                            owner_of(color),
+                        id(p) + " is drawn in " + in_words(window_) + ", and " + pixel_in_words(column, row) +
+                            " shows " + owner_of(color),
                         why_not(column, row, color)};
         }
         judge_pixel(column, row, color);

@@ -85,7 +85,8 @@ private:
     std::map<int, std::array<std::optional<double>, 4>> depths_;
 
     std::optional<std::pair<ValuePoint, ValuePoint>> side_;  // by which is being clipped
-    std::map<int, int> orientations_;  // of each polygon: which sign its program gives to the side that we call positive
+    std::map<int, int>
+        orientations_;  // of each polygon: which sign its program gives to the side that we call positive
 };
 
 }  // namespace vidno::grading

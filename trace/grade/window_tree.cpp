@@ -9,7 +9,8 @@ namespace vidno::grading {
 namespace {
 
 bool holds(const Window& window, const Window& part) {
-    return window.x <= part.x && part.right() <= window.right() && window.y <= part.y && part.bottom() <= window.bottom();
+    return window.x <= part.x && part.right() <= window.right() && window.y <= part.y &&
+           part.bottom() <= window.bottom();
 }
 
 bool holds_centre(const Window& window, int column, int row) {
@@ -24,7 +25,8 @@ bool WindowTree::push(const Window& window, std::uint64_t step) {
     if (!nodes_.empty()) {
         // A program that calls itself pushes a part when it comes to it, long after its window was split.
         parent = current_;
-        while (parent && !(nodes_[*parent].split && holds(nodes_[*parent].window, window))) parent = nodes_[*parent].parent;
+        while (parent && !(nodes_[*parent].split && holds(nodes_[*parent].window, window)))
+            parent = nodes_[*parent].parent;
         if (!parent) return false;
         if (*parent != current_) recursive_ = true;
         nodes_[*parent].parts.push_back(window);

@@ -21,7 +21,7 @@ public:
 
 private:
     struct Cell {
-        std::optional<double> z;        // as the program has it
+        std::optional<double> z;         // as the program has it
         int polygon = Seen::background;  // that it shows
     };
 

@@ -38,14 +38,12 @@ Live& live() {
 
 struct Options {
     Method method{};
-    bool printed = false;
+    Edition edition{};
     NamedKernel kernel{};
     Detail detail{};
     bool check = false;
     std::uint64_t most_events = 0;
 };
-
-constexpr std::array<std::string_view, 2> edition_names{"corrected", "printed"};
 
 template <class Names>
 std::size_t place_of(const JsonNode& node, const Names& names) {
@@ -64,9 +62,10 @@ Options read_options(const JsonNode& root) {
     root.require_keys({"method", "edition", "kernel", "detail", "check", "most_events"});
     Options options;
     options.method = Method(place_of(root.at("method"), method_names));
-    options.printed = place_of(root.at("edition"), edition_names) == 1;
+    options.edition = Edition(place_of(root.at("edition"), edition_names));
+    if (is_mistake(options.edition)) root.at("edition").refuse("a usual mistake, which this library has not");
     options.kernel = read_kernel(root.at("kernel"));
-    if (!options.kernel.choice->runs(options.method, options.printed)) {
+    if (!options.kernel.choice->runs(options.method, options.edition)) {
         root.at("kernel").refuse("does not run this method and edition");
     }
     options.detail = Detail(place_of(root.at("detail"), detail_names));
@@ -96,10 +95,9 @@ void make_trace(Live& live) {
     const Options options = read_json(line, "request", read_options);
     const Scene scene = read_scene_for(options.kernel, file, live.messages);
     const auto write = [&](std::string_view text) { live.made += text; };
-    TraceWriter writer(
-        {options.method, std::string(edition_names[options.printed]), options.kernel.name(), options.detail, scene},
-        write, options.most_events, &live.lines);
-    write_trace({options.method, options.kernel, options.printed, scene, options.detail}, writer, options.check);
+    TraceWriter writer({options.method, options.edition, options.kernel.name(), options.detail, scene}, write,
+                       options.most_events, &live.lines);
+    write_trace({options.method, options.kernel, options.edition, scene, options.detail}, writer, options.check);
 }
 
 void make_map(Live& live) {

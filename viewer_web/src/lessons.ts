@@ -1,6 +1,7 @@
 import { fileIn } from './base64.js';
 import { list, oneOf, part, text } from './trace/check.js';
 import type { Checked } from './trace/check.js';
+import { editions } from './trace/editions.js';
 import { details, tables } from './trace/events.js';
 import type { Method } from './trace/events.js';
 
@@ -12,7 +13,7 @@ const entry = part({
   file: text,
   method: oneOf(...(Object.keys(tables) as Method[])),
   kernel: text,
-  edition: oneOf('corrected', 'printed'),
+  edition: oneOf(...editions),
   detail: oneOf(...details),
 });
 

@@ -19,8 +19,7 @@ struct PolygonClip {
         auto& kernel = run.kernel;
         auto& trace = run.trace;
 
-        const std::array corners{kernel.point(window.x, window.y), kernel.point(window.x, window.bottom()),
-                                 kernel.point(window.right(), window.bottom()), kernel.point(window.right(), window.y)};
+        const auto corners = Set::corners_around(kernel, window);
         auto vertices = kernel.outline(polygon.vertices);
         trace.clip_begin(PL1, polygon, window);
 

@@ -53,7 +53,7 @@ struct Warnock {
                 }
             } else {
                 trace.decide(W13, Case::split);
-                for (const Window& part : parts_of(window)) {
+                for (const Window& part : Set::parts(window)) {
                     if (off_area(part, run.area)) {
                         trace.skip(W13, part);
                         continue;

@@ -19,8 +19,7 @@ struct ShowLine {
         auto& trace = run.trace;
         trace.line(L1, row, left, right);
 
-        int x = kernel.first_column(left, row, run.area.x, run.area.right());
-        const int end = kernel.last_column(right, row, run.area.x, run.area.right()) + 1;
+        auto [x, end] = Run::Set::columns_shown(run, row, left, right, polygon);
         if (x >= end) {
             trace.miss(L2);
             return;

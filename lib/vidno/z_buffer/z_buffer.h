@@ -15,8 +15,9 @@ struct ZBuffer {
     template <class Run>
     static void z_buffer(Run& run) {
         using enum Line;
-        run.depth_buffer.clear(run.area, run.kernel.farthest());
-        run.trace.clear(Z1, run.background, run.kernel.farthest());
+        const auto first_depth = Run::Set::first_depth(run.kernel);
+        run.depth_buffer.clear(run.area, first_depth);
+        run.trace.clear(Z1, run.background, first_depth);
         for (const auto& polygon : run.polygons) {
             if (polygon.edge_on) continue;
             run.trace.polygon(Z2, polygon);

@@ -1,9 +1,9 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { texts } from '../i18n/index.js';
-import { kernels, runs } from '../live/options.js';
+import { kernels, offeredNames, runs } from '../live/options.js';
 import { resize } from '../live/sketch.js';
 import { details } from '../trace/events.js';
 import { FormElement } from './form.js';
@@ -27,7 +27,7 @@ export class RunFormElement extends FormElement {
         <h3>${say.run}</h3>
         <div class="fields">
           ${this.select('method', methods)} ${this.select('kernel', this.kernelNames())}
-          ${this.select('edition', editions)} ${this.select('detail', levels)}
+          ${this.select('edition', offeredNames(editions))} ${this.select('detail', levels)}
         </div>
         <label class="line">
           <input
@@ -39,6 +39,7 @@ export class RunFormElement extends FormElement {
           />
           ${say.check}
         </label>
+        ${editing.corrects ? html`<p>${say.corrects}</p>` : nothing}
       </section>
       ${this.area()}
     `;

@@ -1,6 +1,6 @@
 import type { Cost, ErrorMeasure, Kind, Knob, Method } from '../chart/format.js';
 import type { Unlinked } from '../chart/replay.js';
-import type { Edition } from '../trace/header.js';
+import type { Setting } from '../chart/series.js';
 import type { Refusal } from '../trace/refusal.js';
 import { chart as en } from './en/chart.js';
 import { reasons as enReasons } from './en/reasons.js';
@@ -49,7 +49,7 @@ export interface ChartTexts extends FileTexts {
   readonly knobs: Readonly<Record<Knob, string>>;
   readonly turned: Readonly<Record<Knob, (value: string) => string>>;
   readonly fixed: string;
-  readonly editions: Readonly<Record<Edition, string>>;
+  readonly editions: Readonly<Record<Setting['edition'], string>>;
   readonly fault: string;
   readonly printed: string;
   readonly printedLabel: (kernel: string) => string;

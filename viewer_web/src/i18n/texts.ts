@@ -4,7 +4,7 @@ import type { LaneName } from '../strip/lanes.js';
 import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
 import type { Event, EventName, Method, Procedure } from '../trace/events.js';
-import type { Edition } from '../trace/header.js';
+import type { Edition } from '../trace/editions.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';

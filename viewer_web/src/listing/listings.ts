@@ -1,7 +1,8 @@
 import listings from '../../../trace/listings/listings.json' with { type: 'json' };
 import type { Language } from '../i18n/language.js';
 import type { Method } from '../trace/events.js';
-import type { Edition, Header } from '../trace/header.js';
+import type { Edition } from '../trace/editions.js';
+import type { Header } from '../trace/header.js';
 import { speaks } from './notes.js';
 
 /** A line of a procedure as it is shown. */

@@ -36,6 +36,17 @@ describe('the C++ of a run', () => {
     expect(printed.at(-1)).toBe('printed.h');
   });
 
+  it('of a usual mistake ends with what is usual and the mistake', () => {
+    const paths = sourcesOf({ method: 'warnock', edition: 'one-list' }).map(({ path }) => path);
+    expect(paths.slice(-2)).toEqual(['corrected.h', 'mistakes/one_list.h']);
+    const list = sourcesOf({ method: 'warnock', edition: 'one-list' }).at(-1);
+    expect(list?.lines.map(({ text }) => text)).toContain('return list;');
+    const files = (edition: 'boundary-outside' | 'depth-sign-reversed') =>
+      sourcesOf({ method: 'warnock', edition }).map(({ path }) => path);
+    expect(files('boundary-outside')).not.toContain('warnock/surround_test.h'); // it has its own
+    expect(files('depth-sign-reversed')).toContain('warnock/depth.h'); // which its own asks
+  });
+
   it('marks of the lines with a label the one that tells the event', () => {
     expect(marked('PW6', 'compare')).toEqual([
       'trace.compare_corner(PW6, polygon, i, z[i], nearest[i], nearer[i]);',

@@ -1,10 +1,15 @@
+import { isMistake } from '../trace/editions.js';
+import type { Edition, Mistake } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { namesOf } from './listings.js';
 
 const root = '../../../lib/vidno/';
 const texts = import.meta.glob<string>(
-  ['../../../lib/vidno/{warnock,z_buffer,printed}/*.h', '../../../lib/vidno/{corrected,printed}.h'],
+  [
+    '../../../lib/vidno/{warnock,z_buffer,printed,mistakes}/*.h',
+    '../../../lib/vidno/{corrected,printed}.h',
+  ],
   { query: '?raw', import: 'default', eager: true },
 );
 
@@ -29,16 +34,30 @@ const linesOf = (text: string): readonly SourceLine[] =>
     .split('\n')
     .map((line) => ({ indent: line.length - line.trimStart().length, text: line.trim() }));
 
+const mistakePath = (mistake: Mistake): string => `mistakes/${mistake.replaceAll('-', '_')}.h`;
+
+/** The rules of an edition: those that are as usual, and the mistake. */
+const rulesOf = (edition: Edition): readonly string[] =>
+  isMistake(edition) ? ['corrected.h', mistakePath(edition)] : [`${edition}.h`];
+
+/** Whether a mistake has a procedure of its own, which does not ask for the usual one. */
+function replaces(edition: Edition, procedure: string): boolean {
+  if (!isMistake(edition)) return false;
+  const text = texts[root + mistakePath(edition)] ?? '';
+  return text.includes(` ${procedure}(auto& run`) && !text.includes(`Corrected::${procedure}(`);
+}
+
 /** The C++ of a run's procedures, in the order of their listings, and the rules of its edition. */
 export function sourcesOf({
   method,
   edition,
 }: Pick<Header, 'method' | 'edition'>): readonly Source[] {
   const folders = [...(edition === 'printed' ? ['printed/'] : []), 'warnock/', 'z_buffer/'];
-  const paths = namesOf(method).map((name) =>
-    folders.map((folder) => folder + fileOf(name)).find((path) => root + path in texts),
-  );
-  return [...paths, `${edition}.h`]
+  const paths = namesOf(method)
+    .map(fileOf)
+    .filter((file) => !replaces(edition, file.replace('.h', '')))
+    .map((file) => folders.map((folder) => folder + file).find((path) => root + path in texts));
+  return [...paths, ...rulesOf(edition)]
     .filter((path) => path !== undefined)
     .map((path) => ({ path, lines: linesOf(texts[root + path] ?? '') }));
 }

@@ -1,3 +1,4 @@
+import { isMistake } from '../trace/editions.js';
 import type { Header, Scene } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
 import { runnable, usual } from './options.js';
@@ -11,6 +12,8 @@ import { Undo } from './undo.js';
 export interface Editing {
   readonly sketch: Sketch;
   readonly options: Options;
+  /** Whether it went on from a trace with a usual mistake: changed, the scene is run without it. */
+  readonly corrects: boolean;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
   /** The vertex that was last touched. */
@@ -51,6 +54,7 @@ export interface Followers {
 export class Editor {
   private undo = new Undo<Sketch>(emptySketch);
   private options = usual;
+  private corrects = false;
   private chosen: Spot | null = null;
   private drawn: readonly Vertex[] | null = null;
   private said: Pick<Editing, 'messages' | 'refused'> = { messages: '', refused: false };
@@ -74,7 +78,8 @@ export class Editor {
   /** Goes on from the scene of a trace that is shown. */
   open({ scene, method, edition, kernel, detail }: Header): void {
     this.tracer.forget();
-    this.begin(sketchOf(scene), { method, edition, kernel, detail, check: false });
+    const options = runnable({ method, edition, kernel, detail, check: false });
+    this.begin(sketchOf(scene), options, isMistake(edition));
   }
 
   /** Runs the text of a scene file, as it is; one that is refused changes nothing. */
@@ -84,9 +89,9 @@ export class Editor {
   }
 
   get editing(): Editing {
-    const { undo, options, chosen, drawn, said } = this;
+    const { undo, options, corrects, chosen, drawn, said } = this;
     const { value, canUndo, canRedo } = undo;
-    return { sketch: value, options, canUndo, canRedo, chosen, drawn, ...said };
+    return { sketch: value, options, corrects, canUndo, canRedo, chosen, drawn, ...said };
   }
 
   act(act: Act): void {
@@ -116,9 +121,10 @@ export class Editor {
     this.followers.changed(this.editing);
   }
 
-  private begin(sketch: Sketch, options: Options): void {
+  private begin(sketch: Sketch, options: Options, corrects = false): void {
     this.undo = new Undo(sketch);
     this.options = options;
+    this.corrects = corrects;
     this.adopts = null;
     this.chosen = null;
     this.drawn = null;

@@ -12,6 +12,12 @@ it('leaves out the kernels that have no Z-buffer, and those that never err, of t
   expect(count({ method: 'warnock', edition: 'printed' })).toBe(5); // nor filtered, grid:4, grid:8
 });
 
+it('runs no usual mistake: the corrected text is run instead', () => {
+  expect(count({ edition: 'one-list' })).toBe(0);
+  const exact = { ...usual, kernel: 'exact' };
+  expect(runnable({ ...exact, edition: 'one-list' })).toEqual(exact);
+});
+
 it('goes back to double where the kernel does not run', () => {
   expect(runnable({ ...usual, kernel: 'filtered', edition: 'printed' }).kernel).toBe('double');
   expect(runnable({ ...usual, kernel: 'exact', edition: 'printed' }).kernel).toBe('exact');

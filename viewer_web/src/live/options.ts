@@ -1,5 +1,6 @@
 import type { Detail, Method } from '../trace/events.js';
-import type { Edition } from '../trace/header.js';
+import { isMistake } from '../trace/editions.js';
+import type { Edition } from '../trace/editions.js';
 
 /** How a scene is run. */
 export interface Options {
@@ -33,13 +34,20 @@ export const kernels = [
   'exact',
 ] as const;
 
+/** Of the editions' names those that the page offers: its library has no usual mistakes. */
+export function offeredNames(names: Readonly<Record<Edition, string>>): Record<string, string> {
+  return { corrected: names.corrected, printed: names.printed };
+}
+
 /** Whether a method and an edition run under a kernel. */
 export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'check'>): boolean {
   if (kernel.startsWith('depth:')) return method === 'zbuffer';
+  if (isMistake(edition)) return false;
   return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);
 }
 
-/** The nearest to some options that can be run: the kernel is what gives way. */
+/** The nearest to some options that can be run: a mistake gives way to the corrected text, then the kernel. */
 export function runnable(options: Options): Options {
+  if (isMistake(options.edition)) return runnable({ ...options, edition: usual.edition });
   return runs(options) ? options : { ...options, kernel: usual.kernel };
 }

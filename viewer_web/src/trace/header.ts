@@ -11,6 +11,7 @@ import {
   whole,
 } from './check.js';
 import type { Check, Checked } from './check.js';
+import { editions } from './editions.js';
 import { details, tables } from './events.js';
 import type { Method } from './events.js';
 import { Refusal } from './refusal.js';
@@ -55,14 +56,13 @@ const sceneFile = record({
 const header = record({
   format: oneOf('vidno-trace/1'),
   method: oneOf(...(Object.keys(tables) as Method[])),
-  edition: oneOf('corrected', 'printed'),
+  edition: oneOf(...editions),
   kernel: matching(kernelName, 'kernel'),
   detail: oneOf(...details),
   scene: sceneFile,
 });
 
 export type Area = Checked<typeof area>;
-export type Edition = Checked<typeof header>['edition'];
 
 export interface Polygon {
   readonly id: string;

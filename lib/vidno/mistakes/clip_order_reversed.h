@@ -1,0 +1,26 @@
+/// ClipOrderReversed: the window's sides are gone round the other way.
+///
+/// Believed   that any order will do, or that y grows upward, where the same order goes round the other way.
+/// Goes wrong a positive cross product lies inside: of the polygon, each side of the window keeps what is beyond it, and
+///            nothing is beyond all four.
+/// Seen       where a single polygon reaches over a window's side: the window shows the background.
+#pragma once
+
+#include <algorithm>
+
+#include "../corrected.h"
+
+namespace vidno::mistakes {
+
+struct ClipOrderReversed : Corrected {
+    static constexpr std::string_view name = "clip-order-reversed";
+
+    /// PL2
+    static auto corners_around(const auto& kernel, const Window& window) {
+        auto corners = Corrected::corners_around(kernel, window);
+        std::reverse(corners.begin(), corners.end());
+        return corners;
+    }
+};
+
+}  // namespace vidno::mistakes
