@@ -193,6 +193,28 @@ TEST_CASE("Judging: the printed text fails where it is known to") {
     CHECK(judgement_of(run_of(scene, Method::warnock, "double", Edition::printed)).wrong.has_value());
 }
 
+TEST_CASE("Judging: what is no number is no answer") {
+    const double none = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+    const auto found = [](const Judgement& judgement) { return judgement.wrong.has_value(); };
+    for (const double value : {none, infinite}) {
+        CHECK(found(with_changed<event::Depth>(neighbours(), Method::warnock,
+                                               [&](event::Depth& e) { return e.point.x = value, true; })));
+        CHECK(found(with_changed<event::Depth>(neighbours(), Method::warnock,
+                                               [&](event::Depth& e) { return e.z = value, true; })));
+        CHECK(found(with_changed<event::PointColor>(neighbours(), Method::warnock,
+                                                    [&](event::PointColor& e) { return e.point.y = value, true; })));
+        CHECK(found(with_changed<event::AelAdd>(neighbours(), Method::zbuffer,
+                                                [&](event::AelAdd& e) { return e.x = value, true; })));
+        CHECK(found(with_changed<event::ShownLine>(neighbours(), Method::zbuffer,
+                                                   [&](event::ShownLine& e) { return e.from.x = value, true; })));
+        // Nothing is claimed of a point that is none, and nothing fails.
+        with_changed<event::Orient>(neighbours(), Method::warnock,
+                                    [&](event::Orient& e) { return e.point.x = value, true; });
+        with_changed<event::Surround>(neighbours(), Method::warnock,
+                                      [&](event::Surround& e) { return e.point.x = value, true; });
+    }
+}
+
 TEST_CASE("Judging: the library's own usual mistakes are found, and named") {
     for (const EditionChoice& choice : edition_choices) {
         const auto edition = Edition(&choice - edition_choices.data());

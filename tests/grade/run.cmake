@@ -71,6 +71,26 @@ must_end(endless_output "")  # too long or too much, as fast as the disk is
 must_end(endless_printing "wrote more than 64 MiB")
 must_end(endless_memory "asked for more than 512 MiB of memory")
 
+# What cannot be graded is refused in a line.
+function(must_refuse reason)
+    execute_process(COMMAND ${VIDNO} grade ${ARGN} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status
+                    ERROR_VARIABLE report OUTPUT_QUIET)
+    must_say("${ARGN}" 2 "${reason}")
+endfunction()
+find_program(TRUE_PROGRAM true REQUIRED)
+must_refuse("no trace was written: " ${TRUE_PROGRAM})
+must_refuse("No such file or directory" ./nothing)
+must_refuse("report.pdf: not .html" ./warnock -o report.pdf)
+execute_process(COMMAND ${VIDNO} trace ${student}/../05-polygon-clip/scene.json --kernel exact -o exact.jsonl
+                WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
+must_refuse("only float and double are judged" exact.jsonl)
+
+# A trace that is there already.
+execute_process(COMMAND ./surround_kept WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${VIDNO} grade surround_kept.jsonl WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status
+                OUTPUT_VARIABLE report)
+must_say(surround_kept.jsonl 1 "It behaves like a usual mistake, surround-kept: ")
+
 # Procedures of one's own in a run of vidno's.
 set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
 set(language -std=c++20 -ffp-contract=off -I${root}/lib -I${root}/trace)

@@ -36,6 +36,7 @@ void print_line(const SceneGrade& grade, const Limits& limits) {
         return line("wrong", place_of(*grade.judgement->wrong) + (ended.empty() ? "" : "; ") + ended);
     }
     if (!ended.empty()) return line("wrong", ended);
+    if (!grade.run.unreadable.empty()) return line("wrong", grade.run.unreadable);
     if (!grade.run.complete) return line("wrong", "the trace is cut short");
     line("right", "");
 }
@@ -155,6 +156,14 @@ std::vector<SceneGrade> grades_of(const GradeOptions& options, const Limits& lim
     return grades;
 }
 
+/// A program that never tells anything that can be judged is none to be graded.
+void expect_judged(const std::vector<SceneGrade>& grades, const std::string& program) {
+    const auto is_mute = [](const SceneGrade& grade) {
+        return !grade.judgement && grade.run.ended.ending == Ending::done;
+    };
+    if (std::all_of(grades.begin(), grades.end(), is_mute)) throw Refused(program + ": " + grades.front().not_judged);
+}
+
 /// Of the failures that say what is wrong the first; else the first of all.
 const SceneGrade& telling(const std::vector<SceneGrade>& grades) {
     const auto tells = [](const SceneGrade& grade) { return grade.judgement && grade.judgement->wrong; };
@@ -173,6 +182,7 @@ int grade(const GradeOptions& options) {
     Limits limits;
     limits.time = std::chrono::seconds(options.seconds);
     const std::vector<SceneGrade> grades = grades_of(options, limits);
+    expect_judged(grades, options.program);
     for (const auto& each : grades) print_line(each, limits);
     print_differences(grades);
     const auto wrong = std::count_if(grades.begin(), grades.end(), [](const auto& each) { return !each.right(); });

@@ -9,15 +9,14 @@ namespace {
 /// Why a run gives nothing to judge; empty if it does.
 std::string nothing_to_judge(const StudentRun& run, const Scene& scene) {
     if (run.trace.empty()) {
-        return "it wrote no trace: a program to be graded draws scene_to_draw(...) and tells a WarnockTrace or "
-               "ZBufferTrace";
+        return "no trace was written: draw scene_to_draw(...), and tell a WarnockTrace or ZBufferTrace what you do";
     }
     if (!run.header) return run.unreadable;
     if (run.header->kernel != "float" && run.header->kernel != "double") {
         return "a trace of the kernel " + run.header->kernel + ": only float and double are judged";
     }
     if (!same_scene(run.header->scene, scene)) {
-        return "it drew another scene than it was given: draw scene_to_draw(...)";
+        return "another scene was drawn than the one that was given: draw scene_to_draw(...)";
     }
     return "";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "json_text.h"
@@ -244,15 +245,17 @@ const Scene& SceneTruth::scene() const { return exactly_->scene; }
 bool SceneTruth::has_inside(int polygon) const { return exactly_->at(polygon).has_inside; }
 
 SceneTruth::Place SceneTruth::place(int polygon, double x, double y) const {
+    if (!std::isfinite(x + y)) return Place::outside;
     return exactly_->place(exactly_->at(polygon), {x, y}, exactly_->slack);
 }
 
 double SceneTruth::depth(int polygon, double x, double y) const {
+    if (!std::isfinite(x + y)) return std::numeric_limits<double>::quiet_NaN();
     return CGAL::to_double(exactly_->at(polygon).depth({x, y}));
 }
 
 bool SceneTruth::is_depth(int polygon, double x, double y, double z) const {
-    if (!std::isfinite(z)) return false;
+    if (!std::isfinite(x + y + z)) return false;
     const ExactPolygon& own = exactly_->at(polygon);
     // Off the area a window's corner may be farther away than any coordinate.
     const double far = std::max({1.0, std::abs(x) / exactly_->largest, std::abs(y) / exactly_->largest});
@@ -291,6 +294,7 @@ double SceneTruth::farthest(int polygon) const {
 }
 
 int SceneTruth::side(int polygon, int edge, double x, double y) const {
+    if (!std::isfinite(x + y)) return 0;
     const auto& vertices = scene().polygons[std::size_t(polygon)].vertices;
     const auto& from = vertices[std::size_t(edge)];
     const auto& to = vertices[std::size_t(edge + 1) % vertices.size()];
@@ -301,7 +305,7 @@ std::optional<SceneTruth::Crossing> SceneTruth::crossing(int polygon, int edge, 
     const auto& vertices = scene().polygons[std::size_t(polygon)].vertices;
     const auto& from = vertices[std::size_t(edge)];
     const auto& to = vertices[std::size_t(edge + 1) % vertices.size()];
-    if (from.y == to.y) return std::nullopt;
+    if (from.y == to.y || !std::isfinite(y)) return std::nullopt;
     const Rational x = Rational(from.x) + (Rational(y) - Rational(from.y)) * (Rational(to.x) - Rational(from.x)) /
                                               (Rational(to.y) - Rational(from.y));
     const ExactPolygon& own = exactly_->at(polygon);

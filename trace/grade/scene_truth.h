@@ -47,7 +47,7 @@ public:
     /// Whether the polygon can show at all: it is not edge-on.
     bool has_inside(int polygon) const;
     Place place(int polygon, double x, double y) const;
-    /// As a double, for messages; of a polygon that has an inside, as for all that follows.
+    /// As a double, for messages, not a number where the point is none; of a polygon that has an inside, as for all that follows.
     double depth(int polygon, double x, double y) const;
     bool is_depth(int polygon, double x, double y, double z) const;
     /// 1 if the first is nearer at the point, -1 if the other, 0 if they are equally near.

@@ -52,8 +52,9 @@ void WarnockJudge::judge_shown(int column, int row, Color color) {
 }
 
 void WarnockJudge::judge_in_window(int column, int row, const std::string& told) const {
-    const bool is_in = column >= std::floor(window_.x) && column < std::ceil(window_.right()) &&
-                       row >= std::floor(window_.y) && row < std::ceil(window_.bottom());
+    const bool is_in = scene().area.contains(column, row) && column >= std::floor(window_.x) &&
+                       column < std::ceil(window_.right()) && row >= std::floor(window_.y) &&
+                       row < std::ceil(window_.bottom());
     if (!is_in) throw False{Symptom::off_window, told, pixel_in_words(column, row) + " is not in " + in_words(window_)};
 }
 

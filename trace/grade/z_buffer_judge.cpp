@@ -134,9 +134,11 @@ void ZBufferJudge::judge(const event::ShownLine& e) const {
 }
 
 void ZBufferJudge::judge_covered(int column, int row) const {
-    if (!polygon_ || truth().place(*polygon_, column + 0.5, row + 0.5) != SceneTruth::Place::outside) return;
+    const bool in_area = scene().area.contains(column, row);
+    if (!polygon_ || (in_area && truth().place(*polygon_, column + 0.5, row + 0.5) != SceneTruth::Place::outside))
+        return;
     throw False{Symptom::off_polygon, id(*polygon_) + " is drawn at " + pixel_in_words(column, row),
-                "its centre lies outside of " + id(*polygon_)};
+                in_area ? "its centre lies outside of " + id(*polygon_) : "that is not in the area"};
 }
 
 /// The polygon in hand takes a pixel: nothing that is nearer may be there.
