@@ -80,7 +80,6 @@ TEST_CASE("The truth of a scene: the part of a polygon in a window, in any order
     const Scene scene = SceneBuilder({0, 0, 8, 8}).quad(-2, 1, 3, 5, .5).build();
     const SceneTruth truth(scene, Precision::twice);
     const Window window{0, 0, 4, 4};  // the part is (0, 1) to (3, 4), of area 9
-    using Corners = std::vector<glm::dvec3>;
     const Corners part{{0, 1, .5}, {3, 1, .5}, {3, 4, .5}, {0, 4, .5}};
     CHECK_FALSE(truth.no_part(0, window, part));
     CHECK_FALSE(truth.no_part(0, window, {part.rbegin(), part.rend()}));

@@ -152,7 +152,7 @@ Ended run_contained(const std::filesystem::path& program, const std::filesystem:
     if (access(file.c_str(), X_OK) != 0) throw Refused(program.string() + ": " + system_reason());
     std::vector<std::string> variables;
     for (char** each = environ; *each; ++each) variables.emplace_back(*each);
-    for (const auto& [name, value] : environment) variables.push_back(name + '=' + value);
+    for (const auto& [name, value] : environment) variables.emplace_back(name).append("=").append(value);
     std::vector<char*> words;
     for (auto& each : variables) words.push_back(each.data());
     words.push_back(nullptr);

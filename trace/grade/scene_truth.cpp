@@ -276,11 +276,11 @@ bool SceneTruth::nearly_equal(double z, double other) const {
 }
 
 bool SceneTruth::is_plane(int polygon, const std::array<double, 4>& plane) const {
-    const auto [a, b, c, d] = plane;
-    if (!std::isfinite(a + b + c + d) || c == 0) return false;
+    if (!std::isfinite(plane[0] + plane[1] + plane[2] + plane[3]) || plane[2] == 0) return false;
+    const Rational a(plane[0]), b(plane[1]), c(plane[2]), d(plane[3]);
     const ExactPolygon& own = exactly_->at(polygon);
     const auto holds = [&](const Point2& p) {
-        const Rational z = -(Rational(a) * p.x + Rational(b) * p.y + Rational(d)) / Rational(c);
+        const Rational z = -(a * p.x + b * p.y + d) / c;
         return magnitude(z - own.depth(p)) <= Rational(own.depth_slack);
     };
     return std::all_of(own.outline.begin(), own.outline.end(), holds);
