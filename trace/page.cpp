@@ -82,17 +82,21 @@ void fill_block(std::string& page, std::string_view id, const std::string& json)
 std::string address_of(const std::string& name) {
     const auto page = place_of(name);
     if (!std::filesystem::exists(page)) return "null";
+    return '"' + file_address(std::filesystem::canonical(page)) + '"';
+}
+
+}  // namespace
+
+std::string file_address(const std::filesystem::path& path) {
     constexpr std::string_view unreserved = "-._~/", digits = "0123456789ABCDEF";
-    std::string address = "\"file://";
-    for (const char c : std::filesystem::canonical(page).string()) {
+    std::string address = "file://";
+    for (const char c : path.string()) {
         const auto byte = static_cast<unsigned char>(c);
         const bool stays = (byte < 0x80 && std::isalnum(byte) != 0) || unreserved.find(c) != unreserved.npos;
         address += stays ? std::string(1, c) : std::string{'%', digits[byte >> 4], digits[byte & 15]};
     }
-    return address + '"';
+    return address;
 }
-
-}  // namespace
 
 void PageContent::add(const PageFile& file) {
     // The number keeps files of the same name in different folders apart.

@@ -1,6 +1,7 @@
 /// Page: the built pages that come with the program.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -28,6 +29,9 @@ struct PageContent {
 /// The page that shows traces, with this content instead of its lessons, or, if there is none, with the lessons. Throws
 /// Refused if no page was built, or if it cannot run a scene.
 std::string trace_page(const PageContent& content);
+
+/// The address under which a browser opens a file of this machine. The path is absolute.
+std::string file_address(const std::filesystem::path& path);
 
 /// The page that shows a chart, with the chart in it and, if it was built, the address of the page that replays its runs.
 /// Throws Refused if no page was built.

@@ -48,7 +48,47 @@ struct Scene {
     std::vector<Polygon> polygons;
 };
 
-/// How much of what the program tells goes into the file.
+/// What `vidno grade` has set for the program that it runs: nothing if a person runs it.
+inline std::string told_by_grade(const char* variable) {
+    const char* const value = std::getenv(variable);
+    return value ? value : "";
+}
+
+/// The scene that `vidno grade` wants drawn; without it, your own. Its text: name; x, y, width and height of the area; the
+/// background; how many polygons; of each the id, the colour, how many vertices and these. Names have a line of their own.
+inline Scene scene_to_draw(const Scene& own) {
+    const std::string file = told_by_grade("VIDNO_SCENE");
+    if (file.empty()) return own;
+    std::ifstream text(file, std::ios::binary);
+    const auto name = [&text] {
+        std::string line;
+        std::getline(text >> std::ws, line);
+        return line.substr(line.empty() ? 0 : 1);  // after a mark that keeps its spaces
+    };
+    const auto color = [&text] {
+        Color read{};
+        text >> read.red >> read.green >> read.blue;
+        return read;
+    };
+    Scene scene{};
+    scene.name = name();
+    text >> scene.area.x >> scene.area.y >> scene.area.width >> scene.area.height;
+    scene.background = color();
+    std::size_t polygons = 0;
+    text >> polygons;
+    while (text && scene.polygons.size() < polygons) {
+        Polygon polygon{name(), color(), {}};
+        std::size_t vertices = 0;
+        text >> vertices;
+        for (Vertex v{}; polygon.vertices.size() < vertices && text >> v.x >> v.y >> v.z;)
+            polygon.vertices.push_back(v);
+        scene.polygons.push_back(polygon);
+    }
+    if (!text) std::cerr << "vidno: the scene " << file << " cannot be read\n";
+    return scene;
+}
+
+/// How much of what the program tells goes into the file; all, if `vidno grade` reads it.
 enum class Detail { windows, polygons, signs };
 
 /// The type of the program's numbers: double or float.
@@ -152,15 +192,19 @@ protected:
         std::string text;
     };
 
-    Trace(const std::string& file, const char* name, const Scene& scene, Detail detail, Precision precision)
-        : scene_(scene), detail_(detail), file_(file, std::ios::binary) {
+    Trace(const std::string& own_file, const char* name, const Scene& scene, Detail detail, Precision precision)
+        : scene_(scene),
+          graded_file_(told_by_grade("VIDNO_TRACE")),
+          detail_(graded_file_.empty() ? detail : Detail::signs) {
+        const std::string file = graded_file_.empty() ? own_file : graded_file_;
+        file_.open(file, std::ios::binary);
         begin("open");
         if (!file_) complain("the file " + file + " cannot be written");
         if (area().width < 1 || area().height < 1) complain("the area has no pixels");
         const char* const details[] = {"windows", "polygons", "signs"};
         const char* const kernel = precision == Precision::double_precision ? "double" : "float";
         put(object("format", "vidno-trace/1", "method", name, "edition", "corrected", "kernel", kernel, "detail",
-                   details[int(detail)], "scene", scene_json()));
+                   details[int(detail_)], "scene", scene_json()));
         clear_picture();
     }
 
@@ -222,7 +266,11 @@ protected:
     template <class... Fields>
     void tell(Detail from, const char* event, const char* at, const Fields&... fields) {
         if (closed_ || from > detail_) return;
-        put(object("e", event, "at", at, fields...));
+        tell_line(object("e", event, "at", at, fields...));
+    }
+    /// An event that is a line already.
+    void tell_line(const std::string& line) {
+        put(line);
         ++events_;
     }
 
@@ -331,6 +379,7 @@ private:
     }
 
     Scene scene_;
+    std::string graded_file_;
     Detail detail_;
     std::ofstream file_;
     std::vector<Color> picture_;  // rows from the top

@@ -62,7 +62,8 @@ int first_centre(double v) { return int(std::ceil(v - 0.5)); }
 class Warnock {
 public:
     Warnock(const Scene& scene, WarnockTrace& trace) : scene_(scene), trace_(trace) {
-        Window whole{double(scene.area.x), double(scene.area.y), double(scene.area.width), {}};  // 2^m pixels a side
+        Window whole{double(scene.area.x), double(scene.area.y), 1, {}};
+        while (whole.size < scene.area.width || whole.size < scene.area.height) whole.size *= 2;
         for (int i = 0; i < int(scene.polygons.size()); ++i) {
             const auto& vertices = vertices_of(i);
             planes_.push_back(plane_through(vertices[0], vertices[1], vertices[2]));
@@ -83,6 +84,11 @@ private:
     Color color_of(int polygon) const { return scene_.polygons[std::size_t(polygon)].color; }
 
     void push(const Window& window) {
+        const Area& area = scene_.area;
+        if (window.x >= area.x + area.width || window.y >= area.y + area.height) {
+            trace_.skip(window.x, window.y, window.size, window.size);
+            return;
+        }
         windows_.push_back(window);
         trace_.push(window.x, window.y, window.size, window.size);
     }
@@ -256,13 +262,16 @@ private:
                 left = std::min(left, x);
                 right = std::max(right, x);
             }
-            if (left < right) trace_.row(row, left, right, first_centre(left), first_centre(right));
+            const int end = std::min(first_centre(right), area.x + area.width);
+            if (left < right) trace_.row(row, left, right, first_centre(left), end);
         }
         trace_.draw(polygon);
     }
 
     void fill(const Window& window, Color color) {
-        trace_.fill(int(window.x), int(window.y), int(window.size), int(window.size), color);
+        const Area& area = scene_.area;
+        const int x = int(window.x), y = int(window.y), size = int(window.size);
+        trace_.fill(x, y, std::min(size, area.x + area.width - x), std::min(size, area.y + area.height - y), color);
     }
 
     const Scene& scene_;
@@ -272,7 +281,7 @@ private:
 };
 
 int main(int count, char** words) {
-    const Scene scene = example_scene();
+    const Scene scene = scene_to_draw(example_scene());
     WarnockTrace trace("warnock.jsonl", scene, detail_from(count, words));
     Warnock(scene, trace);
 }

@@ -130,7 +130,7 @@ private:
 };
 
 int main(int count, char** words) {
-    const Scene scene = example_scene();
+    const Scene scene = scene_to_draw(example_scene());
     ZBufferTrace trace("z_buffer.jsonl", scene, detail_from(count, words));
     ZBuffer(scene, trace);
 }

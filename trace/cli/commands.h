@@ -90,6 +90,12 @@ struct LessonOptions {
     std::uint64_t step = 0;
 };
 
+struct GradeOptions {
+    std::string program, output;      // or a trace; the output may be empty
+    std::vector<std::string> scenes;  // none: those of the program
+    int seconds = 10;
+};
+
 struct MeshOptions {
     std::string mesh, output;
     ImportOptions import;
@@ -163,6 +169,7 @@ int lesson_new(const LessonOptions& options);
 int lesson_pin(const LessonOptions& options);
 int lesson_check(const LessonOptions& options);
 int lesson_build(const LessonOptions& options);
+int grade(const GradeOptions& options);
 int import(const MeshOptions& options);
 int stability(const StabilityOptions& options);
 int methods();

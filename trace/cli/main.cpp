@@ -206,6 +206,29 @@ CLI::App& add_lesson(CLI::App& app, LessonOptions& options, int& status) {
     return command;
 }
 
+CLI::App& add_grade(CLI::App& app, GradeOptions& options) {
+    auto& command =
+        *app.add_subcommand("grade", "Judge a student's program, or its trace, by the meaning of each step");
+    command
+        .add_option(
+            "PROGRAM|TRACE", options.program,
+            "A program that writes a trace by lessons/student/vidno_student.h, or such a trace (.jsonl, .jsonl.gz)")
+        ->required();
+    command.add_option("--scenes", options.scenes, "Scene files to run it on; without them, on a set of small ones");
+    command.add_option("--seconds", options.seconds, "How long a run may take")
+        ->check(CLI::Range(1, 3600))
+        ->capture_default_str();
+    command.add_option("-o", options.output,
+                       "A page, .html, with the wrong run on the smallest scene beside the right one");
+    command.footer(
+        "Another order, another rule for outlines, recursion and float are as right. The program is run with limits "
+        "of\n"
+        "time, memory and output, which guard against mistakes, not against malice.\n"
+        "Example: vidno grade ./warnock -o report.html\n"
+        "Exit status 1: something is wrong.");
+    return command;
+}
+
 CLI::App& add_import(CLI::App& app, MeshOptions& options) {
     auto& command = *app.add_subcommand("import", "Make a scene from a mesh seen by a camera");
     command.add_option("MESH", options.mesh, "A mesh: .obj, .off, .ply or .stl")->required();
@@ -311,6 +334,7 @@ int main(int argc, char** argv) {
     DiffOptions compared;
     PageOptions paged;
     LessonOptions lesson;
+    GradeOptions graded;
     MeshOptions mesh;
     StabilityOptions campaign;
     int status = 0;
@@ -327,6 +351,7 @@ int main(int argc, char** argv) {
     add_diff(app, compared).callback([&] { status = diff(compared); });
     add_page(app, paged).callback([&] { status = page(paged); });
     auto& lessons = add_lesson(app, lesson, status);
+    add_grade(app, graded).callback([&] { status = grade(graded); });
     add_import(app, mesh).callback([&] { status = import(mesh); });
     add_stability(app, campaign).callback([&] { status = stability(campaign); });
     app.add_subcommand("methods", "What there is: methods, kernels, editions, levels")->callback([&] {

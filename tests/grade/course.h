@@ -1,0 +1,121 @@
+// What the students of this test have from the course's web page: geometry, and the rows of a convex outline.
+#ifndef COURSE_H
+#define COURSE_H
+
+#include "example.h"
+
+using namespace vidno::student;
+
+const double farthest = -2;  // behind all that is visible
+
+struct Point {
+    double x, y;
+};
+
+struct Plane {
+    double a, b, c, d;
+};
+
+struct Box {
+    double left, top, right, bottom;
+};
+
+/// (a - o) x (b - o)
+inline double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
+
+inline Plane plane_of(const Polygon& polygon) {
+    const Vertex &p = polygon.vertices[0], &q = polygon.vertices[1], &r = polygon.vertices[2];
+    const Vertex u{q.x - p.x, q.y - p.y, q.z - p.z}, v{r.x - p.x, r.y - p.y, r.z - p.z};
+    const double a = u.y * v.z - u.z * v.y, b = u.z * v.x - u.x * v.z, c = u.x * v.y - u.y * v.x;
+    return {a, b, c, -(a * p.x + b * p.y + c * p.z)};
+}
+
+inline double depth(const Polygon& polygon, Point at) {
+    const Plane plane = plane_of(polygon);
+    return -(plane.a * at.x + plane.b * at.y + plane.d) / plane.c;
+}
+
+inline bool is_edge_on(const Polygon& polygon) { return plane_of(polygon).c == 0; }
+
+inline Box box_of(const Polygon& polygon) {
+    const Vertex& first = polygon.vertices[0];
+    Box box{first.x, first.y, first.x, first.y};
+    for (const Vertex& v : polygon.vertices) {
+        box = {std::min(box.left, v.x), std::min(box.top, v.y), std::max(box.right, v.x), std::max(box.bottom, v.y)};
+    }
+    return box;
+}
+
+/// Outline included.
+inline bool holds(const Polygon& polygon, Point point) {
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+        const Vertex &p = polygon.vertices[i], &q = polygon.vertices[(i + 1) % polygon.vertices.size()];
+        const double side = cross({p.x, p.y}, {q.x, q.y}, point);
+        left = left || side > 0;
+        right = right || side < 0;
+    }
+    return left != right;
+}
+
+/// Where the outline meets the line y, from the left; false if it does not.
+inline bool ends_on(const std::vector<Vertex>& vertices, double y, double& left, double& right) {
+    bool any = false;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vertex &p = vertices[i], &q = vertices[(i + 1) % vertices.size()];
+        if ((p.y <= y) == (q.y <= y)) continue;
+        const double x = p.x + (y - p.y) * (q.x - p.x) / (q.y - p.y);
+        left = any ? std::min(left, x) : x;
+        right = any ? std::max(right, x) : x;
+        any = true;
+    }
+    return any;
+}
+
+/// The first column whose centre lies at x or after it, in the area or just behind.
+inline int first_centre(double x, const Area& area) {
+    return int(std::max<double>(area.x, std::min<double>(area.x + area.width, std::ceil(x - 0.5))));
+}
+
+/// FillPolygon with its events.
+inline void fill_polygon(WarnockTrace& trace, const Scene& scene, int polygon, const std::vector<Vertex>& vertices) {
+    const Area& area = scene.area;
+    for (int row = area.y; row < area.y + area.height; ++row) {
+        double left = 0, right = 0;
+        if (!ends_on(vertices, row + 0.5, left, right)) continue;
+        trace.row(row, left, right, first_centre(left, area), first_centre(right, area));
+    }
+    trace.draw(polygon);
+}
+
+/// The side of the least square of 2^m pixels a side that covers the area.
+inline double covering_side(const Area& area) {
+    double side = 1;
+    while (side < area.width || side < area.height) side *= 2;
+    return side;
+}
+
+/// A square window's pixels in the area take a colour.
+inline void fill_square(WarnockTrace& trace, const Scene& scene, double x, double y, double side, Color color) {
+    const Area& area = scene.area;
+    const int left = int(x), top = int(y), size = int(side);
+    trace.fill(left, top, std::min(size, area.x + area.width - left), std::min(size, area.y + area.height - top),
+               color);
+}
+
+/// The half of a polygon that lies on the inner side of from -> to: where `cross` is not positive.
+inline std::vector<Vertex> clipped_by(const std::vector<Vertex>& vertices, Point from, Point to) {
+    std::vector<Vertex> kept;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vertex &p = vertices[i], &q = vertices[(i + 1) % vertices.size()];
+        const double cp = cross(from, to, {p.x, p.y}), cq = cross(from, to, {q.x, q.y});
+        if (cp <= 0) kept.push_back(p);
+        if ((cp < 0 && cq > 0) || (cp > 0 && cq < 0)) {
+            const double t = cp / (cp - cq);
+            kept.push_back({p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t, p.z + (q.z - p.z) * t});
+        }
+    }
+    return kept;
+}
+
+#endif

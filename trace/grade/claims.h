@@ -1,0 +1,66 @@
+/// Claims: what the judges of both methods share.
+#pragma once
+
+#include "grade/judge.h"
+#include "state.h"
+
+namespace vidno::grading {
+
+/// Thrown by a judge; the step and the line are filled in by who has them.
+struct False {
+    Symptom symptom;
+    std::string told, right;
+    std::optional<std::uint64_t> step{};  // if it is another one than that of the event in hand
+};
+
+class Claims {
+public:
+    Claims(const SceneTruth& truth, const State& state, std::set<Difference>& differences)
+        : truth_(truth), state_(state), differences_(differences) {}
+
+protected:
+    const SceneTruth& truth() const { return truth_; }
+    const Scene& scene() const { return truth_.scene(); }
+    const State& state() const { return state_; }  // before the event is taken
+    void note(Difference difference) { differences_.insert(difference); }
+
+    const std::string& id(int polygon) const { return scene().polygons[std::size_t(polygon)].id; }
+    /// "the background", "A", "A or B" of the same colour.
+    std::string owner_of(Color color) const;
+
+    /// I1
+    void judge_plane(const event::Plane& e) const;
+    /// D1, and what comes to the same: z of a polygon at a point.
+    void judge_depth(int polygon, double x, double y, double z) const;
+    /// A depth behind which nothing may be.
+    void judge_start(double z, const std::string& what) const;
+    /// That a pixel shows a colour.
+    void judge_pixel(int column, int row, Color color);
+    /// Which of two depths is nearer, as they were computed.
+    void judge_comparison(double z, double against, bool nearer);
+
+    /// Why a pixel does not show a colour.
+    std::string why_not(int column, int row, Color color) const;
+
+private:
+    bool is_hole(int column, int row, Color color) const;
+
+    const SceneTruth& truth_;
+    const State& state_;
+    std::set<Difference>& differences_;
+};
+
+inline std::string in_words(const PixelRectangle& r) {
+    return "(" + std::to_string(r.x) + ", " + std::to_string(r.y) + ") of " + std::to_string(r.width) + " x " +
+           std::to_string(r.height);
+}
+
+inline std::string point_in_words(double x, double y) {
+    return "(" + vidno::in_words(x) + ", " + vidno::in_words(y) + ")";
+}
+
+inline std::string pixel_in_words(int column, int row) {
+    return "pixel (" + std::to_string(column) + ", " + std::to_string(row) + ")";
+}
+
+}  // namespace vidno::grading

@@ -1,0 +1,122 @@
+#include "grade/mistakes.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "run.h"
+
+namespace vidno {
+
+namespace {
+
+bool paints_right(const Observation& observed) {
+    const SceneTruth truth(observed.header->scene, Precision::single);
+    const Area& area = observed.header->scene.area;
+    for (int row = area.y; row < area.bottom(); ++row) {
+        for (int column = area.x; column < area.right(); ++column) {
+            if (!truth.allows(column, row, observed.judgement->picture.at(column, row))) return false;
+        }
+    }
+    return true;
+}
+
+bool paints_as(const Observation& observed, Edition edition) {
+    const TraceHeader& header = *observed.header;
+    const NamedKernel kernel = *kernel_named("double");
+    return kernel.choice->runs(header.method, edition) &&
+           run({header.method, kernel, edition, header.scene}) == observed.judgement->picture;
+}
+
+/// The mistake that is counted most often, if that is on two scenes of three.
+std::optional<Edition> most_frequent(std::size_t scenes, auto&& count) {
+    std::optional<Edition> best;
+    std::ptrdiff_t most = 0;
+    for (std::size_t i = 0; i < edition_choices.size(); ++i) {
+        const auto edition = Edition(i);
+        if (!is_mistake(edition)) continue;
+        const std::ptrdiff_t counted = count(edition);
+        if (counted <= most || 3 * std::size_t(counted) < 2 * scenes) continue;
+        most = counted;
+        best = edition;
+    }
+    return best;
+}
+
+/// By the pictures that are wrong.
+std::optional<Edition> by_pictures(const std::vector<Observation>& observed) {
+    std::vector<const Observation*> wrong;
+    for (const auto& each : observed) {
+        if (each.complete && each.judgement->wrong && !paints_right(each)) wrong.push_back(&each);
+    }
+    return most_frequent(wrong.size(), [&](Edition mistake) {
+        return std::count_if(wrong.begin(), wrong.end(), [&](const auto* each) { return paints_as(*each, mistake); });
+    });
+}
+
+std::optional<Edition> mistake_of(Symptom symptom) {
+    switch (symptom) {
+        case Symptom::overlooked: return Edition::one_list;
+        case Symptom::start: return Edition::depths_not_cleared;
+        case Symptom::clipped_away:
+        case Symptom::clipped_inside: return Edition::clip_order_reversed;
+        case Symptom::off_window: return Edition::y_flipped;
+        case Symptom::comparison: return Edition::depth_sign_reversed;
+        case Symptom::hole: return Edition::boundary_outside;
+        case Symptom::parts_missing: return Edition::integer_division;
+        case Symptom::surrounded: return Edition::surround_kept;
+        default: return std::nullopt;
+    }
+}
+
+/// By the kinds of steps that are wrong.
+std::optional<Edition> by_steps(const std::vector<Observation>& observed) {
+    std::vector<Symptom> symptoms;
+    for (const auto& each : observed) {
+        if (each.judgement->wrong) symptoms.push_back(each.judgement->wrong->symptom);
+    }
+    return most_frequent(symptoms.size(), [&](Edition mistake) {
+        return std::count_if(symptoms.begin(), symptoms.end(),
+                             [&](Symptom each) { return mistake_of(each) == mistake; });
+    });
+}
+
+}  // namespace
+
+std::string_view advice_on(Edition mistake) {
+    switch (mistake) {
+        case Edition::one_list:
+            return "one APL is shared by all parts of a window: what leaves it in one part is gone in the others. Give "
+                   "each "
+                   "part a copy";
+        case Edition::depths_not_cleared:
+            return "the depths are not cleared: they start at 0, and what lies behind that never shows. Start below "
+                   "all depths";
+        case Edition::clip_order_reversed:
+            return "the sides of the window are gone round the other way when clipping, so that inside and outside are "
+                   "exchanged. Turn the order of its corners or the sign round";
+        case Edition::y_flipped: return "the picture is upside down: y grows downward, row 0 is the uppermost";
+        case Edition::depth_sign_reversed: return "the sign of z is reversed: the greater z is the nearer";
+        case Edition::boundary_outside:
+            return "points on an outline count as outside of both polygons that share it: pixels there belong to "
+                   "nobody. Let a "
+                   "product of 0 count as inside, or give such points to one of the two";
+        case Edition::integer_division:
+            return "a window is halved in whole numbers: of an odd number of pixels one is lost. Begin with a square "
+                   "of 2^m "
+                   "pixels a side that covers the area";
+        case Edition::surround_kept:
+            return "hasSurround is never reset: a polygon that lies before the surrounding one in a part of the window "
+                   "is "
+                   "overlooked. Set it to false wherever a nearer polygon is found";
+        case Edition::corrected:
+        case Edition::printed: break;
+    }
+    return "";
+}
+
+std::optional<Edition> usual_mistake(const std::vector<Observation>& observed) {
+    const auto mistake = by_pictures(observed);
+    return mistake ? mistake : by_steps(observed);
+}
+
+}  // namespace vidno

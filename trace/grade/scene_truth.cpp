@@ -1,0 +1,409 @@
+#include "grade/scene_truth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "json_text.h"
+#include "vidno/kernels/exact.h"
+
+namespace vidno {
+
+namespace {
+
+struct Point2 {
+    Rational x, y;
+};
+
+using Outline2 = std::vector<Point2>;
+
+Rational cross(const Point2& o, const Point2& a, const Point2& b) {
+    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
+
+Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
+
+/// Twice the area, positive if gone round as x to y.
+Rational twice_area(const Outline2& outline) {
+    Rational sum(0);
+    for (std::size_t i = 2; i < outline.size(); ++i) sum += cross(outline[0], outline[i - 1], outline[i]);
+    return sum;
+}
+
+struct ExactPolygon {
+    Outline2 outline;        // without edges of no length; area positive
+    Rational zx, zy, z0;     // z = zx x + zy y + z0
+    double depth_slack = 0;  // what rounding may do to a depth
+    bool has_inside = false;
+
+    Rational depth(const Point2& p) const { return zx * p.x + zy * p.y + z0; }
+};
+
+/// By Newell's sum about the first vertex, as the procedures have it.
+void set_plane(ExactPolygon& polygon, const std::vector<glm::dvec3>& vertices, double extent, double slack) {
+    const glm::dvec3& o = vertices[0];
+    Rational a(0), b(0), c(0);
+    const auto from_first = [&](const glm::dvec3& v) {
+        return std::array<Rational, 3>{Rational(v.x) - Rational(o.x), Rational(v.y) - Rational(o.y),
+                                       Rational(v.z) - Rational(o.z)};
+    };
+    for (std::size_t i = 2; i < vertices.size(); ++i) {
+        const auto u = from_first(vertices[i - 1]), v = from_first(vertices[i]);
+        a += u[1] * v[2] - u[2] * v[1];
+        b += u[2] * v[0] - u[0] * v[2];
+        c += u[0] * v[1] - u[1] * v[0];
+    }
+    polygon.zx = -a / c;
+    polygon.zy = -b / c;
+    polygon.z0 = Rational(o.z) - polygon.zx * Rational(o.x) - polygon.zy * Rational(o.y);
+    // A thin polygon's plane is known so much worse from its vertices.
+    const double thinness = std::max(1.0, extent * extent / std::abs(CGAL::to_double(c)));
+    polygon.depth_slack =
+        slack * thinness * (1 + std::abs(CGAL::to_double(polygon.zx)) + std::abs(CGAL::to_double(polygon.zy)));
+}
+
+/// What is left of an outline on the side of a line where `along` times (coordinate - at) is not negative.
+Outline2 half_of(const Outline2& outline, bool by_x, int along, const Rational& at) {
+    const auto beyond = [&](const Point2& p) { return Rational(along * ((by_x ? p.x : p.y) - at)); };
+    Outline2 kept;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Point2 &p = outline[i], &q = outline[(i + 1) % outline.size()];
+        const Rational vp = beyond(p), vq = beyond(q);
+        if (vp >= 0) kept.push_back(p);
+        if ((vp < 0 && vq > 0) || (vp > 0 && vq < 0)) {
+            const Rational t = vp / (vp - vq);
+            kept.push_back({p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t});
+        }
+    }
+    return kept;
+}
+
+Outline2 part_of(const Outline2& outline, const Window& window) {
+    Outline2 part = half_of(outline, true, 1, window.x);
+    part = half_of(part, true, -1, window.right());
+    part = half_of(part, false, 1, window.y);
+    return half_of(part, false, -1, window.bottom());
+}
+
+struct Direction {
+    double x, y;
+};
+
+/// A direction strictly between each two neighbours of those in which anything can change.
+std::vector<Direction> directions_between(const std::vector<Direction>& changes) {
+    std::vector<Direction> all;
+    for (const auto& [x, y] : changes) {
+        const double length = std::hypot(x, y);
+        for (const auto& [u, v] : {Direction{x, y}, {-x, -y}, {y, -x}, {-y, x}})
+            all.push_back({u / length, v / length});
+    }
+    const auto angle = [](const Direction& d) { return std::atan2(d.y, d.x); };
+    std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return angle(a) < angle(b); });
+    std::vector<Direction> between;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto& next = all[(i + 1) % all.size()];
+        if (all[i].x != next.x || all[i].y != next.y) between.push_back({all[i].x + next.x, all[i].y + next.y});
+    }
+    return between;
+}
+
+}  // namespace
+
+struct SceneTruth::Exactly {
+    Scene scene;
+    double largest = 1;  // coordinate
+    double slack = 0;    // what rounding may do to a coordinate
+    std::vector<ExactPolygon> polygons;
+    mutable std::map<std::pair<int, int>, Seen> pixels;  // as they are asked for
+
+    Exactly(const Scene& given, Precision precision) : scene(given) {
+        const Area& area = scene.area;
+        for (const int v : {area.x, area.y, area.right(), area.bottom()})
+            largest = std::max(largest, std::abs(double(v)));
+        for (const auto& polygon : scene.polygons) {
+            for (const auto& v : polygon.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y)});
+        }
+        slack = std::ldexp(largest, 10 - (precision == Precision::single ? 24 : 53));
+        for (const auto& polygon : scene.polygons) polygons.push_back(exact_polygon(polygon));
+    }
+
+    ExactPolygon exact_polygon(const ScenePolygon& source) const {
+        ExactPolygon polygon;
+        const auto& vertices = source.vertices;
+        double extent = 0;
+        for (const auto& v : vertices) {
+            extent = std::max({extent, std::abs(v.x - vertices[0].x), std::abs(v.y - vertices[0].y)});
+            const auto& next = vertices[std::size_t(&v - vertices.data() + 1) % vertices.size()];
+            if (v.x != next.x || v.y != next.y) polygon.outline.push_back({v.x, v.y});
+        }
+        const Rational area = twice_area(polygon.outline);
+        polygon.has_inside = area != 0;
+        if (area < 0) std::reverse(polygon.outline.begin(), polygon.outline.end());
+        if (polygon.has_inside) set_plane(polygon, vertices, extent, slack);
+        return polygon;
+    }
+
+    const ExactPolygon& at(int polygon) const { return polygons[std::size_t(polygon)]; }
+
+    /// The distance of a point from the line of an edge, times the edge's length, in units of what is open.
+    int side_of(const Point2& from, const Point2& to, const Point2& p, double open) const {
+        const Rational value = cross(from, to, p);
+        const Rational length = magnitude(to.x - from.x) + magnitude(to.y - from.y);
+        if (magnitude(value) <= Rational(open) * length) return 0;
+        return value > 0 ? 1 : -1;
+    }
+
+    Place place(const ExactPolygon& polygon, const Point2& p, double open) const {
+        if (!polygon.has_inside) return Place::outside;
+        Place found = Place::inside;
+        for (std::size_t i = 0; i < polygon.outline.size(); ++i) {
+            const int side = side_of(polygon.outline[i], polygon.outline[(i + 1) % polygon.outline.size()], p, open);
+            if (side < 0) return Place::outside;
+            if (side == 0) found = Place::outline;
+        }
+        return found;
+    }
+
+    /// Of polygons that all have the point: which may be taken for the nearest. None of them: the background.
+    std::vector<int> front_of(const std::vector<int>& candidates, const Point2& p) const {
+        if (candidates.empty()) return {Seen::background};
+        const auto farther = [&](int q, int r) { return at(q).depth(p) < at(r).depth(p); };
+        const int nearest = *std::max_element(candidates.begin(), candidates.end(), farther);
+        std::vector<int> front;
+        for (const int q : candidates) {
+            const double open = at(q).depth_slack + at(nearest).depth_slack;
+            if (at(q).depth(p) + Rational(open) >= at(nearest).depth(p)) front.push_back(q);
+        }
+        return front;
+    }
+
+    /// Whether the polygon, with p on its outline, has what lies beside p in that direction.
+    bool goes_on(const ExactPolygon& polygon, const Point2& p, const Direction& direction) const {
+        for (std::size_t i = 0; i < polygon.outline.size(); ++i) {
+            const Point2 &from = polygon.outline[i], &to = polygon.outline[(i + 1) % polygon.outline.size()];
+            if (side_of(from, to, p, slack) != 0) continue;
+            const Rational turn = (to.x - from.x) * Rational(direction.y) - (to.y - from.y) * Rational(direction.x);
+            if (turn <= 0) return false;
+        }
+        return true;
+    }
+
+    std::vector<Direction> changes_at(const Point2& p, const std::vector<int>& on) const {
+        std::vector<Direction> changes;
+        for (const int q : on) {
+            const Outline2& outline = at(q).outline;
+            for (std::size_t i = 0; i < outline.size(); ++i) {
+                const Point2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
+                if (side_of(from, to, p, slack) != 0) continue;
+                changes.push_back({CGAL::to_double(Rational(to.x - from.x)), CGAL::to_double(Rational(to.y - from.y))});
+            }
+        }
+        return changes;
+    }
+
+    Seen see(int column, int row) const {
+        const Point2 p{column + 0.5, row + 0.5};
+        std::vector<int> in, on, closed;
+        Seen seen;
+        for (int q = 0; q < int(polygons.size()); ++q) {
+            const Place where = place(at(q), p, slack);
+            if (where == Place::inside) in.push_back(q);
+            if (where == Place::outline) on.push_back(q);
+            if (place(at(q), p, 0) == Place::outside) continue;
+            closed.push_back(q);
+            if (seen.by_rule == Seen::background || at(q).depth(p) > at(seen.by_rule).depth(p)) seen.by_rule = q;
+        }
+        seen.on_outline = !on.empty();
+        seen.by_none = front_of(in, p).front();
+        const auto allow = [&](const std::vector<int>& candidates) {
+            for (const int q : front_of(candidates, p)) {
+                if (std::find(seen.allowed.begin(), seen.allowed.end(), q) == seen.allowed.end())
+                    seen.allowed.push_back(q);
+            }
+        };
+        allow(closed);
+        if (on.empty()) return seen;
+        for (const auto& direction : directions_between(changes_at(p, on))) {
+            std::vector<int> beside = in;
+            for (const int q : on) {
+                if (goes_on(at(q), p, direction)) beside.push_back(q);
+            }
+            allow(beside);
+        }
+        return seen;
+    }
+};
+
+SceneTruth::SceneTruth(const Scene& scene, Precision precision)
+    : exactly_(std::make_unique<const Exactly>(scene, precision)) {}
+SceneTruth::~SceneTruth() = default;
+
+const Scene& SceneTruth::scene() const { return exactly_->scene; }
+
+bool SceneTruth::has_inside(int polygon) const { return exactly_->at(polygon).has_inside; }
+
+SceneTruth::Place SceneTruth::place(int polygon, double x, double y) const {
+    if (!std::isfinite(x + y)) return Place::outside;
+    return exactly_->place(exactly_->at(polygon), {x, y}, exactly_->slack);
+}
+
+double SceneTruth::depth(int polygon, double x, double y) const {
+    if (!std::isfinite(x + y)) return std::numeric_limits<double>::quiet_NaN();
+    return CGAL::to_double(exactly_->at(polygon).depth({x, y}));
+}
+
+bool SceneTruth::is_depth(int polygon, double x, double y, double z) const {
+    if (!std::isfinite(x + y + z)) return false;
+    const ExactPolygon& own = exactly_->at(polygon);
+    // Off the area a window's corner may be farther away than any coordinate.
+    const double far = std::max({1.0, std::abs(x) / exactly_->largest, std::abs(y) / exactly_->largest});
+    return magnitude(own.depth({x, y}) - Rational(z)) <= Rational(own.depth_slack * far);
+}
+
+int SceneTruth::nearer(int polygon, int than, double x, double y) const {
+    const ExactPolygon &own = exactly_->at(polygon), &other = exactly_->at(than);
+    const Rational before = own.depth({x, y}) - other.depth({x, y});
+    if (magnitude(before) <= Rational(own.depth_slack + other.depth_slack)) return 0;
+    return before > 0 ? 1 : -1;
+}
+
+bool SceneTruth::nearly_equal(double z, double other) const {
+    double open = 0;
+    for (const auto& polygon : exactly_->polygons) open = std::max(open, polygon.depth_slack);
+    return std::abs(z - other) <= 2 * open;
+}
+
+bool SceneTruth::is_plane(int polygon, const std::array<double, 4>& plane) const {
+    if (!std::isfinite(plane[0] + plane[1] + plane[2] + plane[3]) || plane[2] == 0) return false;
+    const Rational a(plane[0]), b(plane[1]), c(plane[2]), d(plane[3]);
+    const ExactPolygon& own = exactly_->at(polygon);
+    const auto holds = [&](const Point2& p) {
+        const Rational z = -(a * p.x + b * p.y + d) / c;
+        return magnitude(z - own.depth(p)) <= Rational(own.depth_slack);
+    };
+    return std::all_of(own.outline.begin(), own.outline.end(), holds);
+}
+
+double SceneTruth::farthest(int polygon) const {
+    const auto& vertices = scene().polygons[std::size_t(polygon)].vertices;
+    double least = vertices[0].z;
+    for (const auto& v : vertices) least = std::min(least, v.z);
+    return least;
+}
+
+int SceneTruth::side(int polygon, int edge, double x, double y) const {
+    if (!std::isfinite(x + y)) return 0;
+    const auto& vertices = scene().polygons[std::size_t(polygon)].vertices;
+    const auto& from = vertices[std::size_t(edge)];
+    const auto& to = vertices[std::size_t(edge + 1) % vertices.size()];
+    return exactly_->side_of({from.x, from.y}, {to.x, to.y}, {x, y}, exactly_->slack);
+}
+
+std::optional<SceneTruth::Crossing> SceneTruth::crossing(int polygon, int edge, double y) const {
+    const auto& vertices = scene().polygons[std::size_t(polygon)].vertices;
+    const auto& from = vertices[std::size_t(edge)];
+    const auto& to = vertices[std::size_t(edge + 1) % vertices.size()];
+    if (from.y == to.y || !std::isfinite(y)) return std::nullopt;
+    const Rational x = Rational(from.x) + (Rational(y) - Rational(from.y)) * (Rational(to.x) - Rational(from.x)) /
+                                              (Rational(to.y) - Rational(from.y));
+    const ExactPolygon& own = exactly_->at(polygon);
+    return Crossing{CGAL::to_double(x), own.has_inside ? CGAL::to_double(own.depth({x, y})) : 0};
+}
+
+std::optional<std::pair<SceneTruth::Crossing, SceneTruth::Crossing>> SceneTruth::ends(int polygon, double y) const {
+    const auto& vertices = scene().polygons[std::size_t(polygon)].vertices;
+    std::optional<std::pair<Crossing, Crossing>> found;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const auto& [y0, y1] = std::minmax(vertices[i].y, vertices[(i + 1) % vertices.size()].y);
+        const auto at = crossing(polygon, int(i), y);
+        if (!at || y < y0 || y > y1) continue;
+        if (!found) found.emplace(*at, *at);
+        if (at->x < found->first.x) found->first = *at;
+        if (at->x > found->second.x) found->second = *at;
+    }
+    return found;
+}
+
+bool SceneTruth::same_coordinate(double v, double w) const {
+    // An edge that is nearly level multiplies what is open by how far it goes in a row.
+    return std::abs(v - w) <= 64 * exactly_->slack;
+}
+
+bool SceneTruth::meets(int polygon, const Window& window) const {
+    const ExactPolygon& own = exactly_->at(polygon);
+    if (!own.has_inside) return false;
+    return twice_area(part_of(own.outline, window)) >
+           Rational(exactly_->slack) * Rational(window.width + window.height);
+}
+
+bool SceneTruth::holds(int polygon, const Window& window) const {
+    for (const double x : {window.x, window.right()}) {
+        for (const double y : {window.y, window.bottom()}) {
+            if (place(polygon, x, y) == Place::outside) return false;
+        }
+    }
+    return true;
+}
+
+std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window,
+                                               const std::vector<glm::dvec3>& vertices) const {
+    const ExactPolygon& own = exactly_->at(polygon);
+    if (!own.has_inside) return std::nullopt;
+    const double open = 64 * exactly_->slack;
+    Outline2 told;
+    for (const auto& v : vertices) {
+        const std::string name = "(" + in_words(v.x) + ", " + in_words(v.y) + ", " + in_words(v.z) + ")";
+        if (!std::isfinite(v.x + v.y + v.z)) return name + " is no point";
+        const bool in_window = v.x >= window.x - open && v.x <= window.right() + open && v.y >= window.y - open &&
+                               v.y <= window.bottom() + open;
+        if (!in_window) return name + " lies outside the window";
+        if (exactly_->place(own, {v.x, v.y}, open) == Place::outside) return name + " lies outside the polygon";
+        if (magnitude(own.depth({v.x, v.y}) - Rational(v.z)) > Rational(64 * own.depth_slack)) {
+            return name + " is not on the polygon's plane: its depth there is " + in_words(depth(polygon, v.x, v.y));
+        }
+        told.push_back({v.x, v.y});
+    }
+    const Rational right = twice_area(part_of(own.outline, window));
+    const Rational area = magnitude(twice_area(told));
+    if (magnitude(right - area) <= Rational(open) * Rational(4 * (window.width + window.height))) return std::nullopt;
+    if (told.empty())
+        return "nothing is left of it, and in the window there is an area of " + in_words(CGAL::to_double(right) / 2);
+    return "its area is " + in_words(CGAL::to_double(area) / 2) + ", that of the part in the window " +
+           in_words(CGAL::to_double(right) / 2);
+}
+
+const Seen& SceneTruth::seen(int column, int row) const {
+    const auto [found, is_new] = exactly_->pixels.try_emplace({column, row});
+    if (is_new) found->second = exactly_->see(column, row);
+    return found->second;
+}
+
+Color SceneTruth::color_of(int polygon) const {
+    return polygon == Seen::background ? scene().background : scene().polygons[std::size_t(polygon)].color;
+}
+
+bool SceneTruth::allows(int column, int row, Color color) const {
+    const auto& allowed = seen(column, row).allowed;
+    return std::any_of(allowed.begin(), allowed.end(), [&](int q) { return color_of(q) == color; });
+}
+
+std::string in_words(double value) {
+    Text text;
+    append_number(text, value);
+    return text.string();
+}
+
+std::string in_words(Color color) {
+    Text text;
+    append_hex(text, color);
+    return text.string();
+}
+
+std::string in_words(const Window& window) {
+    return "the window (" + in_words(window.x) + ", " + in_words(window.y) + ") of " + in_words(window.width) + " x " +
+           in_words(window.height);
+}
+
+}  // namespace vidno

@@ -1,0 +1,96 @@
+#include "grade/student_run.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <tuple>
+
+#include "json_text.h"
+#include "output.h"
+#include "trace_reader.h"
+
+namespace vidno {
+
+namespace {
+
+/// On a line of its own, behind a mark that keeps an empty one and spaces.
+void append_name(Text& text, const std::string& name) {
+    text += ':';
+    for (const char c : name) text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    text += '\n';
+}
+
+void append_numbers(Text& text, std::initializer_list<double> numbers) {
+    for (const double each : numbers) {
+        append_number(text, each);
+        text += ' ';
+    }
+    text += '\n';
+}
+
+void append(Text& text, const Color& color) {
+    append_numbers(text, {double(color.red), double(color.green), double(color.blue)});
+}
+
+using Places = std::vector<std::tuple<double, double, double>>;
+
+Places sorted_vertices(const ScenePolygon& polygon) {
+    Places places;
+    for (const auto& v : polygon.vertices) places.emplace_back(v.x, v.y, v.z);
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene) {
+    Text text;
+    append_name(text, scene.name);
+    const Area& area = scene.area;
+    append_numbers(text, {double(area.x), double(area.y), double(area.width), double(area.height)});
+    append(text, scene.background);
+    append_numbers(text, {double(scene.polygons.size())});
+    for (const auto& polygon : scene.polygons) {
+        append_name(text, polygon.id);
+        append(text, polygon.color);
+        append_numbers(text, {double(polygon.vertices.size())});
+        for (const auto& v : polygon.vertices) append_numbers(text, {v.x, v.y, v.z});
+    }
+    return text.string();
+}
+
+StudentRun read_student_trace(std::string text) {
+    StudentRun run;
+    run.trace = std::move(text);
+    try {
+        TraceReader reader(LineReader::of_text(run.trace), "trace");
+        run.header = reader.header();
+        while (auto event = reader.next()) run.events.push_back(std::move(*event));
+        run.complete = reader.end() && !reader.end()->partial;
+    } catch (const Refused& refused) {
+        run.unreadable = refused.what();
+    }
+    return run;
+}
+
+StudentRun run_student(const std::filesystem::path& program, const Scene& scene, const Limits& limits) {
+    const TemporaryFolder folder;
+    const auto scene_file = folder.path() / "scene.txt", trace_file = folder.path() / "trace.jsonl";
+    std::ofstream(scene_file, std::ios::binary) << scene_text(scene);
+    const Ended ended = run_contained(
+        program, folder.path(), {{"VIDNO_SCENE", scene_file.string()}, {"VIDNO_TRACE", trace_file.string()}}, limits);
+    StudentRun run;
+    if (std::filesystem::exists(trace_file)) run = read_student_trace(read_file(trace_file.string()));
+    run.ended = ended;
+    return run;
+}
+
+bool same_scene(const Scene& told, const Scene& given) {
+    if (!(told.area == given.area) || told.background != given.background) return false;
+    std::map<Places, int> surplus;
+    for (const auto& polygon : told.polygons) ++surplus[sorted_vertices(polygon)];
+    for (const auto& polygon : given.polygons) --surplus[sorted_vertices(polygon)];
+    return std::all_of(surplus.begin(), surplus.end(), [](const auto& each) { return each.second == 0; });
+}
+
+}  // namespace vidno

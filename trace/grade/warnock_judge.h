@@ -1,0 +1,92 @@
+/// The claims of Warnock's algorithm.
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "grade/claims.h"
+#include "grade/window_tree.h"
+
+namespace vidno::grading {
+
+class WarnockJudge : public Claims {
+public:
+    WarnockJudge(const SceneTruth& truth, const State& state, std::set<Difference>& differences)
+        : Claims(truth, state, differences), tree_(truth.scene().area) {}
+
+    /// Before the state takes the event. Throws False.
+    void take(const Event& event, std::uint64_t step) {
+        step_ = step;
+        std::visit([this](const auto& e) { judge(e); }, event);
+        last_step_ = step;
+    }
+    /// After the last event. Throws False.
+    void finish();
+
+private:
+    void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well
+    void judge(const event::Plane& e) { judge_plane(e); }
+    void judge(const event::Push& e);
+    void judge(const event::Skip& e) { tree_.skip(e.window); }
+    void judge(const event::Pop& e);
+    void judge(const event::Corners& e);
+    void judge(const event::Box& e) const;
+    void judge(const event::Discard& e);
+    void judge(const event::Count& e);
+    void judge(const event::Depth& e);
+    void judge(const event::Compare& e);
+    void judge(const event::Nearer& e);
+    void judge(const event::Surround& e);
+    void judge(const event::Orient& e);
+    void judge(const event::Mark& e) const;
+    void judge(const event::Insider& e) const;
+    void judge(const event::Summary& e);
+    void judge(const event::Decide& e);
+    void judge(const event::Fill& e);
+    void judge(const event::PointColor& e);
+    void judge(const event::ClipBegin&) { side_.reset(); }
+    void judge(const event::ClipSide& e) { side_ = {e.from, e.to}; }
+    void judge(const event::ClipKeep& e) const;
+    void judge(const event::ClipDrop& e) const;
+    void judge(const event::ClipResult& e);
+    void judge(const event::Draw& e);
+
+    void finish_window();
+    void judge_shown(int column, int row, Color color);
+    void judge_surrounded(Color color);
+    void judge_empty();
+    void judge_single();
+    void judge_in_window(int column, int row, const std::string& told) const;
+    void judge_parts();
+    bool looked_at(int polygon) const;
+    int beyond_side(const ValueVertex& v) const;
+    bool overlooks(int column, int row) const;
+    bool needs(int column, int row, int polygon) const;
+    PixelRectangle pixels() const { return state().picture().pixels_of(window_); }
+
+    /// Calls `with(column, row)` for each pixel of the current window.
+    void for_pixels(auto&& with) const {
+        const PixelRectangle all = pixels();
+        for (int row = all.y; row < all.y + all.height; ++row) {
+            for (int column = all.x; column < all.x + all.width; ++column) with(column, row);
+        }
+    }
+
+    WindowTree tree_;
+    std::uint64_t step_ = 0, last_step_ = 0;
+    std::set<std::pair<int, int>> painted_;  // pixels
+
+    // Of the current window
+    Window window_;
+    std::optional<Case> decided_;
+    std::vector<int> counted_;
+    bool tells_counts_ = false;  // anywhere
+    std::array<std::optional<double>, 4> nearest_;
+    std::map<int, std::array<std::optional<double>, 4>> depths_;
+
+    std::optional<std::pair<ValuePoint, ValuePoint>> side_;  // by which is being clipped
+    std::map<int, int>
+        orientations_;  // of each polygon: which sign its program gives to the side that we call positive
+};
+
+}  // namespace vidno::grading

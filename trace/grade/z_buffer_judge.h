@@ -1,0 +1,55 @@
+/// The claims of the Z-buffer.
+#pragma once
+
+#include <map>
+
+#include "grade/claims.h"
+
+namespace vidno::grading {
+
+class ZBufferJudge : public Claims {
+public:
+    using Claims::Claims;
+
+    /// Before the state takes the event. Throws False.
+    void take(const Event& event, std::uint64_t step) {
+        std::visit([this](const auto& e) { judge(e); }, event);
+        last_step_ = step;
+    }
+    /// After the last event. Throws False.
+    void finish();
+
+private:
+    struct Cell {
+        std::optional<double> z;         // as the program has it
+        int polygon = Seen::background;  // that it shows
+    };
+
+    void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well
+    void judge(const event::Plane& e) { judge_plane(e); }
+    void judge(const event::Clear& e);
+    void judge(const event::Polygon& e);
+    void judge(const event::Depth& e) const;
+    void judge(const event::Edge& e) const;
+    void judge(const event::AelAdd& e) const;
+    void judge(const event::AelStep& e) const;
+    void judge(const event::AelSort& e) const;
+    void judge(const event::AelDrop& e) const;
+    void judge(const event::ShownLine& e) const;
+    void judge(const event::Pixel& e);
+    void judge(const event::Span& e);
+
+    void finish_polygon();
+    void judge_entry(int edge, double y, double x, double z) const;
+    void judge_covered(int column, int row) const;
+    void judge_shown(int column, int row);
+    double height() const { return state().y() ? state().y()->number : 0; }
+    Cell& cell(int column, int row) { return cells_[{column, row}]; }
+
+    std::optional<int> polygon_;
+    std::uint64_t last_step_ = 0;
+    std::map<std::pair<int, int>, Cell> cells_;  // those that were written
+    std::optional<double> cleared_;
+};
+
+}  // namespace vidno::grading
