@@ -22,7 +22,7 @@ namespace vidno::figures {
 namespace {
 
 TraceHeader header_of(Scene scene, Method method = Method::warnock, Detail detail = Detail::signs) {
-    return {method, "corrected", "double", detail, std::move(scene)};
+    return {method, Edition::corrected, "double", detail, std::move(scene)};
 }
 
 Scene near_before_far() {

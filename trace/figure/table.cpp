@@ -9,9 +9,12 @@ namespace {
 constexpr double indent = 2.6;      // the arrow's place
 constexpr double base_below = 1.1;  // of a line of text, above the line's lower end
 constexpr double gap = 1.2;         // between columns
+constexpr double below_rule = 0.5;  // more than between lines
 
-void rule(Drawing& to, double y, double width) {
+/// Gives where the next line begins.
+double rule(Drawing& to, double y, double width) {
     to.add(Path{{{{0, y}, {to.width, y}}}, false, {}, Stroke{ink, width}});
+    return y + below_rule;
 }
 
 }  // namespace
@@ -41,7 +44,7 @@ Drawing drawn(const Table& table, double width, double letters) {
     const double note_width = letters * width_of(table.note, small_size);
     put(fitted(table.title, (width - note_width - gap) / letters, text_size, true), 0, Anchor::start, text_size, true);
     if (!table.note.empty()) put(table.note, width, Anchor::end, small_size, false);
-    rule(drawing, y, 0.75);
+    y = rule(drawing, y, 0.75);
 
     const auto put_row = [&](const auto& cell_of, double size) {
         y += line_height;
@@ -61,7 +64,7 @@ Drawing drawn(const Table& table, double width, double letters) {
         }
     };
     put_row([&](std::size_t column) { return Table::Cell{table.columns[column].heading}; }, small_size);
-    rule(drawing, y, 0.5);
+    y = rule(drawing, y, 0.5);
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         if (row == table.current) {
             drawing.add(rectangle({0, y + 0.15, width, line_height - 0.15}, band));

@@ -40,10 +40,14 @@ export const readerPrint = css`
       break-after: avoid;
     }
     figure,
-    table,
+    tr,
     pre,
     .formula {
       break-inside: avoid;
+    }
+    pre {
+      font-size: 7pt;
+      white-space: pre-wrap;
     }
     .pin,
     .lesson {

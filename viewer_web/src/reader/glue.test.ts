@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { glued } from './glue.js';
+import { glued, withWholePoints } from './glue.js';
 
 const z = { is: 'formula', tex: 'z' } as const;
 
@@ -17,6 +17,12 @@ describe('a formula', () => {
       { is: 'glued', before: '', tex: 'z', after: '-буфер' },
       ' и',
     ]);
+  });
+
+  it('keeps the coordinates of a point together, and no other words', () => {
+    expect(withWholePoints('at (8; −6) and (1/2, 0, 3) (or so, 4)')).toBe(
+      'at (8;\u00a0−6) and (1/2,\u00a00,\u00a03) (or so, 4)',
+    );
   });
 
   it('takes nothing from words, nor from another formula', () => {

@@ -11,6 +11,11 @@ export interface Glued {
 const opening = /[([{«„“‘]+$/u;
 const closing = /^(?:[)\]}»”’.,;:!?…]+|[-‑]\p{L}*)/u;
 
+/** The coordinates of a point stay on one line. */
+export function withWholePoints(text: string): string {
+  return text.replace(/\([−\d.,;/ ]{3,24}\)/gu, (point) => point.replaceAll(' ', '\u00a0'));
+}
+
 /** To a browser a line may end before and after a formula, whatever stands there. */
 export function glued(inlines: Inlines): readonly (Inline | Glued)[] {
   const rest = [...inlines];

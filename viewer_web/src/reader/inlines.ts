@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { formula } from './formula.js';
-import { glued } from './glue.js';
+import { glued, withWholePoints } from './glue.js';
 import type { Glued } from './glue.js';
 import type { Inline, Inlines, PinLink } from './story.js';
 import type { Telling } from './telling.js';
@@ -10,7 +10,9 @@ type Told = string | TemplateResult;
 
 /** Words and what stands among them; without a telling nothing leads elsewhere, as in a table of contents. */
 export function inlines(text: Inlines, telling: Telling | null): readonly Told[] {
-  return glued(text).map((inline) => (typeof inline === 'string' ? inline : told(inline, telling)));
+  return glued(text).map((inline) =>
+    typeof inline === 'string' ? withWholePoints(inline) : told(inline, telling),
+  );
 }
 
 function told(inline: Exclude<Inline, string> | Glued, telling: Telling | null): Told {
