@@ -215,6 +215,20 @@ TEST_CASE("A lesson in order: nothing is said") {
     CHECK(status == 0);
 }
 
+TEST_CASE("A figure is named from the folder above that of the lessons, wherever the lesson is named from") {
+    const SquareLesson lesson;
+    const std::string lessons = lesson.place.directory.filename().string();
+    for (const char* story : {"story.en.md", "story.ru.md"}) {
+        lesson.edit(story, "\n[One",
+                    "\n```figure One\nvidno figure " + lessons + "/square --pin one -o one.svg\n```\n\n[One");
+    }
+    for (const std::string& folder : {lesson.folder, lesson.folder + "/", lesson.folder + "/."}) {
+        CHECK(program("lesson check " + folder).text == "");
+    }
+    lesson.edit("story.en.md", "--pin one", "--pin two");
+    CHECK(program("lesson check " + lesson.folder).text.find("story.en.md:3: --pin two: ") != std::string::npos);
+}
+
 TEST_CASE("What is wrong with a lesson is said with file and line") {
     struct Case {
         const char *file, *from, *to, *said;

@@ -48,7 +48,7 @@ FigureOptions options_of(const std::string& command, const Lesson& lesson) {
         throw Refused(error.what());
     }
     if (!options.output.ends_with(".svg")) throw Refused(options.output + ": not .svg");
-    const auto top = std::filesystem::absolute(lesson.folder).lexically_normal().parent_path().parent_path();
+    const auto top = lesson.place.parent_path().parent_path();
     options.input = (top / options.input).string();
     return options;
 }

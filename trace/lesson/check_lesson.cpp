@@ -33,7 +33,7 @@ void check_pins(const Lesson& lesson, const Story& story, Problems& problems) {
 }
 
 void check_lessons(const Lesson& lesson, const Story& story, Problems& problems) {
-    const auto beside = std::filesystem::absolute(lesson.folder).lexically_normal().parent_path();
+    const auto beside = lesson.place.parent_path();
     for (const auto& [line, id] : story.lessons) {
         if (!std::filesystem::exists(beside / id / "lesson.json")) {
             problems.push_back({story.file, line, "there is no lesson " + id});

@@ -3,6 +3,7 @@
 /// lessons/WRITING.md tells how to write one.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
@@ -31,8 +32,9 @@ struct LessonRun {
 };
 
 struct Lesson {
-    std::string folder;  // as it was given, without a slash at its end
-    std::string id;      // its name
+    std::string folder;           // as it was given, without a slash at its end
+    std::filesystem::path place;  // the same, from the root
+    std::string id;               // its name
     std::vector<LessonRun> runs;
     std::vector<Pin> pins;
     Story english, russian;

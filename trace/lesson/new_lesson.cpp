@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of more, each sign would be too much to look at.
-constexpr std::size_t most_polygons_with_signs = 50;
+/// In more, each sign would be too much to look at.
+constexpr std::uint64_t most_windows_with_signs = 1000;
 
 constexpr std::string_view english = R"(# TODO: the title
 
@@ -132,13 +132,13 @@ std::map<std::string, std::string> new_lesson(const Scene& scene) {
     windows.method = Method::warnock;
     rows.name = "rows";
     rows.method = Method::zbuffer;
-    if (scene.polygons.size() > most_polygons_with_signs) windows.detail = rows.detail = Detail::windows;
-
+    windows.detail = Detail::windows;
     std::uint64_t count = 0;
     EventLines lines;
     trace_run(scene, windows, [&](std::string_view text) {
         lines.take(text, [&](std::uint64_t, std::string_view line) { count += line.starts_with(R"({"e":"pop",)"); });
     });
+    windows.detail = rows.detail = count > most_windows_with_signs ? Detail::windows : Detail::signs;
 
     const std::vector<std::string> runs{run_json(windows), run_json(rows)};
     const Json pop{{"e", "pop"}}, scanline{{"e", "scanline"}};

@@ -129,9 +129,10 @@ Story story_in(const Lesson& lesson, const std::string& language, Problems& prob
 
 Lesson read_lesson(const std::string& folder, Problems& problems) {
     Lesson lesson;
-    const auto path = (std::filesystem::path(folder) / "").parent_path();
-    lesson.folder = path.string();
-    lesson.id = std::filesystem::absolute(path).lexically_normal().filename().string();
+    const auto without_slash = [](const std::filesystem::path& path) { return (path / "").parent_path(); };
+    lesson.folder = without_slash(folder).string();
+    lesson.place = without_slash(std::filesystem::absolute(folder).lexically_normal());
+    lesson.id = lesson.place.filename().string();
     LessonReader(lesson, problems).read();
     lesson.english = story_in(lesson, "en", problems);
     lesson.russian = story_in(lesson, "ru", problems);
