@@ -17,7 +17,7 @@ namespace vidno {
 namespace {
 
 constexpr int most_places = 12;           // binary, of a coordinate
-constexpr int most_steps = 1000;          // of the walk, tried between two variants
+constexpr int most_steps = 20000;         // of the walk, tried between two variants
 constexpr std::size_t pixels_alike = 32;  // pictures that differ in one of so many are alike
 
 using Vertices = std::vector<glm::dvec3>;
@@ -199,9 +199,9 @@ private:
         return std::mt19937(seeds);
     }
 
-    /// So many steps of the lattice as an eighth of the range has, and at least one.
+    /// One step of the lattice, or up to as many as an eighth of the range has, to either side.
     double steps(int places, int range) {
-        const int most = std::max(1, int(std::ldexp(range, places)) / 8);
+        const int most = std::max(1, random_.whole(0, 1) * int(std::ldexp(range, places)) / 8);
         return std::ldexp(random_.whole(-most, most), -places);
     }
     glm::dvec2 way(const Resolution& lattice) {
@@ -211,37 +211,39 @@ private:
 
     void change(Vertices& vertices, const Resolution& lattice) {
         constexpr int depth_range = 2;
-        glm::dvec3 low = vertices.front(), high = low;
-        for (const auto& vertex : vertices) {
-            low = glm::min(low, vertex);
-            high = glm::max(high, vertex);
-        }
-        auto& chosen = vertices[std::size_t(random_.whole(0, int(vertices.size()) - 1))];
-        switch (random_.whole(0, 6)) {
+        switch (random_.whole(0, 8)) {
             case 0:
-            case 1: {
-                const glm::dvec2 by = way(lattice);
-                for (auto& vertex : vertices) vertex += glm::dvec3(by, 0);
-                break;
-            }
+            case 1: return shift(vertices, glm::dvec3(way(lattice), 0));
             case 2:
-            case 3: {
-                const glm::dvec2 by = way(lattice);
-                chosen += glm::dvec3(by, vertices.size() == 3 ? 0 : rise(vertices, by));
-                break;
-            }
-            case 4: {
-                const double by = steps(lattice.z, depth_range);
-                for (auto& vertex : vertices) vertex.z += by;
-                break;
-            }
-            case 5:
-                for (auto& vertex : vertices) vertex.x = low.x + high.x - vertex.x;
-                break;
-            default:
-                for (auto& vertex : vertices) {
-                    vertex = {low.x + (vertex.y - low.y), low.y + (high.x - vertex.x), vertex.z};
-                }
+            case 3: return move_some(vertices, 1, way(lattice));
+            case 4:
+            case 5: return move_some(vertices, 2, way(lattice));
+            case 6: return shift(vertices, {0, 0, steps(lattice.z, depth_range)});
+            case 7: return mirror(vertices);
+            default: return turn(vertices);
+        }
+    }
+
+    static void shift(Vertices& vertices, const glm::dvec3& by) {
+        for (auto& vertex : vertices) vertex += by;
+    }
+    /// A vertex, or the two of an edge. Only a triangle may change its plane.
+    void move_some(Vertices& vertices, std::size_t count, glm::dvec2 by) {
+        const double up = vertices.size() == 3 ? 0 : rise(vertices, by);
+        const auto first = std::size_t(random_.whole(0, int(vertices.size()) - 1));
+        for (std::size_t i = 0; i < count; ++i) vertices[(first + i) % vertices.size()] += glm::dvec3(by, up);
+    }
+    static void mirror(Vertices& vertices) {
+        const auto [left, right] = std::minmax_element(vertices.begin(), vertices.end(),
+                                                       [](const auto& a, const auto& b) { return a.x < b.x; });
+        const double both = left->x + right->x;
+        for (auto& vertex : vertices) vertex.x = both - vertex.x;
+    }
+    /// By a quarter, about the first vertex.
+    static void turn(Vertices& vertices) {
+        const glm::dvec3 about = vertices.front();
+        for (auto& vertex : vertices) {
+            vertex = {about.x + (vertex.y - about.y), about.y - (vertex.x - about.x), vertex.z};
         }
     }
 

@@ -8,8 +8,8 @@
 ///         in more than one pixel in 32, however either is mirrored or turned. Fewer than wanted if the search ends
 ///         without finding more.
 /// How     a walk from the original, a small change a step: a polygon is shifted, raised, mirrored or turned in place,
-///         or one of its vertices is moved; a step that would make the run harder or easier is not taken. Now and then
-///         the whole scene, mirrored or turned, is a variant.
+///         or a vertex or an edge of it is moved; a step that would make the run harder or easier is not taken. Now and
+///         then the whole scene, mirrored or turned, is a variant.
 /// The same arguments give the same scenes on every machine.
 #pragma once
 

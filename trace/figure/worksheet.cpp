@@ -116,7 +116,10 @@ private:
         y_ += gap / 2;
         add_heading(words_.planes, margin);
         y_ += heading_height;
-        page().place(drawn(planes(), half_width, answered_), {margin, y_});
+        const Form form = planes();
+        page().place(drawn(form, half_width, answered_), {margin, y_});
+        y_ += form.height();
+        add_note(words_.factor);
     }
 
     void draw_scene(Drawing& to, const Plane& plane) const {

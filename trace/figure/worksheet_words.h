@@ -11,7 +11,7 @@ namespace vidno::figures {
 
 struct WorksheetWords {
     std::string_view name, date, key, page;
-    std::string_view scene, vertices, planes, depth_rule;
+    std::string_view scene, vertices, planes, depth_rule, factor;
     std::string_view quadtree;
     std::string_view windows, number, window, decision, painted, legend, decisions, background;
     std::string_view edges, row, pixels, edges_legend;
@@ -30,6 +30,7 @@ inline constexpr std::array<WorksheetWords, 2> worksheet_words{{
         .vertices = "Vertices",
         .planes = "Planes a x + b y + c z + d = 0",
         .depth_rule = "The greater z is the nearer; y grows downward.",
+        .factor = "Or the same with a common factor.",
         .quadtree = "Quadtree: draw the windows",
         .windows = "Windows, in the order in which they are taken from AW",
         .number = "No.",
@@ -59,6 +60,7 @@ inline constexpr std::array<WorksheetWords, 2> worksheet_words{{
         .vertices = "Вершины",
         .planes = "Плоскости a x + b y + c z + d = 0",
         .depth_rule = "Чем больше z, тем ближе; ось y направлена вниз.",
+        .factor = "Или то же с общим множителем.",
         .quadtree = "Дерево квадрантов: начертите окна",
         .windows = "Окна в том порядке, в котором они берутся из AW",
         .number = "№",
