@@ -226,6 +226,18 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "shrink " + scene + " --at W13" + output,
              "shrink " + scene + " --keep decision --at Q1" + output,
              std::string("need"),
+             std::string("worksheet"),
+             "worksheet " + scene,
+             "worksheet " + scene + " -o " + work.file("a.png"),
+             "worksheet " + scene + " --language la -o " + work.file("a.pdf"),
+             "worksheet " + work.file("missing.json") + " -o " + work.file("a.pdf"),
+             "variants " + scene,
+             "variants " + scene + " --count 0 -o " + work.file("a"),
+             "variants " + scene + " --seed many -o " + work.file("a"),
+             "variants " + scene + " --method painter -o " + work.file("a"),
+             "variants " + scene + " -o " + work.directory.string(),  // is there already
+             "variants " + wide + " -o " + work.file("a"),            // has no polygons
+             "variants " + work.file("missing.json") + " -o " + work.file("a"),
              "choose " + work.file("missing.json"),
              "chart " + scene,
              "chart -o " + work.file("a.json"),
@@ -509,7 +521,8 @@ TEST_CASE("figure: what it cannot draw is refused in one line, and no file appea
 TEST_CASE("Help says what there is, exit 0") {
     for (const std::string call :
          {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "chart --help",
-          "page --help", "map --help", "figure --help", "stability --help", "import --help", "methods", "--version"}) {
+          "page --help", "map --help", "figure --help", "stability --help", "variants --help", "worksheet --help",
+          "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
     }

@@ -358,8 +358,8 @@ TEST_CASE("SVG: well formed, no bitmap, live text, what XML cannot hold replaced
 TEST_CASE("PDF: live text in embedded fonts, no bitmap, the same bytes each time") {
     const About about{"Two panels", Language::russian};
     const std::string svg = svg_of(strip_of_all({.language = Language::russian}), about);
-    const std::string pdf = pdf_of(svg, about);
-    CHECK(pdf == pdf_of(svg, about));
+    const std::string pdf = pdf_of({svg}, about);
+    CHECK(pdf == pdf_of({svg}, about));
     CHECK(pdf.find("CreationDate") == pdf.npos);
     const std::string file = temporary_file(pdf, ".pdf");
     CHECK(output_of({"pdftotext", file, "-"}, "").find("Активные многоугольники (APL)") != std::string::npos);

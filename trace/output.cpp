@@ -128,6 +128,12 @@ void OutputFile::commit() {
 }
 
 /// A file, or none for a text that the buffer holds from the start.
+void write_file(const std::string& name, std::string_view bytes) {
+    OutputFile file(name);
+    file.write(bytes);
+    file.commit();
+}
+
 struct LineReader::Source {
     gzFile file = nullptr;
     ~Source() {

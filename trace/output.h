@@ -36,6 +36,9 @@ private:
     std::unique_ptr<Stream> stream_;
 };
 
+/// The whole of an output file.
+void write_file(const std::string& name, std::string_view bytes);
+
 /// The lines of a file one by one, gzipped or not, "-" for standard input.
 class LineReader {
 public:

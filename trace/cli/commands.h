@@ -96,6 +96,19 @@ struct GradeOptions {
     int seconds = 10;
 };
 
+struct VariantsOptions {
+    std::string scene, output;
+    std::string method = "warnock";
+    std::size_t count = 30;
+    std::uint64_t seed = 1;
+};
+
+struct WorksheetOptions {
+    std::vector<std::string> scenes;
+    std::string method = "warnock", language = "en";
+    std::string output, key;  // the key may be empty
+};
+
 struct MeshOptions {
     std::string mesh, output;
     ImportOptions import;
@@ -170,6 +183,8 @@ int lesson_pin(const LessonOptions& options);
 int lesson_check(const LessonOptions& options);
 int lesson_build(const LessonOptions& options);
 int grade(const GradeOptions& options);
+int variants(const VariantsOptions& options);
+int worksheet(const WorksheetOptions& options);
 int import(const MeshOptions& options);
 int stability(const StabilityOptions& options);
 int methods();

@@ -157,7 +157,7 @@ Format format_of(const std::string& output) {
 
 std::string encoded(const std::string& svg, const About& about, const FigureOptions& options) {
     switch (format_of(options.output)) {
-        case Format::pdf: return figures::pdf_of(svg, about);
+        case Format::pdf: return figures::pdf_of({svg}, about);
         case Format::png: return figures::png_of(svg, options.dots_an_inch);
         default: return svg;
     }
@@ -292,10 +292,7 @@ std::string drawn_figure(const FigureOptions& options) {
 }
 
 int figure(const FigureOptions& options) {
-    const std::string bytes = drawn_figure(options);
-    OutputFile file(options.output);
-    file.write(bytes);
-    file.commit();
+    write_file(options.output, drawn_figure(options));
     return 0;
 }
 

@@ -22,12 +22,6 @@ int told(const Problems& problems) {
     return problems.empty() ? 0 : 1;
 }
 
-void write_file(const std::filesystem::path& name, std::string_view bytes) {
-    OutputFile file(name.string());
-    file.write(bytes);
-    file.commit();
-}
-
 /// Of a course that was built here before.
 void remove_course(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

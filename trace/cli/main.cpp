@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "figure/figure_words.h"
 #include "refused.h"
+#include "variants.h"
 
 namespace {
 
@@ -238,6 +239,40 @@ CLI::App& add_import(CLI::App& app, MeshOptions& options) {
     return command;
 }
 
+CLI::App& add_variants(CLI::App& app, VariantsOptions& options) {
+    auto& command = *app.add_subcommand("variants", "Make scenes as hard as this one, with other numbers");
+    command.add_option("SCENE", options.scene, "A scene file, vidno-scene/1; - for standard input")->required();
+    command.add_option("--count", options.count, "How many")
+        ->check(CLI::Range(std::size_t{1}, most_variants))
+        ->capture_default_str();
+    command.add_option("--seed", options.seed, "Another one, other scenes")->capture_default_str();
+    command.add_option("--method", options.method, "By which algorithm they are as hard")
+        ->check(CLI::IsMember(words(method_names)))
+        ->capture_default_str();
+    command.add_option("-o", options.output, "The folder, which is not there yet: 01.json and so on")->required();
+    command.footer(
+        "As hard: the same lines of the listing are reached and the same cases met, as often but for a tenth.\n"
+        "Example: vidno variants scene.json --count 30 --seed 7 -o homework\n"
+        "Exit status 1: there are fewer than wanted.");
+    return command;
+}
+
+CLI::App& add_worksheet(CLI::App& app, WorksheetOptions& options) {
+    auto& command =
+        *app.add_subcommand("worksheet", "Print scenes with tables to be filled in by hand, and the answers");
+    command.add_option("SCENE", options.scenes, "Scene files, vidno-scene/1")->required();
+    command.add_option("--method", options.method, "Which algorithm is worked")
+        ->check(CLI::IsMember(words(method_names)))
+        ->capture_default_str();
+    command.add_option("--language", options.language, "Of the words in it")
+        ->check(CLI::IsMember(words(figures::language_codes)))
+        ->capture_default_str();
+    command.add_option("-o", options.output, "The blank sheets, one scene after the other, .pdf")->required();
+    command.add_option("--key", options.key, "The same sheets filled in, .pdf");
+    command.footer("Example: vidno worksheet homework/*.json -o sheets.pdf --key keys.pdf");
+    return command;
+}
+
 CLI::App& add_stability(CLI::App& app, StabilityOptions& options) {
     auto& command = *app.add_subcommand("stability", "Run thousands of random scenes and count what is wrong");
     auto& campaign = options.campaign;
@@ -335,6 +370,8 @@ int main(int argc, char** argv) {
     PageOptions paged;
     LessonOptions lesson;
     GradeOptions graded;
+    VariantsOptions varied;
+    WorksheetOptions printed;
     MeshOptions mesh;
     StabilityOptions campaign;
     int status = 0;
@@ -352,6 +389,8 @@ int main(int argc, char** argv) {
     add_page(app, paged).callback([&] { status = page(paged); });
     auto& lessons = add_lesson(app, lesson, status);
     add_grade(app, graded).callback([&] { status = grade(graded); });
+    add_variants(app, varied).callback([&] { status = variants(varied); });
+    add_worksheet(app, printed).callback([&] { status = worksheet(printed); });
     add_import(app, mesh).callback([&] { status = import(mesh); });
     add_stability(app, campaign).callback([&] { status = stability(campaign); });
     app.add_subcommand("methods", "What there is: methods, kernels, editions, levels")->callback([&] {

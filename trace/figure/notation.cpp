@@ -111,6 +111,8 @@ double number_of(const Value& value) {
     return (negative ? -1 : 1) * above / below * std::pow(10, above_tens - below_tens);
 }
 
+std::string in_full(double value) { return with_minus_sign(shortest(value)); }
+
 std::string readable(const Value& value) {
     if (!value.fraction) return with_minus_sign(short_number(value.number));
     const std::string& text = *value.fraction;

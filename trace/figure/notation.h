@@ -10,6 +10,9 @@ namespace vidno::figures {
 /// The number itself, or of a fraction the nearest one but for its last digits. Of x/0, NaN.
 double number_of(const Value& value);
 
+/// With all its digits, and a real minus sign.
+std::string in_full(double value);
+
 /// At most some seven characters, with a real minus sign; `≈` where a fraction was cut.
 std::string readable(const Value& value);
 

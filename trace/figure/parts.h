@@ -32,6 +32,9 @@ void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const 
 /// Warnock: the windows visited, those on the stack dashed, the current one heavy. Z-buffer: the scanline, the active edges.
 void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
+/// The windows visited so far, each once.
+void draw_visited(Drawing& to, const Moment& moment, const Plane& plane);
+
 /// What the step itself is about: points, pixels, pieces of edges.
 void draw_marks(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 

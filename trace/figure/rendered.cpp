@@ -63,15 +63,18 @@ void draw(const Handle& handle, cairo_surface_t* surface, double width, double h
 
 }  // namespace
 
-std::string pdf_of(const std::string& svg, const About& about) {
-    const Handle handle = handle_of(svg);
-    const auto [width, height] = size_of(handle);
+std::string pdf_of(const std::vector<std::string>& pages, const About& about) {
     std::string bytes;
-    const Surface surface(
-        cairo_pdf_surface_create_for_stream(append, &bytes, width * points_an_inch, height * points_an_inch));
+    const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, 0, 0));
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, about.title.c_str());
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");  // else that of today
-    draw(handle, surface.get(), width * points_an_inch, height * points_an_inch);
+    for (const auto& svg : pages) {
+        const Handle handle = handle_of(svg);
+        const auto [width, height] = size_of(handle);
+        cairo_pdf_surface_set_size(surface.get(), width * points_an_inch, height * points_an_inch);
+        draw(handle, surface.get(), width * points_an_inch, height * points_an_inch);
+        cairo_surface_show_page(surface.get());
+    }
     cairo_surface_finish(surface.get());
     return bytes;
 }

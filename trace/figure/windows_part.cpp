@@ -36,7 +36,7 @@ std::vector<Polyline> visited_windows(const Moment& moment, const Plane& plane) 
 }
 
 void draw_quadtree(Drawing& to, const Moment& moment, const Plane& plane) {
-    to.add(outlined(visited_windows(moment, plane), {ink, Stroke::hairline}));
+    draw_visited(to, moment, plane);
     std::vector<Polyline> stacked;
     for (const auto& [window, apl] : moment.state().stack()) {
         for (auto& line : clipped(shrunk(plane.box(window)).corners(), true, plane.shown)) {
@@ -67,6 +67,10 @@ void draw_scanline(Drawing& to, const Moment& moment, const Plane& plane) {
 }
 
 }  // namespace
+
+void draw_visited(Drawing& to, const Moment& moment, const Plane& plane) {
+    to.add(outlined(visited_windows(moment, plane), {ink, Stroke::hairline}));
+}
 
 void draw_chosen(Drawing& to, Pixel pixel, const Plane& plane) {
     constexpr double reach = 1.6;

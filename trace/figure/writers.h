@@ -29,8 +29,9 @@ std::string tikz_of(const Drawing& drawing, const About& about);
 /// The same for beamer: a frame with an overlay a drawing; they are of one size.
 std::string beamer_of(const std::vector<Drawing>& drawings, const About& about);
 
-/// The SVG as PDF with live text and embedded fonts, without a date. Throws Refused if librsvg does not take it.
-std::string pdf_of(const std::string& svg, const About& about);
+/// SVG documents as the pages of a PDF with live text and embedded fonts, without a date. Throws Refused if librsvg does
+/// not take one.
+std::string pdf_of(const std::vector<std::string>& pages, const About& about);
 
 /// The SVG as PNG with so many dots an inch.
 std::string png_of(const std::string& svg, int dots_an_inch);

@@ -1,0 +1,55 @@
+#include "worked_run.h"
+
+#include "run.h"
+#include "trace_reader.h"
+
+namespace vidno::figures {
+
+WorkedRun::WorkedRun(const Scene& scene, Method method)
+    : header_{method, Edition::corrected, "exact", Detail::signs, scene}, start_(header_), end_(header_) {
+    std::string text;
+    TraceWriter writer(header_, [&](std::string_view part) { text += part; });
+    RunRequest request{method, *kernel_named("exact"), Edition::corrected, scene, Detail::signs};
+    request.writer = &writer;
+    writer.finish(run(request));
+    TraceReader reader(LineReader::of_text(std::move(text)), scene.name);
+    while (auto event = reader.next()) {
+        end_.take(*event);
+        std::visit([this](const auto& e) { hear(e); }, *event);
+    }
+}
+
+std::optional<int> WorkedRun::shown(int x, int y) const {
+    const auto found = shown_.find({x, y});
+    return found == shown_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void WorkedRun::hear(const event::Pop& e) {
+    windows_.push_back({e.window});
+    for (const auto& [polygon, surrounds] : *end_.state().current()->apl) entry(polygon).surrounds = surrounds;
+}
+
+void WorkedRun::hear(const event::Decide& e) {
+    windows_.back().line = e.at;
+    windows_.back().which = e.which;
+    if (e.which == Case::surrounded) windows_.back().painted = covering_;
+}
+
+void WorkedRun::hear(const event::ShownLine& e) {
+    const auto& caller = end_.state().calls().end()[-2];
+    const bool is_level = caller.at == Line::Z9;
+    rows_.push_back({*end_.state().polygon(), e.row, is_level ? std::vector<State::AelEntry>{} : end_.state().ael()});
+}
+
+void WorkedRun::hear(const event::Columns& e) {
+    rows_.back().first = e.first;
+    rows_.back().end = e.end;
+}
+
+void WorkedRun::hear(const event::Span& e) {
+    for (const auto& [first, end] : e.runs) {
+        for (int x = first; x < end; ++x) shown_[{x, e.row}] = *end_.state().polygon();
+    }
+}
+
+}  // namespace vidno::figures

@@ -1,0 +1,331 @@
+#include "worksheet.h"
+
+#include <cmath>
+
+#include "form.h"
+#include "notation.h"
+#include "parts.h"
+#include "refused.h"
+#include "shrink.h"
+#include "table.h"
+#include "worksheet_words.h"
+
+namespace vidno::figures {
+
+namespace {
+
+constexpr double page_width = 210, page_height = 297, margin = 18;
+constexpr double text_width = page_width - 2 * margin, text_bottom = page_height - margin;
+constexpr double gap = 5, heading_height = 7, title_size = 11;
+constexpr double half_width = (text_width - gap) / 2;
+constexpr double vertex_row_height = 4.8;
+
+constexpr std::size_t most_pages_of_rows = 2;
+constexpr std::size_t most_polygons = 10, most_vertices = 45;
+constexpr int longest_side = 40;
+constexpr double room_for_depth = 8;  // millimetres a pixel
+
+/// The pages so far, and how far down the last one is filled.
+class Worksheet {
+public:
+    Worksheet(const WorkedRun& run, Language language, bool answered)
+        : run_(run), style_{language}, words_(worksheet_words_of(language)), answered_(answered) {}
+
+    std::vector<Drawing> pages() && {
+        add_page();
+        add_scene();
+        add_page();
+        if (run_.header().method == Method::warnock) {
+            add_quadtree();
+            add_windows();
+        } else {
+            add_rows();
+            add_page();
+            add_raster();
+        }
+        return std::move(pages_);
+    }
+
+private:
+    using Row = std::vector<Form::Cell>;
+
+    Drawing& page() { return pages_.back(); }
+    const Scene& scene() const { return run_.scene(); }
+    const std::string& name_of(int polygon) const { return scene().polygons[std::size_t(polygon)].id; }
+
+    void put(std::string text, Point at, double size, Anchor anchor = Anchor::start, bool bold = false) {
+        page().add(Label{std::move(text), at, size, anchor, bold, ink});
+    }
+    void rule(double from, double to, double y, double width) {
+        page().add(Path{{{{from, y}, {to, y}}}, false, {}, Stroke{ink, width}});
+    }
+
+    void add_page() {
+        pages_.push_back({page_width, page_height});
+        const double right = page_width - margin;
+        double y = margin;
+        const auto& of_figures = words_of(style_.language);
+        const std::string method(run_.header().method == Method::warnock ? of_figures.warnock : of_figures.z_buffer);
+        const double room = text_width - width_of(method, text_size) - gap;
+        put(fitted(scene().name, room, title_size, true), {margin, y}, title_size, Anchor::start, true);
+        put(method, {right, y}, text_size, Anchor::end);
+        y += 2;
+        rule(margin, right, y, 0.75);
+        y += 8;
+        if (answered_) {
+            put(std::string(words_.key), {margin, y}, title_size, Anchor::start, true);
+        } else {
+            add_line_for(words_.name, margin, margin + 0.68 * text_width, y);
+            add_line_for(words_.date, margin + 0.68 * text_width + gap, right, y);
+        }
+        const std::string number = std::string(words_.page) + " " + std::to_string(pages_.size());
+        put(number, {right, page_height - margin / 2}, small_size, Anchor::end);
+        y_ = y + 4;
+    }
+
+    void add_line_for(std::string_view what, double from, double to, double y) {
+        const std::string text(what);
+        put(text, {from, y}, text_size);
+        rule(from + width_of(text, text_size) + 1.5, to, y + 0.5, Stroke::hairline);
+    }
+
+    void add_heading(std::string_view text, double x) {
+        put(std::string(text), {x, y_ + heading_height - 2}, 9, Anchor::start, true);
+    }
+
+    void add_note(std::string_view text) {
+        y_ += line_height;
+        put(fitted(std::string(text), text_width, small_size), {margin, y_}, small_size);
+    }
+
+    // --------------------------------------------------------------------------------- the scene
+
+    void add_scene() {
+        add_heading(words_.scene, margin);
+        add_heading(words_.vertices, margin + half_width + gap);
+        y_ += heading_height;
+        page().place(drawn(vertices(), half_width, answered_), {margin + half_width + gap, y_});
+        const Plane plane = plane_in(scene().area, half_width, half_width * 1.1);
+        Drawing drawing{half_width, height_of(plane)};
+        draw_picture(drawing, run_.start(), plane, style_);
+        draw_scene(drawing, plane);
+        draw_names(drawing, scene(), plane, style_);
+        page().place(drawing, {margin, y_});
+        y_ += drawing.height + gap;
+        put(fitted(std::string(words_.depth_rule), half_width, small_size), {margin, y_}, small_size);
+        y_ += gap / 2;
+        add_heading(words_.planes, margin);
+        y_ += heading_height;
+        const Form form = planes();
+        page().place(drawn(form, half_width, answered_), {margin, y_});
+        y_ += form.height();
+        add_note(words_.factor);
+    }
+
+    void draw_scene(Drawing& to, const Plane& plane) const {
+        draw_frame(to, plane);
+        draw_outlines(to, run_.start(), plane, style_);
+    }
+
+    Form vertices() const {
+        Form form{{{"P", 0.16}, {"x", 0.25}, {"y", 0.25}, {"z", 0.34}}, {}, vertex_row_height};
+        for (const auto& polygon : scene().polygons) {
+            std::string name = polygon.id;
+            for (const auto& vertex : polygon.vertices) {
+                form.rows.push_back({{std::exchange(name, ""), true},
+                                     {in_full(vertex.x), true},
+                                     {in_full(vertex.y), true},
+                                     {in_full(vertex.z), true}});
+            }
+        }
+        return form;
+    }
+
+    Form planes() const {
+        Form form{{{"P", 0.16}, {"a", 0.21}, {"b", 0.21}, {"c", 0.21}, {"d", 0.21}}, {}};
+        for (const auto& [polygon, plane] : run_.planes()) {
+            Row row{{name_of(polygon), true}};
+            for (const Value& value : plane) row.push_back({readable(value)});
+            form.rows.push_back(std::move(row));
+        }
+        return form;
+    }
+
+    // --------------------------------------------------------------------------------- Warnock
+
+    void add_quadtree() {
+        constexpr double width = 118;
+        add_heading(words_.quadtree, margin);
+        y_ += heading_height;
+        const Plane plane = plane_in(scene().area, width, width);
+        Drawing drawing{width, height_of(plane)};
+        draw_picture(drawing, answered_ ? run_.end() : run_.start(), plane, style_);
+        draw_scene(drawing, plane);
+        if (answered_) draw_visited(drawing, run_.end(), plane);
+        draw_names(drawing, scene(), plane, style_);
+        page().place(drawing, {margin + (text_width - width) / 2, y_});
+        y_ += drawing.height;
+    }
+
+    void add_windows() {
+        constexpr double number = 0.06, window = 0.2, decision = 0.17, painted = 0.09;
+        const double share = (1 - number - window - decision - painted) / double(scene().polygons.size());
+        std::vector<Form::Column> columns{{std::string(words_.number), number}, {std::string(words_.window), window}};
+        for (const auto& polygon : scene().polygons) columns.push_back({polygon.id, share});
+        columns.push_back({std::string(words_.decision), decision});
+        columns.push_back({std::string(words_.painted), painted});
+        std::vector<Row> rows;
+        for (const auto& each : run_.windows()) rows.push_back(row_of(each));
+        add_rows(words_.windows, columns, std::move(rows), {words_.legend, words_.decisions}, true);
+    }
+
+    Row row_of(const WorkedWindow& window) const {
+        Row row{{readable(window.window)}};
+        for (int i = 0; i < int(scene().polygons.size()); ++i) {
+            const auto entry = window.entries.find(i);
+            row.push_back({entry == window.entries.end() ? "" : text_of(entry->second)});
+        }
+        const auto& label = line_names[std::size_t(window.line)];
+        row.push_back({std::string(label) + " " + std::string(words_.cases[std::size_t(window.which)])});
+        const std::string shown = window.painted ? name_of(*window.painted) : std::string(words_.background);
+        row.push_back({window.which == Case::split ? "" : shown});
+        return row;
+    }
+
+    static std::string text_of(const WorkedEntry& entry) {
+        if (entry.leaves) return "−";
+        return (entry.surrounds ? "S " : "+ ") + std::to_string(entry.k);
+    }
+
+    // --------------------------------------------------------------------------------- Z-buffer
+
+    void add_rows() {
+        std::vector<Form::Column> columns{{"P", 0.07}, {std::string(words_.row), 0.07}};
+        for (const std::string edge : {"₁", "₂"}) {
+            for (const std::string part : {"x", "z", "y", "Δx", "Δz"}) {
+                columns.push_back({part + edge, part == "y" ? 0.055 : 0.086});
+            }
+        }
+        columns.push_back({std::string(words_.pixels), 0.062});
+        std::vector<Row> rows;
+        for (const auto& each : run_.rows()) rows.push_back(row_of(each));
+        add_rows(words_.edges, columns, std::move(rows), {words_.edges_legend}, false);
+    }
+
+    Row row_of(const WorkedRow& shown) const {
+        Row row{{name_of(shown.polygon)}, {std::to_string(shown.row)}};
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (i >= shown.edges.size()) {
+                row.insert(row.end(), 5, {"—"});
+                continue;
+            }
+            const auto& [edge, x, z, until, dx, dz] = shown.edges[i];
+            for (const Value& value : {x, z, until, dx, dz}) row.push_back({readable(value)});
+        }
+        const std::string pixels = std::to_string(shown.first) + "–" + std::to_string(shown.end - 1);
+        row.push_back({shown.first < shown.end ? pixels : "—"});
+        return row;
+    }
+
+    void add_raster() {
+        const Area& area = scene().area;
+        constexpr double ticks = 5;
+        const double room = text_bottom - y_ - heading_height - ticks;
+        const double side = std::min((text_width - ticks) / area.width, room / area.height);
+        const bool has_depths = side >= room_for_depth;
+        add_heading(has_depths ? words_.raster : words_.raster_of_names, margin);
+        y_ += heading_height;
+        const Point origin{margin + ticks, y_ + ticks};
+        std::vector<Polyline> lines;
+        const double right = origin.x + side * area.width, bottom = origin.y + side * area.height;
+        for (int i = 1; i < area.width; ++i) {
+            lines.push_back({{origin.x + i * side, origin.y}, {origin.x + i * side, bottom}});
+        }
+        for (int j = 1; j < area.height; ++j) {
+            lines.push_back({{origin.x, origin.y + j * side}, {right, origin.y + j * side}});
+        }
+        const double letter = 0.72 * small_size / points_per_millimetre;
+        for (int i = 0; i < area.width; ++i) {
+            put(tick_text(area.x + i), {origin.x + (i + 0.5) * side, origin.y - 1}, tick_size_in(side), Anchor::middle);
+        }
+        for (int j = 0; j < area.height; ++j) {
+            const double base = origin.y + (j + 0.5) * side + letter / 2;
+            put(tick_text(area.y + j), {origin.x - 1, base}, tick_size_in(side), Anchor::end);
+        }
+        for (int j = 0; answered_ && j < area.height; ++j) {
+            for (int i = 0; i < area.width; ++i) {
+                add_pixel(area.x + i, area.y + j, {origin.x + i * side, origin.y + j * side, side, side}, has_depths);
+            }
+        }
+        page().add(Path{std::move(lines), false, {}, Stroke{faint}});
+        page().add(rectangle({origin.x, origin.y, right - origin.x, bottom - origin.y}, {}, Stroke{ink, 0.5}));
+    }
+
+    static double tick_size_in(double side) { return side < 5 ? 5 : small_size; }
+
+    void add_pixel(int x, int y, const Box& box, bool has_depth) {
+        const double depth_size = std::min(6.5, 0.65 * box.width);
+        const auto polygon = run_.shown(x, y);
+        if (!polygon) return;
+        page().add(rectangle(box, tinted(scene().polygons[std::size_t(*polygon)].color, style_.greyscale)));
+        const double middle = box.x + box.width / 2;
+        const double base = box.y + box.height * (has_depth ? 0.42 : 0.68);
+        put(fitted(name_of(*polygon), box.width - 0.4, small_size, true), {middle, base}, small_size, Anchor::middle,
+            true);
+        if (!has_depth) return;
+        const std::string depth = readable(*run_.end().state().depth(x, y));
+        put(fitted(depth, box.width - 0.4, depth_size), {middle, box.bottom() - box.height * 0.18}, depth_size,
+            Anchor::middle);
+    }
+
+    // --------------------------------------------------------------------------------- long tables
+
+    /// Rows to the ends of pages, whether there is an answer for them or not: their number is no hint.
+    void add_rows(std::string_view title, const std::vector<Form::Column>& columns, std::vector<Row> answers,
+                  const std::vector<std::string_view>& legend, bool are_numbered) {
+        std::size_t done = 0;
+        for (std::size_t pages = 0; pages < most_pages_of_rows && (pages == 0 || done < answers.size()); ++pages) {
+            if (pages > 0) add_page();
+            add_heading(title, margin);
+            y_ += heading_height;
+            Form form{columns, {}};
+            const double room = text_bottom - y_ - Form::heading_height - double(legend.size() + 1) * line_height;
+            for (auto left = std::size_t(room / form.row_height); left > 0; --left, ++done) {
+                Row row = done < answers.size() ? std::move(answers[done]) : Row(columns.size() - are_numbered);
+                if (are_numbered) row.insert(row.begin(), {std::to_string(done + 1), true});
+                form.rows.push_back(std::move(row));
+            }
+            page().place(drawn(form, text_width, answered_), {margin, y_});
+            y_ += form.height() + 0.6;
+            for (const auto line : legend) add_note(line);
+        }
+        if (done < answers.size()) add_note(std::string(words_.rows_here) + " " + std::to_string(done) + ".");
+    }
+
+    const WorkedRun& run_;
+    Style style_;
+    const WorksheetWords& words_;
+    bool answered_;
+    std::vector<Drawing> pages_;
+    double y_ = 0;
+};
+
+}  // namespace
+
+void expect_room(const Scene& scene, const std::string& file) {
+    const auto expect = [&](std::size_t count, std::size_t most, const char* what) {
+        if (count <= most) return;
+        throw Refused(file + ": " + std::to_string(count) + " " + what + ", a worksheet has room for " +
+                      std::to_string(most));
+    };
+    if (scene.polygons.empty()) throw Refused(file + ": polygons: there are none");
+    expect(scene.polygons.size(), most_polygons, "polygons");
+    expect(vertices_of(scene), most_vertices, "vertices");
+    expect(std::size_t(std::max(scene.area.width, scene.area.height)), longest_side, "pixels a side");
+}
+
+std::vector<Drawing> worksheet(const WorkedRun& run, Language language, bool answered) {
+    return Worksheet(run, language, answered).pages();
+}
+
+}  // namespace vidno::figures

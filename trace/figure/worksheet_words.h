@@ -1,0 +1,89 @@
+/// The words of worksheets.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "figure_words.h"
+#include "vidno/trace.h"
+
+namespace vidno::figures {
+
+struct WorksheetWords {
+    std::string_view name, date, key, page;
+    std::string_view scene, vertices, planes, depth_rule, factor;
+    std::string_view quadtree;
+    std::string_view windows, number, window, decision, painted, legend, decisions, background;
+    std::string_view edges, row, pixels, edges_legend;
+    std::string_view raster, raster_of_names;
+    std::string_view rows_here;  // before a number
+    std::array<std::string_view, case_names.size()> cases;
+};
+
+inline constexpr std::array<WorksheetWords, 2> worksheet_words{{
+    {
+        .name = "Name",
+        .date = "Date",
+        .key = "Answer key",
+        .page = "page",
+        .scene = "The scene",
+        .vertices = "Vertices",
+        .planes = "Planes a x + b y + c z + d = 0",
+        .depth_rule = "The greater z is the nearer; y grows downward.",
+        .factor = "Or the same with a common factor.",
+        .quadtree = "Quadtree: draw the windows",
+        .windows = "Windows, in the order in which they are taken from AW",
+        .number = "No.",
+        .window = "(x, y) w × h",
+        .decision = "decision",
+        .painted = "painted",
+        .legend =
+            "Of each polygon: − leaves the APL (PW3), S surrounds, + neither; then k (PW6). Painted: which polygon; 0 "
+            "is background.",
+        .decisions = "Decisions: W7 empty, W8 surrounded, W9 pixel, W10 single, W13 split.",
+        .background = "0",
+        .edges = "Rows and their AEL",
+        .row = "row",
+        .pixels = "pixels",
+        .edges_legend = "An entry: x, z, last row y, Δx, Δz. Pixels: first to last. A level edge is in no AEL (Z9).",
+        .raster = "Polygon and depth of each pixel at the end",
+        .raster_of_names = "Polygon of each pixel at the end",
+        .rows_here = "The run goes on; rows in the table:",
+        .cases = {"empty", "surrounded", "pixel", "single", "split"},
+    },
+    {
+        .name = "Фамилия",
+        .date = "Дата",
+        .key = "Ответы",
+        .page = "с.",
+        .scene = "Сцена",
+        .vertices = "Вершины",
+        .planes = "Плоскости a x + b y + c z + d = 0",
+        .depth_rule = "Чем больше z, тем ближе; ось y направлена вниз.",
+        .factor = "Или то же с общим множителем.",
+        .quadtree = "Дерево квадрантов: начертите окна",
+        .windows = "Окна в том порядке, в котором они берутся из AW",
+        .number = "№",
+        .window = "(x, y) w × h",
+        .decision = "решение",
+        .painted = "цвет",
+        .legend =
+            "Для многоугольника: − исключён из APL (PW3), S охватывает, + ни то ни другое; затем k (PW6). Цвет: чей; "
+            "0 — фон.",
+        .decisions = "Решения: W7 пустое, W8 охвачено, W9 пиксель, W10 один, W13 делится.",
+        .background = "0",
+        .edges = "Строки и их AEL",
+        .row = "строка",
+        .pixels = "пиксели",
+        .edges_legend =
+            "Элемент: x, z, последняя строка y, Δx, Δz. Пиксели: от и до. Горизонтальное ребро в AEL не входит (Z9).",
+        .raster = "Многоугольник и глубина каждого пикселя в конце",
+        .raster_of_names = "Многоугольник каждого пикселя в конце",
+        .rows_here = "Прогон продолжается; строк в таблице:",
+        .cases = {"пустое", "охвачено", "пиксель", "один", "делится"},
+    },
+}};
+
+constexpr const WorksheetWords& worksheet_words_of(Language language) { return worksheet_words[std::size_t(language)]; }
+
+}  // namespace vidno::figures
