@@ -95,7 +95,9 @@ TEST_CASE("profile: as hard is the same but for a tenth, and a twentieth of the 
 }
 
 TEST_CASE("variants: as hard as the lesson's scene, no finer numbers, and admitted as a file") {
-    for (const auto& [file, method] : exercises) {
+    for (const Exercise& exercise : exercises) {
+        const std::string file = exercise.scene;
+        const Method method = exercise.method;
         CAPTURE(file);
         const Scene original = read(file);
         const Profile profile = profiled_run(original, method).profile;
@@ -118,7 +120,9 @@ TEST_CASE("variants: as hard as the lesson's scene, no finer numbers, and admitt
 }
 
 TEST_CASE("variants: no two show the same picture, mirrored or not, nor that of the original") {
-    for (const auto& [file, method] : exercises) {
+    for (const Exercise& exercise : exercises) {
+        const std::string file = exercise.scene;
+        const Method method = exercise.method;
         CAPTURE(file);
         auto scenes = some_variants(read(file), method);
         scenes.push_back(read(file));

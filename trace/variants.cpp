@@ -107,9 +107,9 @@ bool is_planar_exactly(const Vertices& vertices) {
     const auto corner = corner_of(vertices);
     if (!corner) return true;
     const auto point = [](const glm::dvec3& v) { return Point(v.x, v.y, v.z); };
-    const auto& [p, q, r] = *corner;
+    const Point p = point((*corner)[0]), q = point((*corner)[1]), r = point((*corner)[2]);
     return std::all_of(vertices.begin(), vertices.end(), [&](const glm::dvec3& vertex) {
-        return CGAL::orientation(point(p), point(q), point(r), point(vertex)) == CGAL::COPLANAR;
+        return CGAL::orientation(p, q, r, point(vertex)) == CGAL::COPLANAR;
     });
 }
 
