@@ -22,4 +22,7 @@ std::string trace_page(const std::vector<PageFile>& files);
 /// Throws Refused if no page was built.
 std::string chart_page(const std::string& json);
 
+/// Where the script for Node is that asks about a trace. Throws Refused if it was not built.
+std::string questions_script();
+
 }  // namespace vidno

@@ -82,6 +82,12 @@ struct PageOptions {
     std::string output;
 };
 
+struct WorksheetOptions {
+    std::string trace, output;
+    std::string language = "en";
+    int count = 20;
+};
+
 struct LessonOptions {
     std::vector<std::string> folders;
     std::string source, output;  // of a new one: a scene or a mesh; the folder
@@ -156,6 +162,10 @@ int figure(const FigureOptions& options);
 std::string drawn_figure(const FigureOptions& options);
 int diff(const DiffOptions& options);
 int page(const PageOptions& options);
+int worksheet(const WorksheetOptions& options);
+/// At most so many questions of a trace, as Moodle XML in one of the languages of figures, from Node. Throws Refused if
+/// there is no Node, the page was not built, or the trace has nothing to ask about.
+std::string moodle_questions(const std::string& trace, const std::string& language, int count);
 int lesson_new(const LessonOptions& options);
 int lesson_pin(const LessonOptions& options);
 int lesson_check(const LessonOptions& options);

@@ -238,6 +238,20 @@ CLI::App& add_stability(CLI::App& app, StabilityOptions& options) {
     return command;
 }
 
+CLI::App& add_worksheet(CLI::App& app, WorksheetOptions& options) {
+    auto& command = *app.add_subcommand("worksheet", "Ask what a run does next, for the question bank of Moodle");
+    command.add_option("TRACE", options.trace, "A trace, .jsonl or .jsonl.gz")->required();
+    command.add_option("--language", options.language, "Of the questions")
+        ->check(CLI::IsMember(words(figures::language_codes)))
+        ->capture_default_str();
+    command.add_option("--count", options.count, "At most so many questions, spread over the run and its kinds")
+        ->check(CLI::Range(1, 9999))
+        ->capture_default_str();
+    command.add_option("-o", options.output, "The questions as Moodle XML, .xml; - for standard output")->required();
+    command.footer("Needs Node. Example: vidno worksheet run.jsonl.gz --language ru -o questions.xml");
+    return command;
+}
+
 /// Help is printed as CLI11 has it; every error is one line and status 2.
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
@@ -310,6 +324,7 @@ int main(int argc, char** argv) {
     FigureOptions drawn;
     DiffOptions compared;
     PageOptions paged;
+    WorksheetOptions sheet;
     LessonOptions lesson;
     MeshOptions mesh;
     StabilityOptions campaign;
@@ -326,6 +341,7 @@ int main(int argc, char** argv) {
     add_figure(app, drawn).callback([&] { status = figure(drawn); });
     add_diff(app, compared).callback([&] { status = diff(compared); });
     add_page(app, paged).callback([&] { status = page(paged); });
+    add_worksheet(app, sheet).callback([&] { status = worksheet(sheet); });
     auto& lessons = add_lesson(app, lesson, status);
     add_import(app, mesh).callback([&] { status = import(mesh); });
     add_stability(app, campaign).callback([&] { status = stability(campaign); });
