@@ -32,7 +32,7 @@ function parsed(args: readonly string[]): Readonly<Record<'language' | 'count', 
   const language = { type: 'string', default: 'en' } as const;
   const count = { type: 'string', default: String(usualCount) } as const;
   try {
-    return parseArgs({ args: [...args], options: { language, count } }).values as never;
+    return parseArgs({ args: [...args], options: { language, count } }).values;
   } catch (error) {
     throw new Refused((error as Error).message);
   }
