@@ -194,6 +194,8 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
 TEST_CASE("Wrong calls are refused in one line, exit 2") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + " -o " + run).status == 0);
     const std::string wide = work.write(
         "wide.json", R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":513,"height":1},"polygons":[]})");
     const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
@@ -249,6 +251,13 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "page " + scene + " -o " + work.file("a.htm"),
              "page " + question + " -o " + work.file("a.html"),
              "page " + work.file("missing.jsonl") + " -o " + work.file("a.html"),
+             "worksheet " + scene + " -o " + work.file("a.xml"),
+             "worksheet " + work.file("missing.jsonl") + " -o " + work.file("a.xml"),
+             "worksheet " + work.file("missing.jsonl") + " --count 0 -o " + work.file("a.xml"),
+             "worksheet " + run + " --key " + work.file("key.pdf") + " -o " + work.file("a.xml"),
+             "worksheet " + run + " " + run + " -o " + work.file("a.xml"),
+             "worksheet " + run + " -o " + work.file("a.pdf"),
+             "worksheet " + scene + " --count 5 -o " + work.file("a.pdf"),
              "map " + scene,
              "map " + work.file("missing.json"),
              "map " + question + " --kernel half",
@@ -273,7 +282,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
         CHECK(refused.text.rfind("vidno: ", 0) == 0);
         CHECK(refused.text.find('\n') == refused.text.size() - 1);
     }
-    CHECK(work.files() == 2);
+    CHECK_MESSAGE(work.files() == 3, "what was there before, and nothing else");
     CHECK_MESSAGE(program("frobnicate").text.find("frobnicate") != std::string::npos, "the wrong word is named");
 }
 
@@ -361,6 +370,44 @@ TEST_CASE("chart: the name decides what is written") {
     CHECK(figure.find("<svg ") != std::string::npos);
     CHECK(figure.find("depth error, ulps") != std::string::npos);
     CHECK(figure.find("operations times bits") != std::string::npos);
+}
+
+TEST_CASE("worksheet: what the built script for Node makes of a trace") {
+    const Workplace work;
+    fs::create_directories(work.directory / "bin");
+    fs::create_directories(work.directory / "share/vidno");
+    fs::copy_file(VIDNO_FILE, work.directory / "bin/vidno");
+    const std::string script = "share/vidno/vidno-questions.mjs";
+    const std::string trace = work.file("run.jsonl");
+    REQUIRE(program("trace " + work.write("scene.json", square_scene) + " -o " + trace).status == 0);
+    const auto worksheet = [&](const std::string& arguments) {
+        return program("worksheet " + arguments + " -o " + work.file("out.xml"), work.file("bin/vidno"));
+    };
+
+    SUBCASE("its options and the trace go in, the questions come out") {
+        work.write(script, "process.stdout.write(process.argv.slice(2).join(' ')); process.stdin.pipe(process.stdout)");
+        REQUIRE(worksheet(trace + " --language ru --count 5").status == 0);
+        CHECK(work.read("out.xml") == "--language ru --count 5" + work.read("run.jsonl"));
+        REQUIRE(worksheet(trace).status == 0);
+        CHECK(work.read("out.xml") == "--language en --count 20" + work.read("run.jsonl"));
+    }
+    SUBCASE("a trace that is cut short: the questions of what there is, and status 1") {
+        work.write(script, "process.stdout.write('questions')");
+        const std::string whole = work.read("run.jsonl");
+        CHECK(worksheet(work.write("cut.jsonl", whole.substr(0, whole.size() - 20))).status == 1);
+        CHECK(work.read("out.xml") == "questions");
+    }
+    SUBCASE("refused in one line: a trace without questions, and where the script was not built") {
+        work.write(script, "console.error('Much to say:\\nnothing to ask about'); process.exitCode = 2");
+        const auto none = worksheet(trace);
+        CHECK(none.status == 2);
+        CHECK(none.text == "vidno: " + trace + ": node: nothing to ask about\n");
+        fs::remove(work.file(script));
+        const auto unbuilt = worksheet(trace);
+        CHECK(unbuilt.status == 2);
+        CHECK(unbuilt.text.find("vidno-questions.mjs: not there; ./dev demo builds the page") != std::string::npos);
+        CHECK_FALSE(work.has("out.xml"));
+    }
 }
 
 TEST_CASE("page: the built page with what was given in place of its lessons") {

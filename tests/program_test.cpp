@@ -18,3 +18,9 @@ TEST_CASE("A program that is not there or fails is refused") {
     CHECK_THROWS_AS(output_of({"no-program-has-this-name"}, ""), Refused);
     CHECK_THROWS_AS(output_of({"false"}, ""), Refused);
 }
+
+TEST_CASE("The last line that a program complained of says why it is refused") {
+    CHECK_THROWS_WITH_AS(output_of({"sh", "-c", "echo first >&2; echo 'why not' >&2; exit 3"}, ""), "sh: why not",
+                         Refused);
+    CHECK_THROWS_WITH_AS(output_of({"false"}, ""), "false failed", Refused);
+}

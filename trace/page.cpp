@@ -19,11 +19,13 @@ std::filesystem::path place_of(const std::string& name) {
     return program.parent_path().parent_path() / "share" / "vidno" / name;
 }
 
-std::string built_page(const std::string& name) {
+std::string built(const std::string& name) {
     const auto page = place_of(name);
     if (!std::filesystem::exists(page)) throw Refused(page.string() + ": not there; ./dev demo builds the page");
-    return read_file(page.string());
+    return page.string();
 }
+
+std::string built_page(const std::string& name) { return read_file(built(name)); }
 
 /// JSON as a block of data in a page: nothing in it ends the block.
 std::string as_block(std::string json) {
@@ -132,5 +134,7 @@ std::string chart_page(const std::string& json) {
     fill_block(page, "vidno-replay", address_of("index.html"));
     return page;
 }
+
+std::string questions_script() { return built("vidno-questions.mjs"); }
 
 }  // namespace vidno

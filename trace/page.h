@@ -37,4 +37,7 @@ std::string file_address(const std::filesystem::path& path);
 /// Throws Refused if no page was built.
 std::string chart_page(const std::string& json);
 
+/// Where the script for Node is that asks about a trace. Throws Refused if it was not built.
+std::string questions_script();
+
 }  // namespace vidno

@@ -31,7 +31,7 @@ std::string whole(std::FILE* file) {
     return text;
 }
 
-int run_to_end(const std::vector<std::string>& command, std::FILE* input, std::FILE* output) {
+int run_to_end(const std::vector<std::string>& command, std::FILE* input, std::FILE* output, std::FILE* complaints) {
     std::vector<char*> words;
     for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));  // NOLINT: the call's own type
     words.push_back(nullptr);
@@ -39,6 +39,7 @@ int run_to_end(const std::vector<std::string>& command, std::FILE* input, std::F
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, fileno(input), STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&files, fileno(output), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, fileno(complaints), STDERR_FILENO);
     pid_t child = 0;
     const int error = posix_spawnp(&child, words[0], &files, nullptr, words.data(), environ);
     posix_spawn_file_actions_destroy(&files);
@@ -49,6 +50,12 @@ int run_to_end(const std::vector<std::string>& command, std::FILE* input, std::F
     return status;
 }
 
+/// Without blank lines at the end of the text; nothing if there is none.
+std::string last_line(std::string text) {
+    text.erase(text.find_last_not_of(" \n") + 1);
+    return text.substr(text.rfind('\n') + 1);
+}
+
 }  // namespace
 
 std::string output_of(const std::vector<std::string>& command, std::string_view input) {
@@ -56,7 +63,11 @@ std::string output_of(const std::vector<std::string>& command, std::string_view 
     const File out = temporary_file();
     std::fwrite(input.data(), 1, input.size(), in.get());
     std::rewind(in.get());  // and is written before
-    if (run_to_end(command, in.get(), out.get()) != 0) throw Refused(command[0] + " failed");
+    const File complaints = temporary_file();
+    const int status = run_to_end(command, in.get(), out.get(), complaints.get());
+    const std::string said = whole(complaints.get());
+    if (status != 0) throw Refused(command[0] + (said.empty() ? " failed" : ": " + last_line(said)));
+    std::fputs(said.c_str(), stderr);
     return whole(out.get());
 }
 

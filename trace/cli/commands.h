@@ -104,9 +104,10 @@ struct VariantsOptions {
 };
 
 struct WorksheetOptions {
-    std::vector<std::string> scenes;
-    std::string method = "warnock", language = "en";
-    std::string output, key;  // the key may be empty
+    std::vector<std::string> files;  // scenes for sheets, one trace for questions
+    std::string language = "en", output;
+    std::optional<std::string> method, key;  // of sheets
+    std::optional<int> count;                // of questions
 };
 
 struct MeshOptions {
@@ -185,6 +186,8 @@ int lesson_build(const LessonOptions& options);
 int grade(const GradeOptions& options);
 int variants(const VariantsOptions& options);
 int worksheet(const WorksheetOptions& options);
+/// The part of `worksheet` that writes .xml, from a trace, by Node.
+int moodle_questions(const WorksheetOptions& options);
 int import(const MeshOptions& options);
 int stability(const StabilityOptions& options);
 int methods();

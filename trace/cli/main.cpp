@@ -259,17 +259,26 @@ CLI::App& add_variants(CLI::App& app, VariantsOptions& options) {
 
 CLI::App& add_worksheet(CLI::App& app, WorksheetOptions& options) {
     auto& command =
-        *app.add_subcommand("worksheet", "Print scenes with tables to be filled in by hand, and the answers");
-    command.add_option("SCENE", options.scenes, "Scene files, vidno-scene/1")->required();
-    command.add_option("--method", options.method, "Which algorithm is worked")
-        ->check(CLI::IsMember(words(method_names)))
-        ->capture_default_str();
+        *app.add_subcommand("worksheet", "Print scenes with tables to be filled in by hand, or ask about a run");
+    command.add_option("SCENE|TRACE", options.files, "For .pdf scene files, vidno-scene/1; for .xml one trace")
+        ->required();
     command.add_option("--language", options.language, "Of the words in it")
         ->check(CLI::IsMember(words(figures::language_codes)))
         ->capture_default_str();
-    command.add_option("-o", options.output, "The blank sheets, one scene after the other, .pdf")->required();
-    command.add_option("--key", options.key, "The same sheets filled in, .pdf");
-    command.footer("Example: vidno worksheet homework/*.json -o sheets.pdf --key keys.pdf");
+    command.add_option("--method", options.method, "Of .pdf: which algorithm is worked [warnock]")
+        ->check(CLI::IsMember(words(method_names)));
+    command.add_option("--key", options.key, "Of .pdf: the same sheets filled in, .pdf");
+    command
+        .add_option("--count", options.count, "Of .xml: at most so many questions, spread over the run's kinds [20]")
+        ->check(CLI::Range(1, 9999));
+    command
+        .add_option("-o", options.output,
+                    "The blank sheets, one scene after the other, .pdf; or what the run does next, as questions for "
+                    "Moodle, .xml")
+        ->required();
+    command.footer(
+        "Examples: vidno worksheet homework/*.json -o sheets.pdf --key keys.pdf\n"
+        "          vidno worksheet run.jsonl.gz --language ru -o questions.xml   (needs Node)");
     return command;
 }
 

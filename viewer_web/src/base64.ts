@@ -4,10 +4,13 @@ export function fromBase64(text: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(atob(letters), (byte) => byte.charCodeAt(0));
 }
 
-/** Some thousands of bytes in the alphabet of base64 that an address leaves as it is. */
+export function toBase64(bytes: Uint8Array): string {
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+}
+
+/** Bytes in the alphabet of base64 that an address leaves as it is. */
 export function toBase64Url(bytes: Uint8Array): string {
-  const letters = btoa(String.fromCharCode(...bytes));
-  return letters.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+  return toBase64(bytes).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
 /** The file that a block of data of the page holds. */

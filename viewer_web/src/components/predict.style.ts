@@ -95,7 +95,8 @@ export const predictStyle = css`
     border-radius: 6px;
     background: var(--well);
   }
-  .save button {
+  .save button,
+  .moodle button {
     padding: 0 0.8rem;
   }
   @container (min-width: 1500px) {
@@ -112,7 +113,8 @@ export const predictStyle = css`
     }
     .choice,
     .next,
-    .save button {
+    .save button,
+    .moodle button {
       display: none;
     }
   }

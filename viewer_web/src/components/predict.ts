@@ -1,12 +1,13 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { customElement, property, state } from 'lit/decorators.js';
 import { download, fileName } from '../download.js';
 import { texts } from '../i18n/index.js';
 import type { PredictTexts } from '../i18n/predict-texts.js';
 import type { Kind } from '../predict/question.js';
 import { countOf, isRightAtFirst, scoreOf } from '../predict/score.js';
 import type { Answered } from '../predict/score.js';
+import type { Header } from '../trace/header.js';
 import type { View } from '../view.js';
 import { predictStyle } from './predict.style.js';
 import type { Current, Predictor } from './predictor.js';
@@ -21,6 +22,8 @@ export class PredictElement extends LitElement {
 
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) predictor!: Predictor;
+  /** A run of which questions were wanted and which has none. */
+  @state() private withoutAny: Header | null = null;
   private name = '';
 
   private get say(): PredictTexts {
@@ -31,7 +34,7 @@ export class PredictElement extends LitElement {
     const { current } = this.predictor;
     return html`
       ${current === null ? this.nothingAsked() : this.asked(current)} ${this.choice()}
-      ${this.score()}
+      ${this.score()} ${this.moodle()}
     `;
   }
 
@@ -144,6 +147,24 @@ export class PredictElement extends LitElement {
     const score = scoreOf(this.predictor.record, this.name.trim());
     const file = new Blob([`${JSON.stringify(score, null, 2)}\n`], { type: 'application/json' });
     download(file, fileName('score', this.name, 'json'));
+  }
+
+  private moodle(): TemplateResult {
+    const { say, view } = this;
+    return html`<section class="moodle">
+      <button title=${say.moodleHint} @click=${() => this.saveMoodle()}>${say.moodle}</button>
+      <p role="status">${this.withoutAny === view.header ? say.moodleNone : nothing}</p>
+    </section>`;
+  }
+
+  private saveMoodle(): void {
+    const { header } = this.view;
+    const xml = this.predictor.moodle();
+    this.withoutAny = xml === null ? header : null;
+    if (xml === null) return;
+    const { scene, method, kernel, edition } = header;
+    const name = `${fileName(scene.name, method, kernel, edition, 'questions')}.xml`;
+    download(new Blob([xml], { type: 'application/xml' }), name);
   }
 
   private ask(detail: Command): void {

@@ -2,6 +2,7 @@ import type { ReactiveControllerHost } from 'lit';
 import type { Language } from '../i18n/language.js';
 import { grade } from '../predict/grade.js';
 import type { Answer } from '../predict/grade.js';
+import { moodleXml } from '../predict/moodle.js';
 import type { Kind, Question } from '../predict/question.js';
 import { kinds } from '../predict/question.js';
 import { kindsOf, nextQuestion } from '../predict/questions.js';
@@ -200,6 +201,14 @@ export class Predictor {
     host.ask = on ? 'forced' : 'free';
     this.lookAgain();
     host.dispatchEvent(new CustomEvent<Way>('vidno-ask', { detail: on ? 'forced' : 'free' }));
+  }
+
+  /** Questions from the whole run as Moodle XML; null if there are none. */
+  moodle(): string | null {
+    const { host, trace } = this;
+    const xml = trace === null ? null : moodleXml(trace, host.language);
+    host.requestUpdate(); // the timeline was left anywhere
+    return xml;
   }
 
   want(kind: Kind, on: boolean): void {

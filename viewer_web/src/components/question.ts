@@ -6,10 +6,11 @@ import { texts } from '../i18n/index.js';
 import type { PredictTexts } from '../i18n/predict-texts.js';
 import { typedRow } from '../predict/grade.js';
 import { parts as forms } from '../predict/question.js';
-import type { Abouts, Kind, Part, Question } from '../predict/question.js';
+import type { Part } from '../predict/question.js';
 import type { Reason } from '../predict/reasons.js';
+import { sayIntro, sayRight } from '../predict/say.js';
 import type { View } from '../view.js';
-import { optionName, sayRight, valueName } from './answers.js';
+import { optionName, valueName } from './answers.js';
 import { hiddenStyle } from './hidden.style.js';
 import type { Current, Predictor } from './predictor.js';
 import { questionStyle } from './question.style.js';
@@ -89,10 +90,10 @@ export class QuestionElement extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { say } = this;
+    const { view } = this;
     const { question, verdict } = this.current;
     return html`<form @submit=${this.onSubmit} @keydown=${this.onKey} novalidate autocomplete="off">
-      <h3 tabindex="-1">${intro(say, question)}</h3>
+      <h3 tabindex="-1">${sayIntro(question, view.language)}</h3>
       ${question.parts.map((part, i) => this.field(part, i))}
       ${verdict === null ? this.toDo() : this.judged(verdict)}
     </form>`;
@@ -217,10 +218,4 @@ export class QuestionElement extends LitElement {
     const detail: Command = { do: 'seek', step };
     this.dispatchEvent(new CustomEvent<Command>('command', { detail }));
   }
-}
-
-/** What is asked, in the language's words for its kind. */
-function intro<K extends Kind>(say: PredictTexts, { kind, about }: Question<K>): string {
-  const word = say.intro[kind] as (of: Abouts[Kind]) => string;
-  return word(about);
 }

@@ -15,6 +15,10 @@ export interface PredictTexts {
   readonly asks: Readonly<Record<Asks, string>>;
   /** How a row is typed. */
   readonly rows: Readonly<Record<'signs' | 'list' | 'order', string>>;
+  /** What fills the places after the end of a row. */
+  readonly ends: PredictTexts['rows'];
+  readonly crossing: string;
+  readonly area: string;
   readonly noPolygon: Readonly<Record<'hides' | 'wins', string>>;
   readonly relations: Readonly<Record<Relation, string>>;
   readonly edge: (edge: string) => string;
@@ -36,4 +40,7 @@ export interface PredictTexts {
   readonly name: string;
   readonly save: string;
   readonly saveHint: string;
+  readonly moodle: string;
+  readonly moodleHint: string;
+  readonly moodleNone: string;
 }

@@ -1,4 +1,5 @@
 import type { View } from '../view.js';
+import { element, escaped } from '../xml.js';
 import { Frame } from './frame.js';
 import { lookOf, short } from './looks.js';
 import { marksOf } from './marks.js';
@@ -10,29 +11,6 @@ import type { Label } from './still.js';
 
 /** The longer side, in CSS pixels. */
 const side = 720;
-
-const references: Readonly<Record<string, string>> = {
-  '&': '&amp;',
-  '<': '&lt;',
-  '>': '&gt;',
-  '"': '&quot;',
-};
-
-/** Text as XML may have it: it has no way to write some characters. */
-function escaped(text: string): string {
-  return text
-    .replace(/[^\t\n\r\u{20}-\u{d7ff}\u{e000}-\u{fffd}\u{10000}-\u{10ffff}]/gu, '\u{fffd}')
-    .replace(/[&<>"]/g, (character) => references[character] ?? '');
-}
-
-function element(
-  name: string,
-  attributes: Iterable<readonly [string, string | number]>,
-  content = '',
-): string {
-  const written = [...attributes].map(([key, value]) => ` ${key}="${escaped(String(value))}"`);
-  return `<${name}${written.join('')}${content === '' ? '/>' : `>${content}</${name}>`}\n`;
-}
 
 function path({ look, d, color }: Shape, scale: number): string {
   const attributes = new Map([...lookOf(look, scale), ['d', d]]);

@@ -1,5 +1,3 @@
-import { nothing, svg } from 'lit';
-import type { SVGTemplateResult } from 'lit';
 import type { Box } from '../trace/values.js';
 import type { Mark } from './marks.js';
 import type { Pixel } from './pixel.js';
@@ -15,11 +13,6 @@ export interface Shape {
   readonly color?: string;
   /** What one points at with it; see `pointed.ts`. */
   readonly thing?: string;
-}
-
-/** A shape as the page shows it. */
-export function drawn({ look, d, color, thing }: Shape): SVGTemplateResult {
-  return svg`<path class=${look} d=${d} stroke=${color ?? nothing} data-thing=${thing ?? nothing} />`;
 }
 
 /** What a mark is drawn with, where the plane is shown at so many CSS pixels a unit. */

@@ -60,6 +60,9 @@ export const predict: PredictTexts = {
     list: 'numbers of vertices that stay, x for a crossing, such as 2 x x; − for none',
     order: 'numbers of edges, such as 3 1; − for none',
   },
+  ends: { signs: 'no longer needed', list: 'no more', order: 'no more' },
+  crossing: 'a crossing',
+  area: 'Area',
   noPolygon: { hides: 'none', wins: 'the background' },
   relations: { '>': 'greater', '=': 'equal', '<': 'less' },
   edge: (edge) => `edge ${edge}`,
@@ -81,4 +84,8 @@ export const predict: PredictTexts = {
   name: 'Your name, if you like',
   save: 'Save the score',
   saveHint: 'Saves questions and answers as a file; nothing is sent anywhere',
+  moodle: 'Questions as Moodle XML',
+  moodleHint:
+    'Saves questions from the whole run, with pictures and answers, for the question bank of Moodle',
+  moodleNone: 'This run has nothing to ask about: it is too short, or its trace is too coarse.',
 };

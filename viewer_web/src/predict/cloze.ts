@@ -1,0 +1,104 @@
+import { texts } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
+import { element, writable } from '../xml.js';
+import { crossing } from './clip.js';
+import { none, parts as forms } from './question.js';
+import type { Asks, Option, Part, Question } from './question.js';
+import { sayNone, sayNoted, sayValue } from './say.js';
+
+/** Text as HTML of a Cloze question: nothing in it counts as markup, as a choice, or as what Moodle's filters look for. */
+export function inert(text: string): string {
+  return writable(text).replace(/[&<>"'{}~#\\=%@$]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+}
+
+/** One choice that is to be made, by what stands before it. */
+interface Choice {
+  readonly label: string;
+  readonly options: readonly string[];
+  /** The place of the right one among them. */
+  readonly right: number;
+}
+
+/** Whether a row has a place for each thing that the part is about. */
+const isByGiven = ({ asks }: Part): boolean => asks === 'signs';
+
+function sayOption(asks: Asks, option: Option, language: Language): string {
+  return option.value === none
+    ? sayNone(asks, language)
+    : sayNoted(forms[asks][1], option, language);
+}
+
+function sayPlace(asks: Asks, { value }: Option, language: Language): string {
+  const { crossing: ofEdge } = texts[language].predict;
+  return value === crossing ? ofEdge : sayValue(forms[asks][1], value, language);
+}
+
+/** A row is chosen place by place; there are as many as it could have, so that they do not tell its length. */
+function placesOf(part: Part, language: Language): readonly Choice[] {
+  const { asks, options, right, given = [] } = part;
+  const { ends } = texts[language].predict;
+  const labels = isByGiven(part)
+    ? given.map((each) => sayNoted(each.of, each, language))
+    : Array.from({ length: Math.max(options.length, right.length) }, (_, i) => `${i + 1}.`);
+  const values = options.map(({ value }) => value);
+  const said = options.map((option) => sayPlace(asks, option, language));
+  return labels.map((label, i) => ({
+    label,
+    options: [...said, ends[asks as keyof typeof ends]],
+    right: i < right.length ? values.indexOf(right[i] ?? none) : values.length,
+  }));
+}
+
+function choicesOf(part: Part, language: Language): readonly Choice[] {
+  const { asks, options, right } = part;
+  const [form] = forms[asks];
+  if (form === 'row') return placesOf(part, language);
+  const said = options.map((option) => sayOption(asks, option, language));
+  if (form === 'one') {
+    return [
+      { label: '', options: said, right: options.findIndex(({ value }) => value === right[0]) },
+    ];
+  }
+  const { yes, no } = texts[language].page;
+  return options.map(({ value }, i) => ({
+    label: said[i] ?? '',
+    options: [yes, no],
+    right: right.includes(value) ? 0 : 1,
+  }));
+}
+
+/** In the notation of Cloze, which decodes a choice once before it takes it as HTML. */
+function gap({ options, right }: Choice, weight: number, type: string): string {
+  const written = options.map((option, i) => `${i === right ? '=' : ''}${inert(inert(option))}`);
+  return `{${weight}:${type}:${written.join('~')}}`;
+}
+
+function choicesHtml(part: Part, weight: number, language: Language): string {
+  const choices = choicesOf(part, language);
+  if (forms[part.asks][0] === 'one') {
+    return element('div', [], choices.map((one) => gap(one, weight, 'MULTICHOICE_V')).join(''));
+  }
+  const rows = choices.map((choice) => {
+    const cells = [inert(choice.label), gap(choice, weight, 'MULTICHOICE')];
+    return element('tr', [], cells.map((cell) => element('td', [], cell)).join(''));
+  });
+  return element('table', [], element('tbody', [], rows.join('')));
+}
+
+function partHtml(part: Part, weight: number, language: Language): string {
+  const { asks, given = [] } = part;
+  const about = isByGiven(part) ? [] : given.map((each) => sayNoted(each.of, each, language));
+  const asked = `<strong>${inert(texts[language].predict.asks[asks])}</strong>`;
+  const paragraph = element('p', [], [asked, inert(about.join('; '))].filter(Boolean).join(' '));
+  return paragraph + choicesHtml(part, weight, language);
+}
+
+const commonDivisor = (a: number, b: number): number => (b === 0 ? a : commonDivisor(b, a % b));
+const commonMultiple = (a: number, b: number): number => (a * b) / commonDivisor(a, b);
+
+/** The parts of a question as HTML with choices in the notation of Moodle's Cloze; each part counts the same. */
+export function clozeOf({ parts }: Question, language: Language): string {
+  const counts = parts.map((part) => choicesOf(part, language).length);
+  const whole = counts.reduce(commonMultiple, 1);
+  return parts.map((part, i) => partHtml(part, whole / (counts[i] ?? 1), language)).join('');
+}

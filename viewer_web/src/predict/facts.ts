@@ -1,0 +1,52 @@
+import { short, windowText } from '../i18n/words.js';
+import { texts } from '../i18n/index.js';
+import type { Polygon } from '../trace/header.js';
+import type { View } from '../view.js';
+import { mostOptions } from './asker.js';
+import type { Question } from './question.js';
+
+/** Something that is known at a step, under its name. */
+export type Fact = readonly [name: string, said: string];
+
+function windowFacts({ after, texts: page }: View): readonly Fact[] {
+  const { window, apl } = after.warnock ?? {};
+  if (!window || !apl) return [];
+  const { length } = apl.entries;
+  const listed = apl.entries
+    .slice(0, mostOptions)
+    .map(([id, surrounds]) => (surrounds ? `${id} (${page.surrounds})` : id));
+  const others = length > mostOptions ? [page.more(length - mostOptions)] : [];
+  return [
+    [page.window, windowText(window)],
+    [page.apl, [...listed, ...others].join(', ')],
+  ];
+}
+
+function scanlineFacts({ after }: View): readonly Fact[] {
+  const { y } = after.zbuffer ?? {};
+  return y == null ? [] : [['yₜ', short(y)]];
+}
+
+/** In full, to be worked with. */
+const vertices = (polygon: Polygon | undefined): string =>
+  (polygon?.vertices ?? [])
+    .map((vertex) => `(${vertex.join(', ')})`)
+    .join(' ')
+    .replaceAll('-', '−');
+
+function polygonFacts({ after, header, texts: page }: View, { about }: Question): readonly Fact[] {
+  const listed = after.warnock?.apl?.entries.map(([id]) => id) ?? [];
+  const ids = 'polygon' in about ? [about.polygon] : listed;
+  return ids.map((id) => [page.things.polygon(id), vertices(header.scene.byId.get(id))]);
+}
+
+/** What must be known at its step to answer a question, beside its own words and options. */
+export function factsOf(view: View, question: Question): readonly Fact[] {
+  const { area } = view.header.scene;
+  return [
+    [texts[view.language].predict.area, windowText([area.x, area.y, area.width, area.height])],
+    ...windowFacts(view),
+    ...scanlineFacts(view),
+    ...polygonFacts(view, question),
+  ];
+}

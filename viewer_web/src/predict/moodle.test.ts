@@ -1,0 +1,194 @@
+import { execFileSync } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
+import { describe, expect, it } from 'vitest';
+import type { Language } from '../i18n/language.js';
+import { imported, shown } from '../testing/moodle.js';
+import type { Choice, Imported } from '../testing/moodle.js';
+import { everyQuestion } from '../testing/questions.js';
+import { headerOf, textOf, textWith, traceNames, traceOf } from '../testing/traces.js';
+import { grade } from './grade.js';
+import type { Answer } from './grade.js';
+import { moodleXml } from './moodle.js';
+import { parts as forms } from './question.js';
+import type { Part, Question } from './question.js';
+import { spread } from './spread.js';
+
+const schema = fileURLToPath(new URL('../../test-data/moodle.rng', import.meta.url));
+
+async function xmlOf(content: string, language: Language = 'en', count = 20): Promise<string> {
+  return moodleXml(await traceOf(content), language, count) ?? '';
+}
+
+/** The questions of a file without its category. */
+const questionsOf = (xml: string): readonly Imported[] => imported(xml).slice(1);
+
+const rightOf = ({ options }: Choice): number =>
+  options.findIndex(({ fraction }) => fraction === 100);
+
+/** The choices that belong to each part: one, one an option, or one a place of a row. */
+function choicesByPart(
+  { parts }: Question,
+  choices: readonly Choice[],
+): readonly (readonly Choice[])[] {
+  let from = 0;
+  return parts.map(({ asks, options, given = [] }) => {
+    const places = asks === 'signs' ? given.length : options.length;
+    const length = forms[asks][0] === 'one' ? 1 : places;
+    from += length;
+    return choices.slice(from - length, from);
+  });
+}
+
+/** The values that a part is answered with by these options of its choices. */
+function valuesOf({ asks, options }: Part, chosen: readonly number[]): readonly string[] {
+  const [form] = forms[asks];
+  const value = (place: number): readonly string[] =>
+    options.slice(place, place + 1).map((o) => o.value);
+  if (form !== 'some') return chosen.flatMap(value);
+  return options.filter((_, i) => chosen[i] === 0).map((option) => option.value);
+}
+
+const byTrace = traceNames.filter((name) => name !== 'small.zbuffer.windows.jsonl');
+
+describe.each(byTrace)('the questions of %s for Moodle', (name) => {
+  it('are well formed, and have the elements that Moodle wants', async () => {
+    const input = await xmlOf(textOf(name), 'ru');
+    const stdio = ['pipe', 'pipe', 'pipe'] as const;
+    execFileSync('xmllint', ['--noout', '--relaxng', schema, '-'], { input, stdio: [...stdio] });
+  });
+
+  it('are answered right by what the engine has for right, and by nothing else', async () => {
+    const trace = await traceOf(textOf(name));
+    const read = questionsOf(moodleXml(trace, 'en') ?? '');
+    const asked = spread(trace, 20);
+    expect(read).toHaveLength(asked.length);
+    asked.forEach((question, n) => {
+      const choices = choicesByPart(question, read[n]?.choices ?? []);
+      const right = choices.map((each) => each.map(rightOf));
+      const graded = (places: readonly (readonly number[])[]): readonly boolean[] => {
+        const answer: Answer = question.parts.map((part, i) => valuesOf(part, places[i] ?? []));
+        return grade(question, answer);
+      };
+      expect(graded(right)).not.toContain(false);
+      choices.forEach((part, i) =>
+        part.forEach(({ options }, j) => {
+          const other = ((right[i]?.[j] ?? 0) + 1) % options.length;
+          const wrong = right.map((places, k) =>
+            places.map((place, l) => (k === i && l === j ? other : place)),
+          );
+          expect(graded(wrong)[i]).toBe(false);
+        }),
+      );
+    });
+  });
+
+  it('have one right option in each choice, and parts that count the same', async () => {
+    const trace = await traceOf(textOf(name));
+    const read = questionsOf(moodleXml(trace, 'en') ?? '');
+    spread(trace, 20).forEach((question, n) => {
+      const choices = choicesByPart(question, read[n]?.choices ?? []);
+      expect(choices.flat()).toHaveLength(read[n]?.choices.length ?? -1);
+      for (const { options } of choices.flat()) {
+        expect(options.map(({ fraction }) => fraction).sort((a, b) => b - a)).toEqual([
+          100,
+          ...options.slice(1).map(() => 0),
+        ]);
+        expect(new Set(options.map(({ html }) => html)).size).toBe(options.length);
+      }
+      const weights = choices.map((part) => part.reduce((sum, { weight }) => sum + weight, 0));
+      expect(new Set(weights).size).toBe(1);
+    });
+  });
+});
+
+/** The question of a kind whose name is this, as what a student reads: a line of text each. */
+function linesOf(xml: string, name: RegExp): readonly string[] {
+  const html = questionsOf(xml).find((each) => name.test(each.name))?.html ?? '';
+  const lines = shown(html.replaceAll('</td><td>', '</td>: <td>').replaceAll('</th><td>', ': '));
+  return lines.split('\n').filter(Boolean);
+}
+
+describe('a question for Moodle', () => {
+  it('has with it what its answer needs: the window, its list, the polygons', async () => {
+    const xml = await xmlOf(textOf('small.warnock.signs.jsonl'));
+    expect(linesOf(xml, /^Step 4: the case of a window$/)).toEqual([
+      'What becomes of the window (2, −1) 8 × 8?',
+      'Area: (2, −1) 5 × 4',
+      'Window: (2, −1) 8 × 8',
+      'List of active polygons (APL): A, B',
+      'Polygon A: (1, −2, 0.1) (8, −2, 0.1) (8, 4, 0.1) (1, 4, 0.1)',
+      'Polygon B: (2.5, −0.5, 0.3) (6, 0, 0.4) (4, 2.5, 0.2)',
+      'Which polygons stay in its list?',
+      'A',
+      'B',
+      'Which one hides all others in it?',
+      'Which case is it?',
+    ]);
+  });
+
+  it('shows the picture of its step, and says why its answer is right', async () => {
+    const [first] = questionsOf(await xmlOf(textOf('small.warnock.signs.jsonl')));
+    expect(first?.files.map(({ name }) => name)).toEqual(['step-4.svg']);
+    expect(first?.html).toContain('src="@@PLUGINFILE@@/step-4.svg"');
+    expect(first?.files[0]?.content).toContain('· Step 4</title>');
+    expect(
+      shown(first?.feedback ?? '')
+        .trim()
+        .split('\n')
+        .at(-1),
+    ).toBe('Step 50: None of the simple cases: the window is split.');
+  });
+
+  it('shows names of polygons as they are, whatever signs are in them', async () => {
+    const id =
+      ']]>{1:SHORTANSWER:=x}~=%100%#\\</text><script>alert("\'")</script>&amp;@@PLUGINFILE@@$$x$$';
+    const hostile = textOf('small.warnock.signs.jsonl').replaceAll('"A"', () => JSON.stringify(id));
+    const plain = questionsOf(await xmlOf(textOf('small.warnock.signs.jsonl')));
+    const read = questionsOf(await xmlOf(hostile));
+    const inside = ({ html, choices, feedback }: Imported): readonly string[] =>
+      [html, feedback, ...choices.flatMap(({ options }) => options.map((o) => o.html))].map(shown);
+    expect(read.map(inside).flat().join('\n')).toContain(`Polygon ${id}`);
+    expect(read.map((each) => each.choices.map(rightOf))).toEqual(
+      plain.map((each) => each.choices.map(rightOf)),
+    );
+    expect(read.map(({ html }) => html).join('')).not.toMatch(/<script|[{}]|\$\$/);
+  });
+});
+
+describe('a file of questions for Moodle', () => {
+  it('is in the language that was chosen', async () => {
+    const xml = await xmlOf(textOf('small.warnock.signs.jsonl'), 'ru');
+    const [category] = imported(xml);
+    expect(category?.name).toBe(
+      '$course$/top/vidno · A square, a triangle and a slope · Алгоритм Варнока · double · исправленный текст',
+    );
+    expect(linesOf(xml, /^Шаг 4: случай окна$/)[0]).toBe('Что станет с окном (2, −1) 8 × 8?');
+  });
+
+  it('is the same bytes each time', async () => {
+    const text = textOf('small.warnock.signs.jsonl');
+    expect(await xmlOf(text)).toBe(await xmlOf(text));
+  });
+
+  it('has as many questions as were asked for, of all kinds that the run has, to its end', async () => {
+    const trace = await traceOf(textOf('small.warnock.signs.jsonl'));
+    const questions = spread(trace, 12);
+    const steps = questions.map(({ step }) => step);
+    expect(questionsOf(moodleXml(trace, 'en', 12) ?? '')).toHaveLength(12);
+    expect(steps).toEqual([...steps].sort((a, b) => a - b));
+    expect(steps.at(-1)).toBeGreaterThan(trace.timeline.length / 2);
+    const found = everyQuestion(trace).map(({ kind }) => kind);
+    expect(new Set(questions.map(({ kind }) => kind))).toEqual(new Set(found));
+  });
+
+  it('puts a run into one category, even if there is a slash in its name', async () => {
+    const text = textOf('small.warnock.signs.jsonl').replace('A square, a triangle', 'In/Out');
+    expect(imported(await xmlOf(text))[0]?.name).toContain('vidno · In//Out and a slope');
+  });
+
+  it('is not there for a run about which nothing can be asked', async () => {
+    const coarse = await traceOf(textOf('small.zbuffer.windows.jsonl'));
+    expect(moodleXml(coarse, 'en')).toBeNull();
+    expect(moodleXml(await traceOf(textWith(headerOf('warnock'), [])), 'en')).toBeNull();
+  });
+});

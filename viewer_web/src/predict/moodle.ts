@@ -1,0 +1,81 @@
+import { texts } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
+import { figureOf } from '../picture/figure.js';
+import type { Trace } from '../trace/trace.js';
+import { viewOf } from '../view.js';
+import type { View } from '../view.js';
+import { element, escaped } from '../xml.js';
+import { toBase64 } from '../base64.js';
+import { clozeOf, inert } from './cloze.js';
+import { factsOf } from './facts.js';
+import type { Question } from './question.js';
+import { reasonsOf } from './reasons.js';
+import { sayIntro } from './say.js';
+import { spread } from './spread.js';
+
+/** So many questions there are unless another number is asked for. */
+export const usualCount = 20;
+
+const text = (content: string): string => element('text', [], escaped(content));
+
+function questionText(view: View, question: Question, file: string): string {
+  const { texts: page, step, language } = view;
+  const image = { src: `@@PLUGINFILE@@/${file}`, alt: `${page.picture}, ${page.step} ${step}` };
+  const rows = factsOf(view, question).map((fact) =>
+    element('tr', [], `<th scope="row">${inert(fact[0])}</th><td>${inert(fact[1])}</td>`),
+  );
+  return [
+    element('p', [], inert(sayIntro(question, language))),
+    element('p', [], element('img', Object.entries({ ...image, class: 'img-fluid' }))),
+    element('table', [['class', 'table table-sm']], element('tbody', [], rows.join(''))),
+    clozeOf(question, language),
+  ].join('');
+}
+
+function feedback(trace: Trace, question: Question, language: Language): string {
+  const { page } = texts[language];
+  const reasons = reasonsOf(trace, question, language).map(({ step, said }) =>
+    element('li', [], inert(`${page.step} ${step}: ${said}`)),
+  );
+  return element('ol', [], reasons.join(''));
+}
+
+function questionXml(trace: Trace, question: Question, language: Language): string {
+  const { step, kind } = question;
+  const view = viewOf(trace, step, { language, pixel: null, pointed: null });
+  const file = `step-${step}.svg`;
+  const picture = toBase64(new TextEncoder().encode(figureOf(view)));
+  const asked =
+    text(questionText(view, question, file)) +
+    element('file', Object.entries({ name: file, path: '/', encoding: 'base64' }), picture);
+  const name = `${view.texts.step} ${step}: ${texts[language].predict.kinds[kind]}`;
+  return element(
+    'question',
+    [['type', 'cloze']],
+    element('name', [], text(name)) +
+      element('questiontext', [['format', 'html']], asked) +
+      element('generalfeedback', [['format', 'html']], text(feedback(trace, question, language))),
+  );
+}
+
+/** Where Moodle puts the questions: there a slash would begin a category in another. */
+function category({ header }: Trace, language: Language): string {
+  const { scene, method, kernel, edition } = header;
+  const { methods, editions } = texts[language].page;
+  const run = ['vidno', scene.name, methods[method], kernel, editions[edition]];
+  const name = run.filter(Boolean).join(' · ').replaceAll('/', '//');
+  const path = element('category', [], text(`$course$/top/${name}`));
+  return element('question', [['type', 'category']], path);
+}
+
+/**
+ * At most so many questions of a run, each with all that its answer needs, for the question bank of Moodle, in its XML
+ * format (https://docs.moodle.org/en/Moodle_XML_format); null if there are none. Leaves the timeline anywhere.
+ */
+export function moodleXml(trace: Trace, language: Language, count = usualCount): string | null {
+  const questions = spread(trace, count);
+  if (questions.length === 0) return null;
+  const written = questions.map((question) => questionXml(trace, question, language));
+  const quiz = element('quiz', [], `\n${category(trace, language)}${written.join('')}`);
+  return `<?xml version="1.0" encoding="UTF-8"?>\n${quiz}`;
+}

@@ -1,0 +1,59 @@
+import { texts } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
+import type { Case } from '../time/course.js';
+import type { Corner } from '../trace/values.js';
+import type { Relation } from './asker.js';
+import { none, parts } from './question.js';
+import type { Abouts, Asks, Kind, Of, Option, Part, Question } from './question.js';
+
+type Say = (value: string, language: Language) => string;
+
+const itself = (value: string): string => value.replace('-', '−');
+
+const words: Readonly<Record<Of, Say>> = {
+  case: (value, language) => texts[language].strip.cases[value as Case],
+  polygon: (value) => value,
+  corner: (value, language) => texts[language].places[value as Corner],
+  relation: (value, language) => `${value} ${texts[language].predict.relations[value as Relation]}`,
+  yes: (value, language) => texts[language].page[value === 'yes' ? 'yes' : 'no'],
+  sign: itself,
+  vertex: itself,
+  edge: (value, language) => texts[language].predict.edge(value),
+  depth: itself,
+  column: (value, language) => texts[language].predict.column(value),
+};
+
+/** What is asked, in the language's words for its kind. */
+export function sayIntro<K extends Kind>({ kind, about }: Question<K>, language: Language): string {
+  const word = texts[language].predict.intro[kind] as (of: Abouts[Kind]) => string;
+  return word(about);
+}
+
+/** The value of an option, without its note. */
+export const sayValue = (of: Of, value: string, language: Language): string =>
+  words[of](value, language);
+
+/** What no polygon at all means for a part. */
+export function sayNone(asks: Asks, language: Language): string {
+  const { noPolygon } = texts[language].predict;
+  return noPolygon[asks === 'wins' ? 'wins' : 'hides'];
+}
+
+/** A value and its note in one line; a depth is its note. */
+export function sayNoted(of: Of, { value, note }: Option, language: Language): string {
+  const said = words[of](value, language);
+  if (note === undefined) return said;
+  return of === 'depth' ? note : `${said}: ${note}`;
+}
+
+/** The right answer to a part, in words. */
+export function sayRight({ asks, options, right }: Part, language: Language): string {
+  const [form, of] = parts[asks];
+  const say = (value: string): string => {
+    if (value === none) return sayNone(asks, language);
+    const note = of === 'depth' ? options.find((each) => each.value === value)?.note : undefined;
+    return note ?? words[of](value, language);
+  };
+  if (right.length === 0) return texts[language].predict.empty;
+  return form === 'row' ? right.map(itself).join(' ') : right.map(say).join(', ');
+}

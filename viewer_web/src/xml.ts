@@ -1,0 +1,29 @@
+const references: Readonly<Record<string, string>> = {
+  '&': '&amp;',
+  '<': '&lt;',
+  '>': '&gt;',
+  '"': '&quot;',
+};
+
+/** Text as XML may have it: it has no way to write some characters. */
+export function writable(text: string): string {
+  return text.replace(
+    /[^\t\n\r\u{20}-\u{d7ff}\u{e000}-\u{fffd}\u{10000}-\u{10ffff}]/gu,
+    '\u{fffd}',
+  );
+}
+
+/** Text in which no character counts as markup. */
+export function escaped(text: string): string {
+  return writable(text).replace(/[&<>"]/g, (character) => references[character] ?? '');
+}
+
+/** An element with its attributes, of text that is written already. */
+export function element(
+  name: string,
+  attributes: Iterable<readonly [string, string | number]>,
+  content = '',
+): string {
+  const written = [...attributes].map(([key, value]) => ` ${key}="${escaped(String(value))}"`);
+  return `<${name}${written.join('')}${content === '' ? '/>' : `>${content}</${name}>`}\n`;
+}

@@ -1,0 +1,16 @@
+import { defineConfig } from 'vite';
+import { licensed } from './plugins/licensed.js';
+
+/** The questions of a trace for Moodle, as one script that Node runs. */
+export default defineConfig({
+  plugins: [licensed([])],
+  // Of Lit it needs no more than how style sheets are written.
+  resolve: { alias: { lit: '@lit/reactive-element/css-tag.js' } },
+  ssr: { noExternal: true },
+  build: {
+    target: 'node18',
+    emptyOutDir: false,
+    ssr: 'src/questions.ts',
+    rollupOptions: { output: { entryFileNames: 'vidno-questions.mjs' } },
+  },
+});
