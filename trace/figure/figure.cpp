@@ -106,7 +106,8 @@ Drawing Figure::strip() const {
     const double height = all.front().height;
     Drawing strip{options_.width, double(rows) * height + gap / 2 * double(rows - 1)};
     for (std::size_t i = 0; i < all.size(); ++i) {
-        strip.place(all[i], {double(i % columns_) * (panel_width_ + gap), double(i / columns_) * (height + gap / 2)});
+        const std::size_t row = i / columns_, column = i % columns_;
+        strip.place(all[i], {double(column) * (panel_width_ + gap), double(row) * (height + gap / 2)});
     }
     return strip;
 }

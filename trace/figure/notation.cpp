@@ -38,12 +38,12 @@ std::string short_number(double value) {
         const std::string exact = shortest(value);
         return exact.size() <= short_enough ? exact : written(value, std::chars_format::scientific, 2);
     }
-    const std::string exact = shortest(value);
+    std::string exact = shortest(value);
     if (exact.size() <= short_enough) return exact;
     const int whole = std::max(0, int(std::floor(std::log10(size))) + 1);
     for (int digits = 4; digits > 1; --digits) {
         const int places = std::max(0, digits - (size < 1 ? int(std::floor(std::log10(size))) + 1 : whole));
-        const std::string text = without_zeros(written(value, std::chars_format::fixed, places));
+        std::string text = without_zeros(written(value, std::chars_format::fixed, places));
         if (text.size() <= short_enough) return text;
     }
     return written(value, std::chars_format::scientific, 1);

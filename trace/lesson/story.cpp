@@ -254,7 +254,8 @@ private:
     static Json without_empty(const Json& content) {
         Json kept = Json::array();
         for (const auto& each : content) {
-            if (each != "") kept.push_back(each);
+            const bool is_empty = each.is_string() && each.get_ref<const std::string&>().empty();
+            if (!is_empty) kept.push_back(each);
         }
         return kept;
     }
