@@ -23,6 +23,16 @@ enum class Line : unsigned char {
     V1, V2, V3, V4,                                           // Visibility
     H1, H2, H3,                                               // Horizon
     IN1, IN2, IN3,                                            // Intersection
+    WS1, WS2, WS3, WS4, WS5, WS6,                             // SimplestWarnock
+    WF1, WF2, WF3, WF4, WF5, WF6, WF7, WF8, WF9, WF10, WF11, WF12,  // ThreeListsWarnock
+    RE1, RE2, RE3, RE4,                                       // Relation
+    TF1, TF2, TF3, TF4,                                       // TrialFunction
+    RC1, RC2, RC3, RC4, RC5,                                  // RayCrossings
+    OA1, OA2, OA3, OA4, OA5,                                  // OctantAngles
+    HP1, HP2, HP3, HP4, HP5, HP6, HP7,                        // HidingPolygon
+    VS1, VS2, VS3, VS4,                                       // VertexSplit
+    ED1, ED2, ED3, ED4, ED5, ED6,                             // EdgeDepth
+    BF1, BF2,                                                 // BackFaces
 };
 
 inline constexpr auto line_names = std::to_array<std::string_view>({
@@ -41,10 +51,20 @@ inline constexpr auto line_names = std::to_array<std::string_view>({
     "V1", "V2", "V3", "V4",
     "H1", "H2", "H3",
     "IN1", "IN2", "IN3",
+    "WS1", "WS2", "WS3", "WS4", "WS5", "WS6",
+    "WF1", "WF2", "WF3", "WF4", "WF5", "WF6", "WF7", "WF8", "WF9", "WF10", "WF11", "WF12",
+    "RE1", "RE2", "RE3", "RE4",
+    "TF1", "TF2", "TF3", "TF4",
+    "RC1", "RC2", "RC3", "RC4", "RC5",
+    "OA1", "OA2", "OA3", "OA4", "OA5",
+    "HP1", "HP2", "HP3", "HP4", "HP5", "HP6", "HP7",
+    "VS1", "VS2", "VS3", "VS4",
+    "ED1", "ED2", "ED3", "ED4", "ED5", "ED6",
+    "BF1", "BF2",
 });
 // clang-format on
 
-static_assert(line_names.size() == std::size_t(Line::IN3) + 1);
+static_assert(line_names.size() == std::size_t(Line::BF2) + 1);
 
 /// The procedures that open a frame of the call stack, by the names of the listings.
 enum class Procedure : unsigned char {
@@ -61,24 +81,22 @@ enum class Procedure : unsigned char {
     visibility,
     horizon,
     intersection,
+    simplest_warnock,
+    three_lists_warnock,
+    relation,
+    trial_function,
+    ray_crossings,
+    octant_angles,
+    hiding_polygon,
 };
 
 inline constexpr auto procedure_names = std::to_array<std::string_view>({
-    "Warnock",
-    "ProcessWindow",
-    "PointColor",
-    "SurroundTest",
-    "PolygonClip",
-    "FillPolygon",
-    "ZBuffer",
-    "ShowLine",
-    "FloatingHorizon",
-    "SideEdge",
-    "Visibility",
-    "Horizon",
-    "Intersection",
+    "Warnock",     "ProcessWindow", "PointColor",   "SurroundTest",    "PolygonClip",
+    "FillPolygon", "ZBuffer",       "ShowLine",     "FloatingHorizon", "SideEdge",
+    "Visibility",  "Horizon",       "Intersection", "SimplestWarnock", "ThreeListsWarnock",
+    "Relation",    "TrialFunction", "RayCrossings", "OctantAngles",    "HidingPolygon",
 });
 
-static_assert(procedure_names.size() == std::size_t(Procedure::intersection) + 1);
+static_assert(procedure_names.size() == std::size_t(Procedure::hiding_polygon) + 1);
 
 }  // namespace vidno

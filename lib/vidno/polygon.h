@@ -9,6 +9,13 @@
 
 namespace vidno {
 
+/// An edge of an edge-on polygon, and a plane through it that gives its depths (family/edge_depth.h).
+template <Kernel K>
+struct DepthEdge {
+    std::vector<Vertex<typename K::Coordinate>> corners;  // of the plane
+    typename K::Plane plane;
+};
+
 template <Kernel K>
 struct Polygon {
     using Coordinate = typename K::Coordinate;
@@ -19,6 +26,7 @@ struct Polygon {
     std::vector<Vertex<Coordinate>> vertices;
     Box<Coordinate> box;
     typename K::Plane plane;
+    std::vector<DepthEdge<K>> edges;  // where edge-on polygons show, theirs
 };
 
 /// The least box around at least one vertex.

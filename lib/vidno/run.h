@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "depth_buffer.h"
+#include "family/relation.h"
 #include "fault.h"
 #include "picture.h"
 #include "polygon.h"
@@ -123,6 +124,41 @@ struct Run {
         const std::vector<PixelRun> runs = Set::fill_polygon(*this, vertices);
         for (const auto& run : runs) picture.paint(run, polygon.color);
         trace.draw(at, polygon, runs);
+    }
+
+    Relation relation(Line at, const Polygon<K>& polygon, const Window& window) {
+        trace.call(at, Procedure::relation);
+        const Relation found = Set::relation(*this, polygon, window);
+        trace.relation(at, polygon, found);
+        return found;
+    }
+
+    bool trial_function(Line at, const Polygon<K>& polygon, const Window& window) {
+        trace.call(at, Procedure::trial_function);
+        const bool meets = Set::trial_function(*this, polygon, window);
+        trace.meets(at, polygon, meets);
+        return meets;
+    }
+
+    int ray_crossings(Line at, const Polygon<K>& polygon, const Window& window) {
+        trace.call(at, Procedure::ray_crossings);
+        const int count = Set::ray_crossings(*this, polygon, window);
+        trace.crossings(at, polygon, count);
+        return count;
+    }
+
+    int octant_angles(Line at, const Polygon<K>& polygon, const Window& window) {
+        trace.call(at, Procedure::octant_angles);
+        const int octants = Set::octant_angles(*this, polygon, window);
+        trace.angle(at, polygon, octants);
+        return octants;
+    }
+
+    const Polygon<K>* hiding_polygon(Line at, const Window& window, const ActivePolygonList<K>& shown) {
+        trace.call(at, Procedure::hiding_polygon);
+        const Polygon<K>* polygon = Set::hiding_polygon(*this, window, shown);
+        trace.hiding(at, polygon);
+        return polygon;
     }
 
     /// `row` is a row, or in the printed text a y; an end has an x and a z.

@@ -115,6 +115,25 @@ struct NoTrace {
 
     // Intersection
     void step(Line, int /*column*/, bool /*changes*/) {}
+
+    // The Warnock family: ThreeListsWarnock, Relation
+    void join(Line, const auto& /*polygon*/, auto /*list*/, int /*level*/) {}
+    void rejoin(Line, const auto& /*polygon*/, auto /*list*/, int /*level*/) {}
+    void relation(Line, const auto& /*polygon*/, auto /*relation*/) {}
+
+    // TrialFunction, RayCrossings, OctantAngles
+    void trial(Line, const auto& /*polygon*/, int /*edge*/, bool /*meets*/) {}
+    void meets(Line, const auto& /*polygon*/, bool /*meets*/) {}
+    void ray(Line, const auto& /*polygon*/, int /*edge*/, int /*counts*/) {}
+    void crossings(Line, const auto& /*polygon*/, int /*count*/) {}
+    void octants(Line, const auto& /*polygon*/, int /*edge*/, int /*from*/, int /*to*/, int /*difference*/) {}
+    void angle(Line, const auto& /*polygon*/, int /*octants*/) {}
+
+    // HidingPolygon, VertexSplit, EdgeDepth, BackFaces
+    void hiding(Line, const auto* /*polygon*/) {}
+    void split_vertex(Line, const auto& /*polygon*/, int /*vertex*/, int /*column*/, int /*row*/, bool /*splits*/) {}
+    void edge_depth(Line, const auto& /*polygon*/, int /*edge*/, const auto& /*z*/) {}
+    void back_face(Line, const auto& /*polygon*/, bool /*away*/) {}
 };
 
 }  // namespace vidno

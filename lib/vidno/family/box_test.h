@@ -1,0 +1,30 @@
+/// BoxTest: two lines of the relation test that look at the box around the polygon alone.
+///
+/// Takes   a polygon and a window.
+/// Gives   outside or inside, or nothing: then the box cannot tell. A box that touches the window from without cannot.
+#pragma once
+
+#include <optional>
+
+#include "../run.h"
+
+namespace vidno {
+
+struct BoxTest {
+    template <class Run>
+    static std::optional<Relation> box_test(Run& run, const Polygon<typename Run::Arithmetic>& polygon,
+                                            const Window& window) {
+        using enum Line;
+        auto& trace = run.trace;
+
+        const bool outside = run.kernel.outside(polygon.box, window);
+        trace.box(RE1, polygon, outside);
+        if (outside) return Relation::outside;
+        const bool inside = run.kernel.inside(polygon.box, window);
+        trace.insider(RE2, polygon, inside);
+        if (inside) return Relation::inside;
+        return std::nullopt;
+    }
+};
+
+}  // namespace vidno

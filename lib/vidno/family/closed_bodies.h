@@ -1,0 +1,138 @@
+/// Closed convex bodies: does a scene consist of them? Decided exactly for the given doubles.
+///
+/// Polygons that share edges make a body. It is closed and convex if
+///   - each edge belongs to two of its polygons, which go along it in opposite directions;
+///   - each polygon has an area, all of its vertices lie in its plane, and all others of the body in it or behind it.
+/// Behind: where its normal, Newell's sum, does not point; one with c > 0 looks towards the viewer.
+///
+/// Why the faces that look away may go then: each polygon lies on the hull of its body, so where a line of sight meets the body the
+/// nearest point is one of the hull, and on a closed face that looks towards the viewer, or it is a limit of such points.
+/// So a face that looks away is never nearer than all others; as near as one it may be on the body's outline.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../admission.h"
+
+namespace vidno {
+
+namespace closed_bodies {
+
+using Place = std::array<double, 3>;
+using Edge = std::pair<Place, Place>;  // from, to
+
+inline Place place_of(const glm::dvec3& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }  // -0 is 0
+
+/// The polygon that goes along each edge, by its place in the scene; none if two go the same way, or one comes back.
+struct Edges {
+    std::map<Edge, std::size_t> polygons;
+    std::optional<std::size_t> repeating;  // goes along an edge another way was taken before
+};
+
+inline Edges edges_of(const std::vector<ScenePolygon>& polygons) {
+    Edges edges;
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        const auto& vertices = polygons[i].vertices;
+        for (std::size_t j = 0; j < vertices.size(); ++j) {
+            const Place from = place_of(vertices[j]);
+            const Place to = place_of(vertices[(j + 1) % vertices.size()]);
+            if (from == to) continue;
+            if (!edges.polygons.emplace(Edge{from, to}, i).second && !edges.repeating) edges.repeating = i;
+        }
+    }
+    return edges;
+}
+
+/// The plane of a polygon, by intervals, and exactly for what these leave open.
+class FacePlane {
+public:
+    explicit FacePlane(const std::vector<glm::dvec3>& vertices)
+        : origin_(vertices.front()),
+          near_(admission::normal_of<admission::Bounds>(vertices)),
+          exact_(admission::normal_of<admission::Exact>(vertices)) {}
+
+    bool is_none() const { return exact_.x == 0 && exact_.y == 0 && exact_.z == 0; }
+
+    /// Positive before the plane, negative behind it.
+    CGAL::Sign side_of(const glm::dvec3& vertex) const {
+        const auto side = CGAL::sign(height(near_, vertex));
+        return side.is_certain() ? side.make_certain() : CGAL::sign(height(exact_, vertex));
+    }
+
+private:
+    template <class Number>
+    Number height(const admission::Vector<Number>& normal, const glm::dvec3& vertex) const {
+        const auto way = admission::difference<Number>(vertex, origin_);
+        return normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    }
+
+    glm::dvec3 origin_;
+    admission::Vector<admission::Bounds> near_;
+    admission::Vector<admission::Exact> exact_;
+};
+
+/// Why a body, given by its polygons' places, is not convex.
+inline std::optional<std::string> not_convex(const std::vector<ScenePolygon>& polygons,
+                                             const std::vector<std::size_t>& body) {
+    for (const std::size_t face : body) {
+        const FacePlane plane(polygons[face].vertices);
+        const std::string name = "polygon " + polygons[face].id;
+        if (plane.is_none()) return name + " has no area";
+        for (const std::size_t other : body) {
+            for (const auto& vertex : polygons[other].vertices) {
+                const CGAL::Sign side = plane.side_of(vertex);
+                if (other == face && side != CGAL::ZERO) return name + " is not planar to the last digit";
+                if (side == CGAL::POSITIVE) {
+                    return name + " has a vertex of polygon " + polygons[other].id +
+                           " before it: its body is not convex, or it goes round the other way";
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace closed_bodies
+
+/// Takes   an admitted scene.
+/// Gives   why it does not consist of closed convex bodies, with the id of a polygon; nothing if it does.
+/// Time    for each polygon, the vertices of its body.
+inline std::optional<std::string> not_closed_convex_bodies(const Scene& scene) {
+    using namespace closed_bodies;
+    const auto& polygons = scene.polygons;
+    const Edges edges = edges_of(polygons);
+    if (edges.repeating) {
+        return "polygon " + polygons[*edges.repeating].id + " goes along an edge the way another one does";
+    }
+    std::vector<std::size_t> first_of_body(
+        polygons.size());  // a polygon of the same body, up to the one that is its own
+    std::iota(first_of_body.begin(), first_of_body.end(), std::size_t{0});
+    const auto body_of = [&](std::size_t polygon) {
+        while (first_of_body[polygon] != polygon)
+            polygon = first_of_body[polygon] = first_of_body[first_of_body[polygon]];
+        return polygon;
+    };
+    for (const auto& [edge, polygon] : edges.polygons) {
+        const auto back = edges.polygons.find({edge.second, edge.first});
+        if (back == edges.polygons.end() || back->second == polygon) {
+            return "polygon " + polygons[polygon].id + " has an edge that no other one shares";
+        }
+        first_of_body[body_of(polygon)] = body_of(back->second);
+    }
+    std::map<std::size_t, std::vector<std::size_t>> bodies;
+    for (std::size_t i = 0; i < polygons.size(); ++i) bodies[body_of(i)].push_back(i);
+    for (const auto& [first, body] : bodies) {
+        if (auto reason = not_convex(polygons, body)) return reason;
+    }
+    return std::nullopt;
+}
+
+}  // namespace vidno

@@ -1,0 +1,79 @@
+/// The Warnock family: procedure sets that combine the variants of the algorithm, to be chosen and compared.
+///
+///     vidno::Picture picture = vidno::render<vidno::family::Full>(vidno::Method::warnock, scene, vidno::Double{});
+///
+/// Each paints the picture rule, or the variation of it that stands above the set, on the scenes of its domain.
+#pragma once
+
+#include "../vidno.h"
+#include "back_faces.h"
+#include "box_test.h"
+#include "edge_depth.h"
+#include "hiding_polygon.h"
+#include "octant_angles.h"
+#include "ray_crossings.h"
+#include "relation_test.h"
+#include "simplest.h"
+#include "three_lists.h"
+#include "trial_function.h"
+#include "vertex_split.h"
+
+namespace vidno::family {
+
+struct Simplest : Corrected {
+    static void warnock(auto& run) { SimplestWarnock::warnock(run); }
+};
+
+struct Full : Corrected, RelationTest, BoxTest, TrialFunction, RayCrossings, OctantAngles, HidingPolygon {
+    static void warnock(auto& run) { ThreeListsWarnock::warnock(run); }
+
+    /// RE4: does a polygon whose edges do not meet a window surround it, or is it outside.
+    static bool surrounds(auto& run, const auto& polygon, const Window& window) {
+        using enum Line;
+        return run.ray_crossings(RE4, polygon, window) % 2 == 1;
+    }
+
+    /// WF12: the parts of a window, whatever is in it.
+    static std::vector<Window> split(auto&, const Window& window, const auto&) { return parts(window); }
+};
+
+/// Contained by the sum of the angles.
+struct Angles : Full {
+    static bool surrounds(auto& run, const auto& polygon, const Window& window) {
+        using enum Line;
+        return run.octant_angles(RE4, polygon, window) != 0;
+    }
+};
+
+/// Split at a vertex: no square is needed, for no window is halved on and on.
+struct AtVertex : Full {
+    static Window root_window(const Area& area) { return whole_area(area); }
+    static std::vector<Window> split(auto& run, const Window& window, const auto& polygons) {
+        return VertexSplit::split(run, window, polygons);
+    }
+};
+
+/// Edge-on polygons show as well: each is the closed segment that it is projected to, at its nearest depth.
+struct EdgeOn : Full {
+    static void warnock(auto& run) {
+        EdgeDepth::initialize_edges(run);
+        Full::warnock(run);
+    }
+    static bool takes_part(const auto&, const auto&) { return true; }
+    static bool surround_test(auto& run, const auto& point, const auto& polygon) {
+        return polygon.edge_on ? EdgeDepth::on_segment(run, point, polygon) : Full::surround_test(run, point, polygon);
+    }
+    static auto depth(auto& run, const auto& polygon, const auto& point) {
+        return polygon.edge_on ? EdgeDepth::edge_depth(run, polygon, point) : Full::depth(run, polygon, point);
+    }
+};
+
+/// Closed convex bodies: the faces that look away are removed first. At a centre on the outline of a body, where a face that looks
+/// away may be as near as one that does not, the latter shows.
+struct Bodies : Corrected {
+    static bool takes_part(auto& run, const auto& polygon) {
+        return !polygon.edge_on && !BackFaces::looks_away(run, polygon);
+    }
+};
+
+}  // namespace vidno::family
