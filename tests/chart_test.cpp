@@ -68,6 +68,49 @@ TEST_CASE("Chart: each kernel in each edition that it runs, and each knob at eac
     CHECK(number_of(ways, Knob::window, Method::zbuffer) == 0);
 }
 
+TEST_CASE("Chart: the methods of the Warnock family that take the scene, under double and filtered") {
+    const auto ways = ways_to_draw(whole_quad());
+    for (const Method method : {Method::warnock_simplest, Method::warnock_full, Method::warnock_angles,
+                                Method::warnock_vertex, Method::warnock_edges}) {
+        CHECK(number_of(ways, std::nullopt, method) == 2);
+    }
+    CHECK_MESSAGE(number_of(ways, std::nullopt, Method::warnock_bodies) == 0, "a quad is no body");
+}
+
+TEST_CASE("Chart: for the page without the Warnock family, and compared anew") {
+    const SceneChart all = charted(half_quad());
+    const SceneChart known = without_family(all);
+    CHECK(known.runs.size() == all.runs.size() - 10);
+    double least = INFINITY;
+    for (const auto& run : known.runs) {
+        CHECK_FALSE(is_family(run.way.method));
+        least = std::min(least, run.cost.time);
+    }
+    CHECK(least == 1);
+}
+
+TEST_CASE("Operations: the Warnock family finds a window surrounded by its own tests") {
+    using enum Operation;
+    // The box test, twice; the edges against four corners each. To the right of the centre (8, 8) one edge crosses the ray, the one
+    // from (17, -1) to (17, 17): only that and the one on the left pass from one side to the other.
+    CHECK(examined(whole_quad(), Method::warnock_full, "double").operations ==
+          counted({{windows, 1}, {boxes, 2}, {orientations, 4 * 4 + 2}}));
+    // The quad's corners are in the octants 0, 2, 4 and 6: nothing is split.
+    CHECK(examined(whole_quad(), Method::warnock_angles, "filtered").operations ==
+          counted({{windows, 1}, {boxes, 2}, {orientations, 4 * 4}}));
+    // 16 x 16 pixels and 1 + 4 + 16 + 64 windows around them; at each pixel four edges and a depth, compared with none.
+    CHECK(examined(whole_quad(), Method::warnock_simplest, "double").operations ==
+          counted({{windows, 341}, {boxes, 341}, {orientations, 4 * 256}, {depths, 256}, {comparisons, 256}}));
+}
+
+TEST_CASE("Wrong pixels of a method with a rule of its own are held against that") {
+    const Scene edge_on = SceneBuilder(area_16).polygon({{2.5, 2.5, 0}, {2.5, 9.5, 0}, {2.5, 6, 1}}).build();
+    CHECK(examined(edge_on, Method::warnock_edges, "double").wrong_pixels == 0);
+    CHECK(examined(edge_on, Method::warnock_full, "double").wrong_pixels == 0);
+    CHECK(right_picture(edge_on, Method::warnock_edges).at(2, 5) == color_of(0));
+    CHECK(right_picture(edge_on).at(2, 5) == edge_on.background);
+}
+
 TEST_CASE("Operations: a window that a quad surrounds") {
     // One window; its four corners' depths, each compared; each corner on the inner side of four edges.
     using enum Operation;

@@ -212,6 +212,14 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "trace " + scene + " --kernel filtered --edition printed" + output,
              "trace " + scene + " --kernel depth:16 --method warnock" + output,
              "trace " + scene + " --kernel float --edition one-list" + output,
+             "trace " + scene + " --method warnock-full --edition printed" + output,
+             "trace " + scene + " --method warnock-full --kernel bits:8" + output,
+             "trace " + scene + " --method warnock-full --kernel depth:8" + output,
+             "trace " + scene + " --method warnock-bodies" + output,
+             "render " + scene + " --method warnock-bodies" + output + ".png",
+             "check " + scene + " --method warnock-bodies",
+             "shrink " + scene + " --method warnock-bodies" + output,
+             "variants " + scene + " --method warnock-full -o " + work.file("a"),
              "trace " + scene + " --method zbuffer --edition one-list" + output,
              "trace " + scene + " --edition depths-not-cleared" + output,
              "trace " + work.file("missing.json") + output,
@@ -345,6 +353,25 @@ TEST_CASE("shrink: a scene that still fails; what does not fail is refused") {
     CHECK(program("shrink " + clipped + " --kernel filtered -o " + work.file("none.json")).text ==
           "vidno: " + clipped + ": nothing fails: no decision is wrong, and no pixel\n");
     CHECK_FALSE(work.has("none.json"));
+}
+
+TEST_CASE("The Warnock family: traced, replayed, checked; a scene outside the domain is refused, with the polygon") {
+    const Workplace work;
+    const std::string scene = VIDNO_ROOT "/lessons/01-four-relations/scene.json";
+    REQUIRE(program("render " + scene + " --method zbuffer --kernel exact -o " + work.file("right.ppm")).status == 0);
+    for (const std::string method : {"simplest", "full", "angles", "vertex"}) {
+        CAPTURE(method);
+        const std::string named = " --method warnock-" + method;
+        const std::string trace = work.file(method + ".jsonl"), picture = work.file(method + ".ppm");
+        REQUIRE(program("trace " + scene + named + " --kernel filtered --check -o " + trace).status == 0);
+        REQUIRE(program("replay " + trace + " -o " + picture).status == 0);
+        CHECK(work.read(method + ".ppm") == work.read("right.ppm"));
+        CHECK(program("check " + scene + named + " --kernel filtered").status == 0);
+    }
+    const auto refused = program("render " + scene + " --method warnock-bodies -o " + work.file("none.ppm"));
+    CHECK(refused.status == 2);
+    CHECK(refused.text.find("warnock-bodies takes closed convex bodies") != std::string::npos);
+    CHECK(refused.text.find("has an edge that no other one shares") != std::string::npos);
 }
 
 TEST_CASE("need and choose: a table, and a choice whose picture is right") {
@@ -574,6 +601,7 @@ TEST_CASE("Help says what there is, exit 0") {
         CHECK(program(call).text.size() > 10);
     }
     CHECK(program("methods").text.find("nearest polygon at each pixel centre") != std::string::npos);
+    CHECK(program("methods").text.find("domain: closed convex bodies") != std::string::npos);
 }
 
 TEST_CASE("stability: shards put together and a run taken up are the run in one go, byte for byte") {

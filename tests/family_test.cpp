@@ -355,15 +355,16 @@ struct WatchLists : NoTrace {
         lists->current = of;
         lists->tested.clear();
     }
-    void rejoin(Line, const auto& polygon, Relation list, int) {
-        CHECK(lists->joined.at(polygon.index) == list);
-        lists->joined.erase(polygon.index);
+    void rejoin(Line, Relation relation, const auto& list) {
+        const int place = list.back().polygon->index;
+        CHECK(lists->joined.at(place) == relation);
+        lists->joined.erase(place);
     }
     void relation(Line, const auto& polygon, Relation) {
         lists->tested_again += lists->joined.contains(polygon.index) ? 1 : 0;
         lists->tested.insert(polygon.index);
     }
-    void join(Line, const auto& polygon, Relation list, int) { lists->joined[polygon.index] = list; }
+    void join(Line, Relation relation, const auto& list) { lists->joined[list.back().polygon->index] = relation; }
     void decide(Line, Case) {
         lists->expect_right();
         std::size_t shown = 0;
@@ -574,9 +575,9 @@ TEST_CASE_TEMPLATE("BackFaces: the sign of the first turn", K, VIDNO_KERNELS) {
         Stage<K, family::Bodies> stage(scene_of(vertices));
         return BackFaces::looks_away(stage.run, stage.polygon());
     };
-    CHECK_FALSE(looks_away({{1, 1, 0}, {5, 1, 0}, {5, 5, 0}}));
-    CHECK(looks_away({{5, 5, 0}, {5, 1, 0}, {1, 1, 0}}));
-    CHECK_MESSAGE(looks_away({{5, 5, 0}, {5, 3, 0}, {5, 1, 0}, {1, 1, 0}}), "after a vertex that is no corner");
+    CHECK_FALSE_MESSAGE(looks_away({{5, 5, 0}, {5, 1, 0}, {1, 1, 0}}), "counter-clockwise on the screen");
+    CHECK(looks_away({{1, 1, 0}, {5, 1, 0}, {5, 5, 0}}));
+    CHECK_MESSAGE(looks_away({{1, 1, 0}, {3, 1, 0}, {5, 1, 0}, {5, 5, 0}}), "after a vertex that is no corner");
 }
 
 TEST_CASE("Bodies: faces that look away may go") {
@@ -597,7 +598,7 @@ TEST_CASE("Bodies: faces that look away may go") {
 TEST_CASE("Bodies: on the outline the face that looks here wins, even if the other comes first") {
     // The edge from (1/2, 1/2) to (4 1/2, 4 1/2) is on the outline of the tetrahedron; its fourth vertex is behind it.
     const Faces faces = tetrahedron({.5, .5, 0}, {4.5, 4.5, 0}, {9.5, .5, 0}, {5.5, 1.5, -.5});
-    const auto looks_here = [](const Corners& face) { return glm::cross(face[1] - face[0], face[2] - face[0]).z > 0; };
+    const auto looks_here = [](const Corners& face) { return glm::cross(face[1] - face[0], face[2] - face[0]).z < 0; };
     SceneBuilder builder(area_16);
     for (const bool here : {false, true}) {
         for (const auto& face : faces) {

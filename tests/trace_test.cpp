@@ -17,6 +17,7 @@
 #include "support/scenes.h"
 #include "support/stage.h"
 #include "trace_reader.h"
+#include "vidno/family/family.h"
 
 using namespace vidno;
 using namespace vidno::test;
@@ -35,7 +36,8 @@ struct Choice {
 
 std::vector<Choice> all_choices() {
     std::vector<Choice> choices;
-    for (const Method method : {Method::warnock, Method::zbuffer}) {
+    for (std::size_t place = 0; place < method_names.size(); ++place) {
+        const auto method = Method(place);
         for (const Edition edition : all_editions()) {
             for (const std::string kernel :
                  {"float", "double", "bits:4", "bits:11", "depth:6", "filtered", "grid:1", "exact"}) {
@@ -77,7 +79,7 @@ std::optional<Event> lowered(Event event, Detail detail) {
     const bool stays = std::visit([&](const auto& e) { return e.kind.from <= detail; }, event);
     if (!stays) return std::nullopt;
     if (const auto* call = std::get_if<event::Call>(&event)) {
-        if (call->of == Procedure::surround_test && detail < Detail::signs) return std::nullopt;
+        if (event::calls_from(call->of) > detail) return std::nullopt;
     }
     if (auto* span = std::get_if<event::Span>(&event)) {
         if (detail < Detail::polygons) span->depths.reset();
@@ -144,6 +146,18 @@ public:
             return value_of<K>(own.x) == v.x && value_of<K>(own.y) == v.y && value_of<K>(own.z) == v.z;
         }));
     }
+    void join(Line at, Relation relation, const auto& list) {
+        Base::join(at, relation, list);
+        compare_list(relation, list);
+    }
+    void rejoin(Line at, Relation relation, const auto& list) {
+        compare_list(relation, list);
+        Base::rejoin(at, relation, list);
+    }
+    void hiding(Line at, const auto* polygon) {
+        Base::hiding(at, polygon);
+        expect(rebuilt_->state.has_surround() == (polygon != nullptr));
+    }
     void ael_sort(Line at, const auto& entries, const auto& next) {
         Base::ael_sort(at, entries, next);
         expect(equal(entries, rebuilt_->state.ael(), [](const auto& own, const auto& entry) {
@@ -171,6 +185,14 @@ private:
         }));
     }
 
+    void compare_list(Relation relation, const auto& list) {
+        const State& state = rebuilt_->state;
+        const auto& rebuilt = relation == Relation::surrounding ? state.surrounding() : state.outside();
+        expect(equal(list, rebuilt, [](const auto& own, const auto& entry) {
+            return own.polygon->index == entry.polygon.index && own.level == entry.level;
+        }));
+    }
+
     Rebuilt* rebuilt_;
 };
 
@@ -181,12 +203,12 @@ int check_rebuilt(const Scene& scene, Method method) {
     Rebuilt rebuilt(header);
     Stage<K, Set, Compare<K>> stage(scene, Compare<K>(rebuilt));
     try {
-        method == Method::warnock ? Set::warnock(stage.run) : Set::z_buffer(stage.run);
+        is_warnock(method) ? Set::warnock(stage.run) : Set::z_buffer(stage.run);
     } catch (const Fault&) {
     }
     CHECK(rebuilt.different == 0);
     CHECK(rebuilt.state.picture() == stage.picture);
-    if (method == Method::warnock) return rebuilt.compared;
+    if (is_warnock(method)) return rebuilt.compared;
     int different = 0;
     const Area& area = scene.area;
     for (int y = area.y; y < area.bottom(); ++y) {
@@ -236,6 +258,22 @@ TEST_CASE_TEMPLATE("Sufficient: states rebuilt from the events equal the algorit
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             compared += check_rebuilt<K, Corrected>(scene, method);
             if constexpr (runs_printed<K>) compared += check_rebuilt<K, Printed>(scene, method);
+        }
+    }
+    CHECK(compared > 1000);
+}
+
+TEST_CASE_TEMPLATE("Sufficient: the lists of the Warnock family as well", K, Double, Filtered, Exact) {
+    RandomScenes random(12);
+    int compared = 0;
+    for (int i = 0; i < 25; ++i) {
+        CAPTURE(i);
+        const Scene scene = i == 0 ? small_scene() : random.scene();
+        for (std::size_t place = 0; place < method_names.size(); ++place) {
+            const auto method = Method(place);
+            if (!is_family(method)) continue;
+            CAPTURE(method_names[place]);
+            family::with_set_of(method, [&]<class Set>(Set) { compared += check_rebuilt<K, Set>(scene, method); });
         }
     }
     CHECK(compared > 1000);

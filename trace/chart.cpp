@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "method.h"
 #include "scene_json.h"
 #include "snapped_scene.h"
 #include "timing.h"
@@ -50,6 +51,16 @@ std::vector<Way> turned(Method method, Knob knob, std::string_view kernel, int l
     for (int value = least; value <= most; ++value) {
         const std::string name = std::string(kernel) + ":" + std::to_string(value);
         ways.push_back({method, *kernel_named(name), Edition::corrected, 1, knob, value});
+    }
+    return ways;
+}
+
+std::vector<Way> family_ways(const Scene& scene) {
+    std::vector<Way> ways;
+    for (std::size_t place = 0; place < method_names.size(); ++place) {
+        const auto method = Method(place);
+        if (!is_family(method) || refusal_of(method, scene)) continue;
+        for (const auto* kernel : {"double", "filtered"}) ways.push_back({method, *kernel_named(kernel)});
     }
     return ways;
 }
@@ -108,6 +119,19 @@ void mark_front(std::vector<ChartRun>& runs, std::size_t cost, std::size_t error
     }
 }
 
+/// The relative times and the fronts, of runs that were all measured.
+void compare_runs(std::vector<ChartRun>& runs) {
+    const auto faster = [](const auto& a, const auto& b) { return a.cost.seconds < b.cost.seconds; };
+    const double fastest = std::min_element(runs.begin(), runs.end(), faster)->cost.seconds;
+    for (auto& run : runs) {
+        run.cost.time = run.cost.seconds / fastest;
+        run.on_front = {};
+    }
+    for (std::size_t cost = 0; cost < cost_axes.size(); ++cost) {
+        for (std::size_t error = 0; error < error_axes.size(); ++error) mark_front(runs, cost, error);
+    }
+}
+
 // ------------------------------------------------------------------------------------- scenes
 
 /// A scene as the kernels run it.
@@ -134,13 +158,14 @@ private:
 std::vector<Way> ways_to_draw(const Scene& scene) {
     std::vector<Way> ways;
     const auto add = [&](const std::vector<Way>& more) { ways.insert(ways.end(), more.begin(), more.end()); };
-    for (const Method method : {Method::warnock, Method::zbuffer}) {
+    for (const Method method : course_methods) {
         add(fixed_ways(method));
         add(turned(method, Knob::bits, Bits::name, fewest_bits, most_bits));
         add(turned(method, Knob::grid, Grid::name, 1, finest_grid_of(scene)));
     }
     add(turned(Method::zbuffer, Knob::depth, DepthBits::name, fewest_depth_bits, most_depth_bits));
     add(larger_windows(scene));
+    add(family_ways(scene));
     return ways;
 }
 
@@ -163,14 +188,14 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress) {
         progress();
     }
     const auto seconds = median_seconds(requests, chart_rounds, progress);
-    const double fastest = *std::min_element(seconds.begin(), seconds.end());
-    for (std::size_t i = 0; i < seconds.size(); ++i) {
-        chart.runs[i].cost.seconds = seconds[i];
-        chart.runs[i].cost.time = seconds[i] / fastest;
-    }
-    for (std::size_t cost = 0; cost < cost_axes.size(); ++cost) {
-        for (std::size_t error = 0; error < error_axes.size(); ++error) mark_front(chart.runs, cost, error);
-    }
+    for (std::size_t i = 0; i < seconds.size(); ++i) chart.runs[i].cost.seconds = seconds[i];
+    compare_runs(chart.runs);
+    return chart;
+}
+
+SceneChart without_family(SceneChart chart) {
+    std::erase_if(chart.runs, [](const ChartRun& run) { return is_family(run.way.method); });
+    compare_runs(chart.runs);
     return chart;
 }
 

@@ -62,7 +62,8 @@ struct SceneChart {
     bool degenerate() const { return unsteady > 0; }
 };
 
-/// Each method under each kernel in each edition, and each knob at each place.
+/// Each method of the course under each kernel in each edition, and each knob at each place; of the Warnock family those that
+/// take the scene, under `double` and `filtered`.
 std::vector<Way> ways_to_draw(const Scene& scene);
 
 inline constexpr int chart_rounds = 5;
@@ -72,6 +73,9 @@ inline constexpr int largest_charted_side = 512;  // of an area; the samples of 
 std::size_t turns_of(const Scene& scene);
 
 SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
+
+/// The same without the Warnock family, of which the page does not know.
+SceneChart without_family(SceneChart chart);
 
 std::string chart_json(const std::vector<SceneChart>& scenes);
 std::string chart_csv(const std::vector<SceneChart>& scenes);
@@ -83,7 +87,7 @@ std::vector<SceneChart> read_chart(std::string_view text, const std::string& fil
 struct ChartWords {
     std::array<std::string_view, 3> costs;   // by the places of cost_axes
     std::array<std::string_view, 4> errors;  // and of error_axes
-    std::array<std::string_view, 10> series;
+    std::array<std::string_view, 16> series;
     std::string_view front, ordinary, degenerate, no_number;
 };
 extern const ChartWords chart_in_english, chart_in_russian;

@@ -16,7 +16,8 @@ const ChartWords chart_in_english{
     .errors = {"wrong pixels, %", "area that differs, %", "wrong decisions, %", "depth error, ulps"},
     .series = {"Warnock, bits of arithmetic", "Warnock, grid", "Warnock, smallest window", "Warnock",
                "Warnock, printed", "Z-buffer, bits of arithmetic", "Z-buffer, grid", "Z-buffer, bits of depth",
-               "Z-buffer", "Z-buffer, printed"},
+               "Z-buffer", "Z-buffer, printed", "Warnock, simplest", "Warnock, three lists", "Warnock, angles",
+               "Warnock, at vertices", "Warnock, edge-on shown", "Warnock, back faces removed"},
     .front = "nothing is cheaper and as right",
     .ordinary = "ordinary",
     .degenerate = "degenerate",
@@ -27,7 +28,8 @@ const ChartWords chart_in_russian{
     .errors = {"неверные пиксели, %", "площадь расхождения, %", "неверные решения, %", "ошибка глубины, ulp"},
     .series = {"Варнок, биты арифметики", "Варнок, сетка", "Варнок, наименьшее окно", "Варнок",
                "Варнок, как напечатано", "Z-буфер, биты арифметики", "Z-буфер, сетка", "Z-буфер, биты глубины",
-               "Z-буфер", "Z-буфер, как напечатано"},
+               "Z-буфер", "Z-буфер, как напечатано", "Варнок, простейший", "Варнок, три списка", "Варнок, углы",
+               "Варнок, по вершинам", "Варнок, рёбра видны", "Варнок, без нелицевых граней"},
     .front = "дешевле и не хуже ничего нет",
     .ordinary = "обычная",
     .degenerate = "вырожденная",
@@ -46,7 +48,7 @@ struct Series {
     bool has(const Way& way) const { return way.method == method && way.knob == knob && way.edition == edition; }
 };
 
-constexpr std::array<Series, 10> all_series{{
+constexpr std::array<Series, 16> all_series{{
     {Method::warnock, Knob::bits, Edition::corrected, "#0072b2", 9},
     {Method::warnock, Knob::grid, Edition::corrected, "#56b4e9", 11},
     {Method::warnock, Knob::window, Edition::corrected, "#cc79a7", 13},
@@ -57,6 +59,12 @@ constexpr std::array<Series, 10> all_series{{
     {Method::zbuffer, Knob::depth, Edition::corrected, "#009e73", 12},
     {Method::zbuffer, std::nullopt, Edition::corrected, "#000000", 7},
     {Method::zbuffer, std::nullopt, Edition::printed, "#000000", 6},
+    {Method::warnock_simplest, std::nullopt, Edition::corrected, "#0072b2", 1},
+    {Method::warnock_full, std::nullopt, Edition::corrected, "#0072b2", 2},
+    {Method::warnock_angles, std::nullopt, Edition::corrected, "#0072b2", 3},
+    {Method::warnock_vertex, std::nullopt, Edition::corrected, "#cc79a7", 1},
+    {Method::warnock_edges, std::nullopt, Edition::corrected, "#cc79a7", 2},
+    {Method::warnock_bodies, std::nullopt, Edition::corrected, "#cc79a7", 3},
 }};
 
 constexpr int most_panel_height = 520, legend_entry = 400, legend_line = 30;
@@ -202,7 +210,7 @@ private:
                     labels.push_back(mark);
                 }
             }
-            const std::string offset = series.method == Method::warnock ? "-0.6,0.9" : "-0.6,-0.9";
+            const std::string offset = is_warnock(series.method) ? "-0.6,0.9" : "-0.6,-0.9";
             for (const auto& [x, y, name] : labels) {
                 text += "set label " + in_quotes(name) + " at " + number(x) + "," + number(y) + " left offset " +
                         offset + " font ',13'\n";

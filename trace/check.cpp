@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "check_family.h"
 #include "checked.h"
 #include "kernels.h"
+#include "method.h"
 #include "recorder.h"
 #include "run_mistakes.h"
 #include "vidno/printed.h"
@@ -26,6 +28,9 @@ Picture told_run(const RunRequest& request, const K& kernel, const std::function
     if constexpr (requires { told_mistake(request, kernel, hear); }) {
         if (is_mistake(request.edition)) return told_mistake(request, kernel, hear);
     }
+    if constexpr (requires { told_family(request, kernel, hear); }) {
+        if (is_family(request.method)) return told_family(request, kernel, hear);
+    }
     const auto sink = [&](const auto& event) { hear(event); };
     Recording<const decltype(sink)> recording{Detail::signs, sink};
     const Recorder<K, const decltype(sink)> recorder(recording);
@@ -45,11 +50,6 @@ void if_decision(auto&& event, auto&& take) {
         },
         event);
 }
-
-struct Tally {
-    const Audience* audience;
-    void operator()(FilterStage stage) const { audience->count(stage); }
-};
 
 /// A kernel that should always be right takes the decisions of the exact one, one after the other.
 template <Kernel K>
@@ -74,7 +74,7 @@ Picture judged_run(const RunRequest& request, const Audience& audience) {
     const auto judged = [&](auto kernel) {
         using K = decltype(kernel);
         if constexpr (std::same_as<K, Filtered>) {
-            return compared_run(request, FilteredBy<Tally>({&audience}), audience);
+            return compared_run(request, FilteredBy<StageTally>({&audience.count}), audience);
         } else if constexpr (std::same_as<K, Grid> || std::same_as<K, Exact>) {
             return compared_run(request, kernel, audience);
         } else {
@@ -147,10 +147,12 @@ bool CheckReport::found_something() const {
            std::any_of(procedures.begin(), procedures.end(), [](const auto& each) { return each.first_wrong; });
 }
 
-Picture right_picture(const Scene& scene) { return render(Method::zbuffer, scene, Exact{}); }
+Picture right_picture(const Scene& scene, Method method) {
+    return run({reference_of(method), *kernel_named("exact"), Edition::corrected, scene});
+}
 
 CheckReport check_run(const RunRequest& request, const Picture& right, const std::function<void(const Event&)>& hear) {
-    std::vector<Procedure> running{request.method == Method::warnock ? Procedure::warnock : Procedure::z_buffer};
+    std::vector<Procedure> running{choice_of(request.method).procedure};
     std::array<ProcedureVerdicts, procedure_names.size()> verdicts;
     std::uint64_t steps = 0;
     CheckReport report{Picture(request.scene.area, request.scene.background)};

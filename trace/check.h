@@ -33,8 +33,8 @@ struct CheckReport {
     bool found_something() const;
 };
 
-/// What the scene should show.
-Picture right_picture(const Scene& scene);
+/// What the scene should show: by the picture rule, or by what the method varies of it.
+Picture right_picture(const Scene& scene, Method method = Method::zbuffer);
 
 /// Runs the request's scene. Under `filtered`, `grid` and `exact` the decisions are compared with those of a run under
 /// `exact`, until they part. The pixels are held against the right picture: of the same scene, or of what it was before it

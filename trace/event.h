@@ -16,6 +16,7 @@
 
 #include "value.h"
 #include "verdict.h"
+#include "vidno/family/relation.h"
 #include "vidno/kernel.h"
 #include "vidno/picture.h"
 #include "vidno/trace.h"
@@ -71,10 +72,16 @@ struct Disagree {
     }
 };
 
-/// The level from which the calls of a procedure are told: below `signs` nothing happens inside SurroundTest. What a call
-/// came to is the event with that procedure as its `result_of`.
+/// The level from which the calls of a procedure are told: below `signs` nothing happens inside a test of a polygon. What a
+/// call came to is the event with that procedure as its `result_of`.
 constexpr Detail calls_from(Procedure procedure) {
-    return procedure == Procedure::surround_test ? Detail::signs : Detail::polygons;
+    switch (procedure) {
+        case Procedure::surround_test:
+        case Procedure::trial_function:
+        case Procedure::ray_crossings:
+        case Procedure::octant_angles: return Detail::signs;
+        default: return Detail::polygons;
+    }
 }
 
 struct Call {
@@ -675,6 +682,175 @@ struct Span {
     }
 };
 
+// The Warnock family: ThreeListsWarnock, Relation
+
+struct Join {
+    static constexpr Kind kind{"join", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    Relation list{};
+    int level = 0;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("list", e.list);
+        field("level", e.level);
+    }
+};
+
+struct Rejoin {
+    static constexpr Kind kind{"rejoin", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    Relation list{};  // from which it comes
+    int level = 0;    // at which it had joined that
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("list", e.list);
+        field("level", e.level);
+    }
+};
+
+struct RelationFound {
+    static constexpr Kind kind{"relation", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::relation;
+    Line at{};
+    PolygonPlace polygon;
+    Relation relation{};
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("relation", e.relation);
+    }
+};
+
+// TrialFunction, RayCrossings, OctantAngles
+
+struct Trial {
+    static constexpr Kind kind{"trial", Detail::signs};
+    Line at{};
+    PolygonPlace polygon;
+    int edge = 0;
+    bool meets = false;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("edge", e.edge);
+        field("meets", e.meets);
+    }
+};
+
+struct Meets {
+    static constexpr Kind kind{"meets", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::trial_function;
+    Line at{};
+    PolygonPlace polygon;
+    bool meets = false;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("meets", e.meets);
+    }
+};
+
+struct Ray {
+    static constexpr Kind kind{"ray", Detail::signs};
+    Line at{};
+    PolygonPlace polygon;
+    int edge = 0;
+    int counts = 0;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("edge", e.edge);
+        field("counts", e.counts);
+    }
+};
+
+struct Crossings {
+    static constexpr Kind kind{"crossings", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::ray_crossings;
+    Line at{};
+    PolygonPlace polygon;
+    int count = 0;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("count", e.count);
+    }
+};
+
+struct Octants {
+    static constexpr Kind kind{"octants", Detail::signs};
+    Line at{};
+    PolygonPlace polygon;
+    int edge = 0;
+    int from = 0, to = 0, difference = 0;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("edge", e.edge);
+        field("from", e.from);
+        field("to", e.to);
+        field("difference", e.difference);
+    }
+};
+
+struct Angle {
+    static constexpr Kind kind{"angle", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::octant_angles;
+    Line at{};
+    PolygonPlace polygon;
+    int octants = 0;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("octants", e.octants);
+    }
+};
+
+// HidingPolygon, VertexSplit, EdgeDepth, BackFaces
+
+struct Hiding {
+    static constexpr Kind kind{"hiding", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::hiding_polygon;
+    Line at{};
+    std::optional<PolygonPlace> polygon;
+    static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
+};
+
+struct SplitVertex {
+    static constexpr Kind kind{"split_vertex", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    int vertex = 0;
+    int column = 0, row = 0;
+    bool splits = false;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("vertex", e.vertex);
+        field("column", e.column);
+        field("row", e.row);
+        field("splits", e.splits);
+    }
+};
+
+struct EdgeDepth {
+    static constexpr Kind kind{"edge_depth", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    int edge = 0;
+    Value z;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("edge", e.edge);
+        field("z", e.z);
+    }
+};
+
+struct BackFace {
+    static constexpr Kind kind{"back_face", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    bool away = false;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("away", e.away);
+    }
+};
+
 }  // namespace event
 
 using Event =
@@ -685,8 +861,10 @@ using Event =
                  event::ClipSide, event::ClipSign, event::ClipCross, event::ClipKeep, event::ClipDrop, event::ClipList,
                  event::ClipResult, event::Row, event::Draw, event::Clear, event::Polygon, event::Edge, event::Extent,
                  event::Scanline, event::AelAdd, event::Horizontal, event::Leave, event::AelSort, event::AelDrop,
-                 event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel,
-                 event::Span>;
+                 event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel, event::Span,
+                 event::Join, event::Rejoin, event::RelationFound, event::Trial, event::Meets, event::Ray,
+                 event::Crossings, event::Octants, event::Angle, event::Hiding, event::SplitVertex, event::EdgeDepth,
+                 event::BackFace>;
 
 /// The place of a type in Event.
 template <class E, class... Events>

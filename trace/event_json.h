@@ -117,6 +117,7 @@ private:
     void value(Pen& out, Sign v) { append_integer(out, int(v)); }
     void value(Pen& out, Corner v) { name(out, corner_names[std::size_t(v)]); }
     void value(Pen& out, Case v) { name(out, case_names[std::size_t(v)]); }
+    void value(Pen& out, Relation v) { name(out, relation_names[std::size_t(v)]); }
     void value(Pen& out, Decision v) { name(out, decision_names[std::size_t(v)]); }
     void value(Pen& out, FilterStage v) { name(out, filter_stage_names[std::size_t(v)]); }
     void value(Pen& out, Cause v) { name(out, cause_names[std::size_t(v)]); }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "families.h"
+#include "method.h"
 #include "vidno/kernels/exact.h"
 #include "vidno/vidno.h"
 
@@ -107,7 +108,9 @@ Findings Examiner::examine(const RunRequest& request, const std::vector<std::siz
             look_at_depth(scanned, pixel->x + 0.5, pixel->y + 0.5, pixel->z);
         }
     };
-    const CheckReport report = check_run(request, right_, hear);
+    const bool by_picture_rule = reference_of(request.method) == Method::zbuffer;
+    const CheckReport report =
+        check_run(request, by_picture_rule ? right_ : right_picture(scene_, request.method), hear);
     found.wrong_pixels = report.wrong_pixels;
     found.area = area_off(report.picture);
     for (const auto& each : report.procedures) {

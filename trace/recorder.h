@@ -237,6 +237,48 @@ public:
         emit<event::Span>([&]() -> const event::Span& { return recording_->span; });
     }
 
+    void join(Line at, Relation relation, const auto& list) {
+        emit<event::Join>([&] { return event::Join{at, place(*list.back().polygon), relation, list.back().level}; });
+    }
+    void rejoin(Line at, Relation relation, const auto& list) {
+        emit<event::Rejoin>([&] {
+            return event::Rejoin{at, place(*list.back().polygon), relation, list.back().level};
+        });
+    }
+    void relation(Line at, const auto& polygon, Relation found) {
+        emit<event::RelationFound>([&] { return event::RelationFound{at, place(polygon), found}; });
+    }
+    void trial(Line at, const auto& polygon, int edge, bool meets) {
+        emit<event::Trial>([&] { return event::Trial{at, place(polygon), edge, meets}; });
+    }
+    void meets(Line at, const auto& polygon, bool any) {
+        emit<event::Meets>([&] { return event::Meets{at, place(polygon), any}; });
+    }
+    void ray(Line at, const auto& polygon, int edge, int counts) {
+        emit<event::Ray>([&] { return event::Ray{at, place(polygon), edge, counts}; });
+    }
+    void crossings(Line at, const auto& polygon, int count) {
+        emit<event::Crossings>([&] { return event::Crossings{at, place(polygon), count}; });
+    }
+    void octants(Line at, const auto& polygon, int edge, int from, int to, int difference) {
+        emit<event::Octants>([&] { return event::Octants{at, place(polygon), edge, from, to, difference}; });
+    }
+    void angle(Line at, const auto& polygon, int octants) {
+        emit<event::Angle>([&] { return event::Angle{at, place(polygon), octants}; });
+    }
+    void hiding(Line at, const auto* polygon) {
+        emit<event::Hiding>([&] { return event::Hiding{at, polygon ? std::optional(place(*polygon)) : std::nullopt}; });
+    }
+    void split_vertex(Line at, const auto& polygon, int vertex, int column, int row, bool splits) {
+        emit<event::SplitVertex>([&] { return event::SplitVertex{at, place(polygon), vertex, column, row, splits}; });
+    }
+    void edge_depth(Line at, const auto& polygon, int edge, const auto& z) {
+        emit<event::EdgeDepth>([&] { return event::EdgeDepth{at, place(polygon), edge, depth_value(z)}; });
+    }
+    void back_face(Line at, const auto& polygon, bool away) {
+        emit<event::BackFace>([&] { return event::BackFace{at, place(polygon), away}; });
+    }
+
 private:
     template <class E>
     void emit(auto&& make) {

@@ -30,6 +30,13 @@ Picture run_exact(const RunRequest&);
 /// An edition with a mistake, under a kernel that runs it.
 Picture run_mistake(const RunRequest&);
 
+/// The Warnock family (vidno/family/family.h), of a scene that the method takes; the corrected edition only.
+Picture run_family_float(const RunRequest&);
+Picture run_family_double(const RunRequest&);
+Picture run_family_filtered(const RunRequest&);
+Picture run_family_grid(const RunRequest&);  // of a snapped scene
+Picture run_family_exact(const RunRequest&);
+
 struct KernelChoice {
     /// A whole number that follows the name: `bits:12`.
     struct Parameter {
@@ -45,18 +52,26 @@ struct KernelChoice {
     std::optional<Parameter> parameter{};
     bool runs_warnock = true;
     bool runs_mistakes = false;
+    RunKernel run_family = nullptr;  // none: it does not run the Warnock family
 
     bool runs(Method method, Edition edition) const {
         const auto only = choice_of(edition).only;
+        if (is_family(method)) return run_family && edition == Edition::corrected;
         return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed) &&
                (runs_mistakes || !is_mistake(edition)) && (!only || *only == method);
     }
 };
 
 inline constexpr std::array kernel_choices{
-    KernelChoice{"float", "IEEE binary32; decisions as they fall", run_float},
-    KernelChoice{
-        .name = "double", .rule = "IEEE binary64; decisions as they fall", .run = run_double, .runs_mistakes = true},
+    KernelChoice{.name = "float",
+                 .rule = "IEEE binary32; decisions as they fall",
+                 .run = run_float,
+                 .run_family = run_family_float},
+    KernelChoice{.name = "double",
+                 .rule = "IEEE binary64; decisions as they fall",
+                 .run = run_double,
+                 .runs_mistakes = true,
+                 .run_family = run_family_double},
     KernelChoice{"bits",
                  "every result rounded to P bits; decisions as they fall",
                  run_bits,
@@ -68,19 +83,23 @@ inline constexpr std::array kernel_choices{
                  true,
                  {{'B', fewest_depth_bits, most_depth_bits}},
                  false},
-    KernelChoice{"filtered",
-                 "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
-                 run_filtered, false},
+    KernelChoice{.name = "filtered",
+                 .rule = "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
+                 .run = run_filtered,
+                 .runs_printed = false,
+                 .run_family = run_family_filtered},
     KernelChoice{
-        "grid",
-        "x and y snapped to 1/2^K pixel, whole numbers from there: right for the snapped scene; corrected only",
-        run_grid,
-        false,
-        {{'K', 1, finest_grid, 8}}},
+        .name = "grid",
+        .rule = "x and y snapped to 1/2^K pixel, whole numbers from there: right for the snapped scene; corrected only",
+        .run = run_grid,
+        .runs_printed = false,
+        .parameter = {{'K', 1, finest_grid, 8}},
+        .run_family = run_family_grid},
     KernelChoice{.name = "exact",
                  .rule = "exact rationals; every decision is right, the reference",
                  .run = run_exact,
-                 .runs_mistakes = true},
+                 .runs_mistakes = true,
+                 .run_family = run_family_exact},
 };
 
 /// A kernel as it is named: `double`, `bits:12`, `grid` for `grid:8`.
@@ -112,6 +131,7 @@ struct RunRequest {
 };
 
 inline Picture run(const RunRequest& request) {
+    if (is_family(request.method)) return request.kernel.choice->run_family(request);
     return is_mistake(request.edition) ? run_mistake(request) : request.kernel.choice->run(request);
 }
 

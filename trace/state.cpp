@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "method.h"
+
 namespace vidno {
 
 namespace {
@@ -11,8 +13,7 @@ std::int64_t cell(const Area& area, int x, int y) { return std::int64_t(y - area
 }  // namespace
 
 State::State(const TraceHeader& header) : header_(&header), picture_(header.scene.area, header.scene.background) {
-    const bool is_warnock = header.method == Method::warnock;
-    calls_.push_back({is_warnock ? Procedure::warnock : Procedure::z_buffer, std::nullopt});
+    calls_.push_back({choice_of(header.method).procedure, std::nullopt});
 }
 
 void State::apply(const Event& event) {
@@ -41,7 +42,7 @@ void State::end_call(Procedure procedure) {
 }
 
 void State::take(const event::Depth& e) {
-    if (e.at == Line::PW5) depths_.push_back(e.z);
+    if (e.at == Line::PW5 || e.at == Line::HP3) depths_.push_back(e.z);
 }
 
 void State::take(const event::Push& e) {
@@ -95,9 +96,32 @@ AplEntry& State::entry(PolygonPlace polygon) {
     return *found;
 }
 
-void State::take(const event::Discard& e) {
-    const AplEntry& discarded = entry(e.polygon);
-    current_apl().erase(current_apl().begin() + (&discarded - current_apl().data()));
+void State::remove_from_apl(PolygonPlace polygon) {
+    const AplEntry& removed = entry(polygon);
+    current_apl().erase(current_apl().begin() + (&removed - current_apl().data()));
+}
+
+void State::take(const event::Discard& e) { remove_from_apl(e.polygon); }
+
+std::vector<State::Joined>& State::list_of(Relation relation) {
+    if (relation == Relation::surrounding) return surrounding_;
+    if (relation == Relation::outside) return outside_;
+    throw Impossible{"no list of such polygons"};
+}
+
+void State::take(const event::Join& e) {
+    remove_from_apl(e.polygon);
+    list_of(e.list).push_back({e.polygon, e.level});
+}
+
+void State::take(const event::Rejoin& e) {
+    auto& list = list_of(e.list);
+    if (list.empty() || list.back().polygon != e.polygon) throw Impossible{"not the polygon that joined last"};
+    list.pop_back();
+    Apl& third = current_apl();
+    const auto before = [](const AplEntry& a, const AplEntry& b) { return a.first.index < b.first.index; };
+    const AplEntry back{e.polygon, false};
+    third.insert(std::lower_bound(third.begin(), third.end(), back, before), back);
 }
 
 void State::take(const event::Count& e) {
@@ -109,6 +133,7 @@ void State::take(const event::Nearer& e) {
     if (!corners_ || depths_.size() != 4) throw Impossible{"not four depths before"};
     for (const Corner corner : e.corners) (*corners_)[std::size_t(corner)] = depths_[std::size_t(corner)];
     k_ = e.k;
+    depths_.clear();
 }
 
 void State::take(const event::Mark& e) { entry(e.polygon).second = true; }

@@ -27,6 +27,11 @@ public:
         Window window;
         std::shared_ptr<Apl> apl;  // below level `polygons` nothing leaves it
     };
+    /// In the list of surrounding or of outside polygons: since a window of this level.
+    struct Joined {
+        PolygonPlace polygon;
+        int level;
+    };
     struct Clip {
         std::vector<ValueVertex> vertices, next;
     };
@@ -55,6 +60,9 @@ public:
     const std::optional<Color>& color() const { return color_; }
     bool insider() const { return insider_; }
     const std::optional<Clip>& clip() const { return clip_; }
+    /// With three lists the APL, which all windows share, is the third; these are the others.
+    const std::vector<Joined>& surrounding() const { return surrounding_; }
+    const std::vector<Joined>& outside() const { return outside_; }
 
     // Z-buffer
     std::optional<int> polygon() const { return polygon_; }
@@ -120,10 +128,25 @@ private:
     void take(const event::Columns&) {}
     void take(const event::Pixel&) {}
     void take(const event::Span&);
+    void take(const event::Join&);
+    void take(const event::Rejoin&);
+    void take(const event::RelationFound&) {}
+    void take(const event::Trial&) {}
+    void take(const event::Meets&) {}
+    void take(const event::Ray&) {}
+    void take(const event::Crossings&) {}
+    void take(const event::Octants&) {}
+    void take(const event::Angle&) {}
+    void take(const event::Hiding& e) { has_surround_ = e.polygon.has_value(); }
+    void take(const event::SplitVertex&) {}
+    void take(const event::EdgeDepth&) {}
+    void take(const event::BackFace&) {}
 
     void end_call(Procedure procedure);
     Apl& current_apl();
     AplEntry& entry(PolygonPlace polygon);
+    void remove_from_apl(PolygonPlace polygon);
+    std::vector<Joined>& list_of(Relation relation);
     Clip& clipping();
     AelEntry& active_edge(int edge);
     void expect_in_area(int row, int first, int end) const;
@@ -143,6 +166,7 @@ private:
     std::optional<Color> color_;
     bool insider_ = false;
     std::optional<Clip> clip_;
+    std::vector<Joined> surrounding_, outside_;
 
     std::optional<int> polygon_;
     std::vector<int> edges_;

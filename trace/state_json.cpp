@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "event_json.h"
+#include "method.h"
 #include "state.h"
 
 namespace vidno {
@@ -20,11 +21,11 @@ public:
         list(state_.calls(), [this](const auto& frame) { call(frame); });
         out_ += ",\"picture\":";
         picture();
-        const bool is_warnock = state_.header().method == Method::warnock;
+        const bool has_windows = is_warnock(state_.header().method);
         out_ += ",\"warnock\":";
-        is_warnock ? warnock() : null();
+        has_windows ? warnock() : null();
         out_ += ",\"zbuffer\":";
-        is_warnock ? null() : z_buffer();
+        has_windows ? null() : z_buffer();
         out_ += "}\n";
         return out_.string();
     }
@@ -79,6 +80,15 @@ private:
             out_ += ']';
         });
     }
+    void joined(const std::vector<State::Joined>& entries) {
+        list(entries, [this](const State::Joined& entry) {
+            out_ += '[';
+            out_ += names_[std::size_t(entry.polygon.index)];
+            out_ += ',';
+            integer(entry.level);
+            out_ += ']';
+        });
+    }
     void vertices(const std::vector<ValueVertex>& vertices) {
         list(vertices, [this](const ValueVertex& v) {
             list(std::array{v.x, v.y, v.z}, [this](const Value& c) { number(c); });
@@ -127,6 +137,12 @@ private:
             vertices(clip.next);
             out_ += '}';
         });
+        if (choice_of(state_.header().method).procedure == Procedure::three_lists_warnock) {
+            out_ += ",\"surrounding\":";
+            joined(state_.surrounding());
+            out_ += ",\"outside\":";
+            joined(state_.outside());
+        }
         out_ += '}';
     }
 

@@ -143,6 +143,9 @@ private:
     void value(const json& v, Case& target, const std::string& path) const {
         target = Case(index_of(v, case_names, path));
     }
+    void value(const json& v, Relation& target, const std::string& path) const {
+        target = Relation(index_of(v, relation_names, path));
+    }
     void value(const json& v, Procedure& target, const std::string& path) const {
         target = Procedure(index_of(v, procedure_names, path));
     }

@@ -117,8 +117,8 @@ struct NoTrace {
     void step(Line, int /*column*/, bool /*changes*/) {}
 
     // The Warnock family: ThreeListsWarnock, Relation
-    void join(Line, const auto& /*polygon*/, auto /*list*/, int /*level*/) {}
-    void rejoin(Line, const auto& /*polygon*/, auto /*list*/, int /*level*/) {}
+    void join(Line, auto /*relation*/, const auto& /*list*/) {}    // what joined is its last
+    void rejoin(Line, auto /*relation*/, const auto& /*list*/) {}  // its last goes back
     void relation(Line, const auto& /*polygon*/, auto /*relation*/) {}
 
     // TrialFunction, RayCrossings, OctantAngles

@@ -1,4 +1,4 @@
-/// Closed convex bodies for tests, their faces going round so that the normal points outward.
+/// Closed convex bodies for tests, their faces counter-clockwise as seen from outside.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -13,7 +13,7 @@ using Faces = std::vector<Corners>;
 
 /// The sides of a corner and three edges from it. Sums of short binary fractions are exact, so its faces are planar.
 inline Faces parallelepiped(const glm::dvec3& o, glm::dvec3 u, glm::dvec3 v, const glm::dvec3& w) {
-    if (glm::dot(glm::cross(u, v), w) < 0) std::swap(u, v);
+    if (glm::dot(glm::cross(u, v), w) > 0) std::swap(u, v);  // y grows downward
     const auto face = [](const glm::dvec3& at, const glm::dvec3& a, const glm::dvec3& b) {
         return Corners{at, at + a, at + a + b, at + b};
     };
@@ -21,7 +21,7 @@ inline Faces parallelepiped(const glm::dvec3& o, glm::dvec3 u, glm::dvec3 v, con
 }
 
 inline Faces tetrahedron(const glm::dvec3& a, glm::dvec3 b, glm::dvec3 c, const glm::dvec3& d) {
-    if (glm::dot(glm::cross(b - a, c - a), d - a) < 0) std::swap(b, c);
+    if (glm::dot(glm::cross(b - a, c - a), d - a) > 0) std::swap(b, c);
     return {{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}};
 }
 

@@ -165,7 +165,7 @@ private:
         const auto outline = exact_outline(polygon);
         ExactNumber own = 0;
         for (std::size_t i = 2; i < outline.size(); ++i) own += doubled_area(outline[0], outline[i - 1], outline[i]);
-        return own > 0;
+        return own < 0;  // counter-clockwise, for y grows downward
     }
 };
 

@@ -53,10 +53,11 @@ int check(const CheckOptions& options) {
     const NamedKernel kernel = *kernel_named(run.kernel);
     expect_run(kernel, run.method, run.edition);
     const Scene scene = scene_for(kernel, run.scene, options.input);
+    expect_admitted(run.method, scene, options.input);
     RunRequest request{run.method, kernel, run.edition, scene};
     Progress progress("steps");
     request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };
-    const CheckReport report = check_run(request, right_picture(run.scene));
+    const CheckReport report = check_run(request, right_picture(run.scene, run.method));
     progress.clear();
     print(report, scene.area);
     return report.found_something() ? 1 : 0;

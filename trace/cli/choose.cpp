@@ -4,6 +4,7 @@
 
 #include "check.h"
 #include "commands.h"
+#include "method.h"
 #include "progress.h"
 #include "snapped_scene.h"
 #include "timing.h"
@@ -22,13 +23,15 @@ struct Candidate {
     RunRequest request() const { return {method, kernel, Edition::corrected, scene}; }
 };
 
-/// Both methods under each kernel that is cheaper than exact rationals and takes the scene.
+/// Each method that paints the picture rule, under each kernel that is cheaper than exact rationals and takes the scene.
 std::vector<Candidate> candidates_for(const Scene& scene) {
     const NamedKernel grid = *kernel_named("grid");
     std::optional<Scene> on_grid;
     if (fits_grid(scene, grid.parameter)) on_grid = snapped_scene(scene, grid.parameter).scene;
     std::vector<Candidate> candidates;
-    for (const Method method : {Method::warnock, Method::zbuffer}) {
+    for (std::size_t place = 0; place < method_names.size(); ++place) {
+        const auto method = Method(place);
+        if (reference_of(method) != Method::zbuffer || refusal_of(method, scene)) continue;
         for (const std::string name : {"float", "double", "filtered"}) {
             candidates.push_back({method, *kernel_named(name), scene});
         }
@@ -83,9 +86,9 @@ int choose(const ChooseOptions& options) {
     std::stable_sort(candidates.begin(), candidates.end(), cheaper);
     const auto is_right = [](const auto& candidate) { return candidate.wrong_pixels == 0; };
     const Candidate& chosen = *std::find_if(candidates.begin(), candidates.end(), is_right);  // `filtered` always is
-    std::cout << "method    kernel      time  wrong pixels\n" << std::fixed << std::setprecision(2);
+    std::cout << "method            kernel      time  wrong pixels\n" << std::fixed << std::setprecision(2);
     for (const auto& candidate : candidates) {
-        std::cout << std::left << std::setw(10) << method_names[std::size_t(candidate.method)] << std::setw(10)
+        std::cout << std::left << std::setw(18) << method_names[std::size_t(candidate.method)] << std::setw(10)
                   << candidate.kernel.name() << std::right << std::setw(6)
                   << candidate.seconds / candidates.front().seconds << std::setw(14) << candidate.wrong_pixels << '\n';
     }

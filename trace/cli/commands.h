@@ -141,6 +141,9 @@ inline Edition edition_of(const RunOptions& options) { return Edition(place_in(e
 /// Refuses a method or an edition that the kernel does not run.
 void expect_run(const NamedKernel& kernel, Method method, Edition edition);
 
+/// Refuses a scene outside the method's domain.
+void expect_admitted(Method method, const Scene& scene, const std::string& file);
+
 /// The kernel of the options, if it runs their method and edition.
 NamedKernel kernel_of(const RunOptions& options);
 

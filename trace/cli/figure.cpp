@@ -171,7 +171,8 @@ std::string encoded(const Drawing& drawing, const About& about, const FigureOpti
 std::string title_of(const TraceHeader& header, const std::vector<std::uint64_t>& steps,
                      const figures::FigureWords& words) {
     std::string title = header.scene.name.empty() ? "" : header.scene.name + " · ";
-    title += header.method == Method::warnock ? words.warnock : words.z_buffer;
+    title += is_warnock(header.method) ? words.warnock : words.z_buffer;
+    if (is_family(header.method)) title += " (" + std::string(method_names[std::size_t(header.method)]) + ")";
     if (!steps.empty()) title += " · " + std::string(words.step) + " " + std::to_string(steps.front());
     return title + (steps.size() > 1 ? "–" + std::to_string(steps.back()) : "");
 }

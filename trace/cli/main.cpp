@@ -6,6 +6,7 @@
 #include "chart.h"
 #include "commands.h"
 #include "figure/figure_words.h"
+#include "method.h"
 #include "refused.h"
 #include "variants.h"
 
@@ -247,7 +248,7 @@ CLI::App& add_variants(CLI::App& app, VariantsOptions& options) {
         ->capture_default_str();
     command.add_option("--seed", options.seed, "Another one, other scenes")->capture_default_str();
     command.add_option("--method", options.method, "By which algorithm they are as hard")
-        ->check(CLI::IsMember(words(method_names)))
+        ->check(CLI::IsMember(words(course_method_names)))
         ->capture_default_str();
     command.add_option("-o", options.output, "The folder, which is not there yet: 01.json and so on")->required();
     command.footer(
@@ -266,7 +267,7 @@ CLI::App& add_worksheet(CLI::App& app, WorksheetOptions& options) {
         ->check(CLI::IsMember(words(figures::language_codes)))
         ->capture_default_str();
     command.add_option("--method", options.method, "Of .pdf: which algorithm is worked [warnock]")
-        ->check(CLI::IsMember(words(method_names)));
+        ->check(CLI::IsMember(words(course_method_names)));
     command.add_option("--key", options.key, "Of .pdf: the same sheets filled in, .pdf");
     command
         .add_option("--count", options.count, "Of .xml: at most so many questions, spread over the run's kinds [20]")
@@ -288,8 +289,8 @@ CLI::App& add_stability(CLI::App& app, StabilityOptions& options) {
     command.add_option("--family", campaign.families, "Scenes of which kind [all]: see below");
     command.add_option("--kernel", campaign.kernels, "Which arithmetic decides [float, double, filtered]")
         ->check(a_kernel);
-    command.add_option("--method", campaign.methods, "Which algorithm [both]")
-        ->check(CLI::IsMember(words(method_names)));
+    command.add_option("--method", campaign.methods, "Which algorithm [warnock, zbuffer]")
+        ->check(CLI::IsMember(words(course_method_names)));
     command.add_option("--count", campaign.count, "Trials of each experiment in each family; fewer of dear ones")
         ->check(CLI::Range(std::uint64_t{1}, most_trials))
         ->capture_default_str();

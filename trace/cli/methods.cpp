@@ -1,15 +1,22 @@
 #include <iostream>
 
 #include "commands.h"
+#include "method.h"
 
 namespace vidno::cli {
 
 int methods() {
-    std::cout << "methods    (domain: convex planar polygons; rule: the nearest polygon at each pixel centre,\n"
-                 "            the first of equally near ones; edge-on polygons show nothing)\n"
-                 "  warnock    look at a window; paint it if it is plain, else split it\n"
-                 "  zbuffer    scan each polygon with an active edge list; keep the nearest depth at each pixel\n"
-                 "kernels    (the arithmetic)\n";
+    std::cout << "methods    (unless it says otherwise, domain: " << picture_rule.domain
+              << ";\n    rule: " << picture_rule.rule << ")\n";
+    for (std::size_t i = 0; i < method_choices.size(); ++i) {
+        const auto& [does, procedure, rule, refuses] = method_choices[i];
+        const std::string name(method_names[i]);
+        std::cout << "  " << name << std::string(18 - name.size(), ' ') << does;
+        if (rule.domain != picture_rule.domain) std::cout << "; domain: " << rule.domain;
+        if (rule.rule != picture_rule.rule) std::cout << "; rule: " << rule.rule;
+        std::cout << '\n';
+    }
+    std::cout << "kernels    (the arithmetic; the methods warnock-... not under bits and depth)\n";
     for (const auto& kernel : kernel_choices) {
         std::string name(kernel.name);
         if (kernel.parameter) (name += ':') += kernel.parameter->letter;

@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "commands.h"
+#include "method.h"
 #include "need.h"
 #include "output.h"
 #include "progress.h"
@@ -21,11 +22,12 @@ public:
         : kernel_(kernel_of(options)), method_(method_of(options)), edition_(edition_of(options)) {}
 
     RunRequest request(const Scene& scene) const { return {method_, kernel_, edition_, scene, Detail::signs}; }
+    bool admits(const Scene& scene) const { return !refusal_of(method_, scene); }
     Picture picture(const Scene& scene) const { return run(request(scene)); }
-    CheckReport check(const Scene& scene) const { return check_run(request(scene), right_picture(scene)); }
+    CheckReport check(const Scene& scene) const { return check_run(request(scene), right_picture(scene, method_)); }
 
     bool wrong_picture(const Scene& scene) const {
-        return picture(scene) != run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
+        return picture(scene) != run({reference_of(method_), *kernel_named("filtered"), Edition::corrected, scene});
     }
     bool reaches(const std::string& label, const Scene& scene) const {
         std::string text;
@@ -78,12 +80,13 @@ int shrink(const ShrinkOptions& options) {
     if ((options.keep == "decision") == options.at.empty()) throw Refused("--keep decision and --at go together");
     const Trial trial(options.run);
     const Scene scene = scene_for(kernel_of(options.run), scene_from(options.run.scene), options.run.scene);
+    expect_admitted(method_of(options.run), scene, options.run.scene);
     OutputFile file(options.run.output);
     Progress progress("scenes tried");
     const Property keeps = property_of(options, trial, scene);
     const Scene smallest = shrunk(scene, [&, tried = 0ULL](const Scene& smaller) mutable {
         progress.show(++tried);
-        return keeps(smaller);
+        return trial.admits(smaller) && keeps(smaller);
     });
     file.write(scene_json(smallest) + '\n');
     file.commit();

@@ -10,6 +10,7 @@
 
 #include "commands.h"
 #include "journal.h"
+#include "method.h"
 #include "output.h"
 #include "progress.h"
 
@@ -41,7 +42,7 @@ Campaign with_defaults(Campaign campaign) {
         for (const auto& family : families) campaign.families.emplace_back(family.name);
     }
     if (campaign.kernels.empty()) campaign.kernels = {"float", "double", "filtered"};
-    if (campaign.methods.empty()) campaign.methods.assign(method_names.begin(), method_names.end());
+    if (campaign.methods.empty()) campaign.methods.assign(course_method_names.begin(), course_method_names.end());
     for (auto& kernel : campaign.kernels) {
         const NamedKernel named = *kernel_named(kernel);
         for (const auto& method : campaign.methods) {

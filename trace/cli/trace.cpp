@@ -4,6 +4,7 @@
 #include "check.h"
 #include "commands.h"
 #include "image.h"
+#include "method.h"
 #include "output.h"
 #include "progress.h"
 #include "scene_json.h"
@@ -12,8 +13,15 @@
 namespace vidno::cli {
 
 void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
-    if (method == Method::warnock && !kernel.choice->runs_warnock) {
-        throw Refused("--method warnock: not under --kernel " + kernel.name() + ", for it has no Z-buffer");
+    const std::string named_method = "--method " + std::string(method_names[std::size_t(method)]);
+    if (is_warnock(method) && !kernel.choice->runs_warnock) {
+        throw Refused(named_method + ": not under --kernel " + kernel.name() + ", for it has no Z-buffer");
+    }
+    if (is_family(method) && edition != Edition::corrected) {
+        throw Refused(named_method + ": only --edition corrected");
+    }
+    if (is_family(method) && !kernel.choice->run_family) {
+        throw Refused(named_method + ": not under --kernel " + kernel.name());
     }
     if (edition == Edition::printed && !kernel.choice->runs_printed) {
         throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
@@ -54,6 +62,13 @@ Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file)
     }
 }
 
+void expect_admitted(Method method, const Scene& scene, const std::string& file) {
+    const auto reason = refusal_of(method, scene);
+    if (!reason) return;
+    throw Refused(file + ": --method " + std::string(method_names[std::size_t(method)]) + " takes " +
+                  std::string(choice_of(method).rule.domain) + ": " + *reason);
+}
+
 namespace {
 
 RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const Scene& scene) {
@@ -65,6 +80,7 @@ RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, cons
 int trace(const RunOptions& options) {
     const NamedKernel kernel = kernel_of(options);
     const Scene scene = scene_for(kernel, scene_from(options.scene), options.scene);
+    expect_admitted(method_of(options), scene, options.scene);
     const RunRequest request = request_of(options, kernel, scene);
     OutputFile file(options.output);
     Progress progress("events");
@@ -89,9 +105,10 @@ int render(const RunOptions& options) {
     encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
     const NamedKernel kernel = kernel_of(options);
     const Scene scene = scene_for(kernel, scene_from(options.scene), options.scene);
+    expect_admitted(method_of(options), scene, options.scene);
     OutputFile file(options.output);
     RunRequest request = request_of(options, kernel, scene);
-    Progress progress(request.method == Method::warnock ? "windows" : "polygons");
+    Progress progress(is_warnock(request.method) ? "windows" : "polygons");
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
     file.write(encode_image(run(request), options.output));
     file.commit();

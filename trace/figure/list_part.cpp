@@ -107,7 +107,7 @@ Drawing list_part(const Moment& moment, const Style& style, double width) {
     if (header.detail < Detail::polygons) {
         throw Refused("list: a trace of level windows tells no APL and no AEL");
     }
-    Table table = header.method == Method::warnock ? active_polygons(moment, style) : active_edges(moment, style);
+    Table table = is_warnock(header.method) ? active_polygons(moment, style) : active_edges(moment, style);
     shorten(table, words_of(style.language));
     return drawn(table, width, style.letters);
 }

@@ -86,7 +86,7 @@ void draw_chosen(Drawing& to, Pixel pixel, const Plane& plane) {
 }
 
 void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const Style&) {
-    if (moment.header().method == Method::warnock) return draw_quadtree(to, moment, plane);
+    if (is_warnock(moment.header().method)) return draw_quadtree(to, moment, plane);
     draw_scanline(to, moment, plane);
 }
 

@@ -12,6 +12,10 @@ std::string nothing_to_judge(const StudentRun& run, const Scene& scene) {
         return "no trace was written: draw scene_to_draw(...), and tell a WarnockTrace or ZBufferTrace what you do";
     }
     if (!run.header) return run.unreadable;
+    if (is_family(run.header->method)) {
+        return "a trace of " + std::string(method_names[std::size_t(run.header->method)]) +
+               ": only warnock and zbuffer are judged";
+    }
     if (run.header->kernel != "float" && run.header->kernel != "double") {
         return "a trace of the kernel " + run.header->kernel + ": only float and double are judged";
     }

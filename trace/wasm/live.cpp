@@ -61,7 +61,7 @@ NamedKernel read_kernel(const JsonNode& node) {
 Options read_options(const JsonNode& root) {
     root.require_keys({"method", "edition", "kernel", "detail", "check", "most_events"});
     Options options;
-    options.method = Method(place_of(root.at("method"), method_names));
+    options.method = Method(place_of(root.at("method"), course_method_names));
     options.edition = Edition(place_of(root.at("edition"), edition_names));
     if (is_mistake(options.edition)) root.at("edition").refuse("a usual mistake, which this library has not");
     options.kernel = read_kernel(root.at("kernel"));

@@ -8,9 +8,9 @@
 namespace vidno {
 
 struct BackFaces {
-    /// Takes   a convex polygon that is not edge-on, and goes round so that (seen from outside the body) its normal, c > 0, looks
-    ///         towards the viewer.
-    /// Gives   whether it looks away: the sign of c is that of the first turn that is one.
+    /// Takes   a convex polygon that is not edge-on, and goes round counter-clockwise as seen from outside the body.
+    /// Gives   whether it looks away, so that the viewer sees it go round clockwise: y grows downward, so c > 0. The sign of c is
+    ///         that of the first turn that is one.
     /// Time    a cross product a vertex, up to that turn.
     template <class Run>
     static bool looks_away(Run& run, const Polygon<typename Run::Arithmetic>& polygon) {
@@ -25,7 +25,7 @@ struct BackFaces {
             turn = run.kernel.sign(value);
             trace.orient(BF1, polygon, i, next, value, turn);
         }
-        const bool away = turn == Sign::negative;
+        const bool away = turn == Sign::positive;
         trace.back_face(BF2, polygon, away);
         return away;
     }

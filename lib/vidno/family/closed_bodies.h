@@ -3,11 +3,12 @@
 /// Polygons that share edges make a body. It is closed and convex if
 ///   - each edge belongs to two of its polygons, which go along it in opposite directions;
 ///   - each polygon has an area, all of its vertices lie in its plane, and all others of the body in it or behind it.
-/// Behind: where its normal, Newell's sum, does not point; one with c > 0 looks towards the viewer.
+/// A polygon goes round counter-clockwise as seen from before it, as in a mesh: y grows downward, so its normal, Newell's sum,
+/// points behind it, and one with c < 0 looks towards the viewer.
 ///
-/// Why the faces that look away may go then: each polygon lies on the hull of its body, so where a line of sight meets the body the
-/// nearest point is one of the hull, and on a closed face that looks towards the viewer, or it is a limit of such points.
-/// So a face that looks away is never nearer than all others; as near as one it may be on the body's outline.
+/// Why the faces that look away may go then: the polygons of a body cover its hull. Where a line of sight meets the hull, the
+/// nearest point is on a closed face that looks towards the viewer, or a limit of such points and so on one too. A face that
+/// looks away is never nearer; as near it may be on the body's outline.
 #pragma once
 
 #include <algorithm>
@@ -61,7 +62,7 @@ public:
 
     bool is_none() const { return exact_.x == 0 && exact_.y == 0 && exact_.z == 0; }
 
-    /// Positive before the plane, negative behind it.
+    /// Positive where the normal points.
     CGAL::Sign side_of(const glm::dvec3& vertex) const {
         const auto side = CGAL::sign(height(near_, vertex));
         return side.is_certain() ? side.make_certain() : CGAL::sign(height(exact_, vertex));
@@ -90,7 +91,7 @@ inline std::optional<std::string> not_convex(const std::vector<ScenePolygon>& po
             for (const auto& vertex : polygons[other].vertices) {
                 const CGAL::Sign side = plane.side_of(vertex);
                 if (other == face && side != CGAL::ZERO) return name + " is not planar to the last digit";
-                if (side == CGAL::POSITIVE) {
+                if (side == CGAL::NEGATIVE) {
                     return name + " has a vertex of polygon " + polygons[other].id +
                            " before it: its body is not convex, or it goes round the other way";
                 }

@@ -1,7 +1,8 @@
 /// EdgeDepth: an edge-on polygon is the segment that it is projected to, as near as its nearest point in the line of sight.
 ///
-/// Its plane is parallel to the lines of sight and gives no depth. One that meets the polygon meets its outline: the depths are
-/// those of the edges that it crosses, and the greatest is the nearest. Where it runs along an edge that is the nearer end.
+/// Its plane is parallel to the lines of sight and gives no depth. A line of sight that meets the polygon meets its outline:
+/// of the edges that it crosses the one with the greatest depth is the nearest. Where it runs along an edge, that is the
+/// nearer end.
 #pragma once
 
 #include "../run.h"
@@ -10,9 +11,9 @@ namespace vidno {
 
 struct EdgeDepth {
     /// Takes   a run before any depth was asked for.
-    /// Gives   to each edge-on polygon the edges' depths, as planes. Of all planes through an edge one is taken that changes with x
-    ///         alone, or with y alone, or not at all: its third corner may be anywhere along the other axis, so it is put where
-    ///         no kernel rounds, at a side of the area.
+    /// Gives   each edge-on polygon the depths of its edges, as planes. Of the planes through an edge one is taken whose depth
+    ///         changes with x alone, or with y alone, or not at all: its third corner may be anywhere along the other axis,
+    ///         and is put where no kernel that is always right rounds, at a side of the area.
     template <class Run>
     static void initialize_edges(Run& run) {
         for (auto& polygon : run.polygons) {

@@ -1,9 +1,11 @@
 /// The Warnock family: procedure sets that combine the variants of the algorithm, to be chosen and compared.
 ///
-///     vidno::Picture picture = vidno::render<vidno::family::Full>(vidno::Method::warnock, scene, vidno::Double{});
+///     vidno::Picture picture = vidno::render<vidno::family::Full>(vidno::Method::warnock_full, scene, vidno::Double{});
 ///
 /// Each paints the picture rule, or the variation of it that stands above the set, on the scenes of its domain.
 #pragma once
+
+#include <cassert>
 
 #include "../vidno.h"
 #include "back_faces.h"
@@ -68,12 +70,24 @@ struct EdgeOn : Full {
     }
 };
 
-/// Closed convex bodies: the faces that look away are removed first. At a centre on the outline of a body, where a face that looks
-/// away may be as near as one that does not, the latter shows.
+/// Closed convex bodies: the faces that look away are removed first. At a centre on the outline of a body such a face may be as
+/// near as one that looks here: then the latter shows.
 struct Bodies : Corrected {
     static bool takes_part(auto& run, const auto& polygon) {
         return !polygon.edge_on && !BackFaces::looks_away(run, polygon);
     }
 };
+
+/// Calls `use` with the set of a method of the family.
+auto with_set_of(Method method, auto&& use) {
+    switch (method) {
+        case Method::warnock_simplest: return use(Simplest{});
+        case Method::warnock_angles: return use(Angles{});
+        case Method::warnock_vertex: return use(AtVertex{});
+        case Method::warnock_edges: return use(EdgeOn{});
+        case Method::warnock_bodies: return use(Bodies{});
+        default: assert(method == Method::warnock_full); return use(Full{});
+    }
+}
 
 }  // namespace vidno::family

@@ -1,4 +1,4 @@
-/// OctantAngles: the angle under which a window sees a polygon's outline, in octants. It sees a polygon around it under a full one.
+/// OctantAngles: the angle under which a window sees a polygon's outline, in octants: a full one if the polygon is around it.
 ///
 /// The lines of its sides part the plane around the window into eight octants, numbered the way a clock goes on the screen:
 ///

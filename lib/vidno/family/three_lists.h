@@ -1,11 +1,11 @@
 /// ThreeListsWarnock: what surrounds a window or is outside of it is so for its parts too, and is not tested again.
 ///
-/// Three lists hold the polygons over the whole run: the surrounding ones, those outside, and the third, of all others. Windows
-/// come depth first, so the first two lists are stacks, as AW is: a polygon that joined at a window of some level is right for
-/// the parts of that window, which are of higher levels and come before any other. When a window of its own level or a lower
-/// one comes, it goes back to the third list.
+/// Three lists hold the polygons over the whole run: the surrounding ones, those outside, and the third, of all others.
+/// Windows come depth first, so the first two lists are stacks, as AW is: a polygon that joined at a window of some level is
+/// right for the parts of that window, which are of higher levels and come before any other. When a window of its own level or
+/// a lower one comes, it goes back to the third list.
 ///
-/// Source  J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969; the course's fuller form.
+/// Source  J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969; the course's full form.
 /// Takes   a run with its polygons.
 /// Gives   the run's picture: at each pixel centre the colour of the nearest polygon, the first of equally near ones.
 /// Time    a window tests the polygons whose outlines its parent saw, and compares the depths of those that may show.
@@ -79,15 +79,15 @@ private:
     static void take_back(auto& run, auto& lists, int level) {
         using enum Line;
         auto& trace = run.trace;
-        const auto take_back_from = [&](auto& list, Relation name) {
+        const auto take_back_from = [&](Relation relation, auto& list) {
             while (!list.empty() && list.back().level >= level) {
+                trace.rejoin(WF3, relation, list);
                 lists.third.push_back({list.back().polygon, false});
-                trace.rejoin(WF3, *list.back().polygon, name, list.back().level);
                 list.pop_back();
             }
         };
-        take_back_from(lists.surrounding, Relation::surrounding);
-        take_back_from(lists.outside, Relation::outside);
+        take_back_from(Relation::surrounding, lists.surrounding);
+        take_back_from(Relation::outside, lists.outside);
         lists.put_in_order(lists.third);
     }
 
@@ -105,7 +105,7 @@ private:
             }
             auto& list = relation == Relation::surrounding ? lists.surrounding : lists.outside;
             list.push_back({&polygon, level});
-            trace.join(WF4, polygon, relation, level);
+            trace.join(WF4, relation, list);
             return true;
         });
         return last_left;

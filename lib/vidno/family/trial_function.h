@@ -1,9 +1,9 @@
 /// TrialFunction: does an edge of the polygon meet the window?
 ///
-/// The trial function of an edge, f = A x + B y + C, is 0 on its line: a cross product. Where it has both signs at the window's
-/// corners the line passes through the window. The edge is finite: it may end before. The text computes where the line
-/// meets the window's sides, and asks whether that is on the edge; without a division, and so without rounding, the same is told
-/// by its ends: an edge whose line passes through misses the window only if both lie beyond one side.
+/// The trial function of an edge, f = A x + B y + C, is 0 on its line: a cross product. Where it has both signs at the
+/// window's corners the line passes through the window. The edge is finite: it may end before. The text computes where the
+/// line meets the window's sides, and asks whether that is on the edge. Without a division, and so without rounding, its ends
+/// tell the same: an edge whose line passes through the window misses it only if both ends lie beyond one side.
 ///
 /// Takes   a polygon that is not a point, and a window, without its sides: an edge that only touches them does not meet it.
 /// Gives   whether an edge meets it, up to the first that does.

@@ -1,6 +1,6 @@
 /// VertexSplit: the parts of a window on either side of a vertex in it, where there is likely to be something to be seen.
 ///
-/// Windows are of whole pixels: the split is at the pixel boundary next to the vertex in x, and in y, if that is inside the window.
+/// Windows are of whole pixels: the split is at the pixel boundaries next to the vertex in x and y, if inside the window.
 ///
 /// Takes   a window of more than a pixel, and polygons.
 /// Gives   its parts: about the first vertex in it that has such a boundary, else about its middle.
