@@ -23,6 +23,12 @@ enum class Line : unsigned char {
     V1, V2, V3, V4,                                           // Visibility
     H1, H2, H3,                                               // Horizon
     IN1, IN2, IN3,                                            // Intersection
+    WA1, WA2, WA3, WA4, WA5, WA6, WA7, WA8, WA9, WA10,        // WeilerAtherton
+    SP1, SP2, SP3,                                            // SplitPiercing
+    DS1, DS2,                                                 // DepthSort
+    RC1, RC2, RC3, RC4, RC5,                                  // RegionClip
+    RB1, RB2, RB3, RB4,                                       // RemoveBehind
+    PR1, PR2, PR3,                                            // PaintRegions
 };
 
 inline constexpr auto line_names = std::to_array<std::string_view>({
@@ -41,10 +47,16 @@ inline constexpr auto line_names = std::to_array<std::string_view>({
     "V1", "V2", "V3", "V4",
     "H1", "H2", "H3",
     "IN1", "IN2", "IN3",
+    "WA1", "WA2", "WA3", "WA4", "WA5", "WA6", "WA7", "WA8", "WA9", "WA10",
+    "SP1", "SP2", "SP3",
+    "DS1", "DS2",
+    "RC1", "RC2", "RC3", "RC4", "RC5",
+    "RB1", "RB2", "RB3", "RB4",
+    "PR1", "PR2", "PR3",
 });
 // clang-format on
 
-static_assert(line_names.size() == std::size_t(Line::IN3) + 1);
+static_assert(line_names.size() == std::size_t(Line::PR3) + 1);
 
 /// The procedures that open a frame of the call stack, by the names of the listings.
 enum class Procedure : unsigned char {
@@ -61,24 +73,20 @@ enum class Procedure : unsigned char {
     visibility,
     horizon,
     intersection,
+    weiler_atherton,
+    split_piercing,
+    depth_sort,
+    region_clip,
+    remove_behind,
+    paint_regions,
 };
 
 inline constexpr auto procedure_names = std::to_array<std::string_view>({
-    "Warnock",
-    "ProcessWindow",
-    "PointColor",
-    "SurroundTest",
-    "PolygonClip",
-    "FillPolygon",
-    "ZBuffer",
-    "ShowLine",
-    "FloatingHorizon",
-    "SideEdge",
-    "Visibility",
-    "Horizon",
-    "Intersection",
+    "Warnock",       "ProcessWindow",   "PointColor", "SurroundTest", "PolygonClip",  "FillPolygon",  "ZBuffer",
+    "ShowLine",      "FloatingHorizon", "SideEdge",   "Visibility",   "Horizon",      "Intersection", "WeilerAtherton",
+    "SplitPiercing", "DepthSort",       "RegionClip", "RemoveBehind", "PaintRegions",
 });
 
-static_assert(procedure_names.size() == std::size_t(Procedure::intersection) + 1);
+static_assert(procedure_names.size() == std::size_t(Procedure::paint_regions) + 1);
 
 }  // namespace vidno
