@@ -46,6 +46,12 @@ struct KernelChoice {
     bool runs_warnock = true;
     bool runs_mistakes = false;
 
+    /// The floating horizon: it takes samples as they are, and has no depths to store.
+    bool runs_curves(Edition edition) const {
+        return run != run_depth && run != run_grid && !is_mistake(edition) &&
+               (runs_printed || edition != Edition::printed);
+    }
+
     bool runs(Method method, Edition edition) const {
         const auto only = choice_of(edition).only;
         return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed) &&

@@ -5,11 +5,15 @@
 namespace vidno::cli {
 
 int methods() {
-    std::cout << "methods    (domain: convex planar polygons; rule: the nearest polygon at each pixel centre,\n"
-                 "            the first of equally near ones; edge-on polygons show nothing)\n"
-                 "  warnock    look at a window; paint it if it is plain, else split it\n"
-                 "  zbuffer    scan each polygon with an active edge list; keep the nearest depth at each pixel\n"
-                 "kernels    (the arithmetic)\n";
+    std::cout
+        << "methods    (domain: convex planar polygons; rule: the nearest polygon at each pixel centre,\n"
+           "            the first of equally near ones; edge-on polygons show nothing)\n"
+           "  warnock    look at a window; paint it if it is plain, else split it\n"
+           "  zbuffer    scan each polygon with an active edge list; keep the nearest depth at each pixel\n"
+           "method of curves    (domain: curves with samples on whole columns, the nearest first; rule: a point is\n"
+           "            visible unless it is strictly between the horizons of the curves before it)\n"
+           "  floating-horizon    draw what is beyond both horizons; raise them to it\n"
+           "kernels    (the arithmetic)\n";
     for (const auto& kernel : kernel_choices) {
         std::string name(kernel.name);
         if (kernel.parameter) (name += ':') += kernel.parameter->letter;

@@ -15,7 +15,8 @@ std::string base_name(const std::string& file) { return std::filesystem::path(fi
 
 PageFile page_file_of(const std::string& file, const Scene& scene, const RunOptions& run) {
     const std::string title = scene.name.empty() ? base_name(file) : scene.name;
-    return {title, run.method, run.kernel, run.edition, run.detail, {}, false};
+    const std::string method(method_names[std::size_t(method_of(run))]);
+    return {title, method, run.kernel, run.edition, run.detail, {}, false};
 }
 
 /// A scene as it was admitted, to be run with the defaults.
