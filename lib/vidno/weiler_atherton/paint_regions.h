@@ -22,7 +22,8 @@ struct PaintRegions {
     static void paint_regions(Run& run) {
         using enum Line;
         const Area& area = run.area;
-        std::vector<const Surface<typename Run::Number>*> shown(std::size_t(area.width) * std::size_t(area.height));
+        std::vector<const SourcePolygon<typename Run::Number>*> shown(std::size_t(area.width) *
+                                                                      std::size_t(area.height));
         for (const auto& piece : run.visible) {
             const auto earlier = earlier_ones(run, piece);
             for (int y = area.y; y < area.bottom(); ++y) {

@@ -19,7 +19,7 @@ namespace vidno {
 
 /// A polygon of the scene: what is the same for all of its pieces.
 template <class Number>
-struct Surface {
+struct SourcePolygon {
     int index = 0;  // its place in the scene
     Color color;
     bool edge_on = false;
@@ -30,8 +30,8 @@ struct Surface {
 
 /// A part of a polygon.
 template <class Number>
-struct SurfacePiece {
-    const Surface<Number>* polygon;
+struct PolygonPiece {
+    const SourcePolygon<Number>* polygon;
     Region<Number> region;
     bool is_ground = false;  // it is known to be behind all others of its list
 };
@@ -42,7 +42,7 @@ struct WeilerAthertonRun {
     using Arithmetic = K;
     using Number = typename K::Number;
     using Vertices = std::vector<Vertex<Number>>;
-    using Piece = SurfacePiece<Number>;
+    using Piece = PolygonPiece<Number>;
     using Pieces = std::vector<EdgePiece<Number>>;
     using Edge = SupportLine<Number>;
 
@@ -50,7 +50,7 @@ struct WeilerAthertonRun {
     Visitor trace;
     Area area;
     Picture& picture;
-    std::vector<Surface<Number>> polygons;
+    std::vector<SourcePolygon<Number>> polygons;
     std::vector<Piece> facets;   // convex, and none pierces another
     std::vector<Piece> visible;  // disjoint but for their outlines
 
@@ -64,8 +64,8 @@ struct WeilerAthertonRun {
         for (const auto& source : scene.polygons) polygons.push_back(initialize_polygon(source));
     }
 
-    Surface<Number> initialize_polygon(const ScenePolygon& source) {
-        Surface<Number> polygon;
+    SourcePolygon<Number> initialize_polygon(const ScenePolygon& source) {
+        SourcePolygon<Number> polygon;
         polygon.index = int(polygons.size());
         polygon.color = source.color;
         polygon.edge_on = source.edge_on;
@@ -77,7 +77,7 @@ struct WeilerAthertonRun {
     }
 
     /// The part of a polygon, one that is not edge-on, in the area.
-    Piece cut_to_area(Line at, const Surface<Number>& polygon) {
+    Piece cut_to_area(Line at, const SourcePolygon<Number>& polygon) {
         std::vector<Point<Number>> corners;
         for (const auto& [x, y, z] : polygon.vertices) {
             const Point<Number> corner{x, y};
@@ -93,7 +93,7 @@ struct WeilerAthertonRun {
         return piece;
     }
 
-    Number depth(Line at, const Surface<Number>& polygon, const Point<Number>& place) {
+    Number depth(Line at, const SourcePolygon<Number>& polygon, const Point<Number>& place) {
         const Number z = Set::depth(*this, polygon, place);
         trace.depth(at, polygon, place, z);
         return z;
@@ -157,7 +157,7 @@ struct WeilerAthertonRun {
 
     /// The line in which the planes of two polygons meet, seen from the viewer; none if they are parallel. On its positive side
     /// the first of them is the nearer.
-    const Edge* line_of_planes(const Surface<Number>& p, const Surface<Number>& q) {
+    const Edge* line_of_planes(const SourcePolygon<Number>& p, const SourcePolygon<Number>& q) {
         const auto [known, is_new] = lines_of_planes_.try_emplace({p.index, q.index});
         if (is_new && !kernel.parallel(p.plane, q.plane)) {
             const auto& near = p.vertices.front();
