@@ -12,6 +12,7 @@
 
 #include "check.h"
 #include "output.h"
+#include "sampling.h"
 #include "scene_json.h"
 #include "support/curves.h"
 #include "support/kettner.h"
@@ -19,6 +20,7 @@
 #include "support/scenes.h"
 #include "support/stage.h"
 #include "vidno/floating_horizon.h"
+#include "vidno/kernels/filtered_heights.h"
 #include "vidno/viewport.h"
 
 using namespace vidno;
@@ -352,4 +354,41 @@ TEST_CASE("Failures: what emerges below the horizons is cut by the upper one") {
                                  .build();
     CHECK(drawn_of_last<Corrected>(scene) == HorizonReference::Interval{2.5, 8});
     CHECK_MESSAGE((drawn_of_last<Printed>(scene) == HorizonReference::Interval{8, 8}), "nothing but its end");
+}
+
+TEST_CASE("Failures: a peak narrower than the step hides nothing, and denser samples find it") {
+    // Three curves, in rows from above: at 30; at 20 but for column 5, where it is at 10; at 15. The peak hides the last over its
+    // column, if a sample stands on it.
+    const auto rows = [](double x, double z) { return z == 2 ? 30 : z == 1 ? (x == 5 ? 10 : 20) : 15; };
+    FunctionSurface surface;
+    surface.function = [&](double x, double z) { return -rows(x, z); };
+    surface.right = 16;
+    surface.nearest = 2;
+    surface.curves = surface.samples = 3;
+    surface.view = {.origin = {0, 0}, .across = {16, 0}, .back = {0, 0}, .up = 1};
+    const auto drawn_over_5 = [](std::vector<Curve> curves) {
+        bool drawn = false;
+        const CurveScene scene{{0, 0, 17, 40}, std::move(curves)};
+        for (const auto& [segment, from, to] : visible_lines(scene, Exact{}).lines) {
+            drawn = drawn || (segment.curve == 2 && from.point.x <= 5 && to.point.x >= 5);
+        }
+        return drawn;
+    };
+    CHECK(drawn_over_5(sampled(surface)));
+    surface.tolerance = 0.5;
+    CHECK_FALSE(drawn_over_5(sampled(surface)));
+}
+
+TEST_CASE("Failures: what is on a horizon is found below it") {
+    // From (0, 1) to (98, -1) the line is at 1 - x / 49: over column 49 on the horizon at 0, and above it from there on. In
+    // doubles 49 times 1 / 49 is less than 1.
+    const CurveScene scene = CurveSceneBuilder({0, 0, 99, 8})
+                                 .curve({{0, 4}, {98, 4}})
+                                 .curve({{0, 0}, {98, 0}})
+                                 .curve({{0, 1}, {98, -1}})
+                                 .build();
+    CHECK(drawn_of_last<Corrected>(scene) == HorizonReference::Interval{49, 98});
+    CHECK(visible_lines(scene, Double{}).lines.back().from.point.x > 49);
+    CHECK(visible_lines(scene, Filtered{}).lines.back().from.left == 49);
+    CHECK(visible_lines(scene, Filtered{}).lines.back().from.on_column());
 }

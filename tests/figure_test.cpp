@@ -166,7 +166,7 @@ TEST_CASE("the list of a window: its polygons, what is known of each, and the on
     const Drawing list = list_part(after(header, events), {}, 80);
     CHECK(has_text(list, "U = (8, 8) 8 × 8, on the stack: 1"));
     CHECK(has_text(list, "lb, rt"));
-    CHECK(has_text(list, "nearest z at the corners: lb 0.125, lt −∞, rb −∞, rt 0.125"));
+    CHECK(has_text(list, "lb 0.125, lt −∞, rb −∞, rt 0.125"));
     const auto labels = all<Label>(list);
     const auto at = [&](const std::string& text) {
         return std::find_if(labels.begin(), labels.end(), [&](const Label& label) { return label.text == text; })->at;
@@ -192,6 +192,21 @@ TEST_CASE("the list of a scanline: the active edges with their numbers") {
         CAPTURE(text);
         CHECK(has_text(list, text));
     }
+}
+
+TEST_CASE("the list of a scanline: on half a slide numbers have fewer digits, and nothing is cut") {
+    const TraceHeader header = header_of(near_before_far(), Method::zbuffer);
+    const Moment moment =
+        after(header, {event::Polygon{Line::Z2, {1}, header.scene.polygons[1].color}, event::Scanline{Line::Z6, 4.5, 4},
+                       event::AelAdd{Line::Z8, 3, -12.34375, -0.01953125, 12., -0.0234375, -1. / 3}});
+    for (const auto language : {Language::english, Language::russian}) {
+        const auto texts = texts_of(list_part(moment, {.language = language, .letters = letters_of_tex}, 68));
+        for (const std::string number : {"−12.34", "−0.02", "−0.023", "−0.333"}) {
+            CHECK_MESSAGE(std::count(texts.begin(), texts.end(), number) > 0, number);
+        }
+        for (const auto& text : texts) CHECK_MESSAGE(text.find("…") == text.npos, text);
+    }
+    CHECK(has_text(list_part(moment, {}, 80), "−0.0195"));
 }
 
 TEST_CASE("what a trace does not tell is refused") {
@@ -282,6 +297,7 @@ TEST_CASE("numbers as they are read") {
     CHECK(readable(Value(-0.25)) == "−0.25");
     CHECK(readable(Value(1. / 3)) == "0.3333");
     CHECK(readable(Value(12.3456789)) == "12.35");
+    CHECK(readable(Value(12.3456789), 4) == "12.3");
     CHECK(readable(Value(1e-9)) == "1.00e−09");
     CHECK(readable(Value("-3/7")) == "−3/7");
     CHECK(readable(Value("12/1")) == "12");

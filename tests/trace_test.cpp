@@ -292,7 +292,7 @@ TEST_CASE("Sufficient: the picture at every level") {
             while (const auto event = reader.next()) state.apply(*event);
             CHECK(state.picture() == picture);
             REQUIRE(reader.end().has_value());
-            CHECK(reader.end()->picture == picture_hash(picture));
+            CHECK(reader.end()->hash == picture_hash(picture));
             CHECK(state.calls().size() <= 2);  // a fault may leave the procedure that failed open
         }
     }

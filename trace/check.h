@@ -1,36 +1,16 @@
 /// Check: runs with every decision held against the truth.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <vector>
-
-#include "event.h"
+#include "decision_count.h"
 #include "run.h"
 
 namespace vidno {
 
-/// Of one procedure, calls from it not included.
-struct ProcedureVerdicts {
-    Procedure procedure{};
-    std::uint64_t decisions = 0;
-    std::uint64_t wrong_for_operands = 0;      // the operation rounded
-    std::uint64_t wrong_for_scene = 0;         // that, or its operands had drifted
-    std::uint64_t undefined = 0;               // no truth: after a wrong turn
-    std::optional<std::uint64_t> first_wrong;  // the step, from 1, of level `signs` that tells it or follows it
-};
-
-struct CheckReport {
+struct CheckReport : DecisionReport {
     Picture picture;
-    std::vector<ProcedureVerdicts> procedures{};  // those that decided, in the order of Procedure
-    std::uint64_t intersections = 0;              // computed when clipping, under `float`, `double`, `bits`
-    double farthest_off = 0;                      // of them, from the exact one, in pixels
-    std::array<std::uint64_t, filter_stage_names.size()> decided_by{};  // under `filtered`: how many at each stage
-    std::uint64_t wrong_pixels = 0;                                     // against the picture rule
+    std::uint64_t wrong_pixels = 0;  // against the picture rule
 
-    /// Whether any decision or pixel is wrong.
-    bool found_something() const;
+    bool found_something() const { return wrong_pixels > 0 || any_wrong(); }
 };
 
 /// What the scene should show: by the picture rule, or by what the method varies of it.

@@ -10,12 +10,6 @@
 
 namespace vidno {
 
-/// Hears under `filtered` what decided each comparison.
-struct StageTally {
-    const std::function<void(FilterStage)>* count;
-    void operator()(FilterStage stage) const { (*count)(stage); }
-};
-
 using HearEvent = std::function<void(const Event&)>;
 
 Picture told_family(const RunRequest& request, const Checked<Float>& kernel, const HearEvent& hear);

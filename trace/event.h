@@ -17,6 +17,7 @@
 #include "value.h"
 #include "verdict.h"
 #include "vidno/family/relation.h"
+#include "vidno/floating_horizon/horizons.h"
 #include "vidno/kernel.h"
 #include "vidno/picture.h"
 #include "vidno/trace.h"
@@ -38,6 +39,11 @@ struct ColumnRun {
     int first = 0, end = 0;
     bool operator==(const ColumnRun&) const = default;
 };
+
+using ColumnHeight = std::pair<int, Value>;
+using SampleTold = std::pair<int, double>;
+/// Of the current curve the segment between the samples on these columns.
+using SegmentColumns = std::pair<int, int>;
 
 namespace event {
 
@@ -72,11 +78,14 @@ struct Disagree {
     }
 };
 
-/// The level from which the calls of a procedure are told: below `signs` nothing happens inside a test of a polygon. What a
-/// call came to is the event with that procedure as its `result_of`.
+/// The level from which the calls of a procedure are told: below `signs` nothing happens inside some. What a call came to is
+/// the event with that procedure as its `result_of`.
 constexpr Detail calls_from(Procedure procedure) {
     switch (procedure) {
         case Procedure::surround_test:
+        case Procedure::visibility:
+        case Procedure::horizon:
+        case Procedure::intersection:
         case Procedure::trial_function:
         case Procedure::ray_crossings:
         case Procedure::octant_angles: return Detail::signs;
@@ -851,20 +860,162 @@ struct BackFace {
     }
 };
 
+// FloatingHorizon
+
+/// Without a height there is none over any column.
+struct Horizons {
+    static constexpr Kind kind{"horizons", Detail::polygons};
+    Line at{};
+    std::optional<Value> upper, lower;
+    static void fields(auto& e, auto&& field) {
+        field("upper", e.upper);
+        field("lower", e.lower);
+    }
+};
+
+struct Curve {
+    static constexpr Kind kind{"curve", Detail::windows};
+    Line at{};
+    int curve = 0;
+    static void fields(auto& e, auto&& field) { field("curve", e.curve); }
+};
+
+struct SideEdge {
+    static constexpr Kind kind{"side_edge", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::side_edge;
+    Line at{};
+    SampleTold sample;
+    static void fields(auto& e, auto&& field) { field("sample", e.sample); }
+};
+
+struct Visibility {
+    static constexpr Kind kind{"visibility", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::visibility;
+    Line at{};
+    SegmentColumns segment;
+    int x = 0;
+    VisibilityFlag flag{};
+    Told told;
+    static constexpr Decision decides = Decision::visibility;
+    Answer decision() const { return int(flag); }
+    static void fields(auto& e, auto&& field) {
+        field("segment", e.segment);
+        field("x", e.x);
+        field("flag", e.flag);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
+    }
+};
+
+struct Intersection {
+    static constexpr Kind kind{"intersection", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::intersection;
+    Line at{};
+    SegmentColumns segment;
+    ValuePoint point;
+    std::pair<int, int> columns;
+    static void fields(auto& e, auto&& field) {
+        field("segment", e.segment);
+        field("point", e.point);
+        field("columns", e.columns);
+    }
+};
+
+struct DrawLine {
+    static constexpr Kind kind{"draw_line", Detail::windows};
+    Line at{};
+    SegmentColumns segment;
+    ValuePoint from;
+    std::pair<int, int> from_columns;
+    ValuePoint to;
+    std::pair<int, int> to_columns;
+    static void fields(auto& e, auto&& field) {
+        field("segment", e.segment);
+        field("from", e.from);
+        field("fromColumns", e.from_columns);
+        field("to", e.to);
+        field("toColumns", e.to_columns);
+    }
+};
+
+/// The columns where the horizons have changed, with their new heights.
+struct Horizon {
+    static constexpr Kind kind{"horizon", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::horizon;
+    Line at{};
+    int first = 0, last = 0;
+    std::vector<ColumnHeight> upper, lower;
+    static void fields(auto& e, auto&& field) {
+        field("first", e.first);
+        field("last", e.last);
+        field("upper", e.upper);
+        field("lower", e.lower);
+    }
+};
+
+// Visibility, Horizon, Intersection
+
+struct Height {
+    static constexpr Kind kind{"height", Detail::signs};
+    Line at{};
+    int x = 0;
+    Value y;
+    std::optional<Value> upper, lower;
+    static void fields(auto& e, auto&& field) {
+        field("x", e.x);
+        field("y", e.y);
+        field("upper", e.upper);
+        field("lower", e.lower);
+    }
+};
+
+struct Raise {
+    static constexpr Kind kind{"raise", Detail::signs};
+    Line at{};
+    int x = 0;
+    Value y;
+    static void fields(auto& e, auto&& field) {
+        field("x", e.x);
+        field("y", e.y);
+    }
+};
+
+struct Lower {
+    static constexpr Kind kind{"lower", Detail::signs};
+    Line at{};
+    int x = 0;
+    Value y;
+    static void fields(auto& e, auto&& field) {
+        field("x", e.x);
+        field("y", e.y);
+    }
+};
+
+struct Step {
+    static constexpr Kind kind{"step", Detail::signs};
+    Line at{};
+    int x = 0;
+    bool changes = false;
+    static void fields(auto& e, auto&& field) {
+        field("x", e.x);
+        field("changes", e.changes);
+    }
+};
+
 }  // namespace event
 
-using Event =
-    std::variant<event::Plane, event::Call, event::Disagree, event::Depth, event::Fault, event::Push, event::Skip,
-                 event::Pop, event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count,
-                 event::Compare, event::Nearer, event::Uncover, event::Mark, event::Cover, event::Insider,
-                 event::Summary, event::Nearest, event::PointColor, event::Surround, event::Orient, event::ClipBegin,
-                 event::ClipSide, event::ClipSign, event::ClipCross, event::ClipKeep, event::ClipDrop, event::ClipList,
-                 event::ClipResult, event::Row, event::Draw, event::Clear, event::Polygon, event::Edge, event::Extent,
-                 event::Scanline, event::AelAdd, event::Horizontal, event::Leave, event::AelSort, event::AelDrop,
-                 event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel, event::Span,
-                 event::Join, event::Rejoin, event::RelationFound, event::Trial, event::Meets, event::Ray,
-                 event::Crossings, event::Octants, event::Angle, event::Hiding, event::SplitVertex, event::EdgeDepth,
-                 event::BackFace>;
+using Event = std::variant<
+    event::Plane, event::Call, event::Disagree, event::Depth, event::Fault, event::Push, event::Skip, event::Pop,
+    event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count, event::Compare, event::Nearer,
+    event::Uncover, event::Mark, event::Cover, event::Insider, event::Summary, event::Nearest, event::PointColor,
+    event::Surround, event::Orient, event::ClipBegin, event::ClipSide, event::ClipSign, event::ClipCross,
+    event::ClipKeep, event::ClipDrop, event::ClipList, event::ClipResult, event::Row, event::Draw, event::Clear,
+    event::Polygon, event::Edge, event::Extent, event::Scanline, event::AelAdd, event::Horizontal, event::Leave,
+    event::AelSort, event::AelDrop, event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns,
+    event::Pixel, event::Span, event::Join, event::Rejoin, event::RelationFound, event::Trial, event::Meets, event::Ray,
+    event::Crossings, event::Octants, event::Angle, event::Hiding, event::SplitVertex, event::EdgeDepth,
+    event::BackFace, event::Horizons, event::Curve, event::SideEdge, event::Visibility, event::Intersection,
+    event::DrawLine, event::Horizon, event::Height, event::Raise, event::Lower, event::Step>;
 
 /// The place of a type in Event.
 template <class E, class... Events>
@@ -882,5 +1033,10 @@ constexpr auto names_in(const std::variant<Events...>*) {
     return std::array{Events::kind.name...};
 }
 inline constexpr auto event_names = names_in(static_cast<const Event*>(nullptr));
+
+/// Told by runs of curves alone: those from Horizons on.
+template <class E>
+concept CurveEvent = event_place<E>
+>= event_place<event::Horizons>&& event_place<E> < std::variant_size_v<Event>;
 
 }  // namespace vidno

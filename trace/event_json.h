@@ -115,6 +115,7 @@ private:
     void value(Pen& out, const Color& v) { append_color(out, v); }
     void value(Pen& out, PolygonPlace v) { out += std::string_view(names_[std::size_t(v.index)]); }
     void value(Pen& out, Sign v) { append_integer(out, int(v)); }
+    void value(Pen& out, VisibilityFlag v) { append_integer(out, int(v)); }
     void value(Pen& out, Corner v) { name(out, corner_names[std::size_t(v)]); }
     void value(Pen& out, Case v) { name(out, case_names[std::size_t(v)]); }
     void value(Pen& out, Relation v) { name(out, relation_names[std::size_t(v)]); }

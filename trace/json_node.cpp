@@ -14,11 +14,6 @@ namespace vidno {
 
 using nlohmann::json;
 
-namespace {
-
-constexpr int deepest_nesting = 16;
-
-/// Text from a file inside a message of one line: no control characters, and not too long.
 std::string printable(std::string_view text) {
     constexpr std::size_t most = 100;
     std::string out(first_bytes(text, most));
@@ -28,6 +23,10 @@ std::string printable(std::string_view text) {
     if (out.size() < text.size()) out += "...";
     return out;
 }
+
+namespace {
+
+constexpr int deepest_nesting = 16;
 
 /// A key as a step of a JSON pointer (RFC 6901).
 std::string pointer_step(std::string_view key) {

@@ -17,6 +17,9 @@ namespace vidno {
 /// The document. Throws Refused for text that is not JSON, nested too deeply, or with a key that an object has twice.
 nlohmann::json parse_json(std::string_view text);
 
+/// Text from elsewhere inside a message of one line: no control characters, and not too long.
+std::string printable(std::string_view text);
+
 /// A value and where it stands; `refuse` and each reading that fails throw Refused. Only what goes wrong costs the
 /// making of a path.
 class JsonNode {

@@ -160,6 +160,18 @@ inline void append_hex(auto& out, const Color& color) {
     }
 }
 
+inline void append_area(auto& out, const Area& area) {
+    out += std::string_view("{\"x\":");
+    append_integer(out, area.x);
+    out += std::string_view(",\"y\":");
+    append_integer(out, area.y);
+    out += std::string_view(",\"width\":");
+    append_integer(out, area.width);
+    out += std::string_view(",\"height\":");
+    append_integer(out, area.height);
+    out += '}';
+}
+
 inline void append_color(auto& out, const Color& color) {
     out += '"';
     append_hex(out, color);

@@ -53,6 +53,13 @@ inline constexpr std::array method_choices{
 };
 static_assert(method_choices.size() == method_names.size());
 
+/// Of curves, so not a Method.
+inline constexpr MethodChoice curve_choice{
+    .does = "draw what is beyond both horizons; raise them to it",
+    .procedure = Procedure::floating_horizon,
+    .rule = {"curves with samples on whole columns, the nearest first",
+             "a point is visible unless it is strictly between the horizons of the curves before it"}};
+
 constexpr const MethodChoice& choice_of(Method method) { return method_choices[std::size_t(method)]; }
 
 /// Under an always right kernel it paints what the method should.

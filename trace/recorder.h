@@ -18,7 +18,8 @@ template <class Sink>
 struct Recording {
     Detail detail;
     Sink& sink;
-    event::Span span{};  // of the ShowLine that is running
+    event::Span span{};        // of the ShowLine that is running
+    event::Horizon horizon{};  // of the Horizon that is running
 };
 
 template <Kernel K, class Sink>
@@ -33,6 +34,7 @@ public:
     }
     void call(Line at, Procedure procedure) {
         if (procedure == Procedure::show_line) recording_->span = {};
+        if (procedure == Procedure::horizon) recording_->horizon = {};
         if (recording_->detail < event::calls_from(procedure)) return;
         emit<event::Call>([&] { return event::Call{at, procedure}; });
     }
@@ -279,6 +281,50 @@ public:
         emit<event::BackFace>([&] { return event::BackFace{at, place(polygon), away}; });
     }
 
+    void horizons(Line at, const auto& horizons) {
+        emit<event::Horizons>([&] {
+            return event::Horizons{at, height_value(horizons.upper.leftmost()),
+                                   height_value(horizons.lower.leftmost())};
+        });
+    }
+    void curve(Line at, int curve) {
+        emit<event::Curve>([&] { return event::Curve{at, curve}; });
+    }
+    void side_edge(Line at, const auto& sample) {
+        emit<event::SideEdge>([&] { return event::SideEdge{at, {sample.x, sample.y}}; });
+    }
+    void visibility(Line at, const auto& segment, int column, VisibilityFlag flag) {
+        emit<event::Visibility>([&] { return event::Visibility{at, ends_of(segment), column, flag, {}}; });
+    }
+    void horizon(Line at, const auto& /*segment*/, int first, int last) {
+        event::Horizon& told = recording_->horizon;
+        told.at = at;
+        told.first = first;
+        told.last = last;
+        emit<event::Horizon>([&]() -> const event::Horizon& { return told; });
+    }
+    void intersection(Line at, const auto& segment, const auto& end) {
+        emit<event::Intersection>([&] {
+            return event::Intersection{at, ends_of(segment), point(end.point), {end.left, end.right}};
+        });
+    }
+    void draw_line(Line at, const auto& segment, const auto& from, const auto& to) {
+        emit<event::DrawLine>([&] {
+            return event::DrawLine{
+                at, ends_of(segment), point(from.point), {from.left, from.right}, point(to.point), {to.left, to.right}};
+        });
+    }
+    void height(Line at, int column, const auto& y, const auto& upper, const auto& lower) {
+        emit<event::Height>([&] {
+            return event::Height{at, column, value(y), height_value(upper), height_value(lower)};
+        });
+    }
+    void raise(Line at, int column, const auto& y) { change<event::Raise>(recording_->horizon.upper, at, column, y); }
+    void lower(Line at, int column, const auto& y) { change<event::Lower>(recording_->horizon.lower, at, column, y); }
+    void step(Line at, int column, bool changes) {
+        emit<event::Step>([&] { return event::Step{at, column, changes}; });
+    }
+
 private:
     template <class E>
     void emit(auto&& make) {
@@ -294,15 +340,17 @@ private:
         depths->push_back(value(z));
     }
 
+    /// A horizon over a column.
+    template <class E>
+    void change(std::vector<ColumnHeight>& changed, Line at, int column, const auto& y) {
+        if (recording_->detail < event::Horizon::kind.from) return;
+        changed.emplace_back(column, value(y));
+        emit<E>([&] { return E{at, column, changed.back().second}; });
+    }
+
     static PolygonPlace place(const auto& polygon) { return {polygon.index}; }
 
-    static Value value(const auto& number) {
-        if constexpr (K::has_infinity) {
-            return {double(number)};
-        } else {
-            return Value(K::fraction(number));
-        }
-    }
+    static Value value(const auto& number) { return as_value<K>(number); }
     static Value depth_value(const typename K::Depth& z) {
         if constexpr (K::has_infinity) {
             return value(z);
@@ -310,6 +358,10 @@ private:
             return z ? value(*z) : Value::minus_infinite();
         }
     }
+    static std::optional<Value> height_value(const auto& cell) {
+        return cell ? std::optional(value(*cell)) : std::nullopt;
+    }
+    static SegmentColumns ends_of(const Segment& segment) { return {segment.from.x, segment.to.x}; }
     /// Of a list that is empty the least is plus infinity.
     static Value next_value(int row) { return row == no_row ? Value::infinite() : Value(row); }
     static Value next_value(const std::optional<typename K::Number>& y) { return y ? value(*y) : Value::infinite(); }

@@ -54,6 +54,12 @@ struct KernelChoice {
     bool runs_mistakes = false;
     RunKernel run_family = nullptr;  // none: it does not run the Warnock family
 
+    /// The floating horizon: it takes samples as they are, and has no depths to store.
+    bool runs_curves(Edition edition) const {
+        return run != run_depth && run != run_grid && !is_mistake(edition) &&
+               (runs_printed || edition != Edition::printed);
+    }
+
     bool runs(Method method, Edition edition) const {
         const auto only = choice_of(edition).only;
         if (is_family(method)) return run_family && edition == Edition::corrected;

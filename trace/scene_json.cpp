@@ -188,15 +188,9 @@ std::string scene_json(const Scene& scene) {
     out += scene_format;
     out += "\",\"name\":";
     append_string(out, scene.name);
-    out += ",\"window\":{\"x\":";
-    append_integer(out, scene.area.x);
-    out += ",\"y\":";
-    append_integer(out, scene.area.y);
-    out += ",\"width\":";
-    append_integer(out, scene.area.width);
-    out += ",\"height\":";
-    append_integer(out, scene.area.height);
-    out += "},\"background\":";
+    out += ",\"window\":";
+    append_area(out, scene.area);
+    out += ",\"background\":";
     append_color(out, scene.background);
     out += ",\"polygons\":[";
     for (std::size_t i = 0; i < scene.polygons.size(); ++i) {

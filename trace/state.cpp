@@ -12,33 +12,19 @@ std::int64_t cell(const Area& area, int x, int y) { return std::int64_t(y - area
 
 }  // namespace
 
-State::State(const TraceHeader& header) : header_(&header), picture_(header.scene.area, header.scene.background) {
-    calls_.push_back({choice_of(header.method).procedure, std::nullopt});
-}
+State::State(const TraceHeader& header)
+    : header_(&header),
+      picture_(header.scene.area, header.scene.background),
+      calls_(choice_of(header.method).procedure, header.detail) {}
 
 void State::apply(const Event& event) {
     std::visit(
         [this](const auto& e) {
-            using E = std::remove_cvref_t<decltype(e)>;
-            if constexpr (std::same_as<E, event::Call>) calls_.back().at = e.at;
-            if constexpr (requires { E::result_of; }) end_call(E::result_of);
+            calls_.take(e);
             take(e);
-            if constexpr (!std::same_as<E, event::Call>) calls_.back().at = e.at;
         },
         event);
     ++step_;
-}
-
-void State::take(const event::Call& e) {
-    if (calls_.size() > procedure_names.size()) throw Impossible{"the call stack is too deep"};
-    calls_.push_back({e.of, std::nullopt});
-}
-
-/// A result closes the frame that its `call` opened; below the level of the call there is none.
-void State::end_call(Procedure procedure) {
-    if (header_->detail < event::calls_from(procedure)) return;
-    if (calls_.back().of != procedure) throw Impossible{"a result of a procedure that is not running"};
-    calls_.pop_back();
 }
 
 void State::take(const event::Depth& e) {

@@ -4,25 +4,16 @@
 #include <memory>
 #include <unordered_map>
 
-#include "event.h"
+#include "call_stack.h"
 #include "trace_writer.h"
 
 namespace vidno {
-
-/// An event that cannot follow: the reason.
-struct Impossible {
-    std::string reason;
-};
 
 class State {
 public:
     using Apl = std::vector<AplEntry>;
 
-    struct Frame {
-        Procedure of;
-        std::optional<Line> at;
-        bool operator==(const Frame&) const = default;
-    };
+    using Frame = CallStack::Frame;
     struct StackedWindow {
         Window window;
         std::shared_ptr<Apl> apl;  // below level `polygons` nothing leaves it
@@ -48,7 +39,7 @@ public:
     std::uint64_t step() const { return step_; }
     const TraceHeader& header() const { return *header_; }
     const Picture& picture() const { return picture_; }
-    const std::vector<Frame>& calls() const { return calls_; }  // outermost first
+    const std::vector<Frame>& calls() const { return calls_.frames(); }
 
     // Warnock
     const std::vector<StackedWindow>& stack() const { return stack_; }  // AW, bottom first
@@ -77,7 +68,7 @@ public:
 
 private:
     void take(const event::Plane&) {}
-    void take(const event::Call&);
+    void take(const event::Call&) {}
     void take(const event::Disagree&) {}
     void take(const event::Depth&);
     void take(const event::Fault&) {}
@@ -141,8 +132,8 @@ private:
     void take(const event::SplitVertex&) {}
     void take(const event::EdgeDepth&) {}
     void take(const event::BackFace&) {}
+    void take(const CurveEvent auto&) { throw Impossible{"an event of a run of curves"}; }
 
-    void end_call(Procedure procedure);
     Apl& current_apl();
     AplEntry& entry(PolygonPlace polygon);
     void remove_from_apl(PolygonPlace polygon);
@@ -154,7 +145,7 @@ private:
     const TraceHeader* header_;
     std::uint64_t step_ = 0;
     Picture picture_;
-    std::vector<Frame> calls_;
+    CallStack calls_;
 
     std::vector<StackedWindow> stack_;
     std::optional<StackedWindow> current_;

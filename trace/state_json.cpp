@@ -1,24 +1,17 @@
-#include <utility>
-
-#include "event_json.h"
 #include "method.h"
 #include "state.h"
+#include "state_text.h"
 
 namespace vidno {
 
 namespace {
 
-/// Writes a state; each function appends one value.
-class StateText {
+class PolygonStateText : StateText {
 public:
-    explicit StateText(const State& state)
-        : state_(state), names_(polygon_names(state.header().scene)), values_(names_) {}
+    explicit PolygonStateText(const State& state) : PolygonStateText(state, polygon_names(state.header().scene)) {}
 
     std::string line() {
-        out_ += "{\"step\":";
-        append_integer(out_, state_.step());
-        out_ += ",\"calls\":";
-        list(state_.calls(), [this](const auto& frame) { call(frame); });
+        begin(state_);
         out_ += ",\"picture\":";
         picture();
         const bool has_windows = is_warnock(state_.header().method);
@@ -31,30 +24,7 @@ public:
     }
 
 private:
-    void null() { out_ += "null"; }
-    void boolean(bool value) { out_ += value ? "true" : "false"; }
-
-    void list(const auto& items, auto&& append) {
-        out_ += '[';
-        bool first = true;
-        for (const auto& item : items) {
-            if (!std::exchange(first, false)) out_ += ',';
-            append(item);
-        }
-        out_ += ']';
-    }
-    void optional(const auto& value, auto&& append) { value ? append(*value) : null(); }
-
-    void number(const Value& value) { values_.value(out_, value); }
-    void integer(int value) { append_integer(out_, value); }
-
-    void call(const State::Frame& frame) {
-        out_ += "{\"of\":\"";
-        out_ += procedure_names[std::size_t(frame.of)];
-        out_ += "\",\"at\":";
-        optional(frame.at, [this](Line at) { append_string(out_, line_names[std::size_t(at)]); });
-        out_ += '}';
-    }
+    PolygonStateText(const State& state, const PolygonNames& names) : StateText(names), state_(state), names_(names) {}
 
     void picture() {
         const Area& area = state_.picture().area();
@@ -198,12 +168,10 @@ private:
 
     const State& state_;
     PolygonNames names_;
-    Text out_;
-    EventText values_;
 };
 
 }  // namespace
 
-std::string state_json(const State& state) { return StateText(state).line(); }
+std::string state_json(const State& state) { return PolygonStateText(state).line(); }
 
 }  // namespace vidno

@@ -137,6 +137,11 @@ private:
         if (sign < -1 || sign > 1) throw Misfit{path, "not -1, 0 or 1"};
         target = Sign{sign};
     }
+    void value(const json& v, VisibilityFlag& target, const std::string& path) const {
+        const int flag = read_int(v, path);
+        if (flag < -1 || flag > 2) throw Misfit{path, "not -1, 0, 1 or 2"};
+        target = VisibilityFlag(flag);
+    }
     void value(const json& v, Corner& target, const std::string& path) const {
         target = Corner(index_of(v, corner_names, path));
     }
@@ -178,8 +183,8 @@ private:
     }
     void value(const json& v, PixelRun& t, const std::string& path) const { list(v, path, t.row, t.first, t.end); }
     void value(const json& v, ColumnRun& t, const std::string& path) const { list(v, path, t.first, t.end); }
-    void value(const json& v, AplEntry& t, const std::string& path) const { list(v, path, t.first, t.second); }
-    void value(const json& v, std::pair<int, int>& t, const std::string& path) const {
+    template <class A, class B>
+    void value(const json& v, std::pair<A, B>& t, const std::string& path) const {
         list(v, path, t.first, t.second);
     }
     void value(const json& v, std::array<Value, 4>& t, const std::string& path) const {
@@ -238,29 +243,29 @@ void expect_keys(const json& object, std::initializer_list<std::string_view> key
     }
 }
 
-const json& required(const json& object, const char* key, const std::string& path) {
+const json& required(const json& object, std::string_view key, const std::string& path) {
     const auto found = object.find(key);
     if (found == object.end()) throw Misfit{path, "no key " + std::string(key)};
     return *found;
 }
 
-TraceEnd read_end(const json& object) {
+TraceEnd read_end(const json& object, std::string_view result) {
     expect_keys(object, {"end"}, "");
     const json& end = object["end"];
     if (!end.is_object()) throw Misfit{"/end", "not an object"};
-    expect_keys(end, {"events", "picture", "partial"}, "/end");
+    expect_keys(end, {"events", result, "partial"}, "/end");
     TraceEnd found;
     const json& events = required(end, "events", "/end");
     if (!events.is_number_unsigned()) throw Misfit{"/end/events", "not a count"};
     found.events = events.get<std::uint64_t>();
     if (end.contains("partial")) {
-        if (end["partial"] != true || end.contains("picture")) throw Misfit{"/end/partial", "not true and alone"};
+        if (end["partial"] != true || end.contains(result)) throw Misfit{"/end/partial", "not true and alone"};
         found.partial = true;
         return found;
     }
-    const json& picture = required(end, "picture", "/end");
-    if (!picture.is_string()) throw Misfit{"/end/picture", "not a text"};
-    found.picture = picture.get<std::string>();
+    const json& hash = required(end, result, "/end");
+    if (!hash.is_string()) throw Misfit{"/end/" + std::string(result), "not a text"};
+    found.hash = hash.get<std::string>();
     return found;
 }
 
@@ -271,18 +276,43 @@ std::string read_kernel(const json& value) {
     return value.get<std::string>();
 }
 
-TraceHeader read_header(const std::string& line, const std::string& file) {
-    const json object = parse_line(line);
+json parse_header(const std::string& line) {
+    json object = parse_line(line);
     if (!object.contains("format") || object["format"] != "vidno-trace/1") {
         throw Misfit{"/format", "not a trace of format vidno-trace/1"};
     }
     expect_keys(object, {"format", "method", "edition", "kernel", "detail", "scene"}, "");
-    TraceHeader header;
-    header.method = Method(index_of(required(object, "method", ""), method_names, "/method"));
+    return object;
+}
+
+/// What headers of both kinds have.
+void read_run(const json& object, auto& header) {
     header.edition = Edition(index_of(required(object, "edition", ""), edition_names, "/edition"));
     header.kernel = read_kernel(required(object, "kernel", ""));
     header.detail = Detail(index_of(required(object, "detail", ""), detail_names, "/detail"));
+}
+
+TraceHeader read_header(const std::string& line, const std::string& file) {
+    const json object = parse_header(line);
+    const json& method = required(object, "method", "");
+    if (method == curve_method) throw Misfit{"/method", "floating-horizon, which this command does not take"};
+    TraceHeader header;
+    header.method = Method(index_of(method, method_names, "/method"));
+    read_run(object, header);
     header.scene = read_scene(required(object, "scene", "").dump(), file + ":1: /scene").scene;
+    return header;
+}
+
+CurveHeader read_curve_header(const std::string& line, const std::string& file) {
+    const json object = parse_header(line);
+    CurveHeader header;
+    read_run(object, header);
+    if (!kernel_named(header.kernel)->choice->runs_curves(header.edition)) {
+        throw Misfit{"/kernel", "no kernel and edition of floating-horizon"};
+    }
+    const json& scene = required(object, "scene", "");
+    if (scene.contains("function")) throw Misfit{"/scene/function", "a trace has the samples"};
+    header.scene = read_surface(scene.dump(), file + ":1: /scene");
     return header;
 }
 
@@ -292,19 +322,45 @@ std::string message(const std::string& place, const Misfit& misfit) {
 
 }  // namespace
 
-TraceReader::TraceReader(LineReader lines, std::string file) : lines_(std::move(lines)), file_(std::move(file)) {
-    std::string line;
-    if (!lines_.next(line)) throw Refused(file_ + ": empty, not a trace");
+TraceFile::TraceFile(LineReader lines, std::string file) : lines_(std::move(lines)), file_(std::move(file)) {
+    if (!lines_.next(first_line_)) throw Refused(file_ + ": empty, not a trace");
+}
+
+bool TraceFile::is_of_curves() const {
+    const json object = json::parse(first_line_, nullptr, false);
+    return object.is_object() && object.contains("method") && object["method"] == curve_method;
+}
+
+template <class Header>
+Header TraceFile::header_by(Header (*read)(const std::string& line, const std::string& file)) {
     try {
-        header_ = read_header(line, file_);
+        Header header = read(first_line_, file_);
+        first_line_.clear();
+        reading_.detail = header.detail;
+        reading_.exact = header.kernel == "exact";
+        return header;
     } catch (const Misfit& misfit) {
         throw Refused(message(place(), misfit));
     }
-    for (std::size_t i = 0; i < header_.scene.polygons.size(); ++i)
-        places_.emplace(header_.scene.polygons[i].id, int(i));
 }
 
-std::optional<Event> TraceReader::next() {
+TraceReader::TraceReader(TraceFile file) : TraceFile(std::move(file)), header_(header_by(read_header)) {
+    const auto& polygons = header_.scene.polygons;
+    for (std::size_t i = 0; i < polygons.size(); ++i) reading_.places.emplace(polygons[i].id, int(i));
+    reading_.result = "picture";
+}
+
+CurveTraceReader::CurveTraceReader(TraceFile file) : TraceFile(std::move(file)), header_(header_by(read_curve_header)) {
+    reading_.result = "lines";
+}
+
+AnyTraceReader open_trace(LineReader lines, std::string file) {
+    TraceFile opened(std::move(lines), std::move(file));
+    if (opened.is_of_curves()) return CurveTraceReader(std::move(opened));
+    return TraceReader(std::move(opened));
+}
+
+std::optional<Event> TraceFile::next() {
     std::string line;
     if (end_ || !lines_.next(line)) return std::nullopt;
     ++line_number_;
@@ -316,19 +372,19 @@ std::optional<Event> TraceReader::next() {
     }
 }
 
-std::optional<Event> TraceReader::parse(const std::string& line) {
+std::optional<Event> TraceFile::parse(const std::string& line) {
     const json object = parse_line(line);
     const auto name = object.find("e");
     if (name == object.end() && object.contains("end")) {
-        end_ = read_end(object);
+        end_ = read_end(object, reading_.result);
         if (end_->events != events_) throw Misfit{"/end/events", "not the number of events read"};
         std::string rest;
         if (lines_.next(rest)) throw Misfit{"", "text after the last line"};
         return std::nullopt;
     }
     if (name == object.end() || !name->is_string()) throw Misfit{"/e", "no name of an event"};
-    EventReader reader(object, places_, header_.kernel == "exact");
-    Event event = read_event(reader, name->get_ref<const std::string&>(), header_.detail);
+    EventReader reader(object, reading_.places, reading_.exact);
+    Event event = read_event(reader, name->get_ref<const std::string&>(), reading_.detail);
     ++events_;
     return event;
 }

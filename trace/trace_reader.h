@@ -1,8 +1,10 @@
-/// TraceReader: a trace file, event by event.
+/// TraceReader: a trace file of polygons, event by event; CurveTraceReader: one of curves.
 #pragma once
 
 #include <map>
+#include <variant>
 
+#include "curve_trace.h"
 #include "output.h"
 #include "trace_writer.h"
 
@@ -11,16 +13,15 @@ namespace vidno {
 /// What the last line says.
 struct TraceEnd {
     std::uint64_t events = 0;
-    std::string picture;  // the hash; empty if partial
+    std::string hash;  // of the picture or the lines; empty if partial
     bool partial = false;
 };
 
-class TraceReader {
+/// A trace of which the first line was read: all that does not depend on what the run was of.
+class TraceFile {
 public:
-    /// Reads the header. `file` is the name in messages. Throws Refused.
-    TraceReader(LineReader lines, std::string file);
-
-    const TraceHeader& header() const { return header_; }
+    /// `file` is the name in messages. Throws Refused.
+    TraceFile(LineReader lines, std::string file);
 
     /// The next event, none at the end. Throws Refused, with the line, for anything that is not one.
     std::optional<Event> next();
@@ -33,16 +34,60 @@ public:
     /// `file:line`, of the line that was read last.
     std::string place() const { return file_ + ":" + std::to_string(line_number_); }
 
+    bool is_of_curves() const;
+
+protected:
+    /// What `read` makes of the first line.
+    template <class Header>
+    Header header_by(Header (*read)(const std::string& line, const std::string& file));
+
+    /// What events are read by.
+    struct Reading {
+        Detail detail{};
+        bool exact = false;
+        std::map<std::string, int, std::less<>> places{};  // of the polygons, by id
+        std::string_view result{};                         // the name of what came out
+    };
+    Reading reading_;
+
 private:
     std::optional<Event> parse(const std::string& line);
 
     LineReader lines_;
     std::string file_;
-    TraceHeader header_;
-    std::map<std::string, int, std::less<>> places_;  // of the polygons, by id
+    std::string first_line_;
     std::optional<TraceEnd> end_;
     std::uint64_t events_ = 0;
     std::uint64_t line_number_ = 1;
 };
+
+class TraceReader : public TraceFile {
+public:
+    /// Reads the header. `file` is the name in messages. Throws Refused.
+    TraceReader(LineReader lines, std::string file) : TraceReader(TraceFile(std::move(lines), std::move(file))) {}
+    explicit TraceReader(TraceFile file);
+
+    const TraceHeader& header() const { return header_; }
+
+private:
+    TraceHeader header_;
+};
+
+class CurveTraceReader : public TraceFile {
+public:
+    /// Reads the header. Throws Refused.
+    explicit CurveTraceReader(TraceFile file);
+
+    const CurveHeader& header() const { return header_; }
+
+private:
+    CurveHeader header_;
+};
+
+/// A trace of either kind, for what does the same with both: `std::visit`.
+using AnyTraceReader = std::variant<TraceReader, CurveTraceReader>;
+
+/// Reads the header. `file` is the name in messages. Throws Refused.
+AnyTraceReader open_trace(LineReader lines, std::string file);
 
 }  // namespace vidno

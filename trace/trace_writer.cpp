@@ -17,21 +17,26 @@ std::string header_json(const TraceHeader& header) {
     return text;
 }
 
-std::string picture_hash(const Picture& picture) {
+std::string hash_text(std::string_view bytes) {
     std::string text = "sha256:";
-    for (const unsigned char byte : sha256(rgb_rows(picture))) {
+    for (const unsigned char byte : sha256(bytes)) {
         text += "0123456789abcdef"[byte / 16];
         text += "0123456789abcdef"[byte % 16];
     }
     return text;
 }
 
-TraceWriter::TraceWriter(const TraceHeader& header, Write write, std::uint64_t most_events, LineIndex* index)
-    : lines_(polygon_names(header.scene)), write_(std::move(write)), most_events_(most_events), index_(index) {
-    text_ += std::string_view(header_json(header));
+std::string picture_hash(const Picture& picture) { return hash_text(rgb_rows(picture)); }
+
+TraceWriter::TraceWriter(std::string_view first_line, PolygonNames names, Write write, std::uint64_t most_events,
+                         LineIndex* index)
+    : lines_(std::move(names)), write_(std::move(write)), most_events_(most_events), index_(index) {
+    text_ += first_line;
 }
 
-void TraceWriter::finish(const Picture& picture) { finish_with(R"("picture":")" + picture_hash(picture) + '"'); }
+void TraceWriter::finish(std::string_view result, const std::string& hash) {
+    finish_with('"' + std::string(result) + R"(":")" + hash + '"');
+}
 
 void TraceWriter::finish_partial() { finish_with(R"("partial":true)"); }
 

@@ -22,7 +22,10 @@ struct TraceHeader {
 /// The first line of a trace.
 std::string header_json(const TraceHeader& header);
 
-/// "sha256:" and the hash of the rows from the top, three bytes R, G, B a pixel.
+/// "sha256:" and the hash of the bytes.
+std::string hash_text(std::string_view bytes);
+
+/// That of the rows from the top, three bytes R, G, B a pixel.
 std::string picture_hash(const Picture& picture);
 
 /// Thrown out of a run that has told as many events as it may; finish_partial keeps what was told.
@@ -39,9 +42,10 @@ public:
     using Write = std::function<void(std::string_view)>;
     static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
 
-    /// The index, if there is one, is for a text of less than 2^32 bytes.
-    TraceWriter(const TraceHeader& header, Write write, std::uint64_t most_events = no_limit,
-                LineIndex* index = nullptr);
+    /// The header is that of a run of any kind. The index, if there is one, is for a text of less than 2^32 bytes.
+    template <class Header = TraceHeader>
+    TraceWriter(const Header& header, Write write, std::uint64_t most_events = no_limit, LineIndex* index = nullptr)
+        : TraceWriter(header_json(header), polygon_names(header.scene), std::move(write), most_events, index) {}
 
     template <class E>
     void operator()(const E& event) {
@@ -55,13 +59,18 @@ public:
         if (text_.size() > block) flush();
     }
 
-    void finish(const Picture& picture);
+    void finish(const Picture& picture) { finish("picture", picture_hash(picture)); }
+    /// What came out, by its name, and its hash.
+    void finish(std::string_view result, const std::string& hash);
     void finish_partial();
 
     std::uint64_t events() const { return events_; }
 
 private:
     static constexpr std::size_t block = std::size_t{1} << 16;
+
+    TraceWriter(std::string_view first_line, PolygonNames names, Write write, std::uint64_t most_events,
+                LineIndex* index);
 
     void mark_line() { index_->starts.push_back(std::uint32_t(written_ + text_.size())); }
     void finish_with(std::string_view rest);

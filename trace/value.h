@@ -29,6 +29,16 @@ struct Value {
     }
 };
 
+/// A number of the kernel K.
+template <class K>
+Value as_value(const auto& number) {
+    if constexpr (K::has_infinity) {
+        return {double(number)};
+    } else {
+        return Value(K::fraction(number));
+    }
+}
+
 struct ValuePoint {
     Value x, y;
     bool operator==(const ValuePoint&) const = default;

@@ -24,11 +24,12 @@ enum class Decision : unsigned char {
     rows,
     columns,
     same_rounded,
-    pixel
+    pixel,
+    visibility
 };
-inline constexpr std::array<std::string_view, 11> decision_names{"comparison", "orientation",  "nearer",      "outside",
-                                                                 "inside",     "first_centre", "last_centre", "rows",
-                                                                 "columns",    "same_rounded", "pixel"};
+inline constexpr std::array<std::string_view, 12> decision_names{
+    "comparison",  "orientation", "nearer",  "outside",      "inside", "first_centre",
+    "last_centre", "rows",        "columns", "same_rounded", "pixel",  "visibility"};
 
 /// Yes or no, a sign or a pixel, or the half-open range that was found.
 using Answer = std::variant<bool, int, std::pair<int, int>>;
@@ -61,5 +62,11 @@ struct Verdict {
 
 /// Hears the verdict on each decision of a run.
 using Judge = std::function<void(const Verdict&)>;
+
+/// Hears under `filtered` what decided each comparison.
+struct StageTally {
+    const std::function<void(FilterStage)>* count;
+    void operator()(FilterStage stage) const { (*count)(stage); }
+};
 
 }  // namespace vidno

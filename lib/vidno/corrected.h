@@ -23,6 +23,12 @@
 #include "warnock/process_window.h"
 #include "warnock/surround_test.h"
 #include "warnock/warnock.h"
+#include "weiler_atherton/depth_sort.h"
+#include "weiler_atherton/paint_regions.h"
+#include "weiler_atherton/region_clip.h"
+#include "weiler_atherton/remove_behind.h"
+#include "weiler_atherton/split_piercing.h"
+#include "weiler_atherton/weiler_atherton.h"
 #include "z_buffer/show_line.h"
 #include "z_buffer/z_buffer.h"
 
@@ -42,7 +48,13 @@ struct Corrected : Warnock,
                    SideEdge,
                    Visibility,
                    Horizon,
-                   Intersection {
+                   Intersection,
+                   WeilerAtherton,
+                   SplitPiercing,
+                   DepthSort,
+                   RegionClip,
+                   RemoveBehind,
+                   PaintRegions {
     static constexpr std::string_view name = "corrected";
 
     /// W2: which polygons join the first list. Edge-on was decided exactly when the scene was read.

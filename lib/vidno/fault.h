@@ -1,4 +1,5 @@
-/// Fault: a printed procedure cannot go on: a list read past its end, a division by zero, an endless loop.
+/// Fault: a procedure cannot go on. A printed one: a list read past its end, a division by zero, an endless loop. One that constructs,
+/// in numbers that round: it has lost its way.
 #pragma once
 
 #include <string_view>

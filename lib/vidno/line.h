@@ -27,12 +27,18 @@ enum class Line : unsigned char {
     WF1, WF2, WF3, WF4, WF5, WF6, WF7, WF8, WF9, WF10, WF11, WF12,  // ThreeListsWarnock
     RE1, RE2, RE3, RE4,                                       // Relation
     TF1, TF2, TF3, TF4,                                       // TrialFunction
-    RC1, RC2, RC3, RC4, RC5,                                  // RayCrossings
+    CR1, CR2, CR3, CR4, CR5,                                  // RayCrossings
     OA1, OA2, OA3, OA4, OA5,                                  // OctantAngles
     HP1, HP2, HP3, HP4, HP5, HP6, HP7,                        // HidingPolygon
     VS1, VS2, VS3, VS4,                                       // VertexSplit
     ED1, ED2, ED3, ED4, ED5, ED6,                             // EdgeDepth
     BF1, BF2,                                                 // BackFaces
+    WA1, WA2, WA3, WA4, WA5, WA6, WA7, WA8, WA9, WA10,        // WeilerAtherton
+    SP1, SP2, SP3,                                            // SplitPiercing
+    DS1, DS2,                                                 // DepthSort
+    RC1, RC2, RC3, RC4, RC5,                                  // RegionClip
+    RB1, RB2, RB3, RB4,                                       // RemoveBehind
+    PR1, PR2, PR3,                                            // PaintRegions
 };
 
 inline constexpr auto line_names = std::to_array<std::string_view>({
@@ -55,16 +61,22 @@ inline constexpr auto line_names = std::to_array<std::string_view>({
     "WF1", "WF2", "WF3", "WF4", "WF5", "WF6", "WF7", "WF8", "WF9", "WF10", "WF11", "WF12",
     "RE1", "RE2", "RE3", "RE4",
     "TF1", "TF2", "TF3", "TF4",
-    "RC1", "RC2", "RC3", "RC4", "RC5",
+    "CR1", "CR2", "CR3", "CR4", "CR5",
     "OA1", "OA2", "OA3", "OA4", "OA5",
     "HP1", "HP2", "HP3", "HP4", "HP5", "HP6", "HP7",
     "VS1", "VS2", "VS3", "VS4",
     "ED1", "ED2", "ED3", "ED4", "ED5", "ED6",
     "BF1", "BF2",
+    "WA1", "WA2", "WA3", "WA4", "WA5", "WA6", "WA7", "WA8", "WA9", "WA10",
+    "SP1", "SP2", "SP3",
+    "DS1", "DS2",
+    "RC1", "RC2", "RC3", "RC4", "RC5",
+    "RB1", "RB2", "RB3", "RB4",
+    "PR1", "PR2", "PR3",
 });
 // clang-format on
 
-static_assert(line_names.size() == std::size_t(Line::BF2) + 1);
+static_assert(line_names.size() == std::size_t(Line::PR3) + 1);
 
 /// The procedures that open a frame of the call stack, by the names of the listings.
 enum class Procedure : unsigned char {
@@ -88,15 +100,22 @@ enum class Procedure : unsigned char {
     ray_crossings,
     octant_angles,
     hiding_polygon,
+    weiler_atherton,
+    split_piercing,
+    depth_sort,
+    region_clip,
+    remove_behind,
+    paint_regions,
 };
 
 inline constexpr auto procedure_names = std::to_array<std::string_view>({
-    "Warnock",     "ProcessWindow", "PointColor",   "SurroundTest",    "PolygonClip",
-    "FillPolygon", "ZBuffer",       "ShowLine",     "FloatingHorizon", "SideEdge",
-    "Visibility",  "Horizon",       "Intersection", "SimplestWarnock", "ThreeListsWarnock",
-    "Relation",    "TrialFunction", "RayCrossings", "OctantAngles",    "HidingPolygon",
+    "Warnock",      "ProcessWindow",   "PointColor",        "SurroundTest",  "PolygonClip",   "FillPolygon",
+    "ZBuffer",      "ShowLine",        "FloatingHorizon",   "SideEdge",      "Visibility",    "Horizon",
+    "Intersection", "SimplestWarnock", "ThreeListsWarnock", "Relation",      "TrialFunction", "RayCrossings",
+    "OctantAngles", "HidingPolygon",   "WeilerAtherton",    "SplitPiercing", "DepthSort",     "RegionClip",
+    "RemoveBehind", "PaintRegions",
 });
 
-static_assert(procedure_names.size() == std::size_t(Procedure::hiding_polygon) + 1);
+static_assert(procedure_names.size() == std::size_t(Procedure::paint_regions) + 1);
 
 }  // namespace vidno

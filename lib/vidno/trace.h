@@ -134,6 +134,35 @@ struct NoTrace {
     void split_vertex(Line, const auto& /*polygon*/, int /*vertex*/, int /*column*/, int /*row*/, bool /*splits*/) {}
     void edge_depth(Line, const auto& /*polygon*/, int /*edge*/, const auto& /*z*/) {}
     void back_face(Line, const auto& /*polygon*/, bool /*away*/) {}
+
+    // WeilerAtherton; a piece is a part of a polygon, with its region
+    void cut_to_area(Line, const auto& /*polygon*/, const auto& /*region*/) {}
+    void pieces(Line, const auto& /*pieces*/) {}
+    void push_list(Line, const auto& /*pieces*/) {}
+    void pop_list(Line, const auto& /*pieces*/) {}
+    void show_region(Line, const auto& /*polygon*/, const auto& /*region*/) {}
+
+    // SplitPiercing
+    void pierce(Line, const auto& /*polygon*/, const auto& /*other_polygon*/, const auto& /*support_line*/) {}
+    void split(Line, const auto& /*polygon*/, const auto& /*region*/, const auto& /*other_region*/) {}
+
+    // DepthSort
+    void greatest_depth(Line, const auto& /*polygon*/, const auto& /*z*/) {}
+
+    // RegionClip
+    void edge_piece(Line, const auto& /*from*/, const auto& /*to*/, auto /*lies*/) {}
+    void enter(Line, const auto& /*point*/) {}
+    void leave(Line, const auto& /*point*/) {}
+    void clipped(Line, const auto& /*polygon*/, const auto& /*clip_polygon*/, const auto& /*inside*/,
+                 const auto& /*outside*/) {}
+
+    // RemoveBehind
+    void behind(Line, const auto& /*polygon*/, const auto& /*clip_polygon*/, const auto& /*point*/, const auto& /*z*/,
+                const auto& /*clip_z*/, bool /*behind*/) {}
+
+    // PaintRegions
+    void paint(Line, const auto& /*polygon*/, int /*x*/, int /*y*/) {}
+    void painted(Line) {}
 };
 
 }  // namespace vidno

@@ -39,6 +39,8 @@ private:
     }
     json value(PolygonPlace v) const { return scene_.polygons[std::size_t(v.index)].id; }
     json value(Sign v) const { return int(v); }
+    json value(Relation v) const { return relation_names[std::size_t(v)]; }
+    json value(VisibilityFlag v) const { return int(v); }
     json value(Corner v) const { return corner_names[std::size_t(v)]; }
     json value(Case v) const { return case_names[std::size_t(v)]; }
     json value(Procedure v) const { return procedure_names[std::size_t(v)]; }

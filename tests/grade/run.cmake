@@ -65,7 +65,7 @@ must_make(boundary_outside boundary-outside)
 must_make(integer_division integer-division)
 must_make(surround_kept surround-kept)
 
-must_end(crash "crashed (SIGSEGV: ")
+must_end(crash "crashed (SIGSEGV): it reached for memory")
 must_end(endless_loop "did not end within 2 s")
 must_end(endless_output "")  # too long or too much, as fast as the disk is
 must_end(endless_printing "wrote more than 64 MiB")

@@ -15,7 +15,9 @@ namespace vidno::test {
 /// which are powers of two; so are its z by another. Whole numbers spare the common divisors that rationals look for.
 class Reference {
 public:
-    explicit Reference(const Scene& scene) : scene_(scene) {
+    /// Points asked for are multiples of `finest`, a power of two, or of the coordinates' own last digits.
+    explicit Reference(const Scene& scene, double finest = 0.5)
+        : scene_(scene), xy_scale_(fraction_of(finest).denominator) {
         Integer z_scale = 1;
         for (const auto& polygon : scene.polygons) {
             for (const auto& v : polygon.vertices) {
@@ -119,7 +121,7 @@ private:
     }
 
     const Scene& scene_;
-    Integer xy_scale_ = 2;
+    Integer xy_scale_;
     std::vector<Facet> facets_;
 };
 

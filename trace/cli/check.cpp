@@ -4,6 +4,8 @@
 #include <iostream>
 
 #include "commands.h"
+#include "curve_run.h"
+#include "output.h"
 #include "progress.h"
 #include "trace_reader.h"
 
@@ -12,13 +14,28 @@ namespace vidno::cli {
 namespace {
 
 /// What a trace says of its run, or for a scene the defaults.
-TraceHeader run_of(const std::string& file) {
-    if (is_trace(file)) return TraceReader(LineReader(file), file).header();
+using AnyHeader = std::variant<TraceHeader, CurveHeader>;
+
+AnyHeader run_of(const CheckOptions& options) {
     const RunOptions defaults;
-    return {Method::warnock, edition_of(defaults), defaults.kernel, Detail::signs, scene_from(file)};
+    const auto of_scene = [&]<class S>(const S& scene) -> AnyHeader {
+        if constexpr (std::same_as<S, Surface>) {
+            return CurveHeader{edition_of(defaults), defaults.kernel, Detail::signs, scene};
+        } else {
+            return TraceHeader{method_of(defaults), edition_of(defaults), defaults.kernel, Detail::signs, scene};
+        }
+    };
+    if (!is_trace(options.input)) return std::visit(of_scene, any_scene_from(options.input, options.method));
+    const AnyTraceReader opened = open_trace(LineReader(options.input), options.input);
+    const bool of_curves = std::holds_alternative<CurveTraceReader>(opened);
+    if (options.method && (options.method == curve_method) != of_curves) {
+        throw Refused("--method " + *options.method + ": " + options.input + " is a trace of " +
+                      (of_curves ? "curves" : "polygons"));
+    }
+    return std::visit([](const auto& reader) -> AnyHeader { return reader.header(); }, opened);
 }
 
-void print(const CheckReport& report, const Area& area) {
+void print(const DecisionReport& report) {
     constexpr int widths[]{14, 10, 24, 21, 11, 12};
     const auto row = [&](const std::string& name, const auto&... cells) {
         std::cout << std::left << std::setw(widths[0]) << name << std::right;
@@ -40,27 +57,51 @@ void print(const CheckReport& report, const Area& area) {
                   << ", by the operands' bound: " << report.decided_by[2] << ", exactly: " << report.decided_by[3]
                   << '\n';
     }
-    std::cout << "wrong pixels: " << report.wrong_pixels << " of " << std::int64_t(area.width) * area.height << '\n';
+}
+
+/// The report of a run, which `progress` is told of.
+auto checked(auto request, auto&&... right) {
+    Progress progress("steps");
+    request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };
+    auto report = check_run(request, right...);
+    progress.clear();
+    return report;
+}
+
+int check_header(const CheckOptions& options, TraceHeader run) {
+    if (options.method) run.method = Method(place_in(method_names, *options.method));
+    const NamedKernel kernel = *kernel_named(run.kernel);
+    expect_run(kernel, run.method, run.edition);
+    const Scene scene = scene_for(kernel, run.scene, options.input);
+    expect_admitted(run.method, scene, options.input);
+    const CheckReport report =
+        checked(RunRequest{run.method, kernel, run.edition, scene}, right_picture(run.scene, run.method));
+    print(report);
+    const auto pixels = std::int64_t(scene.area.width) * scene.area.height;
+    std::cout << "wrong pixels: " << report.wrong_pixels << " of " << pixels << '\n';
+    return report.found_something() ? 1 : 0;
+}
+
+int check_header(const CheckOptions&, const CurveHeader& run) {
+    const NamedKernel kernel = *kernel_named(run.kernel);
+    expect_curve_run(kernel, run.edition);
+    const CurveCheckReport report = checked(CurveRequest{kernel, run.edition, run.scene.curves});
+    print(report);
+    std::cout << "wrong columns of curves: " << report.wrong_columns << " of " << report.columns << '\n';
+    return report.found_something() ? 1 : 0;
 }
 
 }  // namespace
 
 int check(const CheckOptions& options) {
-    TraceHeader run = run_of(options.input);
-    if (options.method) run.method = Method(place_in(method_names, *options.method));
-    if (options.edition) run.edition = Edition(place_in(edition_names, *options.edition));
-    run.kernel = options.kernel.value_or(run.kernel);
-    const NamedKernel kernel = *kernel_named(run.kernel);
-    expect_run(kernel, run.method, run.edition);
-    const Scene scene = scene_for(kernel, run.scene, options.input);
-    expect_admitted(run.method, scene, options.input);
-    RunRequest request{run.method, kernel, run.edition, scene};
-    Progress progress("steps");
-    request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };
-    const CheckReport report = check_run(request, right_picture(run.scene, run.method));
-    progress.clear();
-    print(report, scene.area);
-    return report.found_something() ? 1 : 0;
+    AnyHeader header = run_of(options);
+    return std::visit(
+        [&](auto& run) {
+            if (options.edition) run.edition = Edition(place_in(edition_names, *options.edition));
+            run.kernel = options.kernel.value_or(run.kernel);
+            return check_header(options, run);
+        },
+        header);
 }
 
 }  // namespace vidno::cli

@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "import.h"
 #include "page.h"
 #include "run.h"
 #include "stability.h"
+#include "surface.h"
 #include "trace_reader.h"
 
 namespace CLI {
@@ -22,7 +24,8 @@ namespace vidno::cli {
 
 struct RunOptions {
     std::string scene, output;
-    std::string method = "warnock", kernel = "double", edition = "corrected", detail = "signs";
+    std::optional<std::string> method;  // none: warnock, of a surface floating-horizon
+    std::string kernel = "double", edition = "corrected", detail = "signs";
     std::uint64_t most_events = TraceWriter::no_limit;
     bool check = false;
 };
@@ -135,7 +138,10 @@ std::size_t place_in(const auto& names, const std::string& name) {
     return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-inline Method method_of(const RunOptions& options) { return Method(place_in(method_names, options.method)); }
+/// Of polygons.
+inline Method method_of(const RunOptions& options) {
+    return Method(place_in(method_names, options.method.value_or("warnock")));
+}
 inline Edition edition_of(const RunOptions& options) { return Edition(place_in(edition_names, options.edition)); }
 
 /// Refuses a method or an edition that the kernel does not run.
@@ -144,17 +150,26 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition);
 /// Refuses a scene outside the method's domain.
 void expect_admitted(Method method, const Scene& scene, const std::string& file);
 
+/// Refuses a kernel or an edition that does not run curves.
+void expect_curve_run(const NamedKernel& kernel, Edition edition);
+
 /// The kernel of the options, if it runs their method and edition.
 NamedKernel kernel_of(const RunOptions& options);
 
 /// The scene of a file; warnings go to standard error.
 Scene scene_from(const std::string& file);
 
+/// Of polygons, or of curves.
+using AnyScene = std::variant<Scene, Surface>;
+
+/// The same, of either kind, which must be that of the method, if there is one.
+AnyScene any_scene_from(const std::string& file, const std::optional<std::string>& method);
+
 /// Whether a file is a trace, by its name.
 inline bool is_trace(const std::string& file) { return file.ends_with(".jsonl") || file.ends_with(".jsonl.gz"); }
 
 /// After the last event: whether the trace is of a whole run. If not, it is said on standard error.
-bool is_whole(const TraceReader& reader);
+bool is_whole(const TraceFile& trace);
 
 /// The scene as the kernel runs it: snapped for `grid`, which is said on standard error; else as it is.
 Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file);

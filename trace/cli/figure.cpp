@@ -5,8 +5,8 @@
 
 #include "chart.h"
 #include "commands.h"
+#include "figure/encoded.h"
 #include "figure/map_figure.h"
-#include "figure/writers.h"
 #include "lesson/event_lines.h"
 #include "lesson/lesson.h"
 #include "output.h"
@@ -19,7 +19,9 @@ namespace vidno::cli {
 namespace {
 
 using figures::About;
-using figures::Drawing;
+using figures::encoded;
+using figures::Format;
+using figures::format_of;
 using figures::Language;
 
 constexpr std::uint64_t most_panels = 200;
@@ -111,68 +113,81 @@ figures::Style style_of(const FigureOptions& options) {
     return {Language(place_in(figures::language_codes, options.language)), options.greyscale};
 }
 
-/// Goes through a trace and draws what is wanted on the way. Without steps, the last one.
-figures::Figure drawn(TraceReader& reader, std::vector<std::uint64_t> steps, figures::Options options,
-                      std::optional<figures::PixelHistory> history, const std::string& file) {
-    options.moments = std::max<std::size_t>(steps.size(), 1);
-    figures::Figure figure(options);
-    figures::Moment moment(reader.header());
+/// Goes through a trace and draws what is wanted on the way, told of each event. Without steps, the last one.
+void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>& steps, const std::string& file,
+                auto&& draw, auto&& hear) {
     std::size_t next = 0;
     const auto draw_if_wanted = [&] {
         if (next == steps.size() || moment.state().step() != steps[next]) return;
-        figure.add(moment, history);
+        draw();
         ++next;
     };
     draw_if_wanted();
     while (steps.empty() || next < steps.size()) {
-        auto event = reader.next();
+        auto event = trace.next();
         if (!event) break;
         try {
             moment.take(std::move(*event));
         } catch (const Impossible& impossible) {
-            throw Refused(reader.place() + ": step " + std::to_string(moment.state().step() + 1) + ": " +
+            throw Refused(trace.place() + ": step " + std::to_string(moment.state().step() + 1) + ": " +
                           impossible.reason);
         }
-        if (history) history->take(moment);
+        hear();
         draw_if_wanted();
     }
-    if (steps.empty()) figure.add(moment, history);
+    if (steps.empty()) draw();
     if (next < steps.size()) {
         throw Refused(file + ": there is no step " + std::to_string(steps[next]) + ", the last is " +
                       std::to_string(moment.state().step()));
     }
+}
+
+/// The history of the pixel that is asked about, if it is shown.
+std::optional<figures::PixelHistory> history_in(const FigureOptions& options, const figures::Options& drawing,
+                                                const Area& area) {
+    if (!drawing.shows(figures::Part::history)) {
+        if (!options.pixel.empty()) refuse("--pixel", "it needs --show history");
+        return std::nullopt;
+    }
+    if (options.pixel.empty()) refuse("--show history", "of which pixel? --pixel X,Y");
+    return figures::PixelHistory(pixel_of(options.pixel, area));
+}
+
+figures::Figure drawn(TraceReader& reader, const std::vector<std::uint64_t>& steps, const figures::Options& drawing,
+                      const FigureOptions& options) {
+    auto history = history_in(options, drawing, reader.header().scene.area);
+    figures::Figure figure(drawing);
+    figures::Moment moment(reader.header());
+    const auto draw = [&] { figure.add(moment, history); };
+    const auto hear = [&] {
+        if (history) history->take(moment);
+    };
+    go_through(reader, moment, steps, options.input, draw, hear);
     return figure;
 }
 
-enum class Format { svg, pdf, png, tikz };
-
-/// By the name of the file. Refuses a wrong one before the work.
-Format format_of(const std::string& output) {
-    if (output == "-" || output.ends_with(".svg")) return Format::svg;
-    if (output.ends_with(".pdf")) return Format::pdf;
-    if (output.ends_with(".png")) return Format::png;
-    if (output.ends_with(".tex")) return Format::tikz;
-    throw Refused(output + ": not .svg, .pdf, .png or .tex");
+figures::Figure drawn(CurveTraceReader& reader, const std::vector<std::uint64_t>& steps,
+                      const figures::Options& drawing, const FigureOptions& options) {
+    if (!options.pixel.empty()) refuse("--pixel", "a run of curves paints no pixels");
+    figures::Figure figure(drawing);
+    figures::CurveMoment moment(reader.header());
+    go_through(
+        reader, moment, steps, options.input, [&] { figure.add(moment); }, [] {});
+    return figure;
 }
 
-std::string encoded(const std::string& svg, const About& about, const FigureOptions& options) {
-    switch (format_of(options.output)) {
-        case Format::pdf: return figures::pdf_of({svg}, about);
-        case Format::png: return figures::png_of(svg, options.dots_an_inch);
-        default: return svg;
-    }
+std::string method_in(const TraceHeader& header, const figures::FigureWords& words) {
+    const std::string method(is_warnock(header.method) ? words.warnock : words.z_buffer);
+    return is_family(header.method) ? method + " (" + std::string(method_names[std::size_t(header.method)]) + ")"
+                                    : method;
+}
+std::string method_in(const CurveHeader&, const figures::FigureWords& words) {
+    return std::string(words.floating_horizon);
 }
 
-std::string encoded(const Drawing& drawing, const About& about, const FigureOptions& options) {
-    if (format_of(options.output) == Format::tikz) return figures::tikz_of(drawing, about);
-    return encoded(figures::svg_of(drawing, about), about, options);
-}
-
-std::string title_of(const TraceHeader& header, const std::vector<std::uint64_t>& steps,
-                     const figures::FigureWords& words) {
+std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, const figures::FigureWords& words) {
     std::string title = header.scene.name.empty() ? "" : header.scene.name + " · ";
-    title += is_warnock(header.method) ? words.warnock : words.z_buffer;
-    if (is_family(header.method)) title += " (" + std::string(method_names[std::size_t(header.method)]) + ")";
+    title += method_in(header, words);
     if (!steps.empty()) title += " · " + std::string(words.step) + " " + std::to_string(steps.front());
     return title + (steps.size() > 1 ? "–" + std::to_string(steps.back()) : "");
 }
@@ -224,17 +239,15 @@ std::string drawn_trace(const FigureOptions& options) {
     }
     if (!options.width.empty()) drawing.width = length_of(options.width);
 
-    TraceReader reader(std::move(lines), options.input);
-    std::optional<figures::PixelHistory> history;
-    if (drawing.shows(figures::Part::history)) {
-        if (options.pixel.empty()) refuse("--show history", "of which pixel? --pixel X,Y");
-        history.emplace(pixel_of(options.pixel, reader.header().scene.area));
-    } else if (!options.pixel.empty()) {
-        refuse("--pixel", "it needs --show history");
-    }
-    const About about{title_of(reader.header(), steps, words_of(drawing.style.language)), drawing.style.language};
-    const figures::Figure figure = drawn(reader, steps, drawing, std::move(history), options.input);
-    return options.beamer ? beamer_of(figure.panels(), about) : encoded(figure.strip(), about, options);
+    drawing.moments = std::max<std::size_t>(steps.size(), 1);
+    AnyTraceReader opened = open_trace(std::move(lines), options.input);
+    const auto draw = [&, &steps = steps](auto& reader) {
+        const About about{title_of(reader.header(), steps, words_of(drawing.style.language)), drawing.style.language};
+        const figures::Figure figure = drawn(reader, steps, drawing, options);
+        if (options.beamer) return beamer_of(figure.panels(), about);
+        return encoded(figure.strip(), about, options.output, options.dots_an_inch);
+    };
+    return std::visit(draw, opened);
 }
 
 /// What has no steps has no parts to be chosen either, and no TikZ.
@@ -251,7 +264,8 @@ std::string drawn_map(const FigureOptions& options, const std::string& text) {
     const SignMap map = sign_map(read_question(text, options.input), kernel);
     const double width = options.width.empty() ? column_width : length_of(options.width);
     const figures::Style style = style_of(options);
-    return encoded(figures::map_figure(map, style, width), {map.name, style.language}, options);
+    return encoded(figures::map_figure(map, style, width), {map.name, style.language}, options.output,
+                   options.dots_an_inch);
 }
 
 /// gnuplot's drawing with a width in millimetres.
@@ -278,7 +292,7 @@ std::string drawn_chart(const FigureOptions& options, const std::string& text) {
         scenes, place_in(names_of(cost_axes), options.cost), place_in(names_of(error_axes), options.error),
         {1, int(width / unit), "Helvetica", style.language == Language::russian ? chart_in_russian : chart_in_english});
     const std::string svg = sized(output_of({"gnuplot"}, script), width);
-    return encoded(svg, {scenes.front().name, style.language}, options);
+    return encoded(svg, {scenes.front().name, style.language}, options.output, options.dots_an_inch);
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ void print_failure(const SceneGrade& grade, const Limits& limits) {
     const StudentRun& run = grade.run;
     if (run.ended.ending != Ending::done) {
         std::cout << "  The program " << words_of(run.ended, limits);
-        if (run.header) std::cout << ", " << run.events.size() << " steps into its trace";
+        if (const auto cause = cause_of(run.ended); !cause.empty()) std::cout << ": " << cause;
+        if (run.header) std::cout << ". The trace ends after step " << run.events.size();
         std::cout << ".\n";
     }
     if (!grade.judgement) std::cout << "  Not judged: " << grade.not_judged << ".\n";

@@ -23,11 +23,20 @@ const CLI::Validator a_kernel(
     [](const std::string& name) { return kernel_named(name) ? "" : name + " is not one of " + kernel_names(); },
     kernel_names());
 
-void add_run_options(CLI::App& command, RunOptions& options) {
-    command.add_option("SCENE", options.scene, "A scene file, vidno-scene/1; - for standard input")->required();
-    command.add_option("--method", options.method, "Which algorithm")
-        ->check(CLI::IsMember(words(method_names)))
-        ->capture_default_str();
+/// The methods of polygons, and that of curves.
+std::vector<std::string> all_methods() {
+    auto methods = words(method_names);
+    methods.emplace_back(curve_method);
+    return methods;
+}
+
+constexpr auto method_of_scene = "Which algorithm [warnock, of a surface floating-horizon]";
+constexpr auto a_scene_or_surface = "A scene file, vidno-scene/1 or vidno-surface/1; - for standard input";
+
+void add_run_options(CLI::App& command, RunOptions& options, const char* scene, const char* method,
+                     const std::vector<std::string>& methods) {
+    command.add_option("SCENE", options.scene, scene)->required();
+    command.add_option("--method", options.method, method)->check(CLI::IsMember(methods));
     command.add_option("--kernel", options.kernel, "Which arithmetic decides")->check(a_kernel)->capture_default_str();
     command.add_option("--edition", options.edition, "Which text of the procedures: see vidno methods")
         ->check(an_edition)
@@ -37,7 +46,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
 
 CLI::App& add_trace(CLI::App& app, RunOptions& options) {
     auto& command = *app.add_subcommand("trace", "Run a method and write down every step");
-    add_run_options(command, options);
+    add_run_options(command, options, a_scene_or_surface, method_of_scene, all_methods());
     command.add_option("--detail", options.detail, "How much: each level adds events to the one before")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
@@ -51,8 +60,13 @@ CLI::App& add_trace(CLI::App& app, RunOptions& options) {
 
 CLI::App& add_render(CLI::App& app, RunOptions& options) {
     auto& command = *app.add_subcommand("render", "Run a method and keep only the picture");
-    add_run_options(command, options);
-    command.add_option("-o", options.output, "The picture, .png or .ppm; - writes PPM to standard output")->required();
+    add_run_options(command, options, a_scene_or_surface, method_of_scene, all_methods());
+    command
+        .add_option(
+            "-o", options.output,
+            "The picture, .png or .ppm, of a surface its lines, .svg, .pdf, .png or .tex; - writes PPM or SVG to "
+            "standard output")
+        ->required();
     command.footer("Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png");
     return command;
 }
@@ -61,8 +75,10 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
     auto& command = *app.add_subcommand("check", "Run a scene and hold every decision against the truth");
     command.add_option("SCENE|TRACE", options.input, "A scene file, or a trace (.jsonl, .jsonl.gz) to be run again")
         ->required();
-    command.add_option("--method", options.method, "Which algorithm [warnock, or the trace's]")
-        ->check(CLI::IsMember(words(method_names)));
+    command
+        .add_option("--method", options.method,
+                    "Which algorithm [warnock, of a surface floating-horizon, or the trace's]")
+        ->check(CLI::IsMember(all_methods()));
     command.add_option("--kernel", options.kernel, "Which arithmetic decides [double, or the trace's]")
         ->check(a_kernel);
     command.add_option("--edition", options.edition, "Which text of the procedures [corrected, or the trace's]")
@@ -76,7 +92,8 @@ CLI::App& add_check(CLI::App& app, CheckOptions& options) {
 
 CLI::App& add_shrink(CLI::App& app, ShrinkOptions& options) {
     auto& command = *app.add_subcommand("shrink", "Find the smallest scene that still fails, or does as this one does");
-    add_run_options(command, options.run);
+    add_run_options(command, options.run, "A scene file, vidno-scene/1; - for standard input",
+                    "Which algorithm [warnock]", words(method_names));
     auto* keep =
         command.add_option("--keep", options.keep,
                            "failure: a wrong pixel, or if there is none a wrong decision of the same procedure; "
@@ -148,8 +165,10 @@ CLI::App& add_replay(CLI::App& app, ReplayOptions& options) {
     command.add_option("TRACE", options.trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
     command.add_option("--step", options.step, "After so many events; without it, at the end");
     command
-        .add_option("-o", options.output,
-                    "The picture, .png or .ppm; or .json: the whole state at that step; or .jsonl: at every step")
+        .add_option(
+            "-o", options.output,
+            "The picture, .png or .ppm, of curves .svg, .pdf, .png or .tex; or .json: the whole state at that step; or "
+            ".jsonl: at every step")
         ->required();
     command.footer("Exit status 1: the trace was cut short, is partial, or paints another picture than it says.");
     return command;
@@ -330,8 +349,10 @@ CLI::App& add_figure(CLI::App& app, FigureOptions& options) {
     command.add_option("--pin", options.pin, "Of a lesson: the step of this pin")->excludes(step)->excludes(steps);
     steps->excludes(step);
     command
-        .add_option("--show", options.show,
-                    "Of picture, windows (of Z-buffer the scanline), list (APL or AEL), listing, history")
+        .add_option(
+            "--show", options.show,
+            "Of picture, windows (of Z-buffer the scanline, of curves the horizons), list (APL or AEL), listing, "
+            "history")
         ->capture_default_str();
     command.add_option("--pixel", options.pixel, "X,Y: whose history is shown");
     command.add_option("--language", options.language, "Of the words in it")

@@ -1,22 +1,29 @@
 #include <iostream>
 
 #include "commands.h"
+#include "curve_trace.h"
 #include "method.h"
 
 namespace vidno::cli {
 
+namespace {
+
+void print(std::string_view name, const MethodChoice& choice) {
+    std::cout << "  " << name << std::string(18 - name.size(), ' ') << choice.does;
+    if (choice.rule.domain != picture_rule.domain) std::cout << "; domain: " << choice.rule.domain;
+    if (choice.rule.rule != picture_rule.rule) std::cout << "; rule: " << choice.rule.rule;
+    std::cout << '\n';
+}
+
+}  // namespace
+
 int methods() {
     std::cout << "methods    (unless it says otherwise, domain: " << picture_rule.domain
               << ";\n    rule: " << picture_rule.rule << ")\n";
-    for (std::size_t i = 0; i < method_choices.size(); ++i) {
-        const auto& [does, procedure, rule, refuses] = method_choices[i];
-        const std::string name(method_names[i]);
-        std::cout << "  " << name << std::string(18 - name.size(), ' ') << does;
-        if (rule.domain != picture_rule.domain) std::cout << "; domain: " << rule.domain;
-        if (rule.rule != picture_rule.rule) std::cout << "; rule: " << rule.rule;
-        std::cout << '\n';
-    }
-    std::cout << "kernels    (the arithmetic; the methods warnock-... not under bits and depth)\n";
+    for (std::size_t i = 0; i < method_choices.size(); ++i) print(method_names[i], method_choices[i]);
+    print(curve_method, curve_choice);
+    std::cout << "kernels    (the arithmetic; warnock-... not under bits and depth,\n"
+                 "            floating-horizon not under depth and grid)\n";
     for (const auto& kernel : kernel_choices) {
         std::string name(kernel.name);
         if (kernel.parameter) (name += ':') += kernel.parameter->letter;

@@ -15,7 +15,8 @@ std::string base_name(const std::string& file) { return std::filesystem::path(fi
 
 PageFile page_file_of(const std::string& file, const Scene& scene, const RunOptions& run) {
     const std::string title = scene.name.empty() ? base_name(file) : scene.name;
-    return {title, run.method, run.kernel, run.edition, run.detail, {}, false};
+    const std::string method(method_names[std::size_t(method_of(run))]);
+    return {title, method, run.kernel, run.edition, run.detail, {}, false};
 }
 
 /// A scene as it was admitted, to be run with the defaults.
@@ -37,7 +38,7 @@ PageFile trace_file(const std::string& file, bool& whole) {
     const TraceHeader& header = reader.header();
     RunOptions run;
     run.method = method_names[std::size_t(header.method)];
-    if (is_family(header.method)) throw Refused(file + ": the page does not show runs of " + run.method);
+    if (is_family(header.method)) throw Refused(file + ": the page does not show runs of " + *run.method);
     run.kernel = header.kernel;
     run.edition = edition_names[std::size_t(header.edition)];
     run.detail = detail_names[std::size_t(header.detail)];

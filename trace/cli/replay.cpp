@@ -1,6 +1,9 @@
 #include <iostream>
 
 #include "commands.h"
+#include "curve_state.h"
+#include "figure/curve_parts.h"
+#include "figure/encoded.h"
 #include "image.h"
 #include "output.h"
 #include "progress.h"
@@ -11,50 +14,47 @@ namespace vidno::cli {
 
 namespace {
 
+State state_of(const TraceReader& reader) { return State(reader.header()); }
+CurveState state_of(const CurveTraceReader& reader) { return CurveState(reader.header()); }
+
+std::string hash_of(const State& state) { return picture_hash(state.picture()); }
+std::string hash_of(const CurveState& state) { return lines_hash(state.lines()); }
+
+/// What was painted or drawn, in the format that the name says.
+std::string encoded(const State& state, const std::string& name) { return encode_image(state.picture(), name); }
+std::string encoded(const CurveState& state, const std::string& name) {
+    const Surface& surface = state.header().scene;
+    return figures::encoded(figures::drawn_lines(state.lines(), surface.curves.area), {surface.name}, name);
+}
+
 /// The state after the next event, false at the end.
-bool advance(TraceReader& reader, State& state) {
-    const auto event = reader.next();
+bool advance(TraceFile& trace, auto& state) {
+    const auto event = trace.next();
     if (!event) return false;
     try {
         state.apply(*event);
     } catch (const Impossible& impossible) {
-        throw Refused(reader.place() + ": step " + std::to_string(state.step() + 1) + ": " + impossible.reason);
+        throw Refused(trace.place() + ": step " + std::to_string(state.step() + 1) + ": " + impossible.reason);
     }
     return true;
 }
 
 /// What the file says of itself against what was read.
-int verdict(const TraceReader& reader, const State& state) {
-    if (!is_whole(reader)) return 1;
-    if (reader.end()->picture != picture_hash(state.picture())) {
-        std::cerr << reader.place() << ": the events paint another picture than the trace says\n";
+int verdict(const TraceFile& trace, const auto& state) {
+    if (!is_whole(trace)) return 1;
+    if (trace.end()->hash != hash_of(state)) {
+        std::cerr << trace.place() << ": the events paint another picture than the trace says\n";
         return 1;
     }
     return 0;
 }
 
-}  // namespace
-
-bool is_whole(const TraceReader& reader) {
-    const std::string& place = reader.place();
-    if (!reader.end()) {
-        std::cerr << place << ": cut short: " << reader.events() << " events read, the last line is missing\n";
-        return false;
-    }
-    if (reader.end()->partial) {
-        std::cerr << place << ": partial: the run was stopped after " << reader.events() << " events\n";
-        return false;
-    }
-    return true;
-}
-
-int replay(const ReplayOptions& options) {
+int replay_run(const ReplayOptions& options, auto& reader) {
     const bool all_states = options.output.ends_with(".jsonl");
     const bool one_state = options.output.ends_with(".json");
-    if (!all_states && !one_state) encode_image(Picture({0, 0, 1, 1}, {}), options.output);
+    auto state = state_of(reader);
+    if (!all_states && !one_state) encoded(state, options.output);  // refuses a wrong name before the work
 
-    TraceReader reader(LineReader(options.trace), options.trace);
-    State state(reader.header());
     OutputFile file(options.output);
     Progress progress("steps");
     if (all_states) file.write(state_json(state));
@@ -67,33 +67,64 @@ int replay(const ReplayOptions& options) {
                       std::to_string(state.step()));
     }
     if (one_state) file.write(state_json(state));
-    if (!all_states && !one_state) file.write(encode_image(state.picture(), options.output));
+    if (!all_states && !one_state) file.write(encoded(state, options.output));
     file.commit();
     progress.clear();
     return options.step ? 0 : verdict(reader, state);
 }
 
-int diff(const DiffOptions& options) {
-    TraceReader first(LineReader(options.first), options.first);
-    TraceReader second(LineReader(options.second), options.second);
-    EventText first_text(polygon_names(first.header().scene));
-    EventText second_text(polygon_names(second.header().scene));
-    const auto line_of = [](const std::optional<Event>& event, EventText& text) {
+/// A trace of which only the events count.
+struct Told {
+    AnyTraceReader reader;
+    EventText text;
+
+    explicit Told(const std::string& file)
+        : reader(open_trace(LineReader(file), file)),
+          text(std::visit([](const auto& each) { return polygon_names(each.header().scene); }, reader)) {}
+
+    /// None at the end.
+    std::optional<std::string> next_line() {
+        const auto event = std::visit([](auto& each) { return each.next(); }, reader);
+        if (!event) return std::nullopt;
         Text line;
-        if (event) std::visit([&](const auto& e) { text.line(line, e); }, *event);
-        return event ? line.string() : "(the end)\n";
-    };
+        std::visit([&](const auto& e) { text.line(line, e); }, *event);
+        return line.string();
+    }
+};
+
+}  // namespace
+
+bool is_whole(const TraceFile& trace) {
+    const std::string& place = trace.place();
+    if (!trace.end()) {
+        std::cerr << place << ": cut short: " << trace.events() << " events read, the last line is missing\n";
+        return false;
+    }
+    if (trace.end()->partial) {
+        std::cerr << place << ": partial: the run was stopped after " << trace.events() << " events\n";
+        return false;
+    }
+    return true;
+}
+
+int replay(const ReplayOptions& options) {
+    AnyTraceReader opened = open_trace(LineReader(options.trace), options.trace);
+    return std::visit([&](auto& reader) { return replay_run(options, reader); }, opened);
+}
+
+int diff(const DiffOptions& options) {
+    Told first(options.first);
+    Told second(options.second);
     Progress progress("steps");
     for (std::uint64_t step = 1;; ++step) {
         progress.show(step);
-        const auto a = first.next();
-        const auto b = second.next();
+        const auto a = first.next_line();
+        const auto b = second.next_line();
         if (!a && !b) return 0;
-        const std::string line_a = line_of(a, first_text);
-        const std::string line_b = line_of(b, second_text);
-        if (line_a == line_b) continue;
+        if (a == b) continue;
         progress.clear();
-        std::cout << "the traces part at step " << step << "\n- " << line_a << "+ " << line_b;
+        std::cout << "the traces part at step " << step << "\n- " << a.value_or("(the end)\n") << "+ "
+                  << b.value_or("(the end)\n");
         return 1;
     }
 }

@@ -3,6 +3,9 @@
 
 #include "check.h"
 #include "commands.h"
+#include "curve_run.h"
+#include "figure/curve_parts.h"
+#include "figure/encoded.h"
 #include "image.h"
 #include "method.h"
 #include "output.h"
@@ -35,19 +38,49 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     }
 }
 
+void expect_curve_run(const NamedKernel& kernel, Edition edition) {
+    if (kernel.choice->runs_curves(edition)) return;
+    const std::string edition_name(choice_of(edition).name);
+    if (is_mistake(edition)) {
+        throw Refused("--edition " + edition_name + ": a mistake of methods that paint polygons");
+    }
+    if (kernel.choice->runs_curves(Edition::corrected)) {
+        throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
+    }
+    throw Refused("--kernel " + kernel.name() + ": for polygons alone");
+}
+
 NamedKernel kernel_of(const RunOptions& options) {
     const NamedKernel kernel = *kernel_named(options.kernel);
     expect_run(kernel, method_of(options), edition_of(options));
     return kernel;
 }
 
-Scene scene_from(const std::string& file) {
+namespace {
+
+Scene scene_of(std::string_view text, const std::string& file) {
     Progress progress;
     progress.say("reading " + file);
-    auto [scene, warnings] = read_scene(read_file(file), file);
+    auto [scene, warnings] = read_scene(text, file);
     progress.clear();
     for (const auto& warning : warnings) std::cerr << warning << '\n';
     return scene;
+}
+
+}  // namespace
+
+Scene scene_from(const std::string& file) { return scene_of(read_file(file), file); }
+
+AnyScene any_scene_from(const std::string& file, const std::optional<std::string>& method) {
+    const std::string text = read_file(file);
+    if (is_surface(text)) {
+        if (method && *method != curve_method) {
+            throw Refused(file + ": a surface, which only --method " + std::string(curve_method) + " draws");
+        }
+        return read_surface(text, file);
+    }
+    if (method == curve_method) throw Refused("--method " + *method + ": " + file + " is no surface, vidno-surface/1");
+    return scene_of(text, file);
 }
 
 Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file) {
@@ -71,17 +104,20 @@ void expect_admitted(Method method, const Scene& scene, const std::string& file)
 
 namespace {
 
+Detail detail_of(const RunOptions& options) { return Detail(place_in(detail_names, options.detail)); }
+
 RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const Scene& scene) {
-    return {method_of(options), kernel, edition_of(options), scene, Detail(place_in(detail_names, options.detail))};
+    return {method_of(options), kernel, edition_of(options), scene, detail_of(options)};
 }
 
-}  // namespace
+CurveRequest request_of(const RunOptions& options, const Surface& surface) {
+    const NamedKernel kernel = *kernel_named(options.kernel);
+    expect_curve_run(kernel, edition_of(options));
+    return {kernel, edition_of(options), surface.curves, detail_of(options)};
+}
 
-int trace(const RunOptions& options) {
-    const NamedKernel kernel = kernel_of(options);
-    const Scene scene = scene_for(kernel, scene_from(options.scene), options.scene);
-    expect_admitted(method_of(options), scene, options.scene);
-    const RunRequest request = request_of(options, kernel, scene);
+/// Of a run of either kind, with its header.
+int write_traced(const auto& header, const auto& request, const RunOptions& options) {
     OutputFile file(options.output);
     Progress progress("events");
     TraceWriter* running = nullptr;
@@ -89,8 +125,7 @@ int trace(const RunOptions& options) {
         file.write(text);
         if (running) progress.show(running->events());
     };
-    TraceWriter writer({request.method, request.edition, kernel.name(), request.detail, scene}, write,
-                       options.most_events);
+    TraceWriter writer(header, write, options.most_events);
     running = &writer;
     const bool whole = write_trace(request, writer, options.check);
     if (!whole) {
@@ -101,16 +136,48 @@ int trace(const RunOptions& options) {
     return whole ? 0 : 1;
 }
 
-int render(const RunOptions& options) {
+int trace_scene(const RunOptions& options, const Scene& given) {
+    const NamedKernel kernel = kernel_of(options);
+    const Scene scene = scene_for(kernel, given, options.scene);
+    expect_admitted(method_of(options), scene, options.scene);
+    const RunRequest request = request_of(options, kernel, scene);
+    return write_traced(TraceHeader{request.method, request.edition, kernel.name(), request.detail, scene}, request,
+                        options);
+}
+int trace_scene(const RunOptions& options, const Surface& surface) {
+    const CurveRequest request = request_of(options, surface);
+    return write_traced(CurveHeader{request.edition, request.kernel.name(), request.detail, surface}, request, options);
+}
+
+std::string rendered(const RunOptions& options, const Scene& given) {
     encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
     const NamedKernel kernel = kernel_of(options);
-    const Scene scene = scene_for(kernel, scene_from(options.scene), options.scene);
+    const Scene scene = scene_for(kernel, given, options.scene);
     expect_admitted(method_of(options), scene, options.scene);
-    OutputFile file(options.output);
     RunRequest request = request_of(options, kernel, scene);
     Progress progress(is_warnock(request.method) ? "windows" : "polygons");
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
-    file.write(encode_image(run(request), options.output));
+    return encode_image(run(request), options.output);
+}
+std::string rendered(const RunOptions& options, const Surface& surface) {
+    figures::format_of(options.output);  // refuses a wrong name before the work
+    CurveRequest request = request_of(options, surface);
+    Progress progress("curves");
+    request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
+    return figures::encoded(figures::drawn_lines(run(request), surface.curves.area), {surface.name}, options.output);
+}
+
+}  // namespace
+
+int trace(const RunOptions& options) {
+    const AnyScene any = any_scene_from(options.scene, options.method);
+    return std::visit([&](const auto& scene) { return trace_scene(options, scene); }, any);
+}
+
+int render(const RunOptions& options) {
+    const AnyScene any = any_scene_from(options.scene, options.method);
+    OutputFile file(options.output);
+    file.write(std::visit([&](const auto& scene) { return rendered(options, scene); }, any));
     file.commit();
     return 0;
 }

@@ -2,15 +2,16 @@
 
 #include <cmath>
 
+#include "curve_parts.h"
+#include "refused.h"
 #include "table.h"
 
 namespace vidno::figures {
 
 namespace {
 
-constexpr double gap = 4;               // millimetres between panels and parts
-constexpr double wide = 110;            // a panel has text beside its plane, not below
-constexpr double tallest_plane = 1.25;  // of its width
+constexpr double gap = 4;     // millimetres between panels and parts
+constexpr double wide = 110;  // a panel has text beside its plane, not below
 constexpr double least_plane = 38, least_text = 76;
 
 /// The columns of a strip, no emptier than they must be.
@@ -21,8 +22,8 @@ std::size_t columns_for(const Options& options) {
     return (options.moments + rows - 1) / rows;
 }
 
-std::string caption_of(const Moment& moment, const Style& style) {
-    return std::string(words_of(style.language).step) + " " + std::to_string(moment.state().step());
+std::string caption_of(std::uint64_t step, const Style& style) {
+    return std::string(words_of(style.language).step) + " " + std::to_string(step);
 }
 
 void append(auto& parts, Drawing drawing) {
@@ -41,9 +42,8 @@ Figure::Figure(const Options& options) : options_(options), columns_(columns_for
 bool Figure::is_beside() const { return options_.shows_plane() && options_.shows_text() && panel_width_ >= wide; }
 
 Drawing Figure::plane(const Moment& moment, const std::optional<PixelHistory>& history) const {
-    const double most_height = options_.most_height.value_or(tallest_plane * plane_width_);
     const Style& style = options_.style;
-    const Plane plane = plane_in(moment.scene().area, plane_width_, most_height);
+    const Plane plane = plane_in(moment.scene().area, plane_width_, most_plane_height());
     Drawing drawing{plane_width_, height_of(plane)};
     // Outlines of very many polygons would hide the picture: they show where nothing is painted yet.
     const bool crowded = moment.scene().polygons.size() > most_outlines;
@@ -60,16 +60,49 @@ Drawing Figure::plane(const Moment& moment, const std::optional<PixelHistory>& h
     return drawing;
 }
 
+Drawing Figure::plane(const CurveMoment& moment) const {
+    const Style& style = options_.style;
+    const bool has_legend = options_.shows(Part::windows);
+    const double below = has_legend ? legend_height : 0;
+    const Plane plane = plane_in(moment.scene().area, plane_width_, most_plane_height() - below);
+    Drawing drawing{plane_width_, height_of(plane) + below};
+    draw_frame(drawing, plane);
+    if (options_.shows(Part::picture)) draw_lines(drawing, moment, plane);
+    if (has_legend) {
+        draw_horizons(drawing, moment, plane, style);
+        draw_curve_at_hand(drawing, moment, plane, style);
+        drawing.place(curve_legend(moment, style, plane_width_), {0, height_of(plane)});
+    }
+    return drawing;
+}
+
+void Figure::add(std::uint64_t step, std::optional<Drawing> plane, std::vector<Drawing> texts) {
+    captions_.push_back(caption_of(step, options_.style));
+    if (plane) append(planes_, std::move(*plane));
+    texts_.resize(texts.size());
+    for (std::size_t i = 0; i < texts.size(); ++i) append(texts_[i], std::move(texts[i]));
+}
+
 void Figure::add(const Moment& moment, const std::optional<PixelHistory>& history) {
     const Style& style = options_.style;
-    captions_.push_back(caption_of(moment, style));
-    if (options_.shows_plane()) append(planes_, plane(moment, history));
+    std::optional<Drawing> drawn_plane;
+    if (options_.shows_plane()) drawn_plane = plane(moment, history);
     std::vector<Drawing> texts;
     if (options_.shows(Part::list)) texts.push_back(list_part(moment, style, text_width_));
     if (options_.shows(Part::listing)) texts.push_back(listing_part(moment, style, text_width_));
     if (options_.shows(Part::history)) texts.push_back(history->part(style, text_width_));
-    texts_.resize(texts.size());
-    for (std::size_t i = 0; i < texts.size(); ++i) append(texts_[i], std::move(texts[i]));
+    add(moment.state().step(), std::move(drawn_plane), std::move(texts));
+}
+
+void Figure::add(const CurveMoment& moment) {
+    if (options_.shows(Part::list) || options_.shows(Part::history)) {
+        throw Refused("a run of curves has no list and no history of pixels: --show picture,windows,listing");
+    }
+    std::optional<Drawing> drawn_plane;
+    if (options_.shows_plane()) drawn_plane = plane(moment);
+    std::vector<Drawing> texts;
+    if (options_.shows(Part::listing)) texts.push_back(listing_part(moment, options_.style, text_width_));
+    add(moment.state().step(), std::move(drawn_plane), std::move(texts));
 }
 
 Drawing Figure::panel(std::size_t moment) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "curve_moment.h"
 #include "parts.h"
 #include "pixel_history.h"
 
@@ -31,6 +32,8 @@ public:
 
     /// Throws Refused if the trace does not tell a part. The history is needed if it is shown.
     void add(const Moment& moment, const std::optional<PixelHistory>& history);
+    /// Of the parts, a run of curves has picture, windows (here the horizons and the curve at hand) and listing.
+    void add(const CurveMoment& moment);
 
     /// A drawing a moment. What is the same part of each has the same place, so that nothing jumps.
     std::vector<Drawing> panels() const;
@@ -39,6 +42,8 @@ public:
     Drawing strip() const;
 
 private:
+    static constexpr double tallest_plane = 1.25;  // of its width
+
     /// A part, of all moments, with the size that has room for each.
     struct Parts {
         std::vector<Drawing> drawings;
@@ -46,7 +51,10 @@ private:
     };
 
     bool is_beside() const;
+    double most_plane_height() const { return options_.most_height.value_or(tallest_plane * plane_width_); }
     Drawing plane(const Moment& moment, const std::optional<PixelHistory>& history) const;
+    Drawing plane(const CurveMoment& moment) const;
+    void add(std::uint64_t step, std::optional<Drawing> plane, std::vector<Drawing> texts);
     Drawing panel(std::size_t moment) const;
 
     Options options_;

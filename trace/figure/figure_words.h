@@ -12,7 +12,7 @@ inline constexpr std::array<std::string_view, 2> language_codes{"en", "ru"};
 
 struct FigureWords {
     std::string_view code;
-    std::string_view warnock, z_buffer;
+    std::string_view warnock, z_buffer, floating_horizon;
     std::string_view step, stack, active_polygons, surrounds, nearer_at, corner_depths;
     std::string_view active_edges, edge, until;
     std::string_view pixel, line, what, answer, painted;
@@ -25,6 +25,7 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .code = "en",
         .warnock = "Warnock",
         .z_buffer = "Z-buffer",
+        .floating_horizon = "Floating horizon",
         .step = "step",
         .stack = "on the stack",
         .active_polygons = "Active polygons (APL)",
@@ -52,6 +53,7 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .code = "ru",
         .warnock = "Алгоритм Варнока",
         .z_buffer = "Z-буфер",
+        .floating_horizon = "Плавающий горизонт",
         .step = "шаг",
         .stack = "в стеке",
         .active_polygons = "Активные многоугольники (APL)",

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "notation.h"
 #include "parts.h"
 #include "refused.h"
@@ -18,10 +20,11 @@ std::string places_of(const std::vector<Corner>& corners) {
 }
 
 /// z at the corners of the window.
-std::string corner_depths(const std::array<Value, 4>& corners, const FigureWords& words) {
-    std::string text(words.corner_depths);
+std::string corner_depths(const std::array<Value, 4>& corners) {
+    constexpr std::size_t four_on_a_line = 6;
+    std::string text;
     for (std::size_t i = 0; i < corner_names.size(); ++i) {
-        text += (i == 0 ? ": " : ", ") + std::string(corner_names[i]) + " " + readable(corners[i]);
+        text += (i == 0 ? "" : ", ") + std::string(corner_names[i]) + " " + readable(corners[i], four_on_a_line);
     }
     return text;
 }
@@ -49,7 +52,10 @@ Table active_polygons(const Moment& moment, const Style& style) {
     }
     table.below.push_back("U = " + readable(state.current()->window) + ", " + std::string(words.stack) + ": " +
                           std::to_string(state.stack().size()));
-    if (state.corners()) table.below.push_back(corner_depths(*state.corners(), words));
+    if (state.corners()) {
+        table.below.push_back(std::string(words.corner_depths) + ":");
+        table.below.push_back(corner_depths(*state.corners()));
+    }
     const auto in_hand = polygon_in_hand(moment);
     for (const auto& [polygon, surrounds] : *state.current()->apl) {
         const auto& [id, color, vertices, edge_on] = moment.scene().polygons[std::size_t(polygon.index)];
@@ -74,27 +80,31 @@ std::optional<int> edge_in_hand(const Moment& moment) {
     return edge;
 }
 
-Table active_edges(const Moment& moment, const Style& style) {
+/// So wide.
+Table active_edges(const Moment& moment, const Style& style, double width) {
+    constexpr double share = 0.185;  // of a column of numbers, of the width
+    constexpr double digit = 1.85;   // with what is around it, millimetres
+    const auto room = std::clamp(std::size_t(share * width / style.letters / digit), std::size_t{6}, short_enough);
     const auto& words = words_of(style.language);
     const State& state = moment.state();
     Table table{.title = std::string(words.active_edges),
-                .columns = {{std::string(words.edge), 0.15, Anchor::end},
-                            {"x", 0.17, Anchor::end},
-                            {"z", 0.17, Anchor::end},
-                            {std::string(words.until), 0.15, Anchor::end},
-                            {"Δx", 0.18, Anchor::end},
-                            {"Δz", 0.18, Anchor::end}}};
+                .columns = {{std::string(words.edge), 0.145, Anchor::end},
+                            {"x", share, Anchor::end},
+                            {"z", share, Anchor::end},
+                            {std::string(words.until), 0.115, Anchor::end},
+                            {"Δx", share, Anchor::end},
+                            {"Δz", share, Anchor::end}}};
     if (state.polygon()) table.note = "P = " + moment.scene().polygons[std::size_t(*state.polygon())].id;
     if (state.y()) table.note += ", yₜ = " + readable(*state.y());
     const auto in_hand = edge_in_hand(moment);
     for (const auto& entry : state.ael()) {
         if (in_hand == entry.edge) table.current = table.rows.size();
         table.rows.push_back({{std::to_string(entry.edge)},
-                              {readable(entry.x)},
-                              {readable(entry.z)},
+                              {readable(entry.x, room)},
+                              {readable(entry.z, room)},
                               {readable(entry.until)},
-                              {readable(entry.dx)},
-                              {readable(entry.dz)}});
+                              {readable(entry.dx, room)},
+                              {readable(entry.dz, room)}});
     }
     if (state.ael().empty()) table.below.emplace_back(words.empty);
     return table;
@@ -107,7 +117,7 @@ Drawing list_part(const Moment& moment, const Style& style, double width) {
     if (header.detail < Detail::polygons) {
         throw Refused("list: a trace of level windows tells no APL and no AEL");
     }
-    Table table = is_warnock(header.method) ? active_polygons(moment, style) : active_edges(moment, style);
+    Table table = is_warnock(header.method) ? active_polygons(moment, style) : active_edges(moment, style, width);
     shorten(table, words_of(style.language));
     return drawn(table, width, style.letters);
 }

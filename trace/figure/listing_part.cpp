@@ -21,7 +21,7 @@ bool has_line(const json& procedure, std::string_view label) {
 }
 
 /// That of the current line; before its first line, the one that runs.
-const json& procedure_at(const State::Frame& frame) {
+const json& procedure_at(const CallStack::Frame& frame) {
     const auto& all = procedures();
     const auto found = std::find_if(all.begin(), all.end(), [&](const json& procedure) {
         return frame.at ? has_line(procedure, line_names[std::size_t(*frame.at)])
@@ -49,10 +49,9 @@ std::vector<std::string> wrapped(const std::string& text, double width, double f
 
 }  // namespace
 
-Drawing listing_part(const Moment& moment, const Style& style, double width) {
+Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style& style, double width) {
     constexpr double number_at = 2.6, text_at = 9.4, level = 2.6, hanging = 2.6, base_below = 1.1;
     const std::string language(words_of(style.language).code);
-    const auto& frame = moment.state().calls().back();
     const json& procedure = procedure_at(frame);
 
     Drawing drawing{width, 0};
@@ -77,7 +76,7 @@ Drawing listing_part(const Moment& moment, const Style& style, double width) {
     rule(y, 0.75);
     y += 0.4;
     for (const json& line : procedure.at("lines")) {
-        const bool printed = moment.header().edition == Edition::printed && line.contains("printed");
+        const bool printed = edition == Edition::printed && line.contains("printed");
         const std::string text = (printed ? line.at("printed") : line).at(language);
         const double left = text_at + level * int(line.at("indent"));
         const auto pieces = wrapped(text, (width - left - hanging) / style.letters, (width - left) / style.letters);

@@ -6,8 +6,6 @@ namespace vidno::figures {
 
 namespace {
 
-constexpr std::size_t short_enough = 7;
-
 std::string written(double value, std::chars_format format, int digits) {
     std::array<char, 64> text;
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
@@ -29,22 +27,22 @@ std::string without_zeros(std::string text) {
     return text;
 }
 
-std::string short_number(double value) {
+std::string short_number(double value, std::size_t most) {
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value < 0 ? "-∞" : "∞";
     const double size = std::abs(value);
     if (value == 0) return "0";
     if (size < 1e-4 || size >= 1e6) {
         const std::string exact = shortest(value);
-        return exact.size() <= short_enough ? exact : written(value, std::chars_format::scientific, 2);
+        return exact.size() <= most ? exact : written(value, std::chars_format::scientific, 2);
     }
     std::string exact = shortest(value);
-    if (exact.size() <= short_enough) return exact;
+    if (exact.size() <= most) return exact;
     const int whole = std::max(0, int(std::floor(std::log10(size))) + 1);
     for (int digits = 4; digits > 1; --digits) {
         const int places = std::max(0, digits - (size < 1 ? int(std::floor(std::log10(size))) + 1 : whole));
         std::string text = without_zeros(written(value, std::chars_format::fixed, places));
-        if (text.size() <= short_enough) return text;
+        if (text.size() <= most) return text;
     }
     return written(value, std::chars_format::scientific, 1);
 }
@@ -113,12 +111,12 @@ double number_of(const Value& value) {
 
 std::string in_full(double value) { return with_minus_sign(shortest(value)); }
 
-std::string readable(const Value& value) {
-    if (!value.fraction) return with_minus_sign(short_number(value.number));
+std::string readable(const Value& value, std::size_t most) {
+    if (!value.fraction) return with_minus_sign(short_number(value.number, most));
     const std::string& text = *value.fraction;
     if (text.ends_with("/1")) return with_minus_sign(text.substr(0, text.size() - 2));
-    if (text.size() <= short_enough || text.ends_with("/0")) return with_minus_sign(text);
-    return "≈" + with_minus_sign(short_number(number_of(value)));
+    if (text.size() <= most || text.ends_with("/0")) return with_minus_sign(text);
+    return "≈" + with_minus_sign(short_number(number_of(value), most));
 }
 
 std::string readable(const Window& window) {

@@ -13,8 +13,11 @@ double number_of(const Value& value);
 /// With all its digits, and a real minus sign.
 std::string in_full(double value);
 
-/// At most some seven characters, with a real minus sign; `≈` where a fraction was cut.
-std::string readable(const Value& value);
+inline constexpr std::size_t short_enough = 7;  // characters of a number that is read at a glance
+
+/// At most some so many characters (more where it has a power of ten), with a real minus sign; `≈` where a fraction was
+/// cut.
+std::string readable(const Value& value, std::size_t most = short_enough);
 
 /// As `(8, 0) 8 × 8`.
 std::string readable(const Window& window);

@@ -54,6 +54,9 @@ void draw_names(Drawing& to, const Scene& scene, const Plane& plane, const Style
 Drawing list_part(const Moment& moment, const Style& style, double width);
 
 /// The procedure at hand, its current line marked.
-Drawing listing_part(const Moment& moment, const Style& style, double width);
+Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style& style, double width);
+Drawing listing_part(const auto& moment, const Style& style, double width) {
+    return listing_part(moment.state().calls().back(), moment.header().edition, style, width);
+}
 
 }  // namespace vidno::figures

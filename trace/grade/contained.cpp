@@ -6,11 +6,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 #include "refused.h"
 
@@ -108,16 +110,25 @@ Ending ending_of(int status, const rusage& used, const std::string& said, const 
     return WIFSIGNALED(status) ? Ending::crashed : Ending::failed;
 }
 
-std::string signal_words(int signal) {
-    switch (signal) {
-        case SIGSEGV: return "SIGSEGV: it reached for memory that is not its own, or called itself without end";
-        case SIGBUS: return "SIGBUS: it reached for memory that is not there";
-        case SIGABRT: return "SIGABRT: it gave up, as after an exception that nobody catches or a failed assertion";
-        case SIGFPE: return "SIGFPE: it divided a whole number by zero";
-        case SIGILL:
-            return "SIGILL: it reached an instruction that there is not, as at the end of a function without return";
-        default: return strsignal(signal);
-    }
+struct SignalWords {
+    int signal;
+    std::string_view name, cause;
+};
+
+constexpr std::array signal_words{
+    SignalWords{SIGSEGV, "SIGSEGV", "it reached for memory that is not its own, or called itself without end"},
+    SignalWords{SIGBUS, "SIGBUS", "it reached for memory that is not there"},
+    SignalWords{SIGABRT, "SIGABRT", "it gave up, as after an exception that nobody catches or a failed assertion"},
+    SignalWords{SIGFPE, "SIGFPE", "it divided a whole number by zero"},
+    SignalWords{SIGILL, "SIGILL",
+                "it reached an instruction that there is not, as at the end of a function without return"},
+};
+
+/// Null for a signal that has none.
+const SignalWords* words_of_signal(int signal) {
+    const auto* found = std::find_if(signal_words.begin(), signal_words.end(),
+                                     [&](const SignalWords& words) { return words.signal == signal; });
+    return found == signal_words.end() ? nullptr : found;
 }
 
 }  // namespace
@@ -127,12 +138,20 @@ std::string words_of(const Ended& ended, const Limits& limits) {
     switch (ended.ending) {
         case Ending::done: return "ended";
         case Ending::failed: return "ended with exit status " + std::to_string(ended.code);
-        case Ending::crashed: return "crashed (" + signal_words(ended.code) + ")";
+        case Ending::crashed: {
+            const auto* words = words_of_signal(ended.code);
+            return "crashed (" + std::string(words ? words->name : strsignal(ended.code)) + ")";
+        }
         case Ending::out_of_time: return "did not end within " + std::to_string(limits.time.count()) + " s";
         case Ending::out_of_memory: return "asked for more than " + mebibytes(limits.memory) + " of memory";
         case Ending::too_much_output: return "wrote more than " + mebibytes(limits.file);
     }
     return "";
+}
+
+std::string cause_of(const Ended& ended) {
+    const auto* words = ended.ending == Ending::crashed ? words_of_signal(ended.code) : nullptr;
+    return std::string(words ? words->cause : "");
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -35,8 +35,11 @@ struct Ended {
     std::string said;  // the beginning of what it printed, on both outputs
 };
 
-/// In words, "crashed (SIGSEGV: ...)".
+/// In words, "crashed (SIGSEGV)".
 std::string words_of(const Ended& ended, const Limits& limits);
+
+/// What a crash like this comes from, as a rule; empty if that is not known, or there was none.
+std::string cause_of(const Ended& ended);
 
 /// A folder for what is passing; gone with the object. Throws Refused if there can be none.
 class TemporaryFolder {

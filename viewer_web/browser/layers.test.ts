@@ -32,12 +32,17 @@ const image = (page: Page): Promise<string> =>
   page
     .locator('vidno-picture > canvas')
     .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
-const box = (page: Page) => page.locator('vidno-picture').boundingBox();
+/** In the page, however far that is scrolled. */
+const box = (page: Page) =>
+  page.locator('vidno-picture').evaluate((picture) => {
+    const { x, y, width, height } = picture.getBoundingClientRect();
+    return [x + scrollX, y + scrollY, width, height];
+  });
 
 describe('the choice of a layer', () => {
   it.each([390, 1280, 1920])('and what it says stand above the legend at %d px', async (width) => {
     const viewport = { width, height: width < 500 ? 844 : 800 };
-    const { page } = await openLesson(printed('zbuffer'), { viewport });
+    const { page } = await openLesson(printed('zbuffer'), { viewport }, '&reader=off');
     await choice(page).selectOption('difference');
     await expect.poll(() => status(page).textContent()).toContain('wrong');
     const legend = (await page.locator('vidno-legend').boundingBox())?.y ?? 0;
@@ -139,7 +144,9 @@ describe('the choice of a layer', () => {
     [1280, 'EN'],
   ])('moves and cuts off nothing at %d px in %s', async (width, language) => {
     const trace = '08-show-line.zbuffer.float.corrected.signs';
-    const { page } = await openLesson(trace, { viewport: { width, height: 800 } });
+    // Beside the text the player is narrow; on a telephone there is the one or the other.
+    const reader = width < 500 ? '&reader=off' : '';
+    const { page } = await openLesson(trace, { viewport: { width, height: 800 } }, reader);
     await page.getByRole('button', { name: language, exact: true }).click();
     const before = await box(page);
     for (const layer of ['depths', 'exact', 'difference']) {

@@ -60,7 +60,7 @@ describe('a link', () => {
       [7, 'y'.repeat(60)],
     ]);
     expect(await page.locator('.slider').getAttribute('aria-valuetext')).toContain(evil);
-    expect(await page.locator('img').count()).toBe(0);
+    expect(await page.locator('img[src="x"]').count()).toBe(0);
     expect(faults).toEqual([]);
   });
 });

@@ -94,7 +94,8 @@ describe('everyone', () => {
   });
 
   it.each([390, 768, 1280, 1920])('sees the whole form at %d px', async (width) => {
-    const { page } = await open(browser, '#lang=ru', { viewport: { width, height: 900 } });
+    const viewport = { width, height: 900 };
+    const { page } = await open(browser, '#lang=ru&reader=off', { viewport });
     await page.locator(title, { hasText: /./u }).waitFor();
     await edit(page);
     await page.locator('vidno-polygon-form .corners').first().click();

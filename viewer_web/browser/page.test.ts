@@ -71,6 +71,19 @@ describe('the controls', () => {
     expect((await shown(page)).step).toBe(310);
   });
 
+  it('leave what is being typed alone while the run goes on', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    await page.keyboard.press('Space');
+    const field = page.locator('.dock input[type=number]');
+    await field.fill('77');
+    const { step } = await shown(page);
+    await expect.poll(async () => (await shown(page)).step).toBeGreaterThan(step);
+    expect(await field.inputValue()).toBe('77');
+    await field.press('Enter');
+    await expect.poll(async () => (await shown(page)).step).toBeGreaterThanOrEqual(77);
+  });
+
   it('play and pause', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);

@@ -39,14 +39,14 @@ struct RayCrossings {
             if (side_of(from) == Sign::zero) {
                 const int counts = !(from.x > point.x) ? 0 : to_side == side ? 2 : 1;
                 crossings += counts;
-                trace.ray(RC3, polygon, i, counts);
+                trace.ray(CR3, polygon, i, counts);
             } else if (to_side != side) {
                 const auto value = run.kernel.cross(from, to, point);
                 const Sign sign = run.kernel.sign(value);
-                trace.orient(RC4, polygon, i, point, value, sign);
+                trace.orient(CR4, polygon, i, point, value, sign);
                 const int counts = sign == to_side ? 1 : 0;
                 crossings += counts;
-                trace.ray(RC4, polygon, i, counts);
+                trace.ray(CR4, polygon, i, counts);
             }
             side = to_side;
         }

@@ -31,6 +31,21 @@ struct VisibleLine {
     bool is_point() const { return from.on_column() && from.left == to.right; }
 };
 
+/// Puts a line after others. Of lines that meet on a column those of one segment become one, and a point is part of its
+/// neighbour.
+template <class Number>
+void add_line(std::vector<VisibleLine<Number>>& lines, const VisibleLine<Number>& line) {
+    const bool goes_on = !lines.empty() && lines.back().segment.curve == line.segment.curve && line.from.on_column() &&
+                         lines.back().to.on_column() && lines.back().to.left == line.from.left;
+    if (goes_on && lines.back().is_point()) {
+        lines.back() = line;
+    } else if (goes_on && lines.back().segment == line.segment) {
+        lines.back().to = line.to;
+    } else if (!goes_on || !line.is_point()) {
+        lines.push_back(line);
+    }
+}
+
 template <class ProcedureSet, HorizonKernel K, class Trace>
 struct HorizonRun {
     using Set = ProcedureSet;
@@ -85,19 +100,9 @@ struct HorizonRun {
         return {kernel.point_on(segment, column), column, column};
     }
 
-    /// Of lines that meet on a column those of one segment become one, and a point is part of its neighbour.
     void draw_line(Line at, const Segment& segment, const End& from, const End& to) {
         trace.draw_line(at, segment, from, to);
-        const VisibleLine<typename K::Number> line{segment, from, to};
-        const bool goes_on = !lines.empty() && lines.back().segment.curve == segment.curve && from.on_column() &&
-                             lines.back().to.on_column() && lines.back().to.left == from.left;
-        if (goes_on && lines.back().is_point()) {
-            lines.back() = line;
-        } else if (goes_on && lines.back().segment == segment) {
-            lines.back().to = to;
-        } else if (!goes_on || !line.is_point()) {
-            lines.push_back(line);
-        }
+        add_line(lines, {segment, from, to});
     }
 };
 

@@ -29,6 +29,7 @@ public:
 
     Cell& operator[](int column) { return cells_[index(column)]; }
     const Cell& operator[](int column) const { return cells_[index(column)]; }
+    const Cell& leftmost() const { return cells_.front(); }
 
 private:
     std::size_t index(int column) const {

@@ -229,6 +229,20 @@ public:
         return ax < bx || (ax == bx && exact_slope(a) < exact_slope(b));
     }
 
+protected:
+    /// The first of low <= i < end for which that does not hold, `end` if there is none; it holds for all before.
+    static int first_not(const auto& holds, int low, int end) {
+        while (low < end) {
+            const int middle = std::midpoint(low, end);
+            if (holds(middle)) {
+                low = middle + 1;
+            } else {
+                end = middle;
+            }
+        }
+        return low;
+    }
+
 private:
     /// The bound of the operands decides, or exact arithmetic does.
     void tell(bool certain) const { tell(certain ? FilterStage::operands : FilterStage::exact); }
@@ -363,18 +377,6 @@ private:
         return first_not([&](int x) { return exact_side(edge, x, row) != Sign::negative; },
                          machine_.last_centre(left, low, end) + 1, machine_.last_centre(right, low, end) + 1) -
                1;
-    }
-    /// The first of low <= i < end for which that does not hold, `end` if there is none; it holds for all before.
-    static int first_not(const auto& holds, int low, int end) {
-        while (low < end) {
-            const int middle = std::midpoint(low, end);
-            if (holds(middle)) {
-                low = middle + 1;
-            } else {
-                end = middle;
-            }
-        }
-        return low;
     }
     [[gnu::noinline]] static bool exactly_same_place(const auto& a, const auto& b, int row) {
         return exact_x(a, row) == exact_x(b, row);

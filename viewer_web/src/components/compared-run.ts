@@ -15,6 +15,7 @@ import './picture-panel.js';
 import type { PicturePanelElement } from './picture-panel.js';
 import type { Kind } from './save.js';
 import { base } from './theme.js';
+import { Typed } from './typed.js';
 
 /**
  * One of two runs that are compared: its parts lie in the grid of the two. An event `pixel` tells that one was chosen, an
@@ -35,8 +36,10 @@ export class ComparedRunElement extends LitElement {
   /** Whether it is stepped by itself. */
   @property({ type: Boolean }) alone = false;
   @property({ type: Boolean }) playing = false;
+
   @query('vidno-picture-panel') private picture!: PicturePanelElement;
   @query('vidno-listing') private listing!: ListingElement;
+  private readonly typed = new Typed(this);
 
   startChoosing(): void {
     this.picture.startChoosing();
@@ -100,12 +103,19 @@ export class ComparedRunElement extends LitElement {
         min="0"
         max=${length}
         aria-label=${say.otherStep}
-        .value=${live(String(step))}
-        @change=${({ target }: Event) =>
-          this.tell('step', Number((target as HTMLInputElement).value))}
+        .value=${live(this.typed.or(String(step)))}
+        @input=${this.typed.onInput}
+        @change=${this.onEnter}
+        @blur=${this.typed.onEnd}
       />
       ${this.button('›', say.forward, step + 1)}
     </p>`;
+  }
+
+  private onEnter({ target }: Event): void {
+    const { value } = target as HTMLInputElement;
+    this.typed.onEnd();
+    this.tell('step', Number(value));
   }
 
   private button(shown: string, label: string, step: number): TemplateResult {

@@ -27,6 +27,7 @@ export class LayersElement extends LitElement {
     css`
       :host {
         position: relative;
+        container-type: inline-size;
         display: flex;
         gap: 0.6rem;
         align-items: center;
@@ -38,16 +39,21 @@ export class LayersElement extends LitElement {
         color: var(--soft);
       }
       select {
-        flex: none;
-        width: 8.5rem;
+        flex: 0 1 8.5rem;
+        min-width: 4rem;
         padding: 0 0.3rem;
         font-size: 0.8125rem;
         color: var(--ink);
         text-overflow: ellipsis;
       }
+      @container (max-width: 20rem) {
+        select {
+          flex-basis: 6rem;
+        }
+      }
       .status {
         flex: 1;
-        min-width: 0;
+        min-width: min-content;
         max-height: 100%;
         overflow: hidden;
       }

@@ -9,6 +9,7 @@ import { speedsWith } from './clock.js';
 import './slider.js';
 import { base } from './theme.js';
 import { transportStyle } from './transport.style.js';
+import { Typed } from './typed.js';
 
 /** What the controls ask for; the player does it. */
 export type Command =
@@ -46,6 +47,8 @@ export class TransportElement extends LitElement {
   @property({ type: Boolean }) playing = false;
   @property({ type: Number }) speed = 5;
 
+  private readonly typed = new Typed(this);
+
   override render(): TemplateResult {
     const { first, last } = this;
     const { step, texts } = this.view;
@@ -81,8 +84,10 @@ export class TransportElement extends LitElement {
           type="number"
           min=${first}
           max=${last}
-          .value=${live(String(step))}
-          @change=${this.onInput}
+          .value=${live(this.typed.or(String(step)))}
+          @input=${this.typed.onInput}
+          @change=${this.onEnter}
+          @blur=${this.typed.onEnd}
         />
         <span class="number">${texts.ofSteps(String(last))}</span>
       </label>
@@ -118,10 +123,10 @@ export class TransportElement extends LitElement {
     </button>`;
   }
 
-  private onInput(event: Event): void {
+  private onEnter(event: Event): void {
     const { value } = event.target as HTMLInputElement;
+    this.typed.onEnd();
     if (value !== '') this.ask({ do: 'seek', step: Number(value) });
-    this.requestUpdate();
   }
 
   private onSpeed(event: Event): void {

@@ -36,7 +36,7 @@ function told(block: Block, telling: Telling): TemplateResult {
         ? html`<vidno-command .text=${block.text} .texts=${telling.texts}></vidno-command>`
         : html`<pre tabindex="0"><code>${block.text}</code></pre>`;
     case 'formula':
-      return html`<div class="formula">${formula(block.tex, true)}</div>`;
+      return html`<div class="formula" tabindex="0">${formula(block.tex, true)}</div>`;
     case 'figure':
       return figure(block, telling);
     case 'table':
@@ -86,7 +86,7 @@ function table({ head, align, rows }: Table, telling: Telling): TemplateResult {
       ? html`<th scope="col" class=${side}>${words}</th>`
       : html`<td class=${side}>${words}</td>`;
   };
-  return html`<div class="table">
+  return html`<div class="table" tabindex="0">
     <table>
       <thead>
         <tr>

@@ -1,0 +1,71 @@
+/// Loops: pieces of edges that bound a region, put one after the other.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "overlay.h"
+
+namespace vidno {
+
+/// Each piece has its region on its positive side. Where several begin at one vertex a loop takes the sharpest turn to that
+/// side: so it goes round one corner of the region, and parts that only touch there get loops of their own. Where nothing else
+/// begins two pieces of one edge become one. Rounding may lose a piece; what then does not close is closed along a straight line,
+/// `close(from, to)`.
+template <RegionKernel K, class Number = typename K::Number>
+Region<Number> joined(const K& kernel, const std::vector<LoopVertex<Number>>& vertices,
+                      const std::vector<EdgePiece<Number>>& pieces, auto&& close) {
+    std::vector<std::vector<int>> beginning(vertices.size());  // at each vertex, the pieces that are in no loop yet
+    for (std::size_t i = 0; i < pieces.size(); ++i) beginning[pieces[i].from].push_back(int(i));
+    std::vector<bool> several_begin;
+    for (const auto& at_vertex : beginning) several_begin.push_back(at_vertex.size() > 1);
+
+    const auto is_sharper = [&](const auto& arriving, const auto& a, const auto& b) {
+        const auto& pivot = vertices[arriving.to].at;
+        const auto& back = vertices[arriving.from].at;
+        const auto& to_a = vertices[a.to].at;
+        const auto& to_b = vertices[b.to].at;
+        const Sign turn_a = kernel.turn(pivot, back, to_a);
+        const Sign turn_b = kernel.turn(pivot, back, to_b);
+        if (turn_a != turn_b) return turn_a < turn_b;
+        return kernel.turn(pivot, to_a, to_b) == Sign::negative;
+    };
+
+    Region<Number> region;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const int first = int(i);
+        const auto& unused = beginning[pieces[i].from];
+        if (std::find(unused.begin(), unused.end(), first) == unused.end()) continue;
+        std::vector<int> way;
+        int next = first;
+        do {
+            way.push_back(next);
+            const auto& arriving = pieces[next];
+            auto& choice = beginning[arriving.to];
+            const auto sharpest = std::min_element(
+                choice.begin(), choice.end(), [&](int a, int b) { return is_sharper(arriving, pieces[a], pieces[b]); });
+            if (sharpest == choice.end()) break;
+            next = *sharpest;
+            choice.erase(sharpest);
+        } while (next != first);
+        Loop<Number> loop;
+        const auto* before = pieces[way.back()].line;
+        if (next != first) {
+            std::erase(beginning[pieces[i].from], first);
+            const auto& end = vertices[pieces[way.back()].to].at;
+            const auto* closing = close(end, vertices[pieces[i].from].at);
+            loop.push_back({end, before, closing});
+            before = closing;
+        }
+        for (const int piece : way) {
+            const auto& [from, to, line, lies] = pieces[piece];
+            if (before != line || several_begin[from]) loop.push_back({vertices[from].at, before, line});
+            before = line;
+        }
+        if (loop.size() >= 3) region.loops.push_back(std::move(loop));
+    }
+    return region;
+}
+
+}  // namespace vidno

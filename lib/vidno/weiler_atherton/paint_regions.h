@@ -1,0 +1,120 @@
+/// PaintRegions: the picture of the visible regions, at the centres of its pixels.
+///
+/// Takes   a run with its visible regions.
+/// Gives   the run's picture: at each pixel centre the colour of the nearest polygon, the first of equally near ones.
+/// Time    a comparison for each row and edge of a region; for each of its centres one with each earlier polygon around it.
+///
+/// A region is closed. A centre on an outline may belong to several; the nearest depth there is that of one of them, for it
+/// is the limit of what is visible next to it. Yet a polygon may be as near at the centre that has no region there: one that
+/// only touches what hides it, in a point or along an edge. If it comes first in the scene it shows.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "weiler_atherton_run.h"
+
+namespace vidno {
+
+struct PaintRegions {
+    template <class Run>
+    static void paint_regions(Run& run) {
+        using enum Line;
+        const Area& area = run.area;
+        std::vector<const SourcePolygon<typename Run::Number>*> shown(std::size_t(area.width) *
+                                                                      std::size_t(area.height));
+        for (const auto& piece : run.visible) {
+            const auto earlier = earlier_ones(run, piece);
+            for (int y = area.y; y < area.bottom(); ++y) {
+                const auto row = row_of(shown, area, y);
+                for (const auto& [first, end] : columns_on_row(run.kernel, piece.region, y, area)) {  // PR1
+                    for (int x = first; x < end; ++x) {
+                        const auto centre = run.kernel.place(x + 0.5, y + 0.5);
+                        const auto* polygon = first_of_equals(run, *piece.polygon, earlier, centre);  // PR2
+                        if (row[x] && !is_before(run, *polygon, *row[x], centre)) continue;
+                        row[x] = polygon;
+                        run.picture.paint(x, y, polygon->color);
+                        run.trace.paint(PR3, *polygon, x, y);
+                    }
+                }
+            }
+        }
+    }
+
+private:
+    /// first <= x < end
+    struct ColumnRange {
+        int first, end;
+    };
+
+    /// The centres of a row that a closed region holds. On the row is what is so just above it, and just below it: once the
+    /// vertices on the row count as below, once as above. Each time the edges that cross it are ends of spans, in turn.
+    template <class K>
+    static std::vector<ColumnRange> columns_on_row(const K& kernel, const Region<typename K::Number>& region, int row,
+                                                   const Area& area) {
+        std::vector<ColumnRange> columns;
+        const auto centre = kernel.place(area.x + 0.5, row + 0.5);
+        for (const Sign on_row : {Sign::positive, Sign::negative}) {
+            const auto is_below = [&](const auto& vertex) {
+                const Sign order = kernel.order_of_rows(vertex.at, centre);
+                return (order == Sign::zero ? on_row : order) == Sign::positive;
+            };
+            std::vector<typename K::Number> ends;
+            for (const auto& loop : region.loops) {
+                bool from_below = is_below(loop.back());
+                for_each_edge(loop, [&](const auto& from, const auto& to) {
+                    const bool to_below = is_below(to);
+                    if (from_below != to_below) ends.push_back(kernel.on_row(*from.after, centre));
+                    from_below = to_below;
+                });
+            }
+            const auto left_of = [&](const auto& a, const auto& b) { return kernel.compare(a, b) == Sign::negative; };
+            std::stable_sort(ends.begin(), ends.end(), left_of);
+            for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+                columns.push_back({kernel.first_centre(ends[i], area.x, area.right()),
+                                   kernel.last_centre(ends[i + 1], area.x, area.right()) + 1});
+            }
+        }
+        return columns;
+    }
+
+    static bool holds_closed(const auto& kernel, const auto& region, const auto& place) {
+        return holds(kernel, region, place) || is_on_outline(kernel, region, place);
+    }
+
+    static bool in_box(const auto& box, const auto& place) {
+        return !(place.y < box.ymin) && !(box.ymax < place.y) && !(place.x < box.xmin) && !(box.xmax < place.x);
+    }
+
+    /// The facets of polygons before this one in the scene that share area with it.
+    template <class Run>
+    static auto earlier_ones(const Run& run, const typename Run::Piece& piece) {
+        std::vector<const typename Run::Piece*> earlier;
+        for (const auto& facet : run.facets) {
+            if (facet.polygon->index < piece.polygon->index && !run.apart(facet, piece)) earlier.push_back(&facet);
+        }
+        return earlier;
+    }
+
+    static auto first_of_equals(auto& run, const auto& polygon, const auto& earlier, const auto& place) {
+        using enum Line;
+        const auto z = run.depth(PR2, polygon, place);
+        const auto* first = &polygon;
+        for (const auto* facet : earlier) {
+            if (facet->polygon->index >= first->index || !in_box(facet->polygon->box, place)) continue;
+            if (run.kernel.compare(run.depth(PR2, *facet->polygon, place), z) != Sign::zero) continue;
+            if (holds_closed(run.kernel, facet->region, place)) first = facet->polygon;
+        }
+        return first;
+    }
+
+    static bool is_before(auto& run, const auto& polygon, const auto& other, const auto& place) {
+        using enum Line;
+        if (&polygon == &other) return false;
+        const Sign order = run.kernel.compare(run.depth(PR3, polygon, place), run.depth(PR3, other, place));
+        return order == Sign::positive || (order == Sign::zero && polygon.index < other.index);
+    }
+};
+
+}  // namespace vidno

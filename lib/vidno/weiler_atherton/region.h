@@ -1,0 +1,55 @@
+/// Region: a part of the plane, bounded by loops of straight edges. Outside pieces are not convex, and may have holes.
+///
+/// Every edge has the region on its positive side: for v inside, (q - p) x (v - p) > 0 near the edge from p to q. So outlines
+/// go round one way and holes the other. Loops of one region may touch each other at vertices, and nowhere else.
+#pragma once
+
+#include <vector>
+
+#include "../kernel.h"
+
+namespace vidno {
+
+/// a (x - on.x) + b (y - on.y) = 0: an edge of the scene, a side of the area, or where two planes meet.
+template <class Number>
+struct SupportLine {
+    Number a, b;
+    Point<Number> on;
+};
+
+/// Where two edges meet. It knows their lines, so that nobody has to compute that it lies on them.
+template <class Number>
+struct LoopVertex {
+    Point<Number> at;
+    const SupportLine<Number>* before;  // of the edge that ends here
+    const SupportLine<Number>* after;   // of the edge that begins here
+
+    bool on(const SupportLine<Number>& line) const { return before == &line || after == &line; }
+};
+
+template <class Number>
+using Loop = std::vector<LoopVertex<Number>>;
+
+template <class Number>
+struct Region {
+    std::vector<Loop<Number>> loops;
+
+    bool empty() const { return loops.empty(); }
+};
+
+/// visit(from, to) for each edge of a loop: its line is from.after.
+void for_each_edge(const auto& loop, auto&& visit) {
+    const auto* from = &loop.back();
+    for (const auto& to : loop) {
+        visit(*from, to);
+        from = &to;
+    }
+}
+
+/// What RegionClip makes of a subject.
+template <class Number>
+struct ClippedRegion {
+    Region<Number> inside, outside;
+};
+
+}  // namespace vidno

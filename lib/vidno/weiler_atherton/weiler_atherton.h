@@ -1,0 +1,72 @@
+/// WeilerAtherton: what is visible, as polygons: whatever lies in the outline of the nearest polygon is told from what does not, and
+/// looked at by itself.
+///
+/// Source  K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, SIGGRAPH 1977; the course's text, of which
+///         the scan has the depth sort.
+/// Takes   a run with its polygons.
+/// Gives   the run's visible regions: disjoint but for their outlines, each in the outline of its polygon, and the nearest there;
+///         of coplanar polygons the first in the scene. Then its picture.
+/// Time    for each region a clip of each piece that lies over it.
+///
+/// The paper clips by a copy of the first polygon as it stands in the scene; here it is what of it has come into the list. A list is
+/// about one part of the screen, and there the two are one.
+#pragma once
+
+#include "weiler_atherton_run.h"
+
+namespace vidno {
+
+struct WeilerAtherton {
+    template <class Run>
+    static void weiler_atherton(Run& run) {
+        using enum Line;
+        using Set = typename Run::Set;
+        using List = std::vector<typename Run::Piece>;
+
+        List pieces;
+        for (const auto& polygon : run.polygons) {
+            if (!Set::takes_part(run, polygon)) continue;
+            auto piece = run.cut_to_area(WA1, polygon);
+            if (!piece.region.empty()) pieces.push_back(std::move(piece));
+        }
+        run.facets = run.split_piercing(WA2, std::move(pieces));
+
+        std::vector<List> lists;
+        const auto push = [&](Line at, List list) {
+            run.trace.push_list(at, list);
+            lists.push_back(std::move(list));
+        };
+        if (!run.facets.empty()) push(WA3, run.depth_sort(WA3, run.facets));
+        while (!lists.empty()) {
+            const List list = std::move(lists.back());
+            lists.pop_back();
+            auto clip = list.front();
+            run.trace.pop_list(WA4, list);
+            run.count_list(WA4);
+
+            List inside, outside;
+            for (std::size_t i = 1; i < list.size(); ++i) {
+                if (run.apart(list[i], clip)) {
+                    outside.push_back(list[i]);
+                    continue;
+                }
+                auto parts = run.region_clip(WA5, list[i], clip);
+                const auto& [polygon, region, is_ground] = list[i];
+                if (!parts.inside.empty()) inside.push_back({polygon, std::move(parts.inside), is_ground});
+                if (!parts.outside.empty()) outside.push_back({polygon, std::move(parts.outside), is_ground});
+            }
+            if (!outside.empty()) push(WA6, std::move(outside));
+            auto nearer = run.remove_behind(WA7, inside, clip);
+            if (nearer.empty()) {
+                run.show(WA8, clip);
+            } else {
+                clip.is_ground = true;
+                nearer.push_back(std::move(clip));
+                push(WA9, std::move(nearer));
+            }
+        }
+        run.paint_regions(WA10);
+    }
+};
+
+}  // namespace vidno

@@ -1,0 +1,216 @@
+/// WeilerAthertonRun: one execution of Weiler and Atherton's algorithm: its procedure set, kernel and visitor, the polygons, the
+/// lines that make all vertices, the visible regions so far, and the picture. What Run is to the methods that paint.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "../fault.h"
+#include "../picture.h"
+#include "../polygon.h"
+#include "../trace.h"
+#include "loops.h"
+
+namespace vidno {
+
+/// A polygon of the scene: what is the same for all of its pieces.
+template <class Number>
+struct SourcePolygon {
+    int index = 0;  // its place in the scene
+    Color color;
+    bool edge_on = false;
+    std::vector<Vertex<Number>> vertices;
+    Box<Number> box;
+    vidno::Plane<Number> plane;
+};
+
+/// A part of a polygon.
+template <class Number>
+struct PolygonPiece {
+    const SourcePolygon<Number>* polygon;
+    Region<Number> region;
+    bool is_ground = false;  // it is known to be behind all others of its list
+};
+
+template <class ProcedureSet, RegionKernel K, class Visitor>
+struct WeilerAthertonRun {
+    using Set = ProcedureSet;
+    using Arithmetic = K;
+    using Number = typename K::Number;
+    using Vertices = std::vector<Vertex<Number>>;
+    using Piece = PolygonPiece<Number>;
+    using Pieces = std::vector<EdgePiece<Number>>;
+    using Edge = SupportLine<Number>;
+
+    K kernel;
+    Visitor trace;
+    Area area;
+    Picture& picture;
+    std::vector<SourcePolygon<Number>> polygons;
+    std::vector<Piece> facets;   // convex, and none pierces another
+    std::vector<Piece> visible;  // disjoint but for their outlines
+
+    WeilerAthertonRun(const Scene& scene, K arithmetic, Visitor visitor, Picture& canvas)
+        : kernel(std::move(arithmetic)), trace(std::move(visitor)), area(scene.area), picture(canvas) {
+        const auto left = double(area.x), right = double(area.right());
+        const auto top = double(area.y), bottom = double(area.bottom());
+        area_region_ = bounded_by({kernel.place(left, top), kernel.place(right, top), kernel.place(right, bottom),
+                                   kernel.place(left, bottom)});
+        polygons.reserve(scene.polygons.size());
+        for (const auto& source : scene.polygons) polygons.push_back(initialize_polygon(source));
+    }
+
+    SourcePolygon<Number> initialize_polygon(const ScenePolygon& source) {
+        SourcePolygon<Number> polygon;
+        polygon.index = int(polygons.size());
+        polygon.color = source.color;
+        polygon.edge_on = source.edge_on;
+        for (const auto& vertex : source.vertices) polygon.vertices.push_back(Set::on_screen(kernel, area, vertex));
+        polygon.box = box_around(polygon.vertices);
+        polygon.plane = Set::initialize_polygon(*this, polygon.vertices);
+        trace.plane(Line::I1, polygon, polygon.plane);
+        return polygon;
+    }
+
+    /// The part of a polygon, one that is not edge-on, in the area.
+    Piece cut_to_area(Line at, const SourcePolygon<Number>& polygon) {
+        std::vector<Point<Number>> corners;
+        for (const auto& [x, y, z] : polygon.vertices) {
+            const Point<Number> corner{x, y};
+            if (corners.empty() || kernel.order(corners.back(), corner) != Sign::zero) corners.push_back(corner);
+        }
+        while (corners.size() > 1 && kernel.order(corners.back(), corners.front()) == Sign::zero) corners.pop_back();
+        if (kernel.compare(polygon.plane.c, kernel.number(0)) == Sign::negative) {
+            std::reverse(corners.begin(), corners.end());
+        }
+        trace.call(at, Procedure::region_clip);
+        Piece piece{&polygon, Set::region_clip(*this, bounded_by(corners), area_region_).inside};
+        trace.cut_to_area(at, polygon, piece.region);
+        return piece;
+    }
+
+    Number depth(Line at, const SourcePolygon<Number>& polygon, const Point<Number>& place) {
+        const Number z = Set::depth(*this, polygon, place);
+        trace.depth(at, polygon, place, z);
+        return z;
+    }
+
+    ClippedRegion<Number> region_clip(Line at, const Piece& subject, const Piece& clip) {
+        trace.call(at, Procedure::region_clip);
+        auto parts = Set::region_clip(*this, subject.region, clip.region);
+        trace.clipped(at, *subject.polygon, *clip.polygon, parts.inside, parts.outside);
+        return parts;
+    }
+
+    /// Where the box of one lies beside that of the other, or they are parts of one polygon: then they have no area in common.
+    bool apart(const Piece& a, const Piece& b) const {
+        const auto& p = a.polygon->box;
+        const auto& q = b.polygon->box;
+        return a.polygon == b.polygon || !(p.xmin < q.xmax) || !(q.xmin < p.xmax) || !(p.ymin < q.ymax) ||
+               !(q.ymin < p.ymax);
+    }
+
+    std::vector<Piece> split_piercing(Line at, std::vector<Piece> pieces) {
+        trace.call(at, Procedure::split_piercing);
+        auto convex = Set::split_piercing(*this, std::move(pieces));
+        trace.pieces(at, convex);
+        return convex;
+    }
+
+    std::vector<Piece> depth_sort(Line at, const std::vector<Piece>& pieces) {
+        trace.call(at, Procedure::depth_sort);
+        auto sorted = Set::depth_sort(*this, pieces);
+        trace.pieces(at, sorted);
+        return sorted;
+    }
+
+    std::vector<Piece> remove_behind(Line at, const std::vector<Piece>& inside, const Piece& clip) {
+        trace.call(at, Procedure::remove_behind);
+        auto nearer = Set::remove_behind(*this, inside, clip);
+        trace.pieces(at, nearer);
+        return nearer;
+    }
+
+    /// Each list has area of its own, for as many lists one inside the other as there are facets; and lines divide the area into no
+    /// more parts than this. Only where rounding decides could there be more.
+    void count_list(Line at) {
+        const double lines = double(lines_.size() + lines_of_planes_.size() + closing_lines_.size());
+        const double parts = 1 + lines * (lines + 1) / 2;
+        if (++lists_ > parts * double(facets.size()))
+            throw Fault{at, "more lists than the lines can divide the area into"};
+    }
+
+    void show(Line at, const Piece& piece) {
+        trace.show_region(at, *piece.polygon, piece.region);
+        visible.push_back(piece);
+    }
+
+    void paint_regions(Line at) {
+        trace.call(at, Procedure::paint_regions);
+        Set::paint_regions(*this);
+        trace.painted(at);
+    }
+
+    /// The line in which the planes of two polygons meet, seen from the viewer; none if they are parallel. On its positive side
+    /// the first of them is the nearer.
+    const Edge* line_of_planes(const SourcePolygon<Number>& p, const SourcePolygon<Number>& q) {
+        const auto [known, is_new] = lines_of_planes_.try_emplace({p.index, q.index});
+        if (is_new && !kernel.parallel(p.plane, q.plane)) {
+            const auto& near = p.vertices.front();
+            known->second = kernel.line_of(p.plane, q.plane, {near.x, near.y});
+        }
+        return known->second ? &*known->second : nullptr;
+    }
+
+    Region<Number> joined(Line at, const std::vector<LoopVertex<Number>>& vertices, const Pieces& pieces) {
+        return vidno::joined(kernel, vertices, pieces, [&](const auto& from, const auto& to) {
+            trace.fault(at, "an outline does not close");
+            return &closing_lines_.emplace_back(kernel.line_through(from, to));
+        });
+    }
+
+private:
+    using Ends = std::pair<Point<Number>, Point<Number>>;
+
+    /// One line for all edges between two points, either way: what neighbours share is then the same in any numbers.
+    const Edge* line_between(const Point<Number>& p, const Point<Number>& q) {
+        const Ends ends = kernel.order(p, q) == Sign::negative ? Ends(p, q) : Ends(q, p);
+        const auto [known, is_new] = lines_.try_emplace(ends);
+        if (is_new) known->second = kernel.line_through(ends.first, ends.second);
+        return &known->second;
+    }
+
+    /// The vertices go round so that the region is on the positive side.
+    Region<Number> bounded_by(const std::vector<Point<Number>>& corners) {
+        Loop<Number> loop;
+        for (const auto& corner : corners) loop.push_back({corner, nullptr, nullptr});
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            auto& next = loop[(i + 1) % loop.size()];
+            loop[i].after = next.before = line_between(loop[i].at, next.at);
+        }
+        return {{loop}};
+    }
+
+    struct InOrder {
+        const K& kernel;
+
+        bool operator()(const Ends& a, const Ends& b) const {
+            const Sign by_first = kernel.order(a.first, b.first);
+            return by_first != Sign::zero ? by_first == Sign::negative
+                                          : kernel.order(a.second, b.second) == Sign::negative;
+        }
+    };
+
+    // Vertices point at them.
+    std::map<Ends, Edge, InOrder> lines_{InOrder{kernel}};
+    std::map<std::pair<int, int>, std::optional<Edge>> lines_of_planes_;
+    std::deque<Edge> closing_lines_;
+    double lists_ = 0;
+    Region<Number> area_region_;
+};
+
+}  // namespace vidno
