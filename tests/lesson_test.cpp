@@ -233,7 +233,7 @@ TEST_CASE("What is wrong with a lesson is said with file and line") {
     struct Case {
         const char *file, *from, *to, *said;
     };
-    for (const auto& [file, from, to, said] : std::vector<Case>{
+    for (const Case& each : std::vector<Case>{
              {"story.en.md", "#one", "#two", "story.en.md:3: lesson.json has no pin two"},
              {"story.en.md", "1 window", "a window", "story.en.md:3: pin all counts 1, its words do not: a window"},
              {"story.en.md", "1 window", "21 windows", "story.en.md:3: pin all counts 1, its words do not: 21 windows"},
@@ -249,12 +249,12 @@ TEST_CASE("What is wrong with a lesson is said with file and line") {
               "lesson.json:2: /runs/0/kernel: half is not one of "},
              {"lesson.json", R"("pins")", R"("pins" "x")", "lesson.json:3: line 3, column 11: not valid JSON"},
          }) {
-        CAPTURE(said);
+        CAPTURE(each.said);
         const SquareLesson lesson;
-        lesson.edit(file, from, to);
-        const auto [status, text] = program("lesson check " + lesson.folder);
-        CHECK(status == 1);
-        CHECK_MESSAGE(text.find('/' + std::string(said)) != text.npos, text);
+        lesson.edit(each.file, each.from, each.to);
+        const auto checked = program("lesson check " + lesson.folder);
+        CHECK(checked.status == 1);
+        CHECK_MESSAGE(checked.text.find('/' + std::string(each.said)) != std::string::npos, checked.text);
     }
 }
 
