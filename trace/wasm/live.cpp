@@ -18,6 +18,7 @@
 #include "check.h"
 #include "json_node.h"
 #include "map.h"
+#include "method.h"
 #include "question_json.h"
 #include "scene_json.h"
 #include "snapped_scene.h"
@@ -61,7 +62,7 @@ NamedKernel read_kernel(const JsonNode& node) {
 Options read_options(const JsonNode& root) {
     root.require_keys({"method", "edition", "kernel", "detail", "check", "most_events"});
     Options options;
-    options.method = Method(place_of(root.at("method"), course_method_names));
+    options.method = Method(place_of(root.at("method"), method_names));
     options.edition = Edition(place_of(root.at("edition"), edition_names));
     if (is_mistake(options.edition)) root.at("edition").refuse("a usual mistake, which this library has not");
     options.kernel = read_kernel(root.at("kernel"));
@@ -94,6 +95,7 @@ void make_trace(Live& live) {
     const auto [line, file] = parts(live.request);
     const Options options = read_json(line, "request", read_options);
     const Scene scene = read_scene_for(options.kernel, file, live.messages);
+    if (const auto reason = refusal_of(options.method, scene)) throw Refused("scene: " + *reason);
     const auto write = [&](std::string_view text) { live.made += text; };
     TraceWriter writer({options.method, options.edition, options.kernel.name(), options.detail, scene}, write,
                        options.most_events, &live.lines);

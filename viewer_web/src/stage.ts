@@ -25,8 +25,8 @@ export interface Shown {
 /** The exact picture is asked for only when it is shown. */
 function exactOf({ session: { trace, exact }, setup }: Shown): Exact {
   if (trace === null) return null;
-  const { scene } = trace.header;
-  return needsExact(setup.layer) ? exact.of(scene) : exact.unasked(scene);
+  const { header } = trace;
+  return needsExact(setup.layer) ? exact.of(header) : exact.unasked(header);
 }
 
 /** The player, which is out of sight while its run is shown beside another one. */

@@ -119,6 +119,7 @@ describe('the counters', () => {
       windows: 2,
       splits: 1,
       surrounds: null,
+      relations: null,
       comparisons: null,
       sides: null,
       ael: null,

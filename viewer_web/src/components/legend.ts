@@ -2,15 +2,27 @@ import { LitElement, css, html, svg } from 'lit';
 import type { SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { LegendEntry } from '../i18n/picture-texts.js';
+import { hasWindows } from '../trace/events.js';
 import type { Method } from '../trace/events.js';
 import type { View } from '../view.js';
 import { marksStyle } from './marks.style.js';
 import { base } from './theme.js';
 
-const entries: Readonly<Record<Method, readonly LegendEntry[]>> = {
-  warnock: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
-  zbuffer: ['scanline', 'edge', 'active', 'touched', 'chosen'],
-};
+const windows: readonly LegendEntry[] = [
+  'window',
+  'way',
+  'tree',
+  'stacked',
+  'active',
+  'touched',
+  'yes',
+  'no',
+  'chosen',
+];
+const scanlines: readonly LegendEntry[] = ['scanline', 'edge', 'active', 'touched', 'chosen'];
+
+const entriesOf = (method: Method): readonly LegendEntry[] =>
+  hasWindows(method) ? windows : scanlines;
 
 const dots: readonly LegendEntry[] = ['yes', 'no', 'edge'];
 
@@ -53,7 +65,7 @@ export class LegendElement extends LitElement {
   override render(): TemplateResult {
     const { header, texts } = this.view;
     return html`<ul>
-      ${entries[header.method].map(
+      ${entriesOf(header.method).map(
         (entry) =>
           html`<li>
             <svg viewBox="0 0 20 14" aria-hidden="true">${icon(entry)}</svg>${texts.legend[entry]}

@@ -14,11 +14,10 @@ import { patchesOf } from '../picture/patches.js';
 import { isIn, moved, nearestIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import { shapesOf } from '../picture/shapes.js';
-import { gridShapes, labelSize, labelsOf, outlineShapes, shapesToPoint } from '../picture/still.js';
-import { polygonThing } from '../pointed.js';
+import { gridShapes, labelsOf, notesOf, outlineShapes, shapesToPoint } from '../picture/still.js';
 import type { Area } from '../trace/header.js';
 import type { View } from '../view.js';
-import { drawn } from './drawn.js';
+import { drawn, labels } from './drawn.js';
 import { Gestures } from './gestures.js';
 import './handles.js';
 import { hiddenStyle } from './hidden.style.js';
@@ -175,6 +174,7 @@ export class PictureElement extends LitElement {
     const { header, texts, language } = this.view;
     const { history, picture } = allTexts[language];
     const { shown, scale } = frame;
+    const marks = marksOf(this.view, frame.sight);
     return html`
       <canvas aria-hidden="true"></canvas>
       <svg
@@ -198,8 +198,9 @@ export class PictureElement extends LitElement {
         ${this.printing.now ? this.pixels() : nothing}
         ${guard([frame], () => gridShapes(frame).map(drawn))}
         ${guard([header], () => this.outlines())}
-        ${marksOf(this.view, frame.sight).flatMap((mark) => shapesOf(mark, scale).map(drawn))}
-        ${guard([header, scale], () => this.labels())}
+        ${marks.flatMap((mark) => shapesOf(mark, scale).map(drawn))}
+        ${guard([header, scale], () => labels(labelsOf(header.scene, frame), frame, true))}
+        ${labels(notesOf(marks, frame), frame)}
         ${this.cursor === null ? nothing : shapesOf(target('cursor', this.cursor), scale).map(drawn)}
       </svg>
       ${
@@ -235,14 +236,6 @@ export class PictureElement extends LitElement {
   private outlines(): readonly SVGTemplateResult[] {
     const { scene } = this.view.header;
     return [...outlineShapes(scene), ...shapesToPoint(scene)].map(drawn);
-  }
-
-  private labels(): readonly SVGTemplateResult[] {
-    const size = labelSize / this.frame.scale;
-    return labelsOf(this.view.header.scene, this.frame).map(
-      ({ text, at: [x, y] }) =>
-        svg`<text class="label" data-thing=${polygonThing(text)} x=${x} y=${y} font-size=${size}>${text}</text>`,
-    );
   }
 }
 

@@ -27,8 +27,10 @@ export class RunFormElement extends FormElement {
         <h3>${say.run}</h3>
         <div class="fields">
           ${this.select('method', methods)} ${this.select('kernel', this.kernelNames())}
-          ${this.select('edition', offeredNames(editions))} ${this.select('detail', levels)}
+          ${this.select('edition', offeredNames(editing.options.method, editions))}
+          ${this.select('detail', levels)}
         </div>
+        <p class="rule">${texts[this.language].family.rules[editing.options.method]}</p>
         <label class="line">
           <input
             type="checkbox"

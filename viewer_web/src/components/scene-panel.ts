@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { Act } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
-import { refusalOf } from '../live/refusal.js';
+import { whyRefused } from '../live/refusal.js';
 import { ask } from './act.js';
 import { FormElement } from './form.js';
 import './polygon-form.js';
@@ -66,8 +66,7 @@ export class ScenePanelElement extends FormElement {
     const { say, editing, link } = this;
     const { refused, messages, sketch } = editing;
     if (refused) {
-      const { polygon, reason } = refusalOf(messages, sketch);
-      const why = say.refused(polygon, say.reasons[reason] ?? reason);
+      const why = whyRefused(messages, sketch, say);
       return html`<p class="message refused" role="alert" tabindex="0">
         <span>${why}. ${say.stands}</span>
       </p>`;

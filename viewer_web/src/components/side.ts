@@ -3,6 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import type { History } from '../history/history.js';
 import { texts } from '../i18n/index.js';
+import { hasWindows } from '../trace/events.js';
 import { flag } from '../strip/lanes.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Editing } from '../live/editor.js';
@@ -191,7 +192,7 @@ export class SideElement extends LitElement {
   }
 
   private state(): TemplateResult {
-    return this.view.header.method === 'warnock'
+    return hasWindows(this.view.header.method)
       ? html`<vidno-warnock .view=${this.view}></vidno-warnock>`
       : html`<vidno-zbuffer .view=${this.view}></vidno-zbuffer>`;
   }

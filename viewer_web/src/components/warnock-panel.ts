@@ -2,11 +2,13 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
-import { short, windowText } from '../i18n/words.js';
+import type { FamilyTexts } from '../i18n/family-texts.js';
+import { containment, short, windowText } from '../i18n/words.js';
 import { texts } from '../i18n/index.js';
 import { cornerThing, polygonThing, windowThing } from '../pointed.js';
 import { emptyWarnock } from '../state/warnock.js';
-import type { Entry, StackedWindow, Warnock } from '../state/warnock.js';
+import type { Entry, Joined, StackedWindow, Warnock } from '../state/warnock.js';
+import { hasThreeLists } from '../trace/events.js';
 import type { Corner } from '../trace/values.js';
 import type { View } from '../view.js';
 import { panelsStyle } from './panels.style.js';
@@ -32,13 +34,21 @@ export class WarnockPanel extends LitElement {
   }
 
   override render(): TemplateResult {
-    return html` ${this.window()} ${this.corners()} ${this.apl()} ${this.stack()} `;
+    const { method } = this.view.header;
+    const lists = hasThreeLists(method)
+      ? [this.apl(this.say.third), this.joined('surrounding'), this.joined('outside')]
+      : this.apl(this.view.texts.apl);
+    const corners = method === 'warnock-simplest' ? nothing : this.corners();
+    return html`${this.window()} ${corners} ${lists} ${this.stack()}`;
+  }
+
+  private get say(): FamilyTexts['panel'] {
+    return texts[this.view.language].family.panel;
   }
 
   private window(): TemplateResult {
     const { now, old } = this;
     const { texts: page } = this.view;
-    const yesNo = (flag: boolean): string => (flag ? page.yes : page.no);
     return html`<section>
       <dl class="values">
         ${value(
@@ -47,14 +57,45 @@ export class WarnockPanel extends LitElement {
           now.window !== old.window,
           'wide',
         )}
-        ${value('polygonCount', now.count, now.count !== old.count)}
-        ${value('hasSurround', yesNo(now.hasSurround), now.hasSurround !== old.hasSurround)}
-        ${value('insider', yesNo(now.insider), now.insider !== old.insider)}
-        ${value('k', now.k ?? page.none, now.k !== old.k)}
+        ${this.found()}
         ${value('C', now.color ? swatch(now.color) : page.none, now.color !== old.color)}
         ${this.inHand()}
       </dl>
     </section>`;
+  }
+
+  /** What is known of the window so far. */
+  private found(): readonly TemplateResult[] {
+    const { now, old, say } = this;
+    const { header, texts: page } = this.view;
+    const yesNo = (flag: boolean): string => (flag ? page.yes : page.no);
+    const k = value('k', now.k ?? page.none, now.k !== old.k);
+    if (header.method === 'warnock-simplest') return [];
+    if (hasThreeLists(header.method)) {
+      const hiding = now.covering === null ? page.none : polygonName(now.covering, this.view);
+      return [
+        value(say.level, now.way.length, now.way.length !== old.way.length),
+        ...this.contained(),
+        k,
+        value(say.hides, hiding, now.covering !== old.covering),
+      ];
+    }
+    return [
+      value('polygonCount', now.count, now.count !== old.count),
+      value('hasSurround', yesNo(now.hasSurround), now.hasSurround !== old.hasSurround),
+      value('insider', yesNo(now.insider), now.insider !== old.insider),
+      k,
+    ];
+  }
+
+  /** The sum of what the edges of an outline count so far, of the one way or the other. */
+  private contained(): readonly TemplateResult[] {
+    const { now, old, say } = this;
+    const { method } = this.view.header;
+    const sum = containment(now);
+    const shown = now.contained.length === 0 ? this.view.texts.none : String(sum).replace('-', '−');
+    const name = method === 'warnock-angles' ? say.octants : say.ray;
+    return [value(name, shown, now.contained !== old.contained)];
   }
 
   /** The lists of PolygonClip or what PointColor found: one of them, or neither, is in play. */
@@ -103,11 +144,11 @@ export class WarnockPanel extends LitElement {
     </td>`;
   }
 
-  private apl(): TemplateResult {
+  private apl(title: string): TemplateResult {
     const entries = this.now.apl?.entries ?? [];
     return html`<section>
-      <h3>${this.view.texts.apl}</h3>
-      <div class="list apl" tabindex="0" role="region" aria-label=${this.view.texts.apl}>
+      <h3>${title}</h3>
+      <div class="list apl" tabindex="0" role="region" aria-label=${title}>
         <table class="rows">
           <tbody>
             ${entries.slice(0, mostRows).map((entry) => this.entry(entry))}
@@ -128,6 +169,38 @@ export class WarnockPanel extends LitElement {
     return html`<tr class=${classMap({ current: inHand, pointed })} data-thing=${thing}>
       <td>${polygonName(id, this.view)}</td>
       <td class=${classMap({ changed })}>${surrounds ? page.surrounds : ''}</td>
+    </tr>`;
+  }
+
+  /** A list of polygons that are so for all parts of a window; the last one joined last. */
+  private joined(list: keyof Warnock['joined']): TemplateResult {
+    const entries = this.now.joined[list];
+    const fresh = entries.length > this.old.joined[list].length;
+    const title = this.say[list];
+    return html`<section>
+      <h3>${title}</h3>
+      <div class="list apl ${list}" tabindex="0" role="region" aria-label=${title}>
+        <table class="rows">
+          <tbody>
+            ${[...entries]
+              .reverse()
+              .slice(0, mostRows)
+              .map((entry, i) => this.joinedEntry(entry, i === 0 && fresh))}
+          </tbody>
+        </table>
+        ${this.emptyOrMore(entries.length)}
+      </div>
+    </section>`;
+  }
+
+  private joinedEntry({ polygon, level }: Joined[number], changed: boolean): TemplateResult {
+    const { event } = this.view;
+    const current = event !== null && 'polygon' in event && event.polygon === polygon;
+    const thing = polygonThing(polygon);
+    const pointed = thing === this.view.pointed;
+    return html`<tr class=${classMap({ current, pointed })} data-thing=${thing}>
+      <td>${polygonName(polygon, this.view)}</td>
+      <td class=${classMap({ changed })}>${this.say.sinceLevel(level)}</td>
     </tr>`;
   }
 

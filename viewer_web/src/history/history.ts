@@ -1,5 +1,6 @@
 import { isIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
+import { hasWindows } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
 import type { Entry, Watch } from './entry.js';
 import { WarnockWatch } from './warnock.js';
@@ -22,7 +23,7 @@ export class History {
     readonly pixel: Pixel,
   ) {
     const { method, detail } = trace.header;
-    this.watch = method === 'warnock' ? new WarnockWatch(pixel, detail) : new ZBufferWatch(pixel);
+    this.watch = hasWindows(method) ? new WarnockWatch(pixel, detail) : new ZBufferWatch(pixel);
   }
 
   get entries(): readonly Entry[] {

@@ -46,4 +46,4 @@ export interface CompareTexts {
 }
 
 /** What there is to compare with at once. */
-export type Quick = 'method' | 'printed' | 'corrected' | 'exact' | 'float' | 'before';
+export type Quick = 'method' | 'variant' | 'printed' | 'corrected' | 'exact' | 'float' | 'before';

@@ -20,6 +20,8 @@ const edgesOf = ({ edges }: { readonly edges: readonly number[] }): string =>
   edges.join(' ') || '∅';
 const half = (first: number, end: number): string => `[${first}, ${end})`;
 
+const signed = (n: number): string => (n > 0 ? `+${n}` : String(n).replace('-', '−'));
+
 const answer = (value: Answer): string =>
   typeof value === 'object' ? half(...value) : String(value).replace('-', '−');
 
@@ -60,6 +62,20 @@ const notes: { readonly [K in EventName]: Note<K> } = {
   clip_result: ({ vertices }) => `|P′| = ${vertices.length}`,
   row: ({ first, end }) => half(first, end),
   draw: ({ polygon }) => polygon,
+
+  back_face: ({ away }) => String(away),
+  rejoin: ({ polygon, level }) => `${polygon}, ${level}`,
+  join: ({ polygon, level }) => `${polygon}, ${level}`,
+  relation: null,
+  trial: ({ meets }) => String(meets),
+  meets: ({ meets }) => String(meets),
+  ray: ({ counts }) => `+ ${counts}`,
+  crossings: ({ count }) => `n = ${count}`,
+  octants: ({ from, to, difference }) => `${from} → ${to}: ${signed(difference)}`,
+  angle: ({ octants }) => `S = ${signed(octants)}`,
+  hiding: ({ polygon }) => polygon ?? '∅',
+  split_vertex: ({ column, row }) => `${column}, ${row}`,
+  edge_depth: ({ edge, z }) => `${edge}: ${short(z)}`,
 
   clear: null,
   polygon: polygonOf,

@@ -1,3 +1,4 @@
+import { isFamily } from '../trace/events.js';
 import type { Detail, Method } from '../trace/events.js';
 import { isMistake } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
@@ -34,20 +35,27 @@ export const kernels = [
   'exact',
 ] as const;
 
-/** Of the editions' names those that the page offers: its library has no usual mistakes. */
-export function offeredNames(names: Readonly<Record<Edition, string>>): Record<string, string> {
-  return { corrected: names.corrected, printed: names.printed };
+/** Of the editions' names those that the page offers: its library has no usual mistakes, a variant no printed text. */
+export function offeredNames(
+  method: Method,
+  { corrected, printed }: Readonly<Record<Edition, string>>,
+): Record<string, string> {
+  return isFamily(method) ? { corrected } : { corrected, printed };
 }
 
 /** Whether a method and an edition run under a kernel. */
 export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'check'>): boolean {
   if (kernel.startsWith('depth:')) return method === 'zbuffer';
   if (isMistake(edition)) return false;
+  if (isFamily(method)) return edition === 'corrected' && !kernel.startsWith('bits:');
   return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);
 }
 
-/** The nearest to some options that can be run: a mistake gives way to the corrected text, then the kernel. */
+/** The nearest to some options that can be run: the corrected text where another cannot, then the usual kernel. */
 export function runnable(options: Options): Options {
-  if (isMistake(options.edition)) return runnable({ ...options, edition: usual.edition });
+  const { method, edition } = options;
+  const isCorrected = edition === usual.edition;
+  if (isMistake(edition) || (isFamily(method) && !isCorrected))
+    return runnable({ ...options, edition: usual.edition });
   return runs(options) ? options : { ...options, kernel: usual.kernel };
 }

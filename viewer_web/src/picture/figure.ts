@@ -6,7 +6,7 @@ import { marksOf } from './marks.js';
 import { patchesOf } from './patches.js';
 import { shapesOf } from './shapes.js';
 import type { Shape } from './shapes.js';
-import { labelSize, gridShapes, labelsOf, outlineShapes } from './still.js';
+import { labelSize, gridShapes, labelsOf, notesOf, outlineShapes } from './still.js';
 import type { Label } from './still.js';
 
 /** The longer side, in CSS pixels. */
@@ -53,9 +53,8 @@ export function figureOf(view: View): string {
   const pixels = patches.map(({ color, d }) => element('path', Object.entries({ fill: color, d })));
   // Neighbours must meet without a seam.
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
-  const marks = marksOf({ ...view, pointed: null, asked: [] }, frame.sight).flatMap((mark) =>
-    shapesOf(mark, scale),
-  );
+  const marked = marksOf({ ...view, pointed: null, asked: [] }, frame.sight);
+  const marks = marked.flatMap((mark) => shapesOf(mark, scale));
   const shapes = [...gridShapes(frame), ...outlineShapes(scene), ...marks].map((shape) =>
     path(shape, scale),
   );
@@ -67,7 +66,7 @@ export function figureOf(view: View): string {
     element('desc', [], escaped(view.sentence)),
     element('rect', Object.entries({ width, height, fill: '#ffffff' })),
     element('g', [['transform', place]], `\n${sharp}${shapes.join('')}`),
-    ...labelsOf(scene, frame).map((each) => label(each, frame)),
+    ...[...labelsOf(scene, frame), ...notesOf(marked, frame)].map((each) => label(each, frame)),
   ];
   const document = Object.entries({
     xmlns: 'http://www.w3.org/2000/svg',

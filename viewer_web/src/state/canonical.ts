@@ -1,18 +1,22 @@
+import { hasThreeLists } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { toColor } from './grid.js';
 import type { Screen } from './screen.js';
 import type { State } from './state.js';
-import type { Warnock } from './warnock.js';
+import type { Joined, Warnock } from './warnock.js';
 import type { ZBuffer } from './zbuffer.js';
 
 /** The state in the one form in which readers of a trace are compared, key by key in this order. */
-export function canonical(state: State, { detail }: Header): unknown {
+export function canonical(state: State, { method, detail }: Header): unknown {
   const { step, calls, warnock, zbuffer } = state.values;
   return {
     step,
     calls: calls.map(({ of, at }) => ({ of, at })),
     picture: pictureRows(state.screen),
-    warnock: warnock && warnockValues(warnock),
+    warnock: warnock && {
+      ...warnockValues(warnock),
+      ...(hasThreeLists(method) ? otherLists(warnock) : {}),
+    },
     zbuffer: zbuffer && { ...zbufferValues(zbuffer), z: depthRows(state.screen, detail) },
   };
 }
@@ -42,6 +46,11 @@ function warnockValues(warnock: Warnock): object {
     insider,
     clip: clip && { vertices: clip.vertices, next: clip.next },
   };
+}
+
+function otherLists({ joined: { surrounding, outside } }: Warnock): object {
+  const written = (list: Joined): unknown => list.map(({ polygon, level }) => [polygon, level]);
+  return { surrounding: written(surrounding), outside: written(outside) };
 }
 
 function zbufferValues({ polygon, edges, ael, y, row, nextS, nextAel }: ZBuffer): object {

@@ -1,5 +1,5 @@
-import { common, details, eventNames } from '../trace/events.js';
-import type { Detail, Event, EventName, Procedure } from '../trace/events.js';
+import { common, details, eventNames, hasThreeLists, hasWindows } from '../trace/events.js';
+import type { Detail, Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import { Screen } from './screen.js';
@@ -10,9 +10,18 @@ import type { Warnock } from './warnock.js';
 import { afterZBuffer, emptyZBuffer } from './zbuffer.js';
 import type { ZBuffer } from './zbuffer.js';
 
+/** The methods themselves, as their listings are called. */
+type Bottom = 'Warnock' | 'SimplestWarnock' | 'ThreeListsWarnock' | 'ZBuffer';
+
+function bottomOf(method: Method): Bottom {
+  if (hasThreeLists(method)) return 'ThreeListsWarnock';
+  if (method === 'warnock-simplest') return 'SimplestWarnock';
+  return hasWindows(method) ? 'Warnock' : 'ZBuffer';
+}
+
 /** A procedure that runs, and the label that it is at. */
 export interface Frame {
-  readonly of: Procedure | 'Warnock' | 'ZBuffer';
+  readonly of: Procedure | Bottom;
   readonly at: string | null;
 }
 
@@ -38,7 +47,20 @@ const closes: Partial<Record<EventName, Procedure>> = {
   clip_result: 'PolygonClip',
   draw: 'FillPolygon',
   span: 'ShowLine',
+  relation: 'Relation',
+  meets: 'TrialFunction',
+  crossings: 'RayCrossings',
+  angle: 'OctantAngles',
+  hiding: 'HidingPolygon',
 };
+
+/** Below the level of signs nothing happens inside these, and their calls are not told. */
+const inSigns: readonly Procedure[] = [
+  'SurroundTest',
+  'TrialFunction',
+  'RayCrossings',
+  'OctantAngles',
+];
 
 /** By how much each event, at the number of its name, changes the depth of the calls. */
 export function depthChanges(detail: Detail): readonly number[] {
@@ -49,7 +71,7 @@ export function depthChanges(detail: Detail): readonly number[] {
 function closedBy(name: EventName, detail: Detail): Procedure | null {
   const closed = closes[name];
   if (closed === undefined) return null;
-  const from = closed === 'SurroundTest' ? 'signs' : common.call.from;
+  const from = inSigns.includes(closed) ? 'signs' : common.call.from;
   return details.indexOf(detail) >= details.indexOf(from) ? closed : null;
 }
 
@@ -62,11 +84,11 @@ export class State {
   private zbuffer: ZBuffer | null;
 
   constructor(private readonly header: Header) {
-    const warnock = header.method === 'warnock';
-    this.screen = new Screen(header.scene, header.detail !== 'windows');
-    this.calls = [{ of: warnock ? 'Warnock' : 'ZBuffer', at: null }];
-    this.warnock = warnock ? emptyWarnock : null;
-    this.zbuffer = warnock ? null : emptyZBuffer;
+    const { method, scene, detail } = header;
+    this.screen = new Screen(scene, detail !== 'windows', method === 'warnock-vertex');
+    this.calls = [{ of: bottomOf(method), at: null }];
+    this.warnock = hasWindows(method) ? emptyWarnock : null;
+    this.zbuffer = method === 'zbuffer' ? emptyZBuffer : null;
   }
 
   get values(): Values {

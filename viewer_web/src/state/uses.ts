@@ -4,7 +4,7 @@ import type { Warnock } from './warnock.js';
 import type { ZBuffer } from './zbuffer.js';
 
 /** A part of the state; the stack of calls is followed apart. */
-export type Field = keyof Warnock | keyof ZBuffer | 'picture' | 'levels' | 'z';
+export type Field = keyof Warnock | keyof ZBuffer | 'picture' | 'division' | 'z';
 
 /** What an event does with the state before it. */
 export interface Use {
@@ -29,6 +29,7 @@ const ofWindow: readonly Field[] = [
 
 /** A list of active polygons may be that of windows on the stack too. */
 const list: Use = { changes: ['apl', 'stack'] };
+const joining: Use = { changes: ['apl', 'stack', 'joined'] };
 const vertex: Use = { changes: ['clip'] };
 const none: Use = {};
 
@@ -39,9 +40,13 @@ export const uses: Readonly<Record<EventName, Use>> = {
   fault: none,
   disagree: none,
 
-  push: { changes: ['stack', 'root', 'levels'], reads: ['apl'] },
+  push: { changes: ['stack', 'root', 'division'], reads: ['apl'] },
   skip: none,
-  pop: { changes: ['stack'], sets: ['window', 'apl', 'nearest'] },
+  pop: {
+    changes: ['stack', 'way'],
+    sets: ['window', 'apl', 'nearest', 'covering'],
+    reads: ['window'],
+  },
   corners: { sets: ofWindow },
   box: none,
   discard: list,
@@ -69,6 +74,20 @@ export const uses: Readonly<Record<EventName, Use>> = {
   clip_result: { sets: ['clip'] },
   row: none,
   draw: { changes: ['picture'] },
+
+  back_face: none,
+  rejoin: joining,
+  join: joining,
+  relation: { sets: ['contained'] },
+  trial: none,
+  meets: { sets: ['contained'] },
+  ray: { changes: ['contained'] },
+  crossings: none,
+  octants: { changes: ['contained'] },
+  angle: none,
+  hiding: { sets: ['hasSurround', 'covering'] },
+  split_vertex: none,
+  edge_depth: none,
 
   clear: { sets: ['picture', 'z'] },
   polygon: { sets: ['polygon', 'edges', 'ael'] },

@@ -1,3 +1,4 @@
+import { hasWindows } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 
 /** What a strip shows, from above: what is in hand, how finely the area is split, changes of AEL, calls. */
@@ -22,8 +23,8 @@ const heights: Readonly<Record<Exclude<LaneName, 'cases' | 'polygons'>, number>>
 };
 
 function namesOf({ method, detail }: Header): readonly (keyof typeof heights)[] {
-  if (detail === 'windows') return method === 'warnock' ? ['levels'] : [];
-  return method === 'warnock' ? ['levels', 'calls'] : ['ael', 'calls'];
+  if (detail === 'windows') return hasWindows(method) ? ['levels'] : [];
+  return hasWindows(method) ? ['levels', 'calls'] : ['ael', 'calls'];
 }
 
 /** The lanes for which a trace of this detail has events; the first takes what the others leave. */
@@ -36,7 +37,7 @@ export function lanesOf(header: Header): readonly Lane[] {
     top += height + gap;
     return lane;
   };
-  const first = header.method === 'warnock' ? 'cases' : 'polygons';
+  const first = hasWindows(header.method) ? 'cases' : 'polygons';
   return [next(first, stripHeight - taken), ...others.map((name) => next(name, heights[name]))];
 }
 

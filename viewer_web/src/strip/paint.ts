@@ -2,6 +2,7 @@ import { columnsOf, placeOf } from '../time/columns.js';
 import type { Column, Depth } from '../time/columns.js';
 import { cases } from '../time/course.js';
 import type { Course } from '../time/course.js';
+import { hasWindows } from '../trace/events.js';
 import { lanesOf, marksHeight } from './lanes.js';
 import type { Lane, LaneName } from './lanes.js';
 import type { Look } from './look.js';
@@ -90,7 +91,7 @@ export class StripPainter {
     const name = cases[part];
     const polygon = scene.polygons[part];
     let fill: CanvasPattern | string = this.look.ground;
-    if (method === 'warnock' && name !== undefined) fill = this.look.ofCase(name);
+    if (hasWindows(method) && name !== undefined) fill = this.look.ofCase(name);
     if (method === 'zbuffer' && polygon !== undefined) fill = this.look.ofPolygon(polygon, part);
     this.fills.set(part, fill);
     return fill;

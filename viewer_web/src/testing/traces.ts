@@ -1,7 +1,8 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { Timeline } from '../state/timeline.js';
-import type { Detail, Event, Method } from '../trace/events.js';
+import { common, methods, tables } from '../trace/events.js';
+import type { Detail, Event, EventName, Method } from '../trace/events.js';
 import { read } from '../trace/read.js';
 import { follow } from '../trace/trace.js';
 import type { Trace } from '../trace/trace.js';
@@ -39,6 +40,13 @@ export async function bareTimelineOf(text: string): Promise<Timeline> {
     names: timeline.names.slice(),
   });
   return bare;
+}
+
+/** A method whose runs tell such events. */
+export function methodWith(name: EventName): Method {
+  const method = methods.find((each) => name in common || name in tables[each]);
+  if (method === undefined) throw new Error(`no method tells ${name}`);
+  return method;
 }
 
 /** The header of an 8 x 8 scene with the polygons A and B. */

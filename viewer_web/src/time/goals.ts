@@ -2,7 +2,7 @@ import { all, only } from '../history/entry.js';
 import type { Wanted } from '../history/entry.js';
 import type { History } from '../history/history.js';
 import type { Timeline } from '../state/timeline.js';
-import { eventNames, kinds, numberOf } from '../trace/events.js';
+import { eventNames, hasWindows, kinds, numberOf } from '../trace/events.js';
 import type { Event, Method } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
 import type { Bookmarks } from './bookmarks.js';
@@ -15,22 +15,23 @@ type Given = 'pixel' | 'bookmark';
 type SearchedName = Exclude<GoalName, Given>;
 export type Goal = GoalName | { readonly polygon: string };
 
-const ofMethod: Readonly<Record<Method, readonly GoalName[]>> = {
-  warnock: ['split', 'wrong', 'pixel', 'bookmark'],
-  zbuffer: ['ael', 'wrong', 'pixel', 'bookmark'],
-};
-
-export const goalsOf = (method: Method): readonly GoalName[] => ofMethod[method];
+export const goalsOf = (method: Method): readonly GoalName[] => [
+  hasWindows(method) ? 'split' : 'ael',
+  'wrong',
+  'pixel',
+  'bookmark',
+];
 
 export function changesAel(event: Event | null): boolean {
   return event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0);
 }
 
-const pushes: Wanted = only('push', 'skip');
+/** What follows the decision to split. */
+const splits: Wanted = only('push', 'skip', 'split_vertex');
 
 /** Most goals are known by their names, or by the next one: a long run is gone through without its events. */
 const isGoal: Readonly<Record<SearchedName, (timeline: Timeline, step: number) => boolean>> = {
-  split: ({ names }, step) => pushes[names[step] ?? -1] === true,
+  split: ({ names }, step) => splits[names[step] ?? -1] === true,
   ael: (timeline, step) => changesAel(timeline.event(step)),
   wrong: () => true,
 };

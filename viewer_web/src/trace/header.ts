@@ -12,8 +12,7 @@ import {
 } from './check.js';
 import type { Check, Checked } from './check.js';
 import { editions } from './editions.js';
-import { details, tables } from './events.js';
-import type { Method } from './events.js';
+import { details, methods } from './events.js';
 import { Refusal } from './refusal.js';
 import { color } from './values.js';
 
@@ -55,7 +54,7 @@ const sceneFile = record({
 
 const header = record({
   format: oneOf('vidno-trace/1'),
-  method: oneOf(...(Object.keys(tables) as Method[])),
+  method: oneOf(...methods),
   edition: oneOf(...editions),
   kernel: matching(kernelName, 'kernel'),
   detail: oneOf(...details),

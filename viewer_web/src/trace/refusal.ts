@@ -45,6 +45,7 @@ export interface Reasons {
   rootNeedsList: [];
   partHasList: [];
   notInList: [id: string];
+  notLast: [id: string];
   noDepths: [];
   noClip: [];
   clipCount: [said: string, found: string];

@@ -8,6 +8,7 @@ export const compare: CompareTexts = {
   sameScene: 'The same scene',
   quick: {
     method: 'the other method',
+    variant: 'three lists',
     printed: 'the text as printed',
     corrected: 'the corrected text',
     exact: 'exact numbers',
@@ -52,6 +53,7 @@ export const compare: CompareTexts = {
     windows: 'windows taken',
     splits: 'splits of a window',
     surrounds: 'surround tests',
+    relations: 'relation tests',
     comparisons: 'depth comparisons',
     sides: 'sides clipped by',
     ael: 'changes of AEL',

@@ -2,6 +2,7 @@ import type { Texts } from '../texts.js';
 import { bookmarks } from './bookmarks.js';
 import { exact } from './exact.js';
 import { compare } from './compare.js';
+import { family } from './family.js';
 import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
@@ -31,4 +32,5 @@ export const texts: Texts = {
   solid,
   compare,
   reader,
+  family,
 };

@@ -1,4 +1,5 @@
 import type { PageTexts, Texts } from '../texts.js';
+import { family } from './family.js';
 
 export const page: PageTexts = {
   tagline: 'why a pixel has its colour',
@@ -18,7 +19,7 @@ export const page: PageTexts = {
     partial: () => 'The run was stopped by its limit of events: you see its beginning.',
     limit: (line) => `The trace is too long for this page: you see its first ${line} lines.`,
   },
-  methods: { warnock: 'Warnock', zbuffer: 'Z-buffer' },
+  methods: { warnock: 'Warnock', zbuffer: 'Z-buffer', ...family.methods },
   editions: {
     corrected: 'corrected',
     printed: 'as printed',
@@ -145,4 +146,5 @@ export const purposes: Texts['purposes'] = {
   PolygonClip: 'which part of the polygon lies in the window?',
   FillPolygon: 'which pixels have their centre in the polygon?',
   ShowLine: 'where on this row is the polygon the nearest?',
+  ...family.purposes,
 };

@@ -43,6 +43,7 @@ export const reasons: ReasonTexts = {
   rootNeedsList: () => 'the first window comes without its list',
   partHasList: () => 'a part comes with a list of its own',
   notInList: (id) => `${id} is not in the current list`,
+  notLast: (id) => `${id} is not the polygon that joined that list last`,
   noDepths: () => 'the four depths at the corners are not known',
   noClip: () => 'nothing is being clipped',
   clipCount: (said, found) => `${said} vertices are said to be left, there are ${found}`,

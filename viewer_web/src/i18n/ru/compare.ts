@@ -8,6 +8,7 @@ export const compare: CompareTexts = {
   sameScene: 'Та же сцена',
   quick: {
     method: 'другой метод',
+    variant: 'три списка',
     printed: 'как напечатано',
     corrected: 'исправленный текст',
     exact: 'точные числа',
@@ -52,6 +53,7 @@ export const compare: CompareTexts = {
     windows: 'взято окон',
     splits: 'делений окна',
     surrounds: 'проверок охвата',
+    relations: 'проверки отношения',
     comparisons: 'сравнений глубин',
     sides: 'отсечений стороной',
     ael: 'изменений AEL',

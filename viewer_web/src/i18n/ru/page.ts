@@ -1,4 +1,5 @@
 import type { PageTexts, Texts } from '../texts.js';
+import { family } from './family.js';
 
 export const page: PageTexts = {
   tagline: 'почему у пикселя такой цвет',
@@ -19,7 +20,7 @@ export const page: PageTexts = {
     partial: () => 'Прогон остановлен по пределу числа событий: показано его начало.',
     limit: (line) => `Трасса слишком длинна для страницы: показаны первые ${line} строк.`,
   },
-  methods: { warnock: 'Алгоритм Варнока', zbuffer: 'Z-буфер' },
+  methods: { warnock: 'Алгоритм Варнока', zbuffer: 'Z-буфер', ...family.methods },
   editions: {
     corrected: 'исправленный текст',
     printed: 'как напечатано',
@@ -146,4 +147,5 @@ export const purposes: Texts['purposes'] = {
   PolygonClip: 'какая часть многоугольника лежит в окне?',
   FillPolygon: 'у каких пикселей центр лежит в многоугольнике?',
   ShowLine: 'где в этой строке многоугольник ближе всех?',
+  ...family.purposes,
 };
