@@ -18,6 +18,7 @@
 #include "check.h"
 #include "json_node.h"
 #include "map.h"
+#include "method.h"
 #include "question_json.h"
 #include "scene_json.h"
 #include "snapped_scene.h"

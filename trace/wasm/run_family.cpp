@@ -9,11 +9,13 @@ namespace vidno {
 
 Picture run_family_float(const RunRequest&) { std::abort(); }
 Picture run_family_double(const RunRequest&) { std::abort(); }
+Picture run_family_bits(const RunRequest&) { std::abort(); }
 Picture run_family_filtered(const RunRequest&) { std::abort(); }
 Picture run_family_grid(const RunRequest&) { std::abort(); }
 Picture run_family_exact(const RunRequest&) { std::abort(); }
 Picture told_family(const RunRequest&, const Checked<Float>&, const HearEvent&) { std::abort(); }
 Picture told_family(const RunRequest&, const Checked<Double>&, const HearEvent&) { std::abort(); }
+Picture told_family(const RunRequest&, const Checked<Bits>&, const HearEvent&) { std::abort(); }
 Picture told_family(const RunRequest&, const FilteredBy<StageTally>&, const HearEvent&) { std::abort(); }
 Picture told_family(const RunRequest&, const Grid&, const HearEvent&) { std::abort(); }
 Picture told_family(const RunRequest&, const Exact&, const HearEvent&) { std::abort(); }
