@@ -213,7 +213,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "trace " + scene + " --kernel depth:16 --method warnock" + output,
              "trace " + scene + " --kernel float --edition one-list" + output,
              "trace " + scene + " --method warnock-full --edition printed" + output,
-             "trace " + scene + " --method warnock-full --kernel bits:8" + output,
+             "trace " + scene + " --method warnock-full --kernel depth:8" + output,
              "trace " + scene + " --method warnock-full --kernel depth:8" + output,
              "trace " + scene + " --method warnock-bodies" + output,
              "render " + scene + " --method warnock-bodies" + output + ".png",

@@ -55,12 +55,13 @@ std::vector<Way> turned(Method method, Knob knob, std::string_view kernel, int l
     return ways;
 }
 
-std::vector<Way> family_ways(const Scene& scene) {
-    std::vector<Way> ways;
-    for (std::size_t place = 0; place < method_names.size(); ++place) {
-        const auto method = Method(place);
-        if (!is_family(method) || refusal_of(method, scene)) continue;
-        for (const auto* kernel : {"double", "filtered"}) ways.push_back({method, *kernel_named(kernel)});
+/// Of a method that is compared with the course's no knob is turned: its numbers have few bits, or a grid, in one run each.
+std::vector<Way> family_ways(Method method, const Scene& scene) {
+    if (refusal_of(method, scene)) return {};
+    auto ways = fixed_ways(method);
+    for (const auto* kernel : {"bits:12", "grid:8"}) {
+        const auto named = *kernel_named(kernel);
+        if (!named.snaps() || named.parameter <= finest_grid_of(scene)) ways.push_back({method, named});
     }
     return ways;
 }
@@ -165,7 +166,9 @@ std::vector<Way> ways_to_draw(const Scene& scene) {
     }
     add(turned(Method::zbuffer, Knob::depth, DepthBits::name, fewest_depth_bits, most_depth_bits));
     add(larger_windows(scene));
-    add(family_ways(scene));
+    for (std::size_t place = 0; place < method_names.size(); ++place) {
+        if (is_family(Method(place))) add(family_ways(Method(place), scene));
+    }
     return ways;
 }
 

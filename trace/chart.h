@@ -63,7 +63,7 @@ struct SceneChart {
 };
 
 /// Each method of the course under each kernel in each edition, and each knob at each place; of the Warnock family those that
-/// take the scene, under `double` and `filtered`.
+/// take the scene, under each kernel that runs them, one of `bits` and one of `grid`.
 std::vector<Way> ways_to_draw(const Scene& scene);
 
 inline constexpr int chart_rounds = 5;

@@ -25,6 +25,9 @@ Picture told_family(const RunRequest& request, const Checked<Float>& kernel, con
 Picture told_family(const RunRequest& request, const Checked<Double>& kernel, const HearEvent& hear) {
     return told(request, kernel, hear);
 }
+Picture told_family(const RunRequest& request, const Checked<Bits>& kernel, const HearEvent& hear) {
+    return told(request, kernel, hear);
+}
 Picture told_family(const RunRequest& request, const FilteredBy<StageTally>& kernel, const HearEvent& hear) {
     return told(request, kernel, hear);
 }

@@ -14,6 +14,7 @@ using HearEvent = std::function<void(const Event&)>;
 
 Picture told_family(const RunRequest& request, const Checked<Float>& kernel, const HearEvent& hear);
 Picture told_family(const RunRequest& request, const Checked<Double>& kernel, const HearEvent& hear);
+Picture told_family(const RunRequest& request, const Checked<Bits>& kernel, const HearEvent& hear);
 Picture told_family(const RunRequest& request, const FilteredBy<StageTally>& kernel, const HearEvent& hear);
 Picture told_family(const RunRequest& request, const Grid& kernel, const HearEvent& hear);
 Picture told_family(const RunRequest& request, const Exact& kernel, const HearEvent& hear);

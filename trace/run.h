@@ -33,6 +33,7 @@ Picture run_mistake(const RunRequest&);
 /// The Warnock family (vidno/family/family.h), of a scene that the method takes; the corrected edition only.
 Picture run_family_float(const RunRequest&);
 Picture run_family_double(const RunRequest&);
+Picture run_family_bits(const RunRequest&);
 Picture run_family_filtered(const RunRequest&);
 Picture run_family_grid(const RunRequest&);  // of a snapped scene
 Picture run_family_exact(const RunRequest&);
@@ -78,11 +79,11 @@ inline constexpr std::array kernel_choices{
                  .run = run_double,
                  .runs_mistakes = true,
                  .run_family = run_family_double},
-    KernelChoice{"bits",
-                 "every result rounded to P bits; decisions as they fall",
-                 run_bits,
-                 true,
-                 {{'P', fewest_bits, most_bits}}},
+    KernelChoice{.name = "bits",
+                 .rule = "every result rounded to P bits; decisions as they fall",
+                 .run = run_bits,
+                 .parameter = {{'P', fewest_bits, most_bits}},
+                 .run_family = run_family_bits},
     KernelChoice{"depth",
                  "binary64, and a Z-buffer of B bits; zbuffer only",
                  run_depth,

@@ -39,6 +39,18 @@ Box<Number> box_around(const std::vector<Vertex<Number>>& vertices) {
     return {left->x, top->y, right->x, bottom->y};
 }
 
+/// A polygon of the scene where the set has it on the screen, at this place of the scene; it has no plane yet.
+template <class Set, class OnScreen>
+OnScreen polygon_on_screen(const auto& kernel, const Area& area, const ScenePolygon& source, int index) {
+    OnScreen polygon;
+    polygon.index = index;
+    polygon.color = source.color;
+    polygon.edge_on = source.edge_on;
+    for (const auto& vertex : source.vertices) polygon.vertices.push_back(Set::on_screen(kernel, area, vertex));
+    polygon.box = box_around(polygon.vertices);
+    return polygon;
+}
+
 /// The window's corners in the order of Corner.
 template <Kernel K>
 std::array<Point<typename K::Coordinate>, 4> corners_of(const K& kernel, const Window& window) {

@@ -74,12 +74,7 @@ struct Run {
     }
 
     Polygon<K> initialize_polygon(const ScenePolygon& source) {
-        Polygon<K> polygon;
-        polygon.index = int(polygons.size());
-        polygon.color = source.color;
-        polygon.edge_on = source.edge_on;
-        for (const auto& vertex : source.vertices) polygon.vertices.push_back(Set::on_screen(kernel, area, vertex));
-        polygon.box = box_around(polygon.vertices);
+        auto polygon = polygon_on_screen<Set, Polygon<K>>(kernel, area, source, int(polygons.size()));
         polygon.plane = kernel.plane(Set::initialize_polygon(*this, polygon.vertices), polygon.vertices);
         trace.plane(Line::I1, polygon, polygon.plane);
         return polygon;

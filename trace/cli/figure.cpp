@@ -12,6 +12,7 @@
 #include "output.h"
 #include "program.h"
 #include "question_json.h"
+#include "steps.h"
 #include "trace_reader.h"
 
 namespace vidno::cli {
@@ -123,23 +124,13 @@ void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>
         ++next;
     };
     draw_if_wanted();
-    while (steps.empty() || next < steps.size()) {
-        auto event = trace.next();
-        if (!event) break;
-        try {
-            moment.take(std::move(*event));
-        } catch (const Impossible& impossible) {
-            throw Refused(trace.place() + ": step " + std::to_string(moment.state().step() + 1) + ": " +
-                          impossible.reason);
-        }
+    const auto take = [&](Event event) { moment.take(std::move(event)); };
+    while ((steps.empty() || next < steps.size()) && take_next(trace, take)) {
         hear();
         draw_if_wanted();
     }
     if (steps.empty()) draw();
-    if (next < steps.size()) {
-        throw Refused(file + ": there is no step " + std::to_string(steps[next]) + ", the last is " +
-                      std::to_string(moment.state().step()));
-    }
+    if (next < steps.size()) refuse_step(file, steps[next], moment.state().step());
 }
 
 /// The history of the pixel that is asked about, if it is shown.

@@ -22,7 +22,7 @@ int methods() {
               << ";\n    rule: " << picture_rule.rule << ")\n";
     for (std::size_t i = 0; i < method_choices.size(); ++i) print(method_names[i], method_choices[i]);
     print(curve_method, curve_choice);
-    std::cout << "kernels    (the arithmetic; warnock-... not under bits and depth,\n"
+    std::cout << "kernels    (the arithmetic; warnock-... not under depth,\n"
                  "            floating-horizon not under depth and grid)\n";
     for (const auto& kernel : kernel_choices) {
         std::string name(kernel.name);

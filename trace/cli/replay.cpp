@@ -8,6 +8,7 @@
 #include "output.h"
 #include "progress.h"
 #include "state.h"
+#include "steps.h"
 #include "trace_reader.h"
 
 namespace vidno::cli {
@@ -25,18 +26,6 @@ std::string encoded(const State& state, const std::string& name) { return encode
 std::string encoded(const CurveState& state, const std::string& name) {
     const Surface& surface = state.header().scene;
     return figures::encoded(figures::drawn_lines(state.lines(), surface.curves.area), {surface.name}, name);
-}
-
-/// The state after the next event, false at the end.
-bool advance(TraceFile& trace, auto& state) {
-    const auto event = trace.next();
-    if (!event) return false;
-    try {
-        state.apply(*event);
-    } catch (const Impossible& impossible) {
-        throw Refused(trace.place() + ": step " + std::to_string(state.step() + 1) + ": " + impossible.reason);
-    }
-    return true;
 }
 
 /// What the file says of itself against what was read.
@@ -58,13 +47,13 @@ int replay_run(const ReplayOptions& options, auto& reader) {
     OutputFile file(options.output);
     Progress progress("steps");
     if (all_states) file.write(state_json(state));
-    while (state.step() != options.step && advance(reader, state)) {
+    const auto apply = [&](const Event& event) { state.apply(event); };
+    while (state.step() != options.step && take_next(reader, apply)) {
         progress.show(state.step());
         if (all_states) file.write(state_json(state));
     }
     if (options.step && state.step() < *options.step) {
-        throw Refused(options.trace + ": there is no step " + std::to_string(*options.step) + ", the last is " +
-                      std::to_string(state.step()));
+        refuse_step(options.trace, *options.step, state.step());
     }
     if (one_state) file.write(state_json(state));
     if (!all_states && !one_state) file.write(encoded(state, options.output));

@@ -21,7 +21,7 @@ struct SplitPiercing {
         for (std::size_t i = 1; i < pieces.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 if (run.apart(pieces[i], pieces[j])) continue;
-                const auto* line = run.line_of_planes(*pieces[i].polygon, *pieces[j].polygon);
+                const auto* line = run.lines.of_planes(*pieces[i].polygon, *pieces[j].polygon);
                 if (!line || has_edge_on(pieces[i].region, *line) || has_edge_on(pieces[j].region, *line)) continue;
                 const auto common = run.region_clip(SP1, pieces[i], pieces[j]).inside;
                 if (!is_on_both_sides(run.kernel, common, *line)) continue;

@@ -3,9 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <deque>
-#include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,6 +11,7 @@
 #include "../polygon.h"
 #include "../trace.h"
 #include "loops.h"
+#include "support_lines.h"
 
 namespace vidno {
 
@@ -44,12 +42,12 @@ struct WeilerAthertonRun {
     using Vertices = std::vector<Vertex<Number>>;
     using Piece = PolygonPiece<Number>;
     using Pieces = std::vector<EdgePiece<Number>>;
-    using Edge = SupportLine<Number>;
 
     K kernel;
     Visitor trace;
     Area area;
     Picture& picture;
+    SupportLines<K> lines{kernel};
     std::vector<SourcePolygon<Number>> polygons;
     std::vector<Piece> facets;   // convex, and none pierces another
     std::vector<Piece> visible;  // disjoint but for their outlines
@@ -65,12 +63,7 @@ struct WeilerAthertonRun {
     }
 
     SourcePolygon<Number> initialize_polygon(const ScenePolygon& source) {
-        SourcePolygon<Number> polygon;
-        polygon.index = int(polygons.size());
-        polygon.color = source.color;
-        polygon.edge_on = source.edge_on;
-        for (const auto& vertex : source.vertices) polygon.vertices.push_back(Set::on_screen(kernel, area, vertex));
-        polygon.box = box_around(polygon.vertices);
+        auto polygon = polygon_on_screen<Set, SourcePolygon<Number>>(kernel, area, source, int(polygons.size()));
         polygon.plane = Set::initialize_polygon(*this, polygon.vertices);
         trace.plane(Line::I1, polygon, polygon.plane);
         return polygon;
@@ -138,10 +131,9 @@ struct WeilerAthertonRun {
     /// Each list has area of its own, for as many lists one inside the other as there are facets; and lines divide the area into no
     /// more parts than this. Only where rounding decides could there be more.
     void count_list(Line at) {
-        const double lines = double(lines_.size() + lines_of_planes_.size() + closing_lines_.size());
-        const double parts = 1 + lines * (lines + 1) / 2;
-        if (++lists_ > parts * double(facets.size()))
+        if (++lists_ > lines.most_parts() * double(facets.size())) {
             throw Fault{at, "more lists than the lines can divide the area into"};
+        }
     }
 
     void show(Line at, const Piece& piece) {
@@ -155,60 +147,25 @@ struct WeilerAthertonRun {
         trace.painted(at);
     }
 
-    /// The line in which the planes of two polygons meet, seen from the viewer; none if they are parallel. On its positive side
-    /// the first of them is the nearer.
-    const Edge* line_of_planes(const SourcePolygon<Number>& p, const SourcePolygon<Number>& q) {
-        const auto [known, is_new] = lines_of_planes_.try_emplace({p.index, q.index});
-        if (is_new && !kernel.parallel(p.plane, q.plane)) {
-            const auto& near = p.vertices.front();
-            known->second = kernel.line_of(p.plane, q.plane, {near.x, near.y});
-        }
-        return known->second ? &*known->second : nullptr;
-    }
-
     Region<Number> joined(Line at, const std::vector<LoopVertex<Number>>& vertices, const Pieces& pieces) {
         return vidno::joined(kernel, vertices, pieces, [&](const auto& from, const auto& to) {
             trace.fault(at, "an outline does not close");
-            return &closing_lines_.emplace_back(kernel.line_through(from, to));
+            return lines.closing(from, to);
         });
     }
 
 private:
-    using Ends = std::pair<Point<Number>, Point<Number>>;
-
-    /// One line for all edges between two points, either way: what neighbours share is then the same in any numbers.
-    const Edge* line_between(const Point<Number>& p, const Point<Number>& q) {
-        const Ends ends = kernel.order(p, q) == Sign::negative ? Ends(p, q) : Ends(q, p);
-        const auto [known, is_new] = lines_.try_emplace(ends);
-        if (is_new) known->second = kernel.line_through(ends.first, ends.second);
-        return &known->second;
-    }
-
     /// The vertices go round so that the region is on the positive side.
     Region<Number> bounded_by(const std::vector<Point<Number>>& corners) {
         Loop<Number> loop;
         for (const auto& corner : corners) loop.push_back({corner, nullptr, nullptr});
         for (std::size_t i = 0; i < loop.size(); ++i) {
             auto& next = loop[(i + 1) % loop.size()];
-            loop[i].after = next.before = line_between(loop[i].at, next.at);
+            loop[i].after = next.before = lines.between(loop[i].at, next.at);
         }
         return {{loop}};
     }
 
-    struct InOrder {
-        const K& kernel;
-
-        bool operator()(const Ends& a, const Ends& b) const {
-            const Sign by_first = kernel.order(a.first, b.first);
-            return by_first != Sign::zero ? by_first == Sign::negative
-                                          : kernel.order(a.second, b.second) == Sign::negative;
-        }
-    };
-
-    // Vertices point at them.
-    std::map<Ends, Edge, InOrder> lines_{InOrder{kernel}};
-    std::map<std::pair<int, int>, std::optional<Edge>> lines_of_planes_;
-    std::deque<Edge> closing_lines_;
     double lists_ = 0;
     Region<Number> area_region_;
 };

@@ -10,6 +10,8 @@ import { chartComplaint, chartTexts } from '../i18n/chart.js';
 import { preferredLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
 import { isRefusal } from '../trace/refusal.js';
+import { adviceOf } from './advice.js';
+import { adviceText } from './advice-words.js';
 import { formatChoice, parseChoice } from './choice.js';
 import type { Choice } from './choice.js';
 import { chartStyle } from './chart.style.js';
@@ -197,6 +199,8 @@ function about(shown: Shown): TemplateResult {
   const [pixels, polygons, unsteady] = counts.map((n) => whole(n ?? 0, language));
   const missing = missingText(shown);
   return html`
+    <h2>${texts.advice.title}</h2>
+    <p>${adviceText(adviceOf(view.scenes, shown.cost), shown)}</p>
     <p>${explanation(shown)}</p>
     ${missing === null ? nothing : html`<p>${missing}</p>`}
     ${

@@ -43,6 +43,11 @@ export const chartStyle = css`
     padding: 0.6rem 0.2rem;
     color: var(--soft);
   }
+  .about h2 {
+    margin: 0;
+    font-size: 1em;
+    color: var(--ink);
+  }
   aside {
     grid-area: side;
     display: flex;

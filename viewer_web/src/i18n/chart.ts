@@ -1,3 +1,4 @@
+import type { Operation } from '../chart/advice.js';
 import type { Cost, ErrorMeasure, Kind, Knob, Method } from '../chart/format.js';
 import type { Unlinked } from '../chart/replay.js';
 import type { Setting } from '../chart/series.js';
@@ -35,6 +36,18 @@ export interface ReplayTexts {
   readonly unlinked: Readonly<Record<Unlinked, string>>;
 }
 
+/** Which run is needed, and why. */
+export interface AdviceTexts {
+  readonly title: string;
+  readonly none: string;
+  readonly cheapest: (run: string, cost: string, amount: string) => string;
+  readonly cheaper: (count: string, leastWrong: string, share: string) => string;
+  readonly safe: string;
+  readonly safer: (run: string, times: string) => string;
+  readonly others: (runs: string) => string;
+  readonly neverRight: (methods: string) => string;
+}
+
 /** Everything that the page of cost against error says, in one language. */
 export interface ChartTexts extends FileTexts {
   readonly tagline: string;
@@ -66,6 +79,8 @@ export interface ChartTexts extends FileTexts {
   readonly front: string;
   readonly frontMark: string;
   readonly run: string;
+  readonly advice: AdviceTexts;
+  readonly operations: Readonly<Record<Operation, (share: string) => string>>;
   readonly replay: ReplayTexts;
   readonly empty: string;
   readonly howTo: string;

@@ -47,7 +47,7 @@ export function offeredNames(
 export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'check'>): boolean {
   if (kernel.startsWith('depth:')) return method === 'zbuffer';
   if (isMistake(edition)) return false;
-  if (isFamily(method)) return edition === 'corrected' && !kernel.startsWith('bits:');
+  if (isFamily(method)) return edition === 'corrected';
   return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);
 }
 

@@ -98,6 +98,29 @@ export const chart: ChartTexts = {
   front: 'The front: no other run is as cheap and as right',
   frontMark: 'the front',
   run: 'Run',
+  advice: {
+    title: 'Which run is needed',
+    none: 'No run gets every pixel right.',
+    cheapest: (run, cost, amount) =>
+      `${run} is the cheapest of those that get every pixel right (${cost} ${amount}).`,
+    cheaper: (count, leastWrong, share) =>
+      `Runs that are cheaper: ${count}, all of them wrong; the least wrong is ${leastWrong}, in ${share} of the pixels.`,
+    safe: 'It decides as exact arithmetic would: it is right in every scene.',
+    safer: (run, times) =>
+      `Its arithmetic rounds: what is right here may be wrong elsewhere. Right in every scene, and the cheapest of that kind, is ${run}, at ${times} the cost.`,
+    others: (runs) => `The cheapest right runs of the other methods, beside it: ${runs}.`,
+    neverRight: (methods) => `Right under no kernel: ${methods}.`,
+  },
+  operations: {
+    windows: (share) => `${share} of its operations take a window from the stack`,
+    boxes: (share) => `${share} of its operations are box tests`,
+    depths: (share) => `${share} of its operations are depths of planes`,
+    orientations: (share) => `${share} of its operations are orientation tests`,
+    comparisons: (share) => `${share} of its operations are comparisons of depths`,
+    intersections: (share) => `${share} of its operations are intersections`,
+    rows: (share) => `${share} of its operations look for the ends of rows`,
+    edges: (share) => `${share} of its operations are steps of edges`,
+  },
   replay: {
     title: 'The chosen run',
     hint: 'Click a point, or choose one by keyboard.',

@@ -1,0 +1,73 @@
+/// SupportLines: the lines that make all vertices of a run. Vertices point at them, so none ever moves.
+///
+/// Between two points there is one line, either way, and of the planes of two polygons one: what neighbours share is then the same
+/// in any numbers.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "region_kernel.h"
+
+namespace vidno {
+
+/// The kernel must outlive them.
+template <RegionKernel K>
+class SupportLines {
+public:
+    using Number = typename K::Number;
+    using Line = SupportLine<Number>;
+
+    explicit SupportLines(const K& kernel) : kernel_(kernel) {}
+
+    const Line* between(const Point<Number>& p, const Point<Number>& q) {
+        const Ends ends = kernel_.order(p, q) == Sign::negative ? Ends(p, q) : Ends(q, p);
+        const auto [known, is_new] = between_.try_emplace(ends);
+        if (is_new) known->second = kernel_.line_through(ends.first, ends.second);
+        return &known->second;
+    }
+
+    /// The line in which the planes of two polygons meet, seen from the viewer; none if they are parallel. On its positive side
+    /// the first of them is the nearer.
+    const Line* of_planes(const auto& p, const auto& q) {
+        const auto [known, is_new] = of_planes_.try_emplace({p.index, q.index});
+        if (is_new && !kernel_.parallel(p.plane, q.plane)) {
+            const auto& near = p.vertices.front();
+            known->second = kernel_.line_of(p.plane, q.plane, {near.x, near.y});
+        }
+        return known->second ? &*known->second : nullptr;
+    }
+
+    /// One that rounding has made necessary.
+    const Line* closing(const Point<Number>& from, const Point<Number>& to) {
+        return &closing_.emplace_back(kernel_.line_through(from, to));
+    }
+
+    /// Into so many parts they can divide the area, at most.
+    double most_parts() const {
+        const auto lines = double(between_.size() + of_planes_.size() + closing_.size());
+        return 1 + lines * (lines + 1) / 2;
+    }
+
+private:
+    using Ends = std::pair<Point<Number>, Point<Number>>;
+
+    struct InOrder {
+        const K& kernel;
+
+        bool operator()(const Ends& a, const Ends& b) const {
+            const Sign by_first = kernel.order(a.first, b.first);
+            return by_first != Sign::zero ? by_first == Sign::negative
+                                          : kernel.order(a.second, b.second) == Sign::negative;
+        }
+    };
+
+    const K& kernel_;
+    std::map<Ends, Line, InOrder> between_{InOrder{kernel_}};
+    std::map<std::pair<int, int>, std::optional<Line>> of_planes_;
+    std::deque<Line> closing_;
+};
+
+}  // namespace vidno

@@ -1,0 +1,42 @@
+import { mostly } from './advice.js';
+import type { Advice } from './advice.js';
+import { percent, ratio, whole } from './numbers.js';
+import type { Point } from './points.js';
+import type { Shown } from './shown.js';
+import { costAmount, runName } from './words.js';
+
+/** A run by its name, and how many times as dear it is as the cheapest right one. */
+function compared(point: Point, cheapest: Point, { texts, language }: Shown): string {
+  const times = ratio(point.cost / cheapest.cost, language);
+  const most = point.run && mostly(point.run);
+  const spent = most === null ? null : texts.operations[most[0]](percent(most[1], language));
+  const details = spent === null ? times : `${times}; ${spent}`;
+  return `${runName(point.setting, texts)} (${details})`;
+}
+
+/** Which run is needed, and why: a paragraph. */
+export function adviceText(advice: Advice | null, shown: Shown): string {
+  const { texts, cost, language } = shown;
+  const { advice: say } = texts;
+  if (advice === null) return say.none;
+  const { cheapest, cheaper, safe, others, neverRight } = advice;
+  const name = (point: Point): string => runName(point.setting, texts);
+  const [amount] = costAmount(cheapest, shown);
+  const sentences = [say.cheapest(name(cheapest), texts.costs[cost].name.toLowerCase(), amount)];
+  const [leastWrong] = cheaper;
+  if (leastWrong !== undefined) {
+    const wrong = percent(leastWrong.error, language);
+    sentences.push(say.cheaper(whole(cheaper.length, language), name(leastWrong), wrong));
+  }
+  if (safe === cheapest) sentences.push(say.safe);
+  else if (safe !== null) {
+    sentences.push(say.safer(name(safe), ratio(safe.cost / cheapest.cost, language)));
+  }
+  if (others.length > 0) {
+    sentences.push(say.others(others.map((point) => compared(point, cheapest, shown)).join(', ')));
+  }
+  if (neverRight.length > 0) {
+    sentences.push(say.neverRight(neverRight.map((method) => texts.methods[method]).join(', ')));
+  }
+  return sentences.join(' ');
+}
