@@ -216,7 +216,6 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "trace " + scene + " --method warnock-full --edition one-list" + output,
              "trace " + scene + " --method warnock-full --edition octants-not-split" + output,
              "trace " + scene + " --method warnock --edition line-for-edge" + output,
-             "trace " + scene + " --method warnock-full --kernel bits:8" + output,
              "trace " + scene + " --method warnock-full --kernel depth:8" + output,
              "trace " + scene + " --method warnock-bodies" + output,
              "render " + scene + " --method warnock-bodies" + output + ".png",
