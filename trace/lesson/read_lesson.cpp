@@ -78,7 +78,7 @@ private:
         run.name = node.at("name").text();
         if (has_run(run.name)) node.at("name").refuse(run.name + ": another run has this name");
         if (node.has("scene")) run.scene = node.at("scene").text();
-        run.method = Method(choice(node, "method", course_method_names, 0));
+        run.method = Method(choice(node, "method", method_names, 0));
         run.detail = Detail(choice(node, "detail", detail_names, std::size_t(Detail::signs)));
         run.edition = Edition(choice(node, "edition", edition_names, std::size_t(Edition::corrected)));
         if (node.has("kernel")) run.kernel = node.at("kernel").text();

@@ -5,7 +5,9 @@
 #include "event_lines.h"
 #include "import.h"
 #include "lesson.h"
+#include "method.h"
 #include "output.h"
+#include "refused.h"
 #include "scene_json.h"
 #include "snapped_scene.h"
 
@@ -18,7 +20,11 @@ const LessonRun& Lesson::run(const std::string& name) const {
 Scene scene_of(const Lesson& lesson, const LessonRun& run) {
     const std::string file = lesson.file(run.scene);
     const bool is_mesh = !file.ends_with(".json");
-    return (is_mesh ? import_mesh(read_file(file), file, {}) : read_scene(read_file(file), file)).scene;
+    Scene scene = (is_mesh ? import_mesh(read_file(file), file, {}) : read_scene(read_file(file), file)).scene;
+    if (const auto reason = refusal_of(run.method, scene)) {
+        throw Refused(file + ": not for " + std::string(method_names[std::size_t(run.method)]) + ": " + *reason);
+    }
+    return scene;
 }
 
 void trace_run(const Scene& scene, const LessonRun& run, const TraceWriter::Write& write) {
