@@ -9,6 +9,7 @@ import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
 import type { ExactTexts } from './exact-texts.js';
+import type { CurveTexts } from './curve-texts.js';
 import type { CompareTexts } from './compare-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { PredictTexts } from './predict-texts.js';
@@ -44,6 +45,7 @@ export interface Texts {
   readonly predict: PredictTexts;
   readonly compare: CompareTexts;
   readonly reader: ReaderTexts;
+  readonly curves: CurveTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */

@@ -5,7 +5,7 @@ import { tables } from '../trace/events.js';
 import { listingsOf } from './listings.js';
 
 const detail = 'signs';
-const methods = ['warnock', 'zbuffer'] as const;
+const methods = ['warnock', 'zbuffer', 'floating-horizon'] as const;
 
 describe('the listings', () => {
   it.each(languages)('hold a line for each label of an event, in %s', (language) => {

@@ -50,6 +50,7 @@ const used: Readonly<Record<Method, readonly string[]>> = {
     'InitializePolygon',
   ],
   zbuffer: ['ZBuffer', 'ShowLine', 'Depth', 'InitializePolygon'],
+  'floating-horizon': ['FloatingHorizon', 'SideEdge', 'Visibility', 'Horizon', 'Intersection'],
 };
 
 function line(source: SourceLine, edition: Edition, language: Language): Omit<Line, 'speaks'> {

@@ -7,7 +7,7 @@ import { namesOf } from './listings.js';
 const root = '../../../lib/vidno/';
 const texts = import.meta.glob<string>(
   [
-    '../../../lib/vidno/{warnock,z_buffer,printed,mistakes}/*.h',
+    '../../../lib/vidno/{warnock,z_buffer,floating_horizon,printed,mistakes}/*.h',
     '../../../lib/vidno/{corrected,printed}.h',
   ],
   { query: '?raw', import: 'default', eager: true },
@@ -52,7 +52,12 @@ export function sourcesOf({
   method,
   edition,
 }: Pick<Header, 'method' | 'edition'>): readonly Source[] {
-  const folders = [...(edition === 'printed' ? ['printed/'] : []), 'warnock/', 'z_buffer/'];
+  const folders = [
+    ...(edition === 'printed' ? ['printed/'] : []),
+    'warnock/',
+    'z_buffer/',
+    'floating_horizon/',
+  ];
   const paths = namesOf(method)
     .map(fileOf)
     .filter((file) => !replaces(edition, file.replace('.h', '')))

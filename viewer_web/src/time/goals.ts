@@ -8,7 +8,15 @@ import type { Trace } from '../trace/trace.js';
 import type { Bookmarks } from './bookmarks.js';
 
 /** What one may go to: steps of one kind, those of the chosen pixel, or bookmarks. */
-export const goalNames = ['split', 'ael', 'wrong', 'pixel', 'bookmark'] as const;
+export const goalNames = [
+  'split',
+  'ael',
+  'curve',
+  'crossing',
+  'wrong',
+  'pixel',
+  'bookmark',
+] as const;
 export type GoalName = (typeof goalNames)[number];
 /** These are not looked for in the trace. */
 type Given = 'pixel' | 'bookmark';
@@ -18,6 +26,7 @@ export type Goal = GoalName | { readonly polygon: string };
 const ofMethod: Readonly<Record<Method, readonly GoalName[]>> = {
   warnock: ['split', 'wrong', 'pixel', 'bookmark'],
   zbuffer: ['ael', 'wrong', 'pixel', 'bookmark'],
+  'floating-horizon': ['curve', 'crossing', 'wrong', 'pixel', 'bookmark'],
 };
 
 export const goalsOf = (method: Method): readonly GoalName[] => ofMethod[method];
@@ -32,12 +41,16 @@ const pushes: Wanted = only('push', 'skip');
 const isGoal: Readonly<Record<SearchedName, (timeline: Timeline, step: number) => boolean>> = {
   split: ({ names }, step) => pushes[names[step] ?? -1] === true,
   ael: (timeline, step) => changesAel(timeline.event(step)),
+  curve: () => true,
+  crossing: () => true,
   wrong: () => true,
 };
 
 const wanted: Readonly<Record<SearchedName, Wanted>> = {
   split: only('decide'),
   ael: only('ael_add', 'ael_drop'),
+  curve: only('curve'),
+  crossing: only('intersection'),
   wrong: only('disagree'),
 };
 

@@ -1,3 +1,4 @@
+import { floatingHorizon } from '../curves/events.js';
 import {
   between,
   bool,
@@ -10,7 +11,9 @@ import {
   tuple,
   whole,
 } from './check.js';
-import type { Check, Checked, Fields, Recorded } from './check.js';
+import type { Checked, Fields, Recorded } from './check.js';
+import { details, kind, told } from './event-kind.js';
+import type { Detail, Kind } from './event-kind.js';
 import {
   answer,
   box,
@@ -24,7 +27,6 @@ import {
   runs,
   sign,
   triple,
-  truth,
 } from './values.js';
 
 /**
@@ -32,26 +34,10 @@ import {
  * derived from it, so that they cannot part. The order of events and fields is that of FORMAT.md.
  */
 
-interface Kind<L extends string, F extends Fields> {
-  readonly at: Check<L>;
-  readonly from: Detail;
-  readonly fields: F;
-}
+export { details, told };
+export type { Detail };
 
-export const details = ['windows', 'polygons', 'signs'] as const;
-export type Detail = (typeof details)[number];
-
-const levels = { w: 'windows', p: 'polygons', s: 'signs' } as const;
-
-function kind<L extends string, F extends Fields>(
-  at: Check<L>,
-  from: keyof typeof levels,
-  fields: F,
-): Kind<L, F> {
-  return { at, from: levels[from], fields };
-}
-
-const anyLine = matching(/^(?:W|PW|PC|D|S|PL|I|F|Z|L)[1-9]\d?$/, 'label');
+const anyLine = matching(/^(?:W|PW|PC|D|S|PL|I|F|Z|L|FH|SE|V|H|IN)[1-9]\d?$/, 'label');
 const edges = list(count);
 
 export const procedures = [
@@ -61,6 +47,10 @@ export const procedures = [
   'PolygonClip',
   'FillPolygon',
   'ShowLine',
+  'SideEdge',
+  'Visibility',
+  'Horizon',
+  'Intersection',
 ] as const;
 export type Procedure = (typeof procedures)[number];
 
@@ -77,14 +67,9 @@ export const decisions = [
   'columns',
   'same_rounded',
   'pixel',
+  'visibility',
 ] as const;
 export type Decision = (typeof decisions)[number];
-
-/** Beside a decision in a checked trace. */
-export const told = {
-  exact: optional(truth),
-  by: optional(oneOf('given', 'scene', 'operands', 'exact')),
-} as const;
 
 export const common = {
   plane: kind(oneOf('I1'), 'p', { polygon: id, plane: tuple(num, num, num, num) }),
@@ -201,7 +186,7 @@ export const zbuffer = {
   ael_step: kind(oneOf('Z17'), 'p', { edge: count, x: num, z: num }),
 } as const;
 
-export const tables = { warnock, zbuffer } as const;
+export const tables = { warnock, zbuffer, 'floating-horizon': floatingHorizon } as const;
 export type Method = keyof typeof tables;
 
 type EventsOf<T extends Readonly<Record<string, AnyKind>>> = {
@@ -213,7 +198,8 @@ type EventsOf<T extends Readonly<Record<string, AnyKind>>> = {
 export type CommonEvents = EventsOf<typeof common>;
 export type WarnockEvents = EventsOf<typeof warnock>;
 export type ZBufferEvents = EventsOf<typeof zbuffer>;
-export type Events = CommonEvents & WarnockEvents & ZBufferEvents;
+export type CurveEvents = EventsOf<typeof floatingHorizon>;
+export type Events = CommonEvents & WarnockEvents & ZBufferEvents & CurveEvents;
 
 export type EventName = keyof Events;
 /** An event, or with a name the event of that name. */
@@ -222,7 +208,12 @@ export type Event<K extends EventName = EventName> = { readonly [P in K]: Events
 export type AnyKind = Kind<string, Fields>;
 
 /** Those of all methods. */
-export const kinds: Readonly<Record<EventName, AnyKind>> = { ...common, ...warnock, ...zbuffer };
+export const kinds: Readonly<Record<EventName, AnyKind>> = {
+  ...common,
+  ...warnock,
+  ...zbuffer,
+  ...floatingHorizon,
+};
 
 /** The names, each at its number: numbers are looked through faster than events. */
 export const eventNames = Object.keys(kinds) as readonly EventName[];

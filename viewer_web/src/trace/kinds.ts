@@ -33,4 +33,8 @@ function lineKinds(method: Method): ReadonlyMap<string, LineKind> {
   );
 }
 
-export const kindsOf = { warnock: lineKinds('warnock'), zbuffer: lineKinds('zbuffer') } as const;
+export const kindsOf = {
+  warnock: lineKinds('warnock'),
+  zbuffer: lineKinds('zbuffer'),
+  'floating-horizon': lineKinds('floating-horizon'),
+} as const;
