@@ -22,10 +22,11 @@ export interface Shown {
   copyLink(): Promise<void>;
 }
 
-/** The exact picture is asked for only when it is shown. */
+/** The exact picture is asked for only when it is shown; there is none of curves. */
 function exactOf({ session: { trace, exact }, setup }: Shown): Exact {
   if (trace === null) return null;
   const { header } = trace;
+  if (header.scene.curves !== null) return null;
   return needsExact(setup.layer) ? exact.of(header) : exact.unasked(header);
 }
 

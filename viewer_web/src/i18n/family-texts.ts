@@ -3,7 +3,7 @@ import type { bodies, lists } from '../trace/family-events.js';
 import type { N } from '../trace/values.js';
 import type { Sentences } from './texts.js';
 
-type Variant = Exclude<Method, 'warnock' | 'zbuffer'>;
+type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'floating-horizon'>;
 type OfVariants = 'Relation' | 'TrialFunction' | 'RayCrossings' | 'OctantAngles' | 'HidingPolygon';
 
 /** What is said of the variants of Warnock's algorithm alone. */

@@ -9,6 +9,7 @@ import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
 import type { ExactTexts } from './exact-texts.js';
+import type { CurveTexts } from './curve-texts.js';
 import type { CompareTexts } from './compare-texts.js';
 import type { FamilyTexts } from './family-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
@@ -46,6 +47,7 @@ export interface Texts {
   readonly compare: CompareTexts;
   readonly reader: ReaderTexts;
   readonly family: FamilyTexts;
+  readonly curves: CurveTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */

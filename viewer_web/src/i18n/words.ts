@@ -1,3 +1,4 @@
+import type { FloatingHorizon } from '../curves/state.js';
 import type { Warnock } from '../state/warnock.js';
 import type { ZBuffer } from '../state/zbuffer.js';
 import type { Scene } from '../trace/header.js';
@@ -89,6 +90,7 @@ export interface Known {
   readonly warnock:
     (Pick<Warnock, 'window' | 'apl' | 'covering'> & Partial<Pick<Warnock, WithLists>>) | null;
   readonly zbuffer: Pick<ZBuffer, 'polygon'> | null;
+  readonly horizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'told'> | null;
 }
 
 /** What the sentences of a step need beside its event. */

@@ -78,6 +78,7 @@ const used: Readonly<Record<Method, readonly string[]>> = {
   'warnock-edges': withLists('RayCrossings', 'EdgeDepth'),
   'warnock-bodies': ['BackFaces', ...warnock],
   zbuffer: ['ZBuffer', 'ShowLine', 'Depth', 'InitializePolygon'],
+  'floating-horizon': ['FloatingHorizon', 'SideEdge', 'Visibility', 'Horizon', 'Intersection'],
 };
 
 function line(source: SourceLine, edition: Edition, language: Language): Omit<Line, 'speaks'> {

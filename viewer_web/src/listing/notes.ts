@@ -1,3 +1,4 @@
+import { curveNotes } from '../curves/notes.js';
 import { point, short, shortApart, windowText } from '../i18n/words.js';
 import { plainOf } from '../trace/check.js';
 import { common, details, tables } from '../trace/events.js';
@@ -94,6 +95,8 @@ const notes: { readonly [K in EventName]: Note<K> } = {
   span: ({ runs }) => runs.map((run) => half(...run)).join(' ') || '∅',
   ael_drop: edgesOf,
   ael_step: ({ edge, x }) => `${edge}: ${short(x)}`,
+
+  ...curveNotes,
 };
 
 /** What an event says beside its line; null if nothing. */

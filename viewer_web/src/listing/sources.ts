@@ -8,7 +8,7 @@ import { namesOf } from './listings.js';
 const root = '../../../lib/vidno/';
 const texts = import.meta.glob<string>(
   [
-    '../../../lib/vidno/{warnock,z_buffer,family,printed,mistakes}/*.h',
+    '../../../lib/vidno/{warnock,z_buffer,family,floating_horizon,printed,mistakes}/*.h',
     '../../../lib/vidno/{corrected,printed}.h',
   ],
   { query: '?raw', import: 'default', eager: true },
@@ -69,6 +69,7 @@ export function sourcesOf({
     'warnock/',
     'z_buffer/',
     'family/',
+    'floating_horizon/',
   ];
   const paths = namesOf(method)
     .flatMap(filesOf)

@@ -82,6 +82,12 @@ export class Editor {
     this.begin(sketchOf(scene), options, isMistake(edition));
   }
 
+  /** What runs is of no use any more. */
+  forget(): void {
+    this.adopts = null;
+    this.tracer.forget();
+  }
+
   /** Runs the text of a scene file, as it is; one that is refused changes nothing. */
   load(file: string, options: Options): void {
     this.adopts = options;

@@ -41,7 +41,15 @@ export class Live {
   /** Goes on from the scene of a trace that was opened. */
   open(header: Header): void {
     this.isRun = false;
-    this.editor?.open(header);
+    if (header.scene.curves === null) this.editor?.open(header);
+    else this.leave();
+  }
+
+  /** There is no scene here that could be edited. */
+  private leave(): void {
+    this.editor?.forget();
+    this.editing = null;
+    this.followers.changed();
   }
 
   /** Runs a scene file; false if the page was built without the library. */

@@ -1,7 +1,7 @@
 import type { Area, Polygon, Scene } from '../trace/header.js';
 
 /** A scene that is being drawn. Each change gives another; what did not change is shared. */
-export type Sketch = Omit<Scene, 'byId'>;
+export type Sketch = Omit<Scene, 'byId' | 'curves'>;
 
 export type Vertex = Polygon['vertices'][number];
 

@@ -112,6 +112,8 @@ function pointedDrawing(view: View, space: Space): Partial<Drawing> {
       return warnock?.window
         ? { lines: along(...cornerOf(warnock.window, thing.corner), space, 'pointed') }
         : {};
+    case 'curve':
+    case 'column':
     case undefined:
       return {};
   }

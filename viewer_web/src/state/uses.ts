@@ -1,10 +1,20 @@
+import type { FloatingHorizon } from '../curves/state.js';
 import { eventNames } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import type { Warnock } from './warnock.js';
 import type { ZBuffer } from './zbuffer.js';
 
-/** A part of the state; the stack of calls is followed apart. */
-export type Field = keyof Warnock | keyof ZBuffer | 'picture' | 'division' | 'z';
+/** A part of the state; the stack of calls and the lines that were drawn are followed apart. */
+export type Field =
+  | keyof Warnock
+  | keyof ZBuffer
+  | keyof FloatingHorizon
+  | 'picture'
+  | 'division'
+  | 'z'
+  | 'horizons'
+  | 'before'
+  | 'flags';
 
 /** What an event does with the state before it. */
 export interface Use {
@@ -106,6 +116,18 @@ export const uses: Readonly<Record<EventName, Use>> = {
   span: { changes: ['picture', 'z'], reads: ['polygon'] },
   ael_drop: { changes: ['ael'], sets: ['nextAel'] },
   ael_step: { changes: ['ael'] },
+
+  horizons: { sets: ['horizons'] },
+  curve: { sets: ['curve', 'place', 'told', 'flags', 'before'], reads: ['horizons'] },
+  side_edge: { changes: ['edges'] },
+  visibility: { changes: ['place', 'flags', 'before'], reads: ['horizons'] },
+  intersection: none,
+  draw_line: { changes: ['place'], reads: ['curve'] },
+  horizon: { changes: ['horizons'] },
+  height: { sets: ['told'] },
+  raise: { changes: ['horizons'] },
+  lower: { changes: ['horizons'] },
+  step: none,
 };
 
 /** Sets of fields as bits. */

@@ -1,4 +1,5 @@
 import type { Event, EventName } from '../trace/events.js';
+import { curveSamples } from './curve-samples.js';
 
 /** One event of each kind and more where a sentence has cases: a missing kind does not compile. */
 export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
@@ -213,6 +214,8 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
     { e: 'ael_drop', at: 'Z16', edges: [0], next: 'inf' },
   ],
   ael_step: [{ e: 'ael_step', at: 'Z17', edge: 0, x: 1.5, z: 0.5 }],
+
+  ...curveSamples,
 };
 
 export const allSamples: readonly Event[] = Object.values(samples).flat();

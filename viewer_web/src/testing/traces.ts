@@ -49,7 +49,26 @@ export function methodWith(name: EventName): Method {
   return method;
 }
 
-/** The header of an 8 x 8 scene with the polygons A and B. */
+/** Two curves over 8 columns that cross. */
+const twoCurves = {
+  format: 'vidno-surface/1',
+  name: 'Two curves',
+  window: { x: 0, y: 0, width: 8, height: 8 },
+  curves: [
+    [
+      [0, 2],
+      [4, 3],
+      [7, 2],
+    ],
+    [
+      [0, 3],
+      [4, 1],
+      [7, 5],
+    ],
+  ],
+};
+
+/** The header of an 8 x 8 scene with the polygons A and B, or with two curves. */
 export function headerOf(method: Method, detail: Detail = 'signs'): object {
   const square = (id: string, color: string): object => ({
     id,
@@ -67,13 +86,16 @@ export function headerOf(method: Method, detail: Detail = 'signs'): object {
     edition: 'corrected',
     kernel: 'double',
     detail,
-    scene: {
-      format: 'vidno-scene/1',
-      name: 'Two squares',
-      window: { x: 0, y: 0, width: 8, height: 8 },
-      background: '#ffffff',
-      polygons: [square('A', '#112233'), square('B', '#445566')],
-    },
+    scene:
+      method === 'floating-horizon'
+        ? twoCurves
+        : {
+            format: 'vidno-scene/1',
+            name: 'Two squares',
+            window: { x: 0, y: 0, width: 8, height: 8 },
+            background: '#ffffff',
+            polygons: [square('A', '#112233'), square('B', '#445566')],
+          },
   };
 }
 

@@ -2,25 +2,36 @@ import { all, only } from '../history/entry.js';
 import type { Wanted } from '../history/entry.js';
 import type { History } from '../history/history.js';
 import type { Timeline } from '../state/timeline.js';
-import { eventNames, hasWindows, kinds, numberOf } from '../trace/events.js';
+import { eventNames, kinds, numberOf } from '../trace/events.js';
 import type { Event, Method } from '../trace/events.js';
+import { methodKindOf } from '../trace/method-kind.js';
+import type { MethodKind } from '../trace/method-kind.js';
 import type { Trace } from '../trace/trace.js';
 import type { Bookmarks } from './bookmarks.js';
 
 /** What one may go to: steps of one kind, those of the chosen pixel, or bookmarks. */
-export const goalNames = ['split', 'ael', 'wrong', 'pixel', 'bookmark'] as const;
+export const goalNames = [
+  'split',
+  'ael',
+  'curve',
+  'crossing',
+  'wrong',
+  'pixel',
+  'bookmark',
+] as const;
 export type GoalName = (typeof goalNames)[number];
 /** These are not looked for in the trace. */
 type Given = 'pixel' | 'bookmark';
 type SearchedName = Exclude<GoalName, Given>;
 export type Goal = GoalName | { readonly polygon: string };
 
-export const goalsOf = (method: Method): readonly GoalName[] => [
-  hasWindows(method) ? 'split' : 'ael',
-  'wrong',
-  'pixel',
-  'bookmark',
-];
+const ofKind: Readonly<Record<MethodKind, readonly GoalName[]>> = {
+  windows: ['split', 'wrong', 'pixel', 'bookmark'],
+  scanlines: ['ael', 'wrong', 'pixel', 'bookmark'],
+  curves: ['curve', 'crossing', 'wrong', 'pixel', 'bookmark'],
+};
+
+export const goalsOf = (method: Method): readonly GoalName[] => ofKind[methodKindOf(method)];
 
 export function changesAel(event: Event | null): boolean {
   return event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0);
@@ -33,12 +44,16 @@ const splits: Wanted = only('push', 'skip', 'split_vertex');
 const isGoal: Readonly<Record<SearchedName, (timeline: Timeline, step: number) => boolean>> = {
   split: ({ names }, step) => splits[names[step] ?? -1] === true,
   ael: (timeline, step) => changesAel(timeline.event(step)),
+  curve: () => true,
+  crossing: () => true,
   wrong: () => true,
 };
 
 const wanted: Readonly<Record<SearchedName, Wanted>> = {
   split: only('decide'),
   ael: only('ael_add', 'ael_drop'),
+  curve: only('curve'),
+  crossing: only('intersection'),
   wrong: only('disagree'),
 };
 

@@ -14,6 +14,7 @@ export const decisions = [
   'columns',
   'same_rounded',
   'pixel',
+  'visibility',
 ] as const;
 export type Decision = (typeof decisions)[number];
 

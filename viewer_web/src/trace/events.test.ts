@@ -19,7 +19,7 @@ const schemaFile = (name: string): string =>
 
 describe.runIf(existsSync(schemaFile('trace')))('the schema of the repository', () => {
   const ajv = new Ajv2020({ strict: false });
-  for (const name of ['scene', 'trace']) {
+  for (const name of ['scene', 'surface', 'trace']) {
     if (existsSync(schemaFile(name))) {
       ajv.addSchema(JSON.parse(readFileSync(schemaFile(name), 'utf8')) as object, name);
     }

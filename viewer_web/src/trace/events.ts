@@ -1,3 +1,4 @@
+import { floatingHorizon } from '../curves/events.js';
 import {
   between,
   bool,
@@ -41,7 +42,7 @@ export { details } from './kind.js';
 export type { AnyKind, Detail } from './kind.js';
 
 const anyLine = matching(
-  /^(?:W|PW|PC|D|S|PL|I|F|Z|L|WS|WF|RE|TF|CR|OA|HP|VS|ED|BF)[1-9]\d?$/,
+  /^(?:W|PW|PC|D|S|PL|I|F|Z|L|WS|WF|RE|TF|CR|OA|HP|VS|ED|BF|FH|SE|V|H|IN)[1-9]\d?$/,
   'label',
 );
 const edges = list(count);
@@ -58,6 +59,10 @@ export const procedures = [
   'RayCrossings',
   'OctantAngles',
   'HidingPolygon',
+  'SideEdge',
+  'Visibility',
+  'Horizon',
+  'Intersection',
 ] as const;
 export type Procedure = (typeof procedures)[number];
 
@@ -195,6 +200,7 @@ export const tables = {
   'warnock-edges': threeLists,
   'warnock-bodies': { ...warnock, ...bodies },
   zbuffer,
+  'floating-horizon': floatingHorizon,
 } as const;
 export type Method = keyof typeof tables;
 export const methods = Object.keys(tables) as readonly Method[];
@@ -215,7 +221,8 @@ type EventsOf<T extends Readonly<Record<string, AnyKind>>> = {
 export type CommonEvents = EventsOf<typeof common>;
 export type WarnockEvents = EventsOf<typeof threeLists> & EventsOf<typeof bodies>;
 export type ZBufferEvents = EventsOf<typeof zbuffer>;
-export type Events = CommonEvents & WarnockEvents & ZBufferEvents;
+export type CurveEvents = EventsOf<typeof floatingHorizon>;
+export type Events = CommonEvents & WarnockEvents & ZBufferEvents & CurveEvents;
 
 export type EventName = keyof Events;
 /** An event, or with a name the event of that name. */
@@ -228,6 +235,7 @@ export const kinds: Readonly<Record<EventName, AnyKind>> = {
   ...bodies,
   ...lists,
   ...zbuffer,
+  ...floatingHorizon,
 };
 
 /** The names, each at its number: numbers are looked through faster than events. */

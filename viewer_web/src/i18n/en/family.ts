@@ -27,6 +27,8 @@ export const family: FamilyTexts = {
       'Convex planar polygons. Keeps three lists; a polygon seen edge-on shows as a segment, at its nearest depth.',
     'warnock-bodies':
       'Closed convex bodies, each polygon counter-clockwise as seen from outside. Faces that look away are left out; of equally near ones the face that looks towards the viewer shows.',
+    'floating-horizon':
+      'Curves with samples on whole columns, the nearest first. Draws what is beyond both horizons, and raises them to it.',
     zbuffer:
       'Convex planar polygons. Scans each with an active edge list; keeps the nearest depth at each pixel.',
   },

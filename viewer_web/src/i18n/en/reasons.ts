@@ -53,4 +53,8 @@ export const reasons: ReasonTexts = {
   twiceInAel: (edge) => `edge ${edge} is in AEL already`,
   notAnOrder: () => 'these are not the entries of AEL, each once',
   depthCount: (depths, pixels) => `${depths} depths come for ${pixels} pixels`,
+  fewSamples: () => 'a curve has fewer than two samples',
+  notRight: () => 'this sample is not right of the one before, or not in the window',
+  noSuchCurve: (curve) => `the scene has no curve ${curve}`,
+  notOfCurve: (segment) => `the curve in hand has no samples on ${segment} with none between`,
 };

@@ -1,6 +1,7 @@
 import type { Sentences } from '../texts.js';
 import { cells, hidingOf, onlyOf, point, short, shortApart, windowText } from '../words.js';
 import type { Words } from '../words.js';
+import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
 import { family } from './family.js';
 import { purposes } from './page.js';
@@ -198,4 +199,6 @@ export const sentences: Sentences = {
       ? 'No edge ends here.'
       : `${edgesOf(edges, words)} ended: out of AEL${when(next, 'the next change is at')}.`,
   ael_step: ({ edge, x, z }) => `Edge ${edge} steps to x = ${short(x)}, z = ${short(z)}.`,
+
+  ...curveSentences,
 };

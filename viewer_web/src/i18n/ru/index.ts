@@ -1,5 +1,6 @@
 import type { Texts } from '../texts.js';
 import { bookmarks } from './bookmarks.js';
+import { curves } from './curves.js';
 import { exact } from './exact.js';
 import { compare } from './compare.js';
 import { family } from './family.js';
@@ -28,6 +29,7 @@ export const texts: Texts = {
   picture,
   predict,
   scene,
+  curves,
   exact,
   solid,
   compare,

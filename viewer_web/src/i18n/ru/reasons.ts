@@ -53,4 +53,8 @@ export const reasons: ReasonTexts = {
   twiceInAel: (edge) => `ребро ${edge} уже есть в AEL`,
   notAnOrder: () => 'это не записи AEL, каждая по разу',
   depthCount: (depths, pixels) => `глубин ${depths}, а пикселей ${pixels}`,
+  fewSamples: () => 'у кривой меньше двух отсчётов',
+  notRight: () => 'этот отсчёт не правее предыдущего или вне окна',
+  noSuchCurve: (curve) => `в сцене нет кривой ${curve}`,
+  notOfCurve: (segment) => `у текущей кривой нет соседних отсчётов ${segment}`,
 };

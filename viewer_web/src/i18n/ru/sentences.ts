@@ -1,6 +1,7 @@
 import type { Sentences } from '../texts.js';
 import { cells, hidingOf, onlyOf, point, short, shortApart, windowText } from '../words.js';
 import type { Words } from '../words.js';
+import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
 import { family } from './family.js';
 import { purposes } from './page.js';
@@ -213,4 +214,6 @@ export const sentences: Sentences = {
       ? 'Ни одно ребро здесь не кончается.'
       : `${edgesOf(edges, words)}: конец, удаление из списка${when(next, 'следующее изменение в')}.`,
   ael_step: ({ edge, x, z }) => `Ребро ${edge} делает шаг: x = ${short(x)}, z = ${short(z)}.`,
+
+  ...curveSentences,
 };
