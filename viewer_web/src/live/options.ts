@@ -51,11 +51,21 @@ export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'chec
   return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);
 }
 
-/** The nearest to some options that can be run: the corrected text where another cannot, then the usual kernel. */
+/** Whether the page's library can hold the decisions of a method against exact arithmetic. */
+export const canCheck = (method: Method): boolean => !isFamily(method);
+
+/** The nearest to some options that can be run: the corrected text, the usual kernel, no check where there is no other. */
 export function runnable(options: Options): Options {
-  const { method, edition } = options;
-  const isCorrected = edition === usual.edition;
-  if (isMistake(edition) || (isFamily(method) && !isCorrected))
-    return runnable({ ...options, edition: usual.edition });
-  return runs(options) ? options : { ...options, kernel: usual.kernel };
+  const { method, check } = options;
+  if (check && !canCheck(method)) return runnable({ ...options, check: false });
+  if (runs(options)) return options;
+  const isTold = !isMistake(options.edition) && !isFamily(method);
+  return isTold
+    ? { ...options, kernel: usual.kernel }
+    : runnable({ ...options, edition: usual.edition, kernel: kernelOf(options) });
+}
+
+/** A kernel under which the corrected text of the method runs. */
+function kernelOf({ method, kernel }: Options): string {
+  return runs({ method, edition: usual.edition, kernel }) ? kernel : usual.kernel;
 }

@@ -1,7 +1,6 @@
 import { point } from '../i18n/words.js';
 import type { Detail, EventName, Method } from '../trace/events.js';
-import type { Warnock } from '../state/warnock.js';
-import type { Header, Polygon, Scene } from '../trace/header.js';
+import type { Header, Polygon } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
 import type { N } from '../trace/values.js';
 import type { Kind, Option, Question } from './question.js';
@@ -34,13 +33,6 @@ export function relationOf(z: N, against: N, nearer: boolean, { kernel }: Header
   if (z !== against) return nearer ? '>' : '<';
   // Under `filtered` the numbers stand for others, which decide.
   return nearer || kernel === 'filtered' ? null : '=';
-}
-
-/** The polygons that may show in the window, in the order of the scene. */
-export function shownIn({ apl, joined }: Warnock, { polygons }: Scene): readonly string[] {
-  const listed = (apl?.entries ?? []).map(([id]) => id);
-  const shown = new Set([...listed, ...joined.surrounding.map(({ polygon }) => polygon)]);
-  return polygons.map(({ id }) => id).filter((id) => shown.has(id));
 }
 
 /** An edge by its ends. */

@@ -1,9 +1,10 @@
 import { short, toNumber } from '../i18n/words.js';
+import { shownIn } from '../state/lists.js';
 import { windowThing } from '../pointed.js';
 import type { N } from '../trace/values.js';
 import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
-import { mostOptions, optionsOf, shownIn } from './asker.js';
+import { mostOptions, optionsOf } from './asker.js';
 import type { Asker } from './asker.js';
 import { none } from './question.js';
 import type { Option } from './question.js';

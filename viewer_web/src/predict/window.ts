@@ -1,10 +1,11 @@
+import { shownIn } from '../state/lists.js';
 import { windowThing } from '../pointed.js';
 import { cases } from '../time/course.js';
 import type { Trace } from '../trace/trace.js';
 import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import type { Step } from './ahead.js';
-import { mostOptions, optionsOf, shownIn } from './asker.js';
+import { mostOptions, optionsOf } from './asker.js';
 import type { Asker } from './asker.js';
 import { none } from './question.js';
 import type { Part } from './question.js';

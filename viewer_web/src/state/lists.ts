@@ -1,4 +1,5 @@
 import type { Event, WarnockEvents } from '../trace/events.js';
+import type { Scene } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box } from '../trace/values.js';
 import type { Screen } from './screen.js';
@@ -96,4 +97,11 @@ export function pushedApl(event: WarnockEvents['push'], now: Warnock): Apl {
   }
   if (apl !== undefined) throw new Refusal('apl', 'partHasList');
   return shared === true ? currentApl(now) : { entries: currentApl(now).entries };
+}
+
+/** The polygons that may show in the window, in the order of the scene. */
+export function shownIn({ apl, joined }: Warnock, { polygons }: Scene): readonly string[] {
+  const listed = (apl?.entries ?? []).map(([id]) => id);
+  const shown = new Set([...listed, ...joined.surrounding.map(({ polygon }) => polygon)]);
+  return polygons.map(({ id }) => id).filter((id) => shown.has(id));
 }

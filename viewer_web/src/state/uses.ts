@@ -28,6 +28,7 @@ export interface Use {
 
 const ofWindow: readonly Field[] = [
   'corners',
+  'isTested',
   'k',
   'count',
   'hasSurround',
@@ -54,7 +55,7 @@ export const uses: Readonly<Record<EventName, Use>> = {
   skip: none,
   pop: {
     changes: ['stack', 'way'],
-    sets: ['window', 'apl', 'nearest', 'covering'],
+    sets: ['window', 'apl', 'nearest', 'covering', 'isTested'],
     reads: ['window'],
   },
   corners: { sets: ofWindow },

@@ -39,6 +39,8 @@ export interface Warnock {
   /** What the edges of the outline that is gone round count so far, for containment. */
   readonly contained: readonly (Event<'ray'> | Event<'octants'>)[];
   readonly corners: Readonly<Record<Corner, N>> | null;
+  /** Whether the depths at the corners are those of the current window, and not of one before it. */
+  readonly isTested: boolean;
   readonly k: number | null;
   readonly count: number;
   readonly hasSurround: boolean;
@@ -62,6 +64,7 @@ export const emptyWarnock: Warnock = {
   joined: { surrounding: [], outside: [] },
   contained: [],
   corners: null,
+  isTested: false,
   k: null,
   count: 0,
   hasSurround: false,
@@ -121,11 +124,12 @@ const handlers: Handlers = {
     const top = stack.at(-1);
     if (top === undefined) throw new Refusal('', 'emptyStack');
     if (!sameWindow(top.window, window)) throw new Refusal('window', 'notTop');
-    const found = { nearest: null, covering: null };
+    const found = { nearest: null, covering: null, isTested: false };
     return { stack: stack.slice(0, -1), way: wayTo(window, now), window, apl: top.apl, ...found };
   },
   corners: ({ z }) => ({
     corners: { lb: z, lt: z, rb: z, rt: z },
+    isTested: true,
     k: null,
     count: 0,
     hasSurround: false,

@@ -1,3 +1,4 @@
+import { prefixed } from '../family-texts.js';
 import type { FamilyTexts } from '../family-texts.js';
 import { containment, point, short } from '../words.js';
 
@@ -5,15 +6,18 @@ const lists = { surrounding: 'surrounding', outside: 'outside' } as const;
 const found = { surrounding: 'surround', outside: 'lie outside' } as const;
 const signed = (n: number): string => (n > 0 ? `+${n}` : String(n).replace('-', '−'));
 
+const names = {
+  'warnock-simplest': 'simplest',
+  'warnock-full': 'three lists',
+  'warnock-angles': 'sum of angles',
+  'warnock-vertex': 'split at a vertex',
+  'warnock-edges': 'edge-on polygons',
+  'warnock-bodies': 'closed bodies',
+} as const;
+
 export const family: FamilyTexts = {
-  methods: {
-    'warnock-simplest': 'Warnock: simplest',
-    'warnock-full': 'Warnock: three lists',
-    'warnock-angles': 'Warnock: sum of angles',
-    'warnock-vertex': 'Warnock: split at a vertex',
-    'warnock-edges': 'Warnock: edge-on polygons',
-    'warnock-bodies': 'Warnock: closed bodies',
-  },
+  names,
+  methods: prefixed('Warnock: ', names),
   rules: {
     warnock: 'Convex planar polygons. Looks at a window; paints it if it is plain, else splits it.',
     'warnock-simplest':
@@ -41,12 +45,12 @@ export const family: FamilyTexts = {
   },
   panel: {
     level: 'level',
-    third: 'Third list: all others',
-    surrounding: 'Surrounding polygons',
-    outside: 'Polygons outside',
+    third: 'Third',
+    surrounding: 'Surrounding',
+    outside: 'Outside',
     sinceLevel: (level) => `since level ${level}`,
     hides: 'hides all',
-    ray: 'ray crossings n',
+    ray: 'ray n',
     octants: 'octants S',
   },
   sentences: {

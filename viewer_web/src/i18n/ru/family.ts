@@ -1,3 +1,4 @@
+import { prefixed } from '../family-texts.js';
 import type { FamilyTexts } from '../family-texts.js';
 import { containment, point, short } from '../words.js';
 
@@ -5,15 +6,18 @@ const lists = { surrounding: 'охватывающих', outside: 'внешни�
 const found = { surrounding: 'охватывающим', outside: 'внешним' } as const;
 const signed = (n: number): string => (n > 0 ? `+${n}` : String(n).replace('-', '−'));
 
+const names = {
+  'warnock-simplest': 'простейший',
+  'warnock-full': 'три списка',
+  'warnock-angles': 'сумма углов',
+  'warnock-vertex': 'деление в вершине',
+  'warnock-edges': 'видимые с ребра',
+  'warnock-bodies': 'замкнутые тела',
+} as const;
+
 export const family: FamilyTexts = {
-  methods: {
-    'warnock-simplest': 'Варнок: простейший',
-    'warnock-full': 'Варнок: три списка',
-    'warnock-angles': 'Варнок: сумма углов',
-    'warnock-vertex': 'Варнок: деление в вершине',
-    'warnock-edges': 'Варнок: видимые с ребра',
-    'warnock-bodies': 'Варнок: замкнутые тела',
-  },
+  names,
+  methods: prefixed('Варнок: ', names),
   rules: {
     warnock:
       'Выпуклые плоские многоугольники. Окно рассматривается; простое закрашивается, иначе делится.',
@@ -42,12 +46,12 @@ export const family: FamilyTexts = {
   },
   panel: {
     level: 'уровень',
-    third: 'Третий список: все остальные',
+    third: 'Третий',
     surrounding: 'Охватывающие',
     outside: 'Внешние',
     sinceLevel: (level) => `с уровня ${level}`,
-    hides: 'закрывает всех',
-    ray: 'пересечения луча n',
+    hides: 'закрывает',
+    ray: 'луч n',
     octants: 'октанты S',
   },
   sentences: {
