@@ -23,6 +23,9 @@ export interface PredictTexts {
   readonly relations: Readonly<Record<Relation, string>>;
   readonly edge: (edge: string) => string;
   readonly column: (column: string) => string;
+  readonly horizons: Readonly<Record<'upper' | 'lower', string>>;
+  readonly between: string;
+  readonly overColumn: (column: string) => string;
   readonly check: string;
   readonly giveUp: string;
   readonly again: string;

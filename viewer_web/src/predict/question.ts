@@ -1,7 +1,18 @@
 import type { Box, Corner, Pair } from '../trace/values.js';
 
 /** What is asked about, in the order in which the reader chooses among them. */
-export const kinds = ['window', 'corners', 'inside', 'point', 'clip', 'ael', 'pixels'] as const;
+export const kinds = [
+  'window',
+  'corners',
+  'inside',
+  'point',
+  'clip',
+  'ael',
+  'pixels',
+  'flags',
+  'horizons',
+  'meeting',
+] as const;
 export type Kind = (typeof kinds)[number];
 
 /** How a part is answered: by one of its options, by any set of them, or by a row of them that is typed. */
@@ -18,7 +29,9 @@ export type Of =
   | 'vertex'
   | 'edge'
   | 'depth'
-  | 'column';
+  | 'column'
+  | 'horizon'
+  | 'spot';
 
 /** The parts that questions have, and how each is answered. */
 export const parts = {
@@ -38,6 +51,12 @@ export const parts = {
   order: ['row', 'edge'],
   shown: ['some', 'column'],
   pixelDepths: ['one', 'relation'],
+  above: ['some', 'column'],
+  below: ['some', 'column'],
+  raised: ['some', 'column'],
+  lowered: ['some', 'column'],
+  meets: ['one', 'horizon'],
+  where: ['one', 'spot'],
 } as const satisfies Readonly<Record<string, readonly [Form, Of]>>;
 export type Asks = keyof typeof parts;
 
@@ -73,6 +92,9 @@ export interface Abouts {
   /** The scanline in hand; null before the first one. */
   readonly ael: { readonly polygon: string; readonly row: number | null };
   readonly pixels: { readonly polygon: string; readonly row: number };
+  readonly flags: { readonly curve: number };
+  readonly horizons: { readonly curve: number };
+  readonly meeting: { readonly curve: number };
 }
 
 interface Asked<K extends Kind> {

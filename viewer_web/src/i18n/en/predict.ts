@@ -20,6 +20,9 @@ export const predict: PredictTexts = {
     clip: 'clipping by a side',
     ael: 'the active edge list',
     pixels: 'pixels of a row',
+    flags: 'flags of columns',
+    horizons: 'the new horizons',
+    meeting: 'where a horizon is met',
   },
   intro: {
     window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
@@ -36,6 +39,12 @@ export const predict: PredictTexts = {
         : `Row ${row} of ${polygon} is done. What is the AEL on the next scanline?`,
     pixels: ({ polygon, row }) =>
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
+    flags: ({ curve }) =>
+      `Visibility: curve ${curve} over the next columns. Beside each stand its height, which grows downward, and the horizons.`,
+    horizons: ({ curve }) =>
+      `Horizon: a segment of curve ${curve} over two columns. Beside each stand its height, which grows downward, and the horizons.`,
+    meeting: ({ curve }) =>
+      `Intersection: a segment of curve ${curve} between two columns. Beside each stand its height, which grows downward, and the horizons.`,
   },
   asks: {
     case: 'Which case is it?',
@@ -54,6 +63,12 @@ export const predict: PredictTexts = {
     order: 'Which edges has it then, from left to right?',
     shown: 'At which of these columns is it seen?',
     pixelDepths: 'Its depth there against the stored one:',
+    above: 'Over which of these columns is it on the upper horizon or above it?',
+    below: 'Over which is it on the lower horizon or below it?',
+    raised: 'Over which of these columns does the upper horizon rise?',
+    lowered: 'Over which does the lower horizon fall?',
+    meets: 'Which horizon does it meet?',
+    where: 'Where?',
   },
   rows: {
     signs: 'a sign an edge, such as + 0 −',
@@ -67,6 +82,9 @@ export const predict: PredictTexts = {
   relations: { '>': 'greater', '=': 'equal', '<': 'less' },
   edge: (edge) => `edge ${edge}`,
   column: (column) => `column ${column}`,
+  horizons: { upper: 'the upper one', lower: 'the lower one' },
+  between: 'between the columns',
+  overColumn: (column) => `over column ${column}`,
   check: 'Check',
   giveUp: 'Give up',
   again: 'Try again',
