@@ -1,12 +1,10 @@
 import { html } from 'lit';
 import type { TemplateResult } from 'lit';
-import { curveFigureOf } from '../curves/figure.js';
 import type { Layer as CurveLayer } from '../curves/layers.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
 import type { HistoryTexts, Texts } from '../i18n/texts.js';
 import type { Editing } from '../live/editor.js';
-import { figureOf } from '../picture/figure.js';
 import { layersOf } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
@@ -46,8 +44,6 @@ export interface Shows {
   readonly state: (view: View) => TemplateResult;
   /** The picture, and the choice of what it shows; their classes are `drawing` and `layers`. */
   readonly picture: (pictured: Pictured) => TemplateResult;
-  /** The picture as an SVG document. */
-  readonly figure: (view: View) => string;
   /** What is said of a place that is chosen in the picture: a pixel, or a column. */
   readonly places: (texts: Texts) => HistoryTexts;
   /** The form of the scene that is run. */
@@ -73,7 +69,6 @@ const ofPolygons: Omit<Shows, 'state'> = {
       ></vidno-picture>
       <vidno-layers class="layers" .view=${view} .layer=${layer} .exact=${exact}></vidno-layers>`;
   },
-  figure: figureOf,
   places: ({ history }) => history,
   form: (editing, language) =>
     html`<vidno-polygon-form .editing=${editing} .language=${language}></vidno-polygon-form>`,
@@ -103,7 +98,6 @@ const shows: Readonly<Record<MethodKind, Shows>> = {
           .layers=${of.curveLayers}
           @layers=${({ detail }: CustomEvent<ReadonlySet<CurveLayer>>) => (of.curveLayers = detail)}
         ></vidno-curve-layers>`,
-    figure: curveFigureOf,
     places: ({ history, curves }) => ({ ...history, ...curves.history }),
     form: (editing, language) =>
       html`<vidno-surface-form .editing=${editing} .language=${language}></vidno-surface-form>`,
