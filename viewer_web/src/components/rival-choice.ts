@@ -53,6 +53,9 @@ export class RivalChoiceElement extends LitElement {
         width: 100%;
         padding: 0 0.25rem;
       }
+      .row > .method {
+        flex-basis: 13rem;
+      }
       .row > .lesson {
         flex-basis: 18rem;
       }
@@ -164,7 +167,7 @@ export class RivalChoiceElement extends LitElement {
 
   private select(field: Field, names: Names): TemplateResult {
     const chosen = this.wanted[field];
-    return html`<label>
+    return html`<label class=${field}>
       <span>${texts[this.language].scene[field]}</span>
       <select
         name=${field}

@@ -57,7 +57,7 @@ export class RunFormElement extends FormElement {
 
   private select(field: Choice, names: Names): TemplateResult {
     const chosen = this.editing.options[field];
-    return html`<label>
+    return html`<label class=${field}>
       <span>${this.say[field]}</span>
       <select
         name=${field}
