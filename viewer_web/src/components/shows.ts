@@ -11,12 +11,17 @@ import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
+import type { RegionLayer } from '../regions/layers.js';
+import { regionFigureOf } from '../regions/figure.js';
 import type { View } from '../view.js';
 import './curve-layers.js';
 import './curve-picture.js';
 import './horizon-panel.js';
 import './layers.js';
 import './picture.js';
+import './region-layers.js';
+import './region-picture.js';
+import './regions-panel.js';
 import './warnock-panel.js';
 import './zbuffer-panel.js';
 
@@ -33,6 +38,7 @@ interface Pictured {
   readonly layer: Layer;
   readonly exact: Exact;
   curveLayers: ReadonlySet<CurveLayer>;
+  regionLayers: ReadonlySet<RegionLayer>;
   choose(place: Pixel): void;
 }
 
@@ -50,11 +56,14 @@ export interface Shows {
   readonly isSolid: boolean;
 }
 
+/** A layer that the trace has not is not shown. */
+const layerOf = ({ view, exact, layer }: Pictured): Layer =>
+  layersOf(view.header, exact).includes(layer) ? layer : 'picture';
+
 const ofPolygons: Omit<Shows, 'state'> = {
   picture: (of) => {
     const { view, editing, exact } = of;
-    // A layer that the trace has not is not shown.
-    const layer = layersOf(view.header, exact).includes(of.layer) ? of.layer : 'picture';
+    const layer = layerOf(of);
     return html`<vidno-picture
         class="drawing"
         .view=${view}
@@ -94,6 +103,31 @@ const shows: Readonly<Record<MethodKind, Shows>> = {
     figure: curveFigureOf,
     places: ({ history, curves }) => ({ ...history, ...curves.history }),
     isSolid: false,
+  },
+  regions: {
+    ...ofPolygons,
+    state: (view) => html`<vidno-regions .view=${view}></vidno-regions>`,
+    picture: (of) => {
+      const { view, editing, exact, regionLayers } = of;
+      const layer = layerOf(of);
+      return html`<vidno-region-picture
+          class="drawing"
+          .view=${view}
+          .editing=${editing}
+          .layer=${layer}
+          .exact=${exact}
+          .shown=${regionLayers}
+          @pixel=${({ detail }: CustomEvent<Pixel>) => of.choose(detail)}
+        ></vidno-region-picture>
+        <vidno-region-layers
+          class="switches"
+          .view=${view}
+          .layers=${regionLayers}
+          @layers=${({ detail }: CustomEvent<ReadonlySet<RegionLayer>>) => (of.regionLayers = detail)}
+        ></vidno-region-layers>
+        <vidno-layers class="layers" .view=${view} .layer=${layer} .exact=${exact}></vidno-layers>`;
+    },
+    figure: regionFigureOf,
   },
 };
 

@@ -12,6 +12,7 @@ export const kinds = [
   'clip',
   'ael',
   'pixels',
+  'behind',
 ] as const;
 export type Kind = (typeof kinds)[number];
 
@@ -32,7 +33,8 @@ export type Of =
   | 'vertex'
   | 'edge'
   | 'depth'
-  | 'column';
+  | 'column'
+  | 'next';
 
 /** The parts that questions have, and how each is answered. */
 export const parts = {
@@ -58,6 +60,9 @@ export const parts = {
   crossings: ['one', 'number'],
   halved: ['some', 'edge'],
   sum: ['one', 'number'],
+  hidden: ['some', 'polygon'],
+  partDepth: ['one', 'relation'],
+  next: ['one', 'next'],
 } as const satisfies Readonly<Record<string, readonly [Form, Of]>>;
 export type Asks = keyof typeof parts;
 
@@ -96,6 +101,7 @@ export interface Abouts {
   /** The scanline in hand; null before the first one. */
   readonly ael: { readonly polygon: string; readonly row: number | null };
   readonly pixels: { readonly polygon: string; readonly row: number };
+  readonly behind: { readonly clip: string };
 }
 
 interface Asked<K extends Kind> {
