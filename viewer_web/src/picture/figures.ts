@@ -1,4 +1,5 @@
 import { curveFigureOf } from '../curves/figure.js';
+import { regionFigureOf } from '../regions/figure.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
 import type { View } from '../view.js';
@@ -8,6 +9,7 @@ const figures: Readonly<Record<MethodKind, (view: View) => string>> = {
   windows: figureOf,
   scanlines: figureOf,
   curves: curveFigureOf,
+  regions: regionFigureOf,
 };
 
 /** The picture of a step, of polygons or of curves, as an SVG document of its own. */
