@@ -80,18 +80,6 @@ TEST_CASE("Chart: other methods that take the scene, under each kernel") {
                   "float, double, bits:12, filtered, exact");
 }
 
-TEST_CASE("Chart: for the page by the methods that it shows, and compared anew") {
-    const SceneChart all = charted(half_quad());
-    const SceneChart known = for_page(all);
-    CHECK(known.runs.size() == all.runs.size() - 5);
-    double least = INFINITY;
-    for (const auto& run : known.runs) {
-        CHECK(run.way.method != Method::weiler_atherton);
-        least = std::min(least, run.cost.time);
-    }
-    CHECK(least == 1);
-}
-
 TEST_CASE("Operations: the Warnock family finds a window surrounded by its own tests") {
     using enum Operation;
     // The box test, twice; the edges against four corners each. To the right of the centre (8, 8) one edge crosses the ray, the one

@@ -197,10 +197,4 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress) {
     return chart;
 }
 
-SceneChart for_page(SceneChart chart) {
-    std::erase_if(chart.runs, [](const ChartRun& run) { return run.way.method == Method::weiler_atherton; });
-    compare_runs(chart.runs);
-    return chart;
-}
-
 }  // namespace vidno

@@ -74,9 +74,6 @@ std::size_t turns_of(const Scene& scene);
 
 SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
 
-/// The same without Weiler and Atherton's algorithm, of which the page does not know.
-SceneChart for_page(SceneChart chart);
-
 std::string chart_json(const std::vector<SceneChart>& scenes);
 std::string chart_csv(const std::vector<SceneChart>& scenes);
 
