@@ -34,8 +34,14 @@ export function surfaceText({ name, area, curves, formula }: Sketch): string {
 }
 
 /** Whether a text is the file of a surface. */
-export const isSurface = (text: string): boolean =>
-  /^\s*\{[^[{]*"format"\s*:\s*"vidno-surface\/1"/u.test(text);
+export function isSurface(text: string): boolean {
+  try {
+    const file: unknown = JSON.parse(text);
+    return typeof file === 'object' && file !== null && 'format' in file && file.format === format;
+  } catch {
+    return false;
+  }
+}
 
 /** The function of a surface's file that a run was made of; none if it has samples. */
 export function formulaOf(text: string): Formula | undefined {
