@@ -40,7 +40,7 @@ describe('a surface that is made', () => {
 
   it('has no function any more once a sample was moved', () => {
     const wave = firstSurface('A wave');
-    const moved = moveSample(wave, curves, { curve: 0, sample: 1 }, 3);
+    const moved = moveSample(wave, curves, { curve: 0, sample: 1 }, ([, y]) => y + 1);
     expect(moved.formula).toBeUndefined();
     expect(moved.curves).toEqual([
       [
@@ -48,8 +48,10 @@ describe('a surface that is made', () => {
         [4, 3],
       ],
     ]);
-    expect(moveSample(wave, curves, { curve: 0, sample: 1 }, 2)).toBe(wave);
-    expect(moveSample(sampled, [], { curve: 0, sample: 0 }, 1).curves?.[0]?.[0]).toEqual([0, 1]);
+    expect(moveSample(wave, curves, { curve: 0, sample: 1 }, ([, y]) => y)).toBe(wave);
+    expect(moveSample(sampled, [], { curve: 0, sample: 0 }, () => 1).curves?.[0]?.[0]).toEqual([
+      0, 1,
+    ]);
   });
 
   it('has a tolerance, or none', () => {
