@@ -63,8 +63,8 @@ const curvesNow = ({ formula, curves }: Sketch, shown: readonly Curve[]): readon
   formula === undefined && curves !== null ? curves : shown;
 
 /**
- * Moves a sample up or down, to where `to` says from where it is; its column stays. Of a surface that was given as a function the samples that it came to remain:
- * they are those of the run that is shown.
+ * Moves a sample up or down, to where `to` says from where it is; its column stays. Of a surface that was given as a
+ * function the samples that it came to remain: they are those of the run that is shown.
  */
 export function moveSample(
   sketch: Sketch,
