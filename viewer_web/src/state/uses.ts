@@ -156,14 +156,14 @@ export const uses: Readonly<Record<EventName, Use>> = {
 /** Sets of fields as bits. */
 type Fields = number;
 
-const fieldsOf = ({ sets = [], changes = [], reads = [] }: Use): readonly Field[] => [
+export const fieldsOf = ({ sets = [], changes = [], reads = [] }: Use): readonly Field[] => [
   ...sets,
   ...changes,
   ...reads,
 ];
 const fields = [...new Set(Object.values(uses).flatMap(fieldsOf))];
-/** Runs of different kinds may share a bit: no run has the fields of two. */
-const bits = (some: readonly Field[] = []): Fields =>
+/** There are more fields than bits: runs of different kinds may share one, for no run has the fields of two. */
+export const bits = (some: readonly Field[] = []): Fields =>
   some.reduce((all, field) => all | (1 << fields.indexOf(field)), 0);
 
 export const everything: Fields = bits(fields);
