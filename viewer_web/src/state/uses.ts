@@ -1,7 +1,9 @@
 import type { FloatingHorizon } from '../curves/state.js';
 import type { Regions } from '../regions/state.js';
-import { eventNames } from '../trace/events.js';
+import { common, eventNames, methods, tables } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
+import { methodKindOf } from '../trace/method-kind.js';
+import type { MethodKind } from '../trace/method-kind.js';
 import type { Warnock } from './warnock.js';
 import type { ZBuffer } from './zbuffer.js';
 
@@ -161,12 +163,29 @@ export const fieldsOf = ({ sets = [], changes = [], reads = [] }: Use): readonly
   ...changes,
   ...reads,
 ];
-const fields = [...new Set(Object.values(uses).flatMap(fieldsOf))];
-/** There are more fields than bits: runs of different kinds may share one, for no run has the fields of two. */
-export const bits = (some: readonly Field[] = []): Fields =>
-  some.reduce((all, field) => all | (1 << fields.indexOf(field)), 0);
+/** The fields of the runs of each kind. */
+const byKind = new Map<MethodKind, Set<Field>>();
+for (const method of methods) {
+  const names = Object.keys({ ...common, ...tables[method] }) as EventName[];
+  const kind = methodKindOf(method);
+  const known = byKind.get(kind) ?? [];
+  byKind.set(kind, new Set([...known, ...names.flatMap((name) => fieldsOf(uses[name]))]));
+}
+const ofKinds = [...byKind.values()];
+const isShared = (field: Field): boolean => ofKinds.filter((own) => own.has(field)).length > 1;
+const all = [...new Set(ofKinds.flatMap((own) => [...own]))];
+const shared = all.filter(isShared);
 
-export const everything: Fields = bits(fields);
+/** There are more fields than bits: kinds of runs share the bits of the fields that no other kind has. */
+const places = new Map(
+  ofKinds.flatMap((own) =>
+    [...shared, ...[...own].filter((field) => !isShared(field))].map((field, i) => [field, i]),
+  ),
+);
+export const bits = (some: readonly Field[] = []): Fields =>
+  some.reduce((found, field) => found | (1 << (places.get(field) ?? 0)), 0);
+
+export const everything: Fields = bits(all);
 
 /** For each number of an event's name the fields that it writes, sets, and needs to be right before it. */
 export const written = eventNames.map((name) => bits(uses[name].sets) | bits(uses[name].changes));
