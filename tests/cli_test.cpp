@@ -487,6 +487,20 @@ TEST_CASE("page: the built page with what was given in place of its lessons") {
         CHECK(made.find(R"(data-vidno-file="1.json">eyJmb3JtYX)") != std::string::npos);
         CHECK(made.find(R"(data-vidno-file="2.jsonl.gz">)") != std::string::npos);
     }
+    SUBCASE("a surface, and a trace of curves") {
+        work.write("share/vidno/index.html", before + library + after);
+        const std::string surface = work.write("surface.json", R"({"format":"vidno-surface/1","name":"Line",)"
+                                                               R"("window":{"x":0,"y":0,"width":2,"height":2},)"
+                                                               R"("curves":[[[0,1],[1,1]]]})");
+        const std::string curves = work.file("curves.jsonl");
+        REQUIRE(program("trace " + surface + " --kernel exact -o " + curves).status == 0);
+        REQUIRE(page(surface + " " + curves + output).status == 0);
+        const std::string made = work.read("out.html");
+        const std::string index = R"("method":"floating-horizon","kernel":")";
+        CHECK(made.find(R"("file":"1.json",)" + index + "double") != std::string::npos);
+        CHECK(made.find(R"("file":"2.jsonl.gz",)" + index + "exact") != std::string::npos);
+        CHECK(made.find(R"(data-vidno-file="1.json">)" + base64_of(work.read("surface.json"))) != std::string::npos);
+    }
     SUBCASE("nothing given: the page with its lessons") {
         work.write("share/vidno/index.html", before + lessons + library + after);
         REQUIRE(page(output).status == 0);

@@ -124,6 +124,10 @@ describe('the counters', () => {
       sides: null,
       ael: null,
       painted: 16,
+      curves: null,
+      flags: null,
+      crossings: null,
+      lines: null,
       wrong: null,
       steps: 9,
     });

@@ -28,6 +28,9 @@ export interface PredictTexts {
   readonly tests: Readonly<Record<(typeof tests)[number], string>>;
   readonly edge: (edge: string) => string;
   readonly column: (column: string) => string;
+  readonly horizons: Readonly<Record<'upper' | 'lower', string>>;
+  readonly between: string;
+  readonly overColumn: (column: string) => string;
   readonly check: string;
   readonly giveUp: string;
   readonly again: string;

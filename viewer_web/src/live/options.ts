@@ -43,9 +43,19 @@ export function offeredNames(
   return isFamily(method) ? { corrected } : { corrected, printed };
 }
 
+/** Of the methods' names those that draw a scene of polygons, or one of curves. */
+export function methodNames(
+  names: Readonly<Record<Method, string>>,
+  { method }: Pick<Options, 'method'>,
+): Record<string, string> {
+  const { 'floating-horizon': curves, ...polygons } = names;
+  return method === 'floating-horizon' ? { [method]: curves } : polygons;
+}
+
 /** Whether a method and an edition run under a kernel. */
 export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'check'>): boolean {
   if (kernel.startsWith('depth:')) return method === 'zbuffer';
+  if (kernel.startsWith('grid:') && method === 'floating-horizon') return false;
   if (isMistake(edition)) return false;
   if (isFamily(method)) return edition === 'corrected';
   return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);

@@ -48,9 +48,9 @@ function valuesOf({ asks, options }: Part, chosen: readonly number[]): readonly 
   return options.filter((_, i) => chosen[i] === 0).map((option) => option.value);
 }
 
-/** Scanlines alone, and curves, give nothing to ask about. */
+/** Less detailed ones of these tell nothing to ask about. */
 const byTrace = traceNames.filter(
-  (name) => name !== 'small.zbuffer.windows.jsonl' && !name.includes('floating-horizon'),
+  (name) => !/zbuffer\.windows|horizon\.(windows|polygons)/u.test(name),
 );
 
 describe.each(byTrace)('the questions of %s for Moodle', (name) => {

@@ -12,6 +12,9 @@ export const kinds = [
   'clip',
   'ael',
   'pixels',
+  'flags',
+  'horizons',
+  'meeting',
 ] as const;
 export type Kind = (typeof kinds)[number];
 
@@ -32,7 +35,9 @@ export type Of =
   | 'vertex'
   | 'edge'
   | 'depth'
-  | 'column';
+  | 'column'
+  | 'horizon'
+  | 'spot';
 
 /** The parts that questions have, and how each is answered. */
 export const parts = {
@@ -58,6 +63,12 @@ export const parts = {
   crossings: ['one', 'number'],
   halved: ['some', 'edge'],
   sum: ['one', 'number'],
+  above: ['some', 'column'],
+  below: ['some', 'column'],
+  raised: ['some', 'column'],
+  lowered: ['some', 'column'],
+  meets: ['one', 'horizon'],
+  where: ['one', 'spot'],
 } as const satisfies Readonly<Record<string, readonly [Form, Of]>>;
 export type Asks = keyof typeof parts;
 
@@ -96,6 +107,9 @@ export interface Abouts {
   /** The scanline in hand; null before the first one. */
   readonly ael: { readonly polygon: string; readonly row: number | null };
   readonly pixels: { readonly polygon: string; readonly row: number };
+  readonly flags: { readonly curve: number };
+  readonly horizons: { readonly curve: number };
+  readonly meeting: { readonly curve: number };
 }
 
 interface Asked<K extends Kind> {

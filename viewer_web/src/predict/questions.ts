@@ -1,3 +1,4 @@
+import { flags, horizons, meeting } from '../curves/ask.js';
 import { only } from '../history/entry.js';
 import { details } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
@@ -27,6 +28,9 @@ const askers: { readonly [K in Kind]: Asker<K> } = {
   clip,
   ael,
   pixels,
+  flags,
+  horizons,
+  meeting,
 };
 
 /** The kinds of question that a trace of this method and detail can answer. */

@@ -23,6 +23,9 @@ export const predict: PredictTexts = {
     clip: 'clipping by a side',
     ael: 'the active edge list',
     pixels: 'pixels of a row',
+    flags: 'flags of columns',
+    horizons: 'the new horizons',
+    meeting: 'where a horizon is met',
   },
   intro: {
     window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
@@ -45,6 +48,12 @@ export const predict: PredictTexts = {
         : `Row ${row} of ${polygon} is done. What is the AEL on the next scanline?`,
     pixels: ({ polygon, row }) =>
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
+    flags: ({ curve }) =>
+      `Visibility: curve ${curve} over the next columns. Beside each stand its height, which grows downward, and the horizons.`,
+    horizons: ({ curve }) =>
+      `Horizon: a segment of curve ${curve} over two columns. Beside each stand its height, which grows downward, and the horizons.`,
+    meeting: ({ curve }) =>
+      `Intersection: a segment of curve ${curve} between two columns. Beside each stand its height, which grows downward, and the horizons.`,
   },
   asks: {
     case: 'Which case is it?',
@@ -69,6 +78,12 @@ export const predict: PredictTexts = {
     halved: 'Which edges go to the opposite octant and must be split?',
     sum: 'What is the sum, in octants?',
     pixelDepths: 'Its depth there against the stored one:',
+    above: 'Over which of these columns is it on the upper horizon or above it?',
+    below: 'Over which is it on the lower horizon or below it?',
+    raised: 'Over which of these columns does the upper horizon rise?',
+    lowered: 'Over which does the lower horizon fall?',
+    meets: 'Which horizon does it meet?',
+    where: 'Where?',
   },
   rows: {
     signs: 'a sign an edge, such as + 0 −',
@@ -94,6 +109,9 @@ export const predict: PredictTexts = {
   },
   edge: (edge) => `edge ${edge}`,
   column: (column) => `column ${column}`,
+  horizons: { upper: 'the upper one', lower: 'the lower one' },
+  between: 'between the columns',
+  overColumn: (column) => `over column ${column}`,
   check: 'Check',
   giveUp: 'Give up',
   again: 'Try again',
