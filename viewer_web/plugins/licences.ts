@@ -11,9 +11,14 @@ interface Manifest {
 }
 
 function licenceIn(directory: string): string {
-  const file = readdirSync(directory).find((name) => /^licen[cs]e/i.test(name));
+  const files = readdirSync(directory);
+  const file = files.find((name) => /^licen[cs]e/i.test(name));
   if (file === undefined) throw new Error(`${directory} has no licence.`);
-  return readFileSync(join(directory, file), 'utf8').replace(/\s+$/, '');
+  // What a licence wants to be passed on with it.
+  const notice = files.filter((name) => /^notice$/i.test(name));
+  return [file, ...notice]
+    .map((name) => readFileSync(join(directory, name), 'utf8').trimEnd())
+    .join('\n\n');
 }
 
 function nameIn(directory: string): string {

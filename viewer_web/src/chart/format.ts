@@ -3,7 +3,7 @@ import type { Check, Checked } from '../trace/check.js';
 import { Refusal, describe } from '../trace/refusal.js';
 
 /** Those of the course, and the variants that are compared with them. */
-const courseMethods = ['warnock', 'zbuffer'] as const;
+const courseMethods = ['warnock', 'zbuffer', 'weiler-atherton'] as const;
 export const variants = [
   'warnock-simplest',
   'warnock-full',

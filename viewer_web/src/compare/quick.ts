@@ -1,7 +1,6 @@
 import type { Quick } from '../i18n/compare-texts.js';
-import { runnable } from '../live/options.js';
+import { isPrinted, runnable } from '../live/options.js';
 import type { Options } from '../live/options.js';
-import { isFamily } from '../trace/events.js';
 import type { Method } from '../trace/events.js';
 import { methodKindOf } from '../trace/method-kind.js';
 
@@ -16,7 +15,7 @@ export function quickRuns(options: Options): readonly (readonly [Quick, Options]
   const { method, edition, kernel } = options;
   const variants: readonly Method[] = method === 'warnock' ? ['warnock-full'] : [];
   const otherEdition = edition === 'printed' ? 'corrected' : 'printed';
-  const editions = isFamily(method) ? [] : ([otherEdition] as const);
+  const editions = isPrinted(method) ? ([otherEdition] as const) : [];
   const kernels = (['exact', 'float'] as const).filter((each) => each !== kernel);
   return [
     ...otherMethods(method).map(

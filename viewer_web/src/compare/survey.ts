@@ -18,6 +18,7 @@ const looked: readonly EventName[] = [
   'span',
   'curve',
   'visibility',
+  'paint',
 ];
 const isLooked = eventNames.map((name) => looked.includes(name));
 /** In a checked run each of these says what is right. */
@@ -41,7 +42,7 @@ class Sums {
 /** How many pixels an event gives a colour. */
 function painted(event: Event): number {
   if (event.e === 'fill') return event.rect[2] * event.rect[3];
-  return event.e === 'draw' || event.e === 'span' ? cells(event.runs) : 0;
+  return event.e === 'draw' || event.e === 'span' || event.e === 'paint' ? cells(event.runs) : 0;
 }
 
 /**

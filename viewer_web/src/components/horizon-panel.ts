@@ -50,8 +50,8 @@ export class HorizonPanel extends LitElement {
         </dl>
       </section>
       <section>
-        <h3>${say.around(this.column)}</h3>
-        <div class="list" tabindex="0" role="region" aria-label=${say.around(this.column)}>
+        <h3>${say.around(short(this.column))}</h3>
+        <div class="list" tabindex="0" role="region" aria-label=${say.around(short(this.column))}>
           ${this.horizons()}
         </div>
       </section>
@@ -134,7 +134,7 @@ export class HorizonPanel extends LitElement {
     const isFlagged = event?.e === 'visibility' && event.x === x;
     const classes = { current: x === this.column, pointed: pointed === thing };
     return html`<tr class=${classMap(classes)} data-thing=${thing}>
-      <th scope="row" class="number">${x}</th>
+      <th scope="row" class="number">${short(x)}</th>
       <td class=${classMap({ changed: isFlagged })}>${this.flag(flag)}</td>
       ${this.height('upper', i, x)} ${this.height('lower', i, x)}
     </tr>`;

@@ -7,6 +7,8 @@ import type { MethodKind } from '../trace/method-kind.js';
 import type { View } from '../view.js';
 import { curvesStyle } from '../curves/curves.style.js';
 import { curveIcon, isCurveEntry } from './curve-icon.js';
+import { regionsStyle } from '../regions/regions.style.js';
+import { isRegionEntry, regionIcon } from './region-icon.js';
 import { marksStyle } from './marks.style.js';
 import { base } from './theme.js';
 
@@ -14,6 +16,18 @@ const entries: Readonly<Record<MethodKind, readonly LegendEntry[]>> = {
   windows: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
   scanlines: ['scanline', 'edge', 'active', 'touched', 'chosen'],
   curves: ['visible', 'inHand', 'upper', 'lower', 'above', 'below', 'hidden', 'sideEdge'],
+  regions: [
+    'clipRegion',
+    'subject',
+    'insidePart',
+    'outsidePart',
+    'enters',
+    'leaves',
+    'shown',
+    'piercing',
+    'touched',
+    'chosen',
+  ],
 };
 
 const dots: readonly LegendEntry[] = ['yes', 'no', 'edge'];
@@ -25,6 +39,7 @@ export class LegendElement extends LitElement {
     base,
     marksStyle,
     curvesStyle,
+    regionsStyle,
     css`
       ul {
         display: flex;
@@ -71,6 +86,7 @@ export class LegendElement extends LitElement {
 
 function icon(entry: LegendEntry): SVGTemplateResult {
   if (isCurveEntry(entry)) return curveIcon(entry);
+  if (isRegionEntry(entry)) return regionIcon(entry);
   if (entry === 'chosen') {
     return svg`<path class="chosen" d="M6 3.5h8v7h-8ZM10 1v2.5M10 10.5v2.5M3 7h3M14 7h3" />`;
   }

@@ -5,6 +5,7 @@ import { allLayers } from '../curves/layers.js';
 import type { Editing } from '../live/editor.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
+import { allLayers as allRegionLayers } from '../regions/layers.js';
 import type { View } from '../view.js';
 import './legend.js';
 import type { PlaneElement } from './plane.js';
@@ -32,11 +33,13 @@ export class PicturePanelElement extends LitElement {
         min-height: 0;
       }
       .layers,
+      .switches,
       vidno-legend {
         flex: none;
         display: var(--signs, var(--legend, block));
       }
-      .layers {
+      .layers,
+      .switches {
         display: var(--tools, var(--legend, flex));
       }
     `,
@@ -48,6 +51,8 @@ export class PicturePanelElement extends LitElement {
   @property({ attribute: false }) exact: Exact = null;
   /** What a picture of curves shows. */
   @state() curveLayers = allLayers;
+  /** What of the regions. */
+  @state() regionLayers = allRegionLayers;
   @query('.drawing') private drawing!: PlaneElement;
   @query('.layers') private choice!: LayerChoice;
   @query('vidno-save') private saver!: SaveElement;

@@ -11,6 +11,7 @@ import type { Exact, Layer } from '../picture/layers.js';
 import { target } from '../picture/mark.js';
 import { marksOf } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
+import type { Cells } from '../picture/paint.js';
 import { patchesOf } from '../picture/patches.js';
 import type { Pixel } from '../picture/pixel.js';
 import { shapesOf } from '../picture/shapes.js';
@@ -52,8 +53,16 @@ export class PictureElement extends PlaneElement {
     // A dot of the canvas is one of the device.
     canvas.style.width = `${canvas.width / ratio}px`;
     canvas.style.height = `${canvas.height / ratio}px`;
-    paint(canvas, cellsOf(this.layer, this.view.screen, this.exact), frame.place(ratio));
+    paint(canvas, this.cells, frame.place(ratio));
   }
+
+  /** What the pixels show; null if nothing. */
+  protected get cells(): Cells | null {
+    return cellsOf(this.layer, this.view.screen, this.exact);
+  }
+
+  /** What lies over the pixels, and under all marks. */
+  protected over?(frame: Frame): unknown;
 
   protected override get words(): HistoryTexts {
     return texts[this.view.language].history;
@@ -67,7 +76,8 @@ export class PictureElement extends PlaneElement {
     const { header } = this.view;
     const { scale } = frame;
     const marks = marksOf(this.view, frame.sight);
-    return svg`${this.printing.now ? this.pixels() : nothing}
+    return svg`${this.printing.now && this.cells !== null ? this.pixels() : nothing}
+      ${this.over?.(frame)}
       ${guard([frame], () => gridShapes(frame).map(drawn))}
       ${guard([header], () => this.outlines())}
       ${marks.flatMap((mark) => shapesOf(mark, scale).map(drawn))}

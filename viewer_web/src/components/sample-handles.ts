@@ -75,9 +75,9 @@ export class SampleHandlesElement extends LitElement {
     </g>`;
   }
 
-  private move(spot: SampleSpot, y: number, name: string): void {
+  private move(spot: SampleSpot, to: (at: Sample) => number, name: string): void {
     const shown = this.view.header.scene.curves ?? [];
-    act(this, { do: 'edit', edit: (old) => moveSample(old, shown, spot, y), name });
+    act(this, { do: 'edit', edit: (old) => moveSample(old, shown, spot, to), name });
   }
 
   /** Follows the pointer until it is let go. */
@@ -92,7 +92,7 @@ export class SampleHandlesElement extends LitElement {
     const name = `drag ${++this.drags}`;
     const follow = (moved: PointerEvent): void => {
       const [x, y] = this.frame.at(...pointIn(this, moved));
-      this.move(spot, snapped([x, y + offset], moved)[1], name);
+      this.move(spot, () => snapped([x, y + offset], moved)[1], name);
     };
     const end = (): void => {
       target.removeEventListener('pointermove', follow);
@@ -106,10 +106,11 @@ export class SampleHandlesElement extends LitElement {
     const sample = this.sampleAt(spot);
     if (event.ctrlKey || event.metaKey || sample === undefined) return;
     const isUpOrDown = event.key === 'ArrowUp' || event.key === 'ArrowDown';
-    const to = isUpOrDown ? led(sample, event) : null;
-    if (to === null) return;
+    if (!isUpOrDown) return;
     event.preventDefault();
-    this.move(spot, to[1], `${event.key} ${spot.curve} ${spot.sample}`);
+    // From wherever keys before it, still to be shown, have led.
+    const to = (at: Sample): number => (led(at, event) ?? at)[1];
+    this.move(spot, to, `${event.key} ${spot.curve} ${spot.sample}`);
     this.keyed = spot;
   }
 

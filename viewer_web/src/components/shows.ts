@@ -11,6 +11,7 @@ import type { Pixel } from '../picture/pixel.js';
 import type { Method } from '../trace/events.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
+import type { RegionLayer } from '../regions/layers.js';
 import type { View } from '../view.js';
 import './curve-layers.js';
 import './curve-picture.js';
@@ -19,6 +20,9 @@ import './layers.js';
 import './picture.js';
 import './polygon-form.js';
 import './surface-form.js';
+import './region-layers.js';
+import './region-picture.js';
+import './regions-panel.js';
 import './warnock-panel.js';
 import './zbuffer-panel.js';
 
@@ -35,6 +39,7 @@ interface Pictured {
   readonly layer: Layer;
   readonly exact: Exact;
   curveLayers: ReadonlySet<CurveLayer>;
+  regionLayers: ReadonlySet<RegionLayer>;
   choose(place: Pixel): void;
 }
 
@@ -54,11 +59,14 @@ export interface Shows {
   readonly isSolid: boolean;
 }
 
+/** A layer that the trace has not is not shown. */
+const layerOf = ({ view, exact, layer }: Pictured): Layer =>
+  layersOf(view.header, exact).includes(layer) ? layer : 'picture';
+
 const ofPolygons: Omit<Shows, 'state'> = {
   picture: (of) => {
     const { view, editing, exact } = of;
-    // A layer that the trace has not is not shown.
-    const layer = layersOf(view.header, exact).includes(of.layer) ? of.layer : 'picture';
+    const layer = layerOf(of);
     return html`<vidno-picture
         class="drawing"
         .view=${view}
@@ -103,6 +111,30 @@ const shows: Readonly<Record<MethodKind, Shows>> = {
       html`<vidno-surface-form .editing=${editing} .language=${language}></vidno-surface-form>`,
     how: ({ curves }) => curves.surface.how,
     isSolid: false,
+  },
+  regions: {
+    ...ofPolygons,
+    state: (view) => html`<vidno-regions .view=${view}></vidno-regions>`,
+    picture: (of) => {
+      const { view, editing, exact, regionLayers } = of;
+      const layer = layerOf(of);
+      return html`<vidno-region-picture
+          class="drawing"
+          .view=${view}
+          .editing=${editing}
+          .layer=${layer}
+          .exact=${exact}
+          .shown=${regionLayers}
+          @pixel=${({ detail }: CustomEvent<Pixel>) => of.choose(detail)}
+        ></vidno-region-picture>
+        <vidno-region-layers
+          class="switches"
+          .view=${view}
+          .layers=${regionLayers}
+          @layers=${({ detail }: CustomEvent<ReadonlySet<RegionLayer>>) => (of.regionLayers = detail)}
+        ></vidno-region-layers>
+        <vidno-layers class="layers" .view=${view} .layer=${layer} .exact=${exact}></vidno-layers>`;
+    },
   },
 };
 

@@ -4,12 +4,12 @@ import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
 import type { Asker } from '../predict/asker.js';
 import type { Option } from '../predict/question.js';
-import type { Event } from '../trace/events.js';
+import type { Event, Method } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
 import type { N } from '../trace/values.js';
 import { sideBeside } from './sides.js';
 
-const method = 'floating-horizon';
+const isOf = (method: Method): boolean => method === 'floating-horizon';
 
 /** How many columns one is asked about at once. */
 const mostColumns = 4;
@@ -46,7 +46,7 @@ const curveOf = (trace: Trace, step: number): number =>
 
 /** How does the curve lie to the horizons over the next columns? */
 export const flags: Asker<'flags'> = {
-  method,
+  isOf,
   from: 'signs',
   at: ['visibility'],
   ask(trace, step) {
@@ -79,7 +79,7 @@ export const flags: Asker<'flags'> = {
 
 /** Over which of the two columns do the horizons change? */
 export const horizons: Asker<'horizons'> = {
-  method,
+  isOf,
   from: 'signs',
   at: ['call'],
   ask(trace, step) {
@@ -121,7 +121,7 @@ export const between = 'between';
 
 /** Which horizon does the segment meet, and where? */
 export const meeting: Asker<'meeting'> = {
-  method,
+  isOf,
   from: 'signs',
   at: ['call'],
   ask(trace, step) {

@@ -1,5 +1,6 @@
 import type { Sketch } from '../live/sketch.js';
 import type { Curve } from '../trace/header.js';
+import type { Sample } from '../trace/values.js';
 
 type Pair = readonly [number, number];
 
@@ -34,8 +35,14 @@ export function surfaceText({ name, area, curves, formula }: Sketch): string {
 }
 
 /** Whether a text is the file of a surface. */
-export const isSurface = (text: string): boolean =>
-  /^\s*\{[^[{]*"format"\s*:\s*"vidno-surface\/1"/u.test(text);
+export function isSurface(text: string): boolean {
+  try {
+    const file: unknown = JSON.parse(text);
+    return typeof file === 'object' && file !== null && 'format' in file && file.format === format;
+  } catch {
+    return false;
+  }
+}
 
 /** The function of a surface's file that a run was made of; none if it has samples. */
 export function formulaOf(text: string): Formula | undefined {
@@ -51,23 +58,35 @@ function onlyFormula(of: Omit<Formula, 'tolerance'> & { tolerance?: number | und
   return tolerance === undefined ? formula : { ...formula, tolerance };
 }
 
+/** The curves that a sketch has now: its own, or of a function those of the run that is shown. */
+const curvesNow = ({ formula, curves }: Sketch, shown: readonly Curve[]): readonly Curve[] =>
+  formula === undefined && curves !== null ? curves : shown;
+
 /**
- * Moves a sample up or down; its column stays. Of a surface that was given as a function the samples that it came to remain:
- * they are those of the run that is shown.
+ * Moves a sample up or down, to where `to` says from where it is; its column stays. Of a surface that was given as a
+ * function the samples that it came to remain: they are those of the run that is shown.
  */
 export function moveSample(
   sketch: Sketch,
   shown: readonly Curve[],
   { curve, sample }: SampleSpot,
-  y: number,
+  to: (at: Sample) => number,
 ): Sketch {
-  const { formula, curves: own, ...rest } = sketch;
-  const curves = formula === undefined && own !== null ? own : shown;
+  const curves = curvesNow(sketch, shown);
   const old = curves[curve]?.[sample];
-  if (old === undefined || old[1] === y) return sketch;
+  if (old === undefined) return sketch;
+  const y = to(old);
+  if (old[1] === y) return sketch;
   const moved = (of: Curve): Curve =>
     of.map((each, i) => (i === sample ? ([each[0], y] as const) : each));
-  return { ...rest, curves: curves.map((of, i) => (i === curve ? moved(of) : of)) };
+  const { name, area, background, polygons } = sketch;
+  return {
+    name,
+    area,
+    background,
+    polygons,
+    curves: curves.map((of, i) => (i === curve ? moved(of) : of)),
+  };
 }
 
 /** Changes the function, or how it is cut and seen. */

@@ -28,7 +28,9 @@ type Deciding =
   | 'row'
   | 'columns'
   | 'pixel'
-  | 'visibility';
+  | 'visibility'
+  | 'behind'
+  | 'order';
 type Decided = Pick<Verdict, 'of' | 'numbers' | 'taken'>;
 
 const decided: { readonly [K in Deciding]: (event: Event<K>, before: Event | null) => Decided } = {
@@ -75,7 +77,19 @@ const decided: { readonly [K in Deciding]: (event: Event<K>, before: Event | nul
     numbers: before?.e === 'height' ? heights(before) : [],
     taken: flag,
   }),
+  behind: ({ z, clipZ, order }) => depths(z, clipZ, order),
+  order: ({ z, otherZ, order }) => depths(z, otherZ, order),
 };
+
+/** Those of two polygons at a point, and how the first stands to the second. */
+const depths = (z: N, other: N, order: number): Decided => ({
+  of: 'comparison',
+  numbers: [
+    ['z', z],
+    ['z′', other],
+  ],
+  taken: order,
+});
 
 /** Of the curve, and of the horizons that are there. */
 function heights({ y, upper, lower }: Event<'height'>): readonly Number[] {

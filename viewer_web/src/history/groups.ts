@@ -1,3 +1,4 @@
+import type { Known } from '../i18n/words.js';
 import type { Box } from '../trace/values.js';
 import type { Entry } from './entry.js';
 
@@ -11,7 +12,10 @@ export interface Group {
 }
 
 const headingOf = ({ known }: Entry): Heading | null =>
-  known.warnock?.window ?? known.zbuffer?.polygon ?? known.horizon?.curve ?? null;
+  known.warnock?.window ?? known.zbuffer?.polygon ?? known.horizon?.curve ?? clipOf(known);
+
+/** Whose piece the clip polygon of the list in hand is. */
+const clipOf = ({ regions }: Known): string | null => regions?.inHand?.pieces[0]?.[0] ?? null;
 
 export function grouped(entries: readonly Entry[]): readonly Group[] {
   const groups: { under: Heading | null; entries: Entry[] }[] = [];

@@ -2,6 +2,7 @@ import { ColumnWatch } from '../curves/watch.js';
 import { isIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Detail } from '../trace/events.js';
+import { RegionWatch } from '../regions/watch.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
 import type { Trace } from '../trace/trace.js';
@@ -15,6 +16,7 @@ const watches: Readonly<Record<MethodKind, (pixel: Pixel, detail: Detail) => Wat
   windows: (pixel, detail) => new WarnockWatch(pixel, detail),
   scanlines: (pixel) => new ZBufferWatch(pixel),
   curves: (pixel, detail) => new ColumnWatch(pixel, detail),
+  regions: (pixel) => new RegionWatch(pixel),
 };
 
 /**

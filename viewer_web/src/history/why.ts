@@ -5,7 +5,15 @@ import type { History } from './history.js';
 
 /** The ways in which a pixel comes by its colour. */
 export type Why =
-  'hides' | 'centre' | 'alone' | 'nearest' | 'empty' | 'nothing' | 'beside' | 'untouched';
+  | 'hides'
+  | 'centre'
+  | 'alone'
+  | 'nearest'
+  | 'empty'
+  | 'nothing'
+  | 'beside'
+  | 'region'
+  | 'untouched';
 
 /** What a window is that gets one colour, by the line that fills it. */
 const filled: Readonly<Record<Event<'fill'>['at'], Why>> = {
@@ -43,6 +51,7 @@ export function reasonOf(entry: Entry, history: History, scene: Scene): Reason {
   const { event, known } = entry;
   if (event.e === 'draw') return { why: 'alone', polygon: event.polygon };
   if (event.e === 'span') return { why: 'nearest', polygon: known.zbuffer?.polygon ?? null };
+  if (event.e === 'paint') return { why: 'region', polygon: event.polygon };
   if (event.e !== 'fill') return { why: 'untouched', polygon: null };
   const why = filled[event.at];
   if (why === 'empty' || why === 'beside') return { why, polygon: null };

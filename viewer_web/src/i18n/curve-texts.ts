@@ -21,7 +21,7 @@ export interface CurveTexts {
   readonly flags: Readonly<Record<'above' | 'below' | 'hidden' | 'both', string>>;
   readonly layers: Readonly<Record<Layer, string>>;
   readonly layersName: string;
-  readonly around: (column: number) => string;
+  readonly around: (column: string) => string;
   readonly history: CurveHistoryTexts;
   readonly surface: SurfaceTexts;
 }

@@ -3,7 +3,7 @@ import type { bodies, lists } from '../trace/family-events.js';
 import type { N } from '../trace/values.js';
 import type { Sentences } from './texts.js';
 
-type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'floating-horizon'>;
+type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'floating-horizon' | 'weiler-atherton'>;
 type OfVariants = 'Relation' | 'TrialFunction' | 'RayCrossings' | 'OctantAngles' | 'HidingPolygon';
 
 type Names = Readonly<Record<Variant, string>>;

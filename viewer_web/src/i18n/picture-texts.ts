@@ -28,8 +28,20 @@ export type LegendEntry =
   | 'scanline'
   | 'edge'
   | 'chosen'
-  | CurveLegendEntry;
+  | CurveLegendEntry
+  | RegionLegendEntry;
 
 /** Those on the picture of curves. */
 export type CurveLegendEntry =
   'visible' | 'inHand' | 'upper' | 'lower' | 'above' | 'below' | 'hidden' | 'sideEdge';
+
+/** Those on the picture of regions. */
+export type RegionLegendEntry =
+  | 'clipRegion'
+  | 'subject'
+  | 'insidePart'
+  | 'outsidePart'
+  | 'enters'
+  | 'leaves'
+  | 'shown'
+  | 'piercing';

@@ -1,4 +1,5 @@
 import type { Relation } from '../predict/asker.js';
+import type { Becomes } from '../predict/behind.js';
 import type { Abouts, Asks, Kind } from '../predict/question.js';
 import type { tests } from '../predict/relation.js';
 import type { Event } from '../trace/events.js';
@@ -26,6 +27,7 @@ export interface PredictTexts {
   readonly lies: Readonly<Record<Event<'relation'>['relation'], string>>;
   /** What the lines of the test of a relation look at. */
   readonly tests: Readonly<Record<(typeof tests)[number], string>>;
+  readonly becomes: Readonly<Record<Becomes, string>>;
   readonly edge: (edge: string) => string;
   readonly column: (column: string) => string;
   readonly horizons: Readonly<Record<'upper' | 'lower', string>>;

@@ -14,6 +14,7 @@ import type { CompareTexts } from './compare-texts.js';
 import type { FamilyTexts } from './family-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { PredictTexts } from './predict-texts.js';
+import type { RegionTexts } from './region-texts.js';
 import type { ReaderTexts } from './reader-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { SolidTexts } from './solid-texts.js';
@@ -48,6 +49,7 @@ export interface Texts {
   readonly reader: ReaderTexts;
   readonly family: FamilyTexts;
   readonly curves: CurveTexts;
+  readonly regions: RegionTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */

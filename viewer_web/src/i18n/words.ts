@@ -1,5 +1,6 @@
 import type { FloatingHorizon } from '../curves/state.js';
 import type { Warnock } from '../state/warnock.js';
+import type { Regions } from '../regions/state.js';
 import type { ZBuffer } from '../state/zbuffer.js';
 import type { Scene } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
@@ -91,6 +92,7 @@ export interface Known {
     (Pick<Warnock, 'window' | 'apl' | 'covering'> & Partial<Pick<Warnock, WithLists>>) | null;
   readonly zbuffer: Pick<ZBuffer, 'polygon'> | null;
   readonly horizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'told'> | null;
+  readonly regions?: Pick<Regions, 'inHand'> | null;
 }
 
 /** What the sentences of a step need beside its event. */

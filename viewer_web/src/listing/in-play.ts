@@ -6,8 +6,8 @@ import { noteOf } from './notes.js';
 /** So far back is looked for values: a long list of polygons is not gone through at each step. */
 const farthest = 400;
 
-/** What takes a window, a polygon, or a curve in hand. */
-const begins: readonly EventName[] = ['pop', 'polygon', 'curve'];
+/** What takes a window, a polygon, a curve, or a list in hand. */
+const begins: readonly EventName[] = ['pop', 'polygon', 'curve', 'pop_list'];
 
 /** A label is its procedure's letters and the number of the line. */
 function placeOf(label: string): readonly [procedure: string, line: number] {
@@ -17,7 +17,7 @@ function placeOf(label: string): readonly [procedure: string, line: number] {
 
 /**
  * What each line last said, by its label: in the procedures that run, on the way from where their loops last began.
- * What a later line said in a round before is over. The way begins with the window, the polygon, or the curve in hand.
+ * What a later line said in a round before is over. The way begins with the window, the polygon, the curve, or the list in hand.
  */
 export function valuesInPlay(
   { header, timeline }: Trace,

@@ -79,6 +79,16 @@ const used: Readonly<Record<Method, readonly string[]>> = {
   'warnock-bodies': ['BackFaces', ...warnock],
   zbuffer: ['ZBuffer', 'ShowLine', 'Depth', 'InitializePolygon'],
   'floating-horizon': ['FloatingHorizon', 'SideEdge', 'Visibility', 'Horizon', 'Intersection'],
+  'weiler-atherton': [
+    'WeilerAtherton',
+    'SplitPiercing',
+    'DepthSort',
+    'RegionClip',
+    'RemoveBehind',
+    'PaintRegions',
+    'Depth',
+    'InitializePolygon',
+  ],
 };
 
 function line(source: SourceLine, edition: Edition, language: Language): Omit<Line, 'speaks'> {

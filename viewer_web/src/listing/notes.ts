@@ -1,5 +1,6 @@
 import { curveNotes } from '../curves/notes.js';
 import { point, short, shortApart, windowText } from '../i18n/words.js';
+import { regionNotes } from '../regions/notes.js';
 import { plainOf } from '../trace/check.js';
 import { common, details, tables } from '../trace/events.js';
 import type { AnyKind, Detail, Event, EventName, Method } from '../trace/events.js';
@@ -97,6 +98,7 @@ const notes: { readonly [K in EventName]: Note<K> } = {
   ael_step: ({ edge, x }) => `${edge}: ${short(x)}`,
 
   ...curveNotes,
+  ...regionNotes,
 };
 
 /** What an event says beside its line; null if nothing. */

@@ -8,7 +8,7 @@ import { namesOf } from './listings.js';
 const root = '../../../lib/vidno/';
 const texts = import.meta.glob<string>(
   [
-    '../../../lib/vidno/{warnock,z_buffer,family,floating_horizon,printed,mistakes}/*.h',
+    '../../../lib/vidno/{warnock,z_buffer,family,floating_horizon,weiler_atherton,printed,mistakes}/*.h',
     '../../../lib/vidno/{corrected,printed}.h',
   ],
   { query: '?raw', import: 'default', eager: true },
@@ -30,6 +30,7 @@ export interface Source {
 const filesOfOthers: Readonly<Record<string, readonly string[]>> = {
   SimplestWarnock: ['simplest.h'],
   ThreeListsWarnock: ['three_lists.h', 'polygon_lists.h'],
+  RegionClip: ['region_clip.h', 'overlay.h', 'loops.h', 'region.h'],
   Relation: ['relation_test.h', 'box_test.h'],
 };
 
@@ -70,6 +71,7 @@ export function sourcesOf({
     'z_buffer/',
     'family/',
     'floating_horizon/',
+    'weiler_atherton/',
   ];
   const paths = namesOf(method)
     .flatMap(filesOf)

@@ -35,12 +35,16 @@ export const kernels = [
   'exact',
 ] as const;
 
+/** Whether the method has a text as printed. */
+export const isPrinted = (method: Method): boolean =>
+  !isFamily(method) && method !== 'weiler-atherton';
+
 /** Of the editions' names those that the page offers: its library has no usual mistakes, a variant no printed text. */
 export function offeredNames(
   method: Method,
   { corrected, printed }: Readonly<Record<Edition, string>>,
 ): Record<string, string> {
-  return isFamily(method) ? { corrected } : { corrected, printed };
+  return isPrinted(method) ? { corrected, printed } : { corrected };
 }
 
 /** Of the methods' names those that draw a scene of polygons, or one of curves. */
@@ -57,19 +61,20 @@ export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'chec
   if (kernel.startsWith('depth:')) return method === 'zbuffer';
   if (kernel.startsWith('grid:') && method === 'floating-horizon') return false;
   if (isMistake(edition)) return false;
-  if (isFamily(method)) return edition === 'corrected';
+  if (method === 'weiler-atherton' && kernel.startsWith('grid:')) return false;
+  if (!isPrinted(method)) return edition === 'corrected';
   return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);
 }
 
 /** Whether the page's library can hold the decisions of a method against exact arithmetic. */
-export const canCheck = (method: Method): boolean => !isFamily(method);
+export const canCheck = (method: Method): boolean => isPrinted(method);
 
 /** The nearest to some options that can be run: the corrected text, the usual kernel, no check where there is no other. */
 export function runnable(options: Options): Options {
   const { method, check } = options;
   if (check && !canCheck(method)) return runnable({ ...options, check: false });
   if (runs(options)) return options;
-  const isTold = !isMistake(options.edition) && !isFamily(method);
+  const isTold = !isMistake(options.edition) && isPrinted(method);
   return isTold
     ? { ...options, kernel: usual.kernel }
     : runnable({ ...options, edition: usual.edition, kernel: kernelOf(options) });

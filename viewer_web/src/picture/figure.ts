@@ -13,9 +13,10 @@ import type { Label } from './still.js';
 const side = 720;
 
 /** A shape where a unit is so many CSS pixels. */
-export function pathOf({ look, d, color }: Shape, scale: number): string {
+export function pathOf({ look, d, color, fill }: Shape, scale: number): string {
   const attributes = new Map([...lookOf(look, scale), ['d', d]]);
   if (color !== undefined) attributes.set('stroke', color);
+  if (fill !== undefined) attributes.set('fill', fill);
   return element('path', attributes);
 }
 
@@ -44,9 +45,9 @@ export const figureFrame = ({ header }: View): Frame =>
 
 /**
  * The picture at a step, with its marks and names, as an SVG document of its own, which looks as on the page wherever it
- * is opened: vectors alone, looks as attributes, on white. The same view gives the same bytes.
+ * is opened: vectors alone, looks as attributes, on white. The same view gives the same bytes. `over` lies over the pixels.
  */
-export function figureOf(view: View): string {
+export function figureOf(view: View, over: readonly Shape[] = []): string {
   const { scene } = view.header;
   const frame = figureFrame(view);
   const { scale } = frame;
@@ -57,7 +58,7 @@ export function figureOf(view: View): string {
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
   const marked = marksOf({ ...view, pointed: null, asked: [] }, frame.sight);
   const marks = marked.flatMap((mark) => shapesOf(mark, scale));
-  const shapes = [...gridShapes(frame), ...outlineShapes(scene), ...marks].map((shape) =>
+  const shapes = [...gridShapes(frame), ...over, ...outlineShapes(scene), ...marks].map((shape) =>
     pathOf(shape, scale),
   );
   const names = [...labelsOf(scene, frame), ...notesOf(marked, frame)].map((each) =>

@@ -1,6 +1,7 @@
 import { marksStyle } from '../components/marks.style.js';
 import { pictureStyle } from '../components/picture.style.js';
 import { curvesStyle } from '../curves/curves.style.js';
+import { regionsStyle } from '../regions/regions.style.js';
 
 /** Declarations for what has all of some classes. */
 interface Rule {
@@ -20,7 +21,8 @@ const attributes = [
   ...lengths,
 ];
 
-const sheet = marksStyle.cssText + pictureStyle.cssText + curvesStyle.cssText;
+const sheet =
+  marksStyle.cssText + pictureStyle.cssText + curvesStyle.cssText + regionsStyle.cssText;
 
 const variables = new Map(
   [...sheet.matchAll(/(--[\w-]+):\s*([^;]+);/g)].map(([, name, value]) => [name, value]),

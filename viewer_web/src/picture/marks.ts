@@ -53,6 +53,10 @@ const keptVertex = ({ vertex }: { readonly vertex: Triple }): readonly Mark[] =>
   point('yes', vertex),
 ];
 
+/** The pixels that take a colour. */
+const painted = ({ runs }: Pick<Event<'draw'>, 'runs'>): readonly Mark[] =>
+  runs.flatMap(([row, ...run]) => rowBoxes('touched', row, [run]));
+
 function edgeInHand({ edge }: { readonly edge: number }, view: View): readonly Mark[] {
   const { header, after } = view;
   return edgeOf(header.scene.byId.get(after.zbuffer?.polygon ?? ''), edge, 'side');
@@ -83,7 +87,10 @@ const draw: { readonly [K in EventName]?: Draw<K> } = {
   split_vertex: splitMarks,
   edge_depth: ({ polygon, edge }, { header }) =>
     edgeOf(header.scene.byId.get(polygon), edge, 'side'),
-  draw: ({ runs }) => runs.flatMap(([row, ...run]) => rowBoxes('touched', row, [run])),
+  draw: painted,
+  paint: painted,
+  behind: ({ point: at, behind }) => [point(behind ? 'no' : 'yes', at)],
+  order: atPoint,
   span: ({ row, runs }) => rowBoxes('touched', row, runs),
   pixel: ({ x, y, shown }) => [box(shown ? 'touched' : 'off', [x, y, 1, 1])],
   depth: atPoint,
@@ -133,7 +140,9 @@ export function polygonInHand({ event, header, after }: View): Polygon | undefin
   return header.scene.byId.get(id ?? '');
 }
 
+/** Of regions the piece in hand is marked instead. */
 function polygonMark(view: View): readonly Mark[] {
+  if (view.after.regions !== null) return [];
   const polygon = polygonInHand(view);
   return polygon ? [{ ...path('active', polygon.vertices, true), color: polygon.color }] : [];
 }

@@ -11,6 +11,8 @@ export interface Shape {
   readonly d: string;
   /** Of the line, instead of the look's own. */
   readonly color?: string;
+  /** Likewise of what it encloses. */
+  readonly fill?: string;
   /** What one points at with it; see `pointed.ts`. */
   readonly thing?: string;
 }

@@ -132,6 +132,15 @@ const agrees: Readonly<Record<Kind, (seen: Seen) => void>> = {
     expect(sorted(right['leave'])).toEqual(sorted(was.filter((edge) => !is.includes(edge))));
     expect(sorted(right['enter'])).toEqual(sorted(is.filter((edge) => !was.includes(edge))));
   },
+  behind: ({ trace, question, before, after, right }) => {
+    const inside = before.regions?.inHand?.inside.filter(([, , ground]) => !ground) ?? [];
+    const left = after.regions?.inHand?.inside.map(([id]) => id) ?? [];
+    const gone = inside.map(([id]) => id).filter((id) => !left.includes(id));
+    expect(sorted(right['hidden'])).toEqual(sorted(gone));
+    // A clip polygon that nothing inside hides is visible at the next step.
+    const isShown = trace.timeline.event(question.until + 1)?.e === 'show';
+    expect(right['next']).toEqual([isShown ? 'visible' : 'again']);
+  },
   pixels: ({ trace, question, right }) => {
     if (question.kind !== 'pixels') return;
     const { area } = trace.header.scene;

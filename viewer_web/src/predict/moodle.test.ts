@@ -50,7 +50,7 @@ function valuesOf({ asks, options }: Part, chosen: readonly number[]): readonly 
 
 /** Less detailed ones of these tell nothing to ask about. */
 const byTrace = traceNames.filter(
-  (name) => !/zbuffer\.windows|horizon\.(windows|polygons)/u.test(name),
+  (name) => !/zbuffer\.windows|horizon\.(windows|polygons)|atherton\.windows/u.test(name),
 );
 
 describe.each(byTrace)('the questions of %s for Moodle', (name) => {

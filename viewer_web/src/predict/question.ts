@@ -15,6 +15,7 @@ export const kinds = [
   'flags',
   'horizons',
   'meeting',
+  'behind',
 ] as const;
 export type Kind = (typeof kinds)[number];
 
@@ -37,7 +38,8 @@ export type Of =
   | 'depth'
   | 'column'
   | 'horizon'
-  | 'spot';
+  | 'spot'
+  | 'next';
 
 /** The parts that questions have, and how each is answered. */
 export const parts = {
@@ -69,6 +71,9 @@ export const parts = {
   lowered: ['some', 'column'],
   meets: ['one', 'horizon'],
   where: ['one', 'spot'],
+  hidden: ['some', 'polygon'],
+  partDepth: ['one', 'relation'],
+  next: ['one', 'next'],
 } as const satisfies Readonly<Record<string, readonly [Form, Of]>>;
 export type Asks = keyof typeof parts;
 
@@ -110,6 +115,7 @@ export interface Abouts {
   readonly flags: { readonly curve: number };
   readonly horizons: { readonly curve: number };
   readonly meeting: { readonly curve: number };
+  readonly behind: { readonly clip: string };
 }
 
 interface Asked<K extends Kind> {

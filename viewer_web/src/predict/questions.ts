@@ -4,6 +4,7 @@ import { details } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
 import { ael } from './ael.js';
+import { behind } from './behind.js';
 import { stepsOf } from './ahead.js';
 import type { Asker } from './asker.js';
 import { clip } from './clip.js';
@@ -31,6 +32,7 @@ const askers: { readonly [K in Kind]: Asker<K> } = {
   flags,
   horizons,
   meeting,
+  behind,
 };
 
 /** The kinds of question that a trace of this method and detail can answer. */

@@ -4,6 +4,7 @@ import type { Language } from '../i18n/language.js';
 import type { Case } from '../time/course.js';
 import type { Corner } from '../trace/values.js';
 import type { Relation } from './asker.js';
+import type { Becomes } from './behind.js';
 import type { relations, tests } from './relation.js';
 import { none, parts } from './question.js';
 import type { Abouts, Asks, Kind, Of, Option, Part, Question } from './question.js';
@@ -32,6 +33,7 @@ const words: Readonly<Record<Of, Say>> = {
   horizon: (value, language) => texts[language].predict.horizons[value as 'upper' | 'lower'],
   spot: (value, language) =>
     value === between ? texts[language].predict.between : texts[language].predict.overColumn(value),
+  next: (value, language) => texts[language].predict.becomes[value as Becomes],
 };
 
 /** What is asked, in the language's words for its kind. */

@@ -1,5 +1,6 @@
 import { horizonValues } from '../curves/canonical.js';
 import type { Line } from '../curves/lines.js';
+import { regionValues } from '../regions/canonical.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { toColor } from './grid.js';
@@ -17,7 +18,7 @@ export function canonical(
   { method, detail }: Header,
   lines: readonly Line[],
 ): unknown {
-  const { step, calls, warnock, zbuffer, horizon } = state.values;
+  const { step, calls, warnock, zbuffer, horizon, regions } = state.values;
   const begun = { step, calls: calls.map(({ of, at }) => ({ of, at })) };
   const { columns } = state;
   if (horizon !== null && columns !== null) {
@@ -31,6 +32,7 @@ export function canonical(
       ...(hasThreeLists(method) ? otherLists(warnock) : {}),
     },
     zbuffer: zbuffer && { ...zbufferValues(zbuffer), z: depthRows(state.screen, detail) },
+    ...(regions && { weilerAtherton: regionValues(regions) }),
   };
 }
 

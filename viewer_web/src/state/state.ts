@@ -2,6 +2,8 @@ import { Columns } from '../curves/columns.js';
 import type { SavedColumns } from '../curves/columns.js';
 import { afterCurves, emptyFloatingHorizon } from '../curves/state.js';
 import type { FloatingHorizon } from '../curves/state.js';
+import { afterRegions, emptyRegions } from '../regions/state.js';
+import type { Regions } from '../regions/state.js';
 import { common, details, eventNames, hasThreeLists, hasWindows } from '../trace/events.js';
 import type { Detail, Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
@@ -15,12 +17,19 @@ import { afterZBuffer, emptyZBuffer } from './zbuffer.js';
 import type { ZBuffer } from './zbuffer.js';
 
 /** The methods themselves, as their listings are called. */
-type Bottom = 'Warnock' | 'SimplestWarnock' | 'ThreeListsWarnock' | 'ZBuffer' | 'FloatingHorizon';
+type Bottom =
+  | 'Warnock'
+  | 'SimplestWarnock'
+  | 'ThreeListsWarnock'
+  | 'ZBuffer'
+  | 'FloatingHorizon'
+  | 'WeilerAtherton';
 
 function bottomOf(method: Method): Bottom {
   if (hasThreeLists(method)) return 'ThreeListsWarnock';
   if (method === 'warnock-simplest') return 'SimplestWarnock';
   if (method === 'floating-horizon') return 'FloatingHorizon';
+  if (method === 'weiler-atherton') return 'WeilerAtherton';
   return hasWindows(method) ? 'Warnock' : 'ZBuffer';
 }
 
@@ -37,6 +46,7 @@ export interface Values {
   readonly warnock: Warnock | null;
   readonly zbuffer: ZBuffer | null;
   readonly horizon: FloatingHorizon | null;
+  readonly regions: Regions | null;
 }
 
 /** All that a state is, as plain data. */
@@ -63,6 +73,12 @@ const closes: Partial<Record<EventName, Procedure>> = {
   visibility: 'Visibility',
   horizon: 'Horizon',
   intersection: 'Intersection',
+  cut_to_area: 'RegionClip',
+  clipped: 'RegionClip',
+  facets: 'SplitPiercing',
+  sorted: 'DepthSort',
+  nearer_ones: 'RemoveBehind',
+  painted: 'PaintRegions',
 };
 
 /** Below the level of signs nothing happens inside these, and their calls are not told. */
@@ -99,6 +115,7 @@ export class State {
   private warnock: Warnock | null;
   private zbuffer: ZBuffer | null;
   private horizon: FloatingHorizon | null;
+  private regions: Regions | null;
 
   constructor(private readonly header: Header) {
     const { method, scene, detail } = header;
@@ -108,11 +125,12 @@ export class State {
     this.warnock = hasWindows(method) ? emptyWarnock : null;
     this.zbuffer = method === 'zbuffer' ? emptyZBuffer : null;
     this.horizon = method === 'floating-horizon' ? emptyFloatingHorizon : null;
+    this.regions = method === 'weiler-atherton' ? emptyRegions : null;
   }
 
   get values(): Values {
-    const { step, calls, warnock, zbuffer, horizon } = this;
-    return { step, calls, warnock, zbuffer, horizon };
+    const { step, calls, warnock, zbuffer, horizon, regions } = this;
+    return { step, calls, warnock, zbuffer, horizon, regions };
   }
 
   /** The event of a step, at least the next that changes anything; one that cannot happen here is refused. */
@@ -148,17 +166,19 @@ export class State {
 
   load({ values, screen, columns }: Keyframe): void {
     ({ step: this.step, calls: this.calls } = values);
-    ({ warnock: this.warnock, zbuffer: this.zbuffer, horizon: this.horizon } = values);
+    ({ warnock: this.warnock, zbuffer: this.zbuffer } = values);
+    ({ horizon: this.horizon, regions: this.regions } = values);
     this.screen.load(screen);
     if (columns !== null) this.columns?.load(columns);
   }
 
   private change(event: Event): void {
-    const { warnock, zbuffer, horizon, screen, columns } = this;
+    const { warnock, zbuffer, horizon, regions, screen, columns } = this;
     if ('polygon' in event) screen.polygon(event.polygon);
     if (warnock !== null) this.warnock = afterWarnock(event, warnock, screen);
     if (zbuffer !== null) this.zbuffer = afterZBuffer(event, zbuffer, screen);
     if (horizon !== null && columns !== null) this.horizon = afterCurves(event, horizon, columns);
+    if (regions !== null) this.regions = afterRegions(event, regions, screen);
   }
 }
 

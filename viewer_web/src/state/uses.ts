@@ -1,4 +1,5 @@
 import type { FloatingHorizon } from '../curves/state.js';
+import type { Regions } from '../regions/state.js';
 import { eventNames } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import type { Warnock } from './warnock.js';
@@ -9,6 +10,7 @@ export type Field =
   | keyof Warnock
   | keyof ZBuffer
   | keyof FloatingHorizon
+  | keyof Regions
   | 'picture'
   | 'division'
   | 'z'
@@ -129,18 +131,39 @@ export const uses: Readonly<Record<EventName, Use>> = {
   raise: { changes: ['horizons'] },
   lower: { changes: ['horizons'] },
   step: none,
+
+  cut_to_area: { changes: ['facets'], sets: ['crossings'] },
+  pierce: { sets: ['piercing'] },
+  split: none,
+  facets: { sets: ['facets', 'piercing'] },
+  greatest_depth: none,
+  sorted: none,
+  push_list: { changes: ['lists'] },
+  pop_list: { changes: ['lists'], sets: ['inHand'] },
+  beside: { changes: ['inHand'] },
+  clipped: { changes: ['inHand'], sets: ['piercing', 'crossings'] },
+  edge_piece: none,
+  entering: { changes: ['crossings'] },
+  leaving: { changes: ['crossings'] },
+  behind: { changes: ['inHand'] },
+  nearer_ones: { changes: ['inHand'] },
+  show: { changes: ['visible'] },
+  order: none,
+  paint: { changes: ['picture'] },
+  painted: none,
 };
 
 /** Sets of fields as bits. */
 type Fields = number;
 
-const fieldsOf = ({ sets = [], changes = [], reads = [] }: Use): readonly Field[] => [
+export const fieldsOf = ({ sets = [], changes = [], reads = [] }: Use): readonly Field[] => [
   ...sets,
   ...changes,
   ...reads,
 ];
 const fields = [...new Set(Object.values(uses).flatMap(fieldsOf))];
-const bits = (some: readonly Field[] = []): Fields =>
+/** There are more fields than bits: runs of different kinds may share one, for no run has the fields of two. */
+export const bits = (some: readonly Field[] = []): Fields =>
   some.reduce((all, field) => all | (1 << fields.indexOf(field)), 0);
 
 export const everything: Fields = bits(fields);

@@ -24,6 +24,7 @@ const firsts: Readonly<Record<MethodKind, First>> = {
   windows: 'cases',
   scanlines: 'polygons',
   curves: 'curves',
+  regions: 'polygons',
 };
 
 /** Below it, those for which the lowest detail has events, and those that take more. */
@@ -31,6 +32,7 @@ const others: Readonly<Record<MethodKind, readonly (readonly (keyof typeof heigh
   windows: [['levels'], ['levels', 'calls']],
   scanlines: [[], ['ael', 'calls']],
   curves: [[], ['calls']],
+  regions: [[], ['calls']],
 };
 
 const heights: Readonly<Record<Exclude<LaneName, First>, number>> = {

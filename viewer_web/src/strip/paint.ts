@@ -96,10 +96,13 @@ export class StripPainter {
     const { look } = this;
     const name = cases[part];
     const polygon = scene.polygons[part];
+    const ofPolygon = (): CanvasPattern | string =>
+      polygon === undefined ? look.ground : look.ofPolygon(polygon, part);
     const ofKind: Readonly<Record<MethodKind, () => CanvasPattern | string>> = {
       windows: () => (name === undefined ? look.ground : look.ofCase(name)),
-      scanlines: () => (polygon === undefined ? look.ground : look.ofPolygon(polygon, part)),
+      scanlines: ofPolygon,
       curves: () => look.ofCurve(part),
+      regions: ofPolygon,
     };
     const fill = ofKind[methodKindOf(method)]();
     this.fills.set(part, fill);

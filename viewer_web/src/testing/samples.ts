@@ -1,5 +1,6 @@
 import type { Event, EventName } from '../trace/events.js';
 import { curveSamples } from './curve-samples.js';
+import { regionSamples } from './region-samples.js';
 
 /** One event of each kind and more where a sentence has cases: a missing kind does not compile. */
 export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
@@ -216,6 +217,7 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   ael_step: [{ e: 'ael_step', at: 'Z17', edge: 0, x: 1.5, z: 0.5 }],
 
   ...curveSamples,
+  ...regionSamples,
 };
 
 export const allSamples: readonly Event[] = Object.values(samples).flat();

@@ -15,7 +15,7 @@ export const cases = [
 export type Case = (typeof cases)[number];
 
 /**
- * Steps in a row with the same window, polygon or curve in hand, from its first step to the next one's. There may be
+ * Steps in a row with the same window, polygon, curve or clip polygon in hand, from its first step to the next one's. There may be
  * some 100 000 of them, so that each of their properties is a column.
  */
 export interface Stretches {
@@ -129,6 +129,10 @@ export class Course {
     curve: (step) => {
       const event = this.trace.timeline.event(step);
       if (event?.e === 'curve') this.begin(step, 1, event.curve);
+    },
+    pop_list: (step) => {
+      const event = this.trace.timeline.event(step);
+      if (event?.e === 'pop_list') this.begin(step, 1, this.indices.get(event.clip) ?? -1);
     },
     ael_add: (step) => this.ael.push(step),
     ael_drop: (step) => {

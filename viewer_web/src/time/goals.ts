@@ -15,6 +15,8 @@ export const goalNames = [
   'ael',
   'curve',
   'crossing',
+  'list',
+  'region',
   'wrong',
   'pixel',
   'bookmark',
@@ -29,6 +31,7 @@ const ofKind: Readonly<Record<MethodKind, readonly GoalName[]>> = {
   windows: ['split', 'wrong', 'pixel', 'bookmark'],
   scanlines: ['ael', 'wrong', 'pixel', 'bookmark'],
   curves: ['curve', 'crossing', 'wrong', 'pixel', 'bookmark'],
+  regions: ['list', 'region', 'wrong', 'pixel', 'bookmark'],
 };
 
 export const goalsOf = (method: Method): readonly GoalName[] => ofKind[methodKindOf(method)];
@@ -46,6 +49,8 @@ const isGoal: Readonly<Record<SearchedName, (timeline: Timeline, step: number) =
   ael: (timeline, step) => changesAel(timeline.event(step)),
   curve: () => true,
   crossing: () => true,
+  list: () => true,
+  region: () => true,
   wrong: () => true,
 };
 
@@ -54,6 +59,8 @@ const wanted: Readonly<Record<SearchedName, Wanted>> = {
   ael: only('ael_add', 'ael_drop'),
   curve: only('curve'),
   crossing: only('intersection'),
+  list: only('pop_list'),
+  region: only('show'),
   wrong: only('disagree'),
 };
 

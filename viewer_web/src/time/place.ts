@@ -1,6 +1,7 @@
 import type { Texts } from '../i18n/texts.js';
 import { point, short } from '../i18n/words.js';
 import { numberOf } from '../trace/events.js';
+import type { Event } from '../trace/events.js';
 import type { Box } from '../trace/values.js';
 import { bookmarkAt } from './bookmarks.js';
 import type { Bookmarks } from './bookmarks.js';
@@ -33,6 +34,11 @@ function rowAt({ trace: { timeline } }: Course, first: number, step: number): nu
 const isAmong = (steps: readonly number[], step: number): boolean =>
   steps[indexFrom(steps, step)] === step;
 
+const polygonOf = (begins: Event | null): string | null => {
+  if (begins?.e === 'pop_list') return begins.clip;
+  return begins?.e === 'polygon' ? begins.polygon : null;
+};
+
 export function placeAt(course: Course, step: number): Place {
   const { header, timeline } = course.trace;
   const index = course.indexAt(step);
@@ -42,7 +48,7 @@ export function placeAt(course: Course, step: number): Place {
   return {
     window: begins?.e === 'pop' ? begins.window : null,
     case: begins?.e === 'pop' ? decided : null,
-    polygon: begins?.e === 'polygon' ? begins.polygon : null,
+    polygon: polygonOf(begins),
     curve: begins?.e === 'curve' ? begins.curve : null,
     row: header.method === 'zbuffer' && first > 0 ? rowAt(course, first, step) : null,
     wrong: isAmong(course.wrong, step),

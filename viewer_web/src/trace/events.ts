@@ -1,4 +1,5 @@
 import { floatingHorizon } from '../curves/events.js';
+import { weilerAtherton } from '../regions/events.js';
 import {
   between,
   bool,
@@ -16,6 +17,7 @@ import { decisions, told } from './decisions.js';
 import { bodies, lists } from './family-events.js';
 import { kind } from './kind.js';
 import type { AnyKind } from './kind.js';
+import { row } from './row-event.js';
 import {
   answer,
   box,
@@ -42,7 +44,7 @@ export { details } from './kind.js';
 export type { AnyKind, Detail } from './kind.js';
 
 const anyLine = matching(
-  /^(?:W|PW|PC|D|S|PL|I|F|Z|L|WS|WF|RE|TF|CR|OA|HP|VS|ED|BF|FH|SE|V|H|IN)[1-9]\d?$/,
+  /^(?:W|PW|PC|D|S|PL|I|F|Z|L|WS|WF|RE|TF|CR|OA|HP|VS|ED|BF|FH|SE|V|H|IN|WA|SP|DS|RC|RB|PR)[1-9]\d?$/,
   'label',
 );
 const edges = list(count);
@@ -63,13 +65,22 @@ export const procedures = [
   'Visibility',
   'Horizon',
   'Intersection',
+  'SplitPiercing',
+  'DepthSort',
+  'RegionClip',
+  'RemoveBehind',
+  'PaintRegions',
 ] as const;
 export type Procedure = (typeof procedures)[number];
 
 export const common = {
   plane: kind(oneOf('I1'), 'p', { polygon: id, plane: tuple(num, num, num, num) }),
   call: kind(anyLine, 'p', { of: oneOf(...procedures) }),
-  depth: kind(oneOf('PW5', 'PC3', 'Z3', 'HP3'), 'p', { polygon: id, point: pair, z: num }),
+  depth: kind(oneOf('PW5', 'PC3', 'Z3', 'HP3', 'DS1', 'RB2'), 'p', {
+    polygon: id,
+    point: pair,
+    z: num,
+  }),
   fault: kind(anyLine, 'w', { reason: text, x: optional(whole), y: optional(whole) }),
   disagree: kind(anyLine, 'w', {
     of: oneOf(...decisions),
@@ -146,14 +157,7 @@ export const warnock = {
   clip_drop: kind(oneOf('PL6'), 'p', { vertex: triple }),
   clip_list: kind(oneOf('PL7'), 'p', { count }),
   clip_result: kind(oneOf('W12', 'WF8'), 'p', { polygon: id, vertices: list(triple) }),
-  row: kind(oneOf('F2'), 's', {
-    row: whole,
-    left: num,
-    right: num,
-    first: whole,
-    end: whole,
-    ...told,
-  }),
+  row,
   draw: kind(oneOf('W11', 'W12', 'WF7', 'WF8'), 'w', { polygon: id, color, runs }),
 } as const;
 
@@ -201,6 +205,7 @@ export const tables = {
   'warnock-bodies': { ...warnock, ...bodies },
   zbuffer,
   'floating-horizon': floatingHorizon,
+  'weiler-atherton': weilerAtherton,
 } as const;
 export type Method = keyof typeof tables;
 export const methods = Object.keys(tables) as readonly Method[];
@@ -222,7 +227,8 @@ export type CommonEvents = EventsOf<typeof common>;
 export type WarnockEvents = EventsOf<typeof threeLists> & EventsOf<typeof bodies>;
 export type ZBufferEvents = EventsOf<typeof zbuffer>;
 export type CurveEvents = EventsOf<typeof floatingHorizon>;
-export type Events = CommonEvents & WarnockEvents & ZBufferEvents & CurveEvents;
+export type RegionEvents = EventsOf<typeof weilerAtherton>;
+export type Events = CommonEvents & WarnockEvents & ZBufferEvents & CurveEvents & RegionEvents;
 
 export type EventName = keyof Events;
 /** An event, or with a name the event of that name. */
@@ -236,6 +242,7 @@ export const kinds: Readonly<Record<EventName, AnyKind>> = {
   ...lists,
   ...zbuffer,
   ...floatingHorizon,
+  ...weilerAtherton,
 };
 
 /** The names, each at its number: numbers are looked through faster than events. */

@@ -2,9 +2,10 @@ import { hasWindows } from './events.js';
 import type { Method } from './events.js';
 
 /** What a method goes through, one after the other: this decides what the page shows of its runs. */
-export type MethodKind = 'windows' | 'scanlines' | 'curves';
+export type MethodKind = 'windows' | 'scanlines' | 'curves' | 'regions';
 
 export function methodKindOf(method: Method): MethodKind {
   if (hasWindows(method)) return 'windows';
+  if (method === 'weiler-atherton') return 'regions';
   return method === 'zbuffer' ? 'scanlines' : 'curves';
 }

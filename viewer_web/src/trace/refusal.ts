@@ -60,6 +60,12 @@ export interface Reasons {
   notRight: [];
   noSuchCurve: [curve: string];
   notOfCurve: [segment: string];
+  // Of regions.
+  noList: [];
+  notTopList: [];
+  noListInHand: [];
+  notNextPiece: [polygon: string];
+  behindCount: [said: string, found: string];
 }
 export type Reason = keyof Reasons;
 

@@ -18,6 +18,7 @@ export const colors = css`
     --zbuffer-grid: #b4568c;
     --zbuffer-window: #56606f;
     --zbuffer-fixed: var(--ink);
+    --weiler-atherton-fixed: #c2185b;
     --warnock-simplest-fixed: #8c5e00;
     --warnock-full-fixed: #00608f;
     --warnock-angles-fixed: #a3416f;
@@ -37,6 +38,7 @@ export const colors = css`
       --zbuffer-depth: #e69f00;
       --zbuffer-grid: #dd8fbb;
       --zbuffer-window: #9aa5b5;
+      --weiler-atherton-fixed: #ff8fb3;
       --warnock-simplest-fixed: #e0b458;
       --warnock-full-fixed: #6cc3f2;
       --warnock-angles-fixed: #f0a0c8;

@@ -20,6 +20,7 @@ export const chart: ChartTexts = {
   methods: {
     warnock: 'Warnock',
     zbuffer: 'Z-buffer',
+    'weiler-atherton': 'Weiler–Atherton',
     ...family.methods,
   },
   variants: 'Variants of Warnock',

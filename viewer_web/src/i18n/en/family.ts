@@ -33,6 +33,8 @@ export const family: FamilyTexts = {
       'Closed convex bodies, each polygon counter-clockwise as seen from outside. Faces that look away are left out; of equally near ones the face that looks towards the viewer shows.',
     'floating-horizon':
       'Curves with samples on whole columns, the nearest first. Draws what is beyond both horizons, and raises them to it.',
+    'weiler-atherton':
+      'Convex planar polygons. Cuts them by one another’s outlines until what is visible is known as regions; then paints these.',
     zbuffer:
       'Convex planar polygons. Scans each with an active edge list; keeps the nearest depth at each pixel.',
   },

@@ -25,6 +25,7 @@ export const history: HistoryTexts = {
     empty: () => 'no polygon is left in this window.',
     nothing: () => 'no polygon covers its centre.',
     beside: () => 'the only polygon in this window does not cover the centre of the pixel.',
+    region: (polygon) => `its centre lies in a visible region, where ${polygon} is the nearest.`,
     untouched: () => 'no polygon took the pixel.',
   },
   whyBackground: 'Why it is background:',

@@ -26,6 +26,7 @@ export const predict: PredictTexts = {
     flags: 'flags of columns',
     horizons: 'the new horizons',
     meeting: 'where a horizon is met',
+    behind: 'what is behind',
   },
   intro: {
     window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
@@ -46,6 +47,8 @@ export const predict: PredictTexts = {
       row === null
         ? `What is the AEL of ${polygon} on its first scanline?`
         : `Row ${row} of ${polygon} is done. What is the AEL on the next scanline?`,
+    behind: ({ clip }) =>
+      `RemoveBehind: the parts inside ${clip}, each by its box. Depth is compared at the mean of a part’s vertices.`,
     pixels: ({ polygon, row }) =>
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
     flags: ({ curve }) =>
@@ -76,6 +79,9 @@ export const predict: PredictTexts = {
     crossed: 'Which edges are counted?',
     crossings: 'How many crossings are there in all?',
     halved: 'Which edges go to the opposite octant and must be split?',
+    hidden: 'Which of them are behind?',
+    partDepth: 'Its depth there against that of the clip polygon:',
+    next: 'And then?',
     sum: 'What is the sum, in octants?',
     pixelDepths: 'Its depth there against the stored one:',
     above: 'Over which of these columns is it on the upper horizon or above it?',
@@ -106,6 +112,10 @@ export const predict: PredictTexts = {
     RE2: 'the box lies inside',
     RE3: 'an edge meets the window',
     RE4: 'containment',
+  },
+  becomes: {
+    visible: 'the clip polygon is visible',
+    again: 'what is nearer goes on the stack, the clip polygon last',
   },
   edge: (edge) => `edge ${edge}`,
   column: (column) => `column ${column}`,

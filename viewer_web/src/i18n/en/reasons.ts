@@ -57,4 +57,9 @@ export const reasons: ReasonTexts = {
   notRight: () => 'this sample is not right of the one before, or not in the window',
   noSuchCurve: (curve) => `the scene has no curve ${curve}`,
   notOfCurve: (segment) => `the curve in hand has no samples on ${segment} with none between`,
+  noList: () => 'a list is taken from an empty stack',
+  notTopList: () => 'another list is on top of the stack',
+  noListInHand: () => 'there is no list in hand',
+  notNextPiece: (polygon) => `the next piece of the list in hand is not one of ${polygon}`,
+  behindCount: (said, found) => `${said} parts inside were looked at, there are ${found}`,
 };

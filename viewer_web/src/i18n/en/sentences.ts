@@ -4,6 +4,7 @@ import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
 import { family } from './family.js';
+import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
 
 const pixels = { one: 'pixel', other: 'pixels' };
@@ -201,4 +202,5 @@ export const sentences: Sentences = {
   ael_step: ({ edge, x, z }) => `Edge ${edge} steps to x = ${short(x)}, z = ${short(z)}.`,
 
   ...curveSentences,
+  ...regionSentences,
 };

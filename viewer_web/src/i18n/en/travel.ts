@@ -14,6 +14,8 @@ export const travel: TravelTexts = {
     ael: 'a change of AEL',
     curve: 'a curve',
     crossing: 'an intersection',
+    list: 'a list in hand',
+    region: 'a visible region',
     wrong: 'a wrong decision',
     pixel: 'a step of the chosen pixel',
     bookmark: 'a bookmark',

@@ -17,7 +17,12 @@ export const chart: ChartTexts = {
   cost: 'Цена',
   error: 'Ошибка',
   series: 'Показаны',
-  methods: { warnock: 'Варнок', zbuffer: 'Z-буфер', ...family.methods },
+  methods: {
+    warnock: 'Варнок',
+    zbuffer: 'Z-буфер',
+    'weiler-atherton': 'Вейлер — Азертон',
+    ...family.methods,
+  },
   variants: 'Варианты алгоритма Варнока',
   variantNames: family.names,
   knobs: { bits: 'биты', depth: 'биты глубины', grid: 'сетка', window: 'окно' },

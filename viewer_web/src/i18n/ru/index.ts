@@ -9,6 +9,7 @@ import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
 import { predict } from './predict.js';
 import { reader } from './reader.js';
+import { regions } from './regions.js';
 import { reasons } from './reasons.js';
 import { scene } from './scene.js';
 import { sentences } from './sentences.js';
@@ -35,4 +36,5 @@ export const texts: Texts = {
   compare,
   reader,
   family,
+  regions,
 };

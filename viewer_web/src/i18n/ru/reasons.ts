@@ -57,4 +57,9 @@ export const reasons: ReasonTexts = {
   notRight: () => 'этот отсчёт не правее предыдущего или вне окна',
   noSuchCurve: (curve) => `в сцене нет кривой ${curve}`,
   notOfCurve: (segment) => `у текущей кривой нет соседних отсчётов ${segment}`,
+  noList: () => 'список берётся из пустого стека',
+  notTopList: () => 'наверху стека другой список',
+  noListInHand: () => 'текущего списка нет',
+  notNextPiece: (polygon) => `следующая часть текущего списка — не от ${polygon}`,
+  behindCount: (said, found) => `рассмотрено частей внутри: ${said}, а их ${found}`,
 };

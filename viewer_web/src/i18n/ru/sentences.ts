@@ -4,6 +4,7 @@ import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
 import { family } from './family.js';
+import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
 
 const pixels = { one: 'пиксель', few: 'пикселя', other: 'пикселей' };
@@ -216,4 +217,5 @@ export const sentences: Sentences = {
   ael_step: ({ edge, x, z }) => `Ребро ${edge} делает шаг: x = ${short(x)}, z = ${short(z)}.`,
 
   ...curveSentences,
+  ...regionSentences,
 };

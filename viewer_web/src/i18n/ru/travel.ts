@@ -14,6 +14,8 @@ export const travel: TravelTexts = {
     ael: 'изменение AEL',
     curve: 'кривая',
     crossing: 'встреча с горизонтом',
+    list: 'текущий список',
+    region: 'видимая область',
     wrong: 'неверное решение',
     pixel: 'шаг выбранного пикселя',
     bookmark: 'закладка',

@@ -1,0 +1,31 @@
+import { customElement, property } from 'lit/decorators.js';
+import type { Frame } from '../picture/frame.js';
+import type { Cells } from '../picture/paint.js';
+import { allLayers } from '../regions/layers.js';
+import type { RegionLayer } from '../regions/layers.js';
+import { regionsStyle } from '../regions/regions.style.js';
+import { regionShapes } from '../regions/shapes.js';
+import { drawn } from './drawn.js';
+import { PictureElement } from './picture.js';
+
+/** The picture so far, over it the regions, and what the step is about. */
+@customElement('vidno-region-picture')
+export class RegionPictureElement extends PictureElement {
+  static override styles = [...PictureElement.styles, regionsStyle];
+
+  @property({ attribute: false }) shown: ReadonlySet<RegionLayer> = allLayers;
+
+  protected override get cells(): Cells | null {
+    return this.shown.has('pixels') ? super.cells : null;
+  }
+
+  protected override over(frame: Frame): unknown {
+    return regionShapes(this.view, frame, this.shown).map(drawn);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-region-picture': RegionPictureElement;
+  }
+}

@@ -1,0 +1,129 @@
+import { boundsOf, verticesOf } from '../../regions/geometry.js';
+import type { Region } from '../../regions/events.js';
+import type { RegionSentences, RegionTexts } from '../region-texts.js';
+import { cells, point, short, shortApart } from '../words.js';
+import type { Words } from '../words.js';
+
+const pieces = { one: 'piece', other: 'pieces' };
+const vertices = { one: 'vertex', other: 'vertices' };
+
+const sized = (region: Region, words: Words): string =>
+  words.counted(verticesOf(region), vertices) +
+  (region.length > 1 ? `, ${words.counted(region.length, { one: 'loop', other: 'loops' })}` : '');
+
+function boxOf(region: Region): string {
+  const { from, to } = boundsOf(region);
+  return `${point(from)} – ${point(to)}`;
+}
+
+const lies = {
+  inside: 'inside the clip region',
+  outside: 'outside the clip region',
+  same_side: 'on the outline of the clip region, both on the same side of it: it goes inside',
+  other_side: 'on the outline of the clip region, they on different sides of it: it goes outside',
+} as const;
+
+export const regionSentences: RegionSentences = {
+  cut_to_area: ({ polygon, region }, words) =>
+    region.length === 0
+      ? `No part of ${polygon} lies in the area: it takes no part.`
+      : `The part of ${polygon} in the area has ${words.counted(verticesOf(region), vertices)}.`,
+  pierce: ({ polygon, other, normal, point: at }) =>
+    `${polygon} and ${other} pierce each other: what they have in common lies on both sides of the line in which their planes meet, through ${point(at)}. On the side of ${point(normal)} ${polygon} is nearer.`,
+  split: ({ polygon }) =>
+    `${polygon} is split along that line: each of its two pieces is on one side of the other polygon.`,
+  facets: ({ pieces: all }, words) =>
+    `${words.counted(all.length, pieces)}: no two of them pierce each other.`,
+  greatest_depth: ({ polygon, z }) =>
+    `The greatest depth of this piece of ${polygon} at its vertices is ${short(z)}.`,
+  sorted: ({ polygons }, words) =>
+    polygons.length === 0
+      ? 'There is nothing to sort.'
+      : `The nearest first, by that depth: ${words.ids(polygons)}.`,
+  push_list: ({ at, pieces: all }, words) => {
+    const ids = words.ids(all.map(([id]) => id));
+    const n = words.counted(all.length, pieces);
+    if (at === 'WA3') return `The sorted list goes on the stack: ${ids}.`;
+    if (at === 'WA6') {
+      return `What lies outside the clip polygon is looked at by itself: ${n} on the stack, ${ids}.`;
+    }
+    const last = all.at(-1)?.[0] ?? '';
+    return `The clip polygon ${last} is not the nearest here: what is nearer goes on the stack, and ${last} as its ground, ${ids}.`;
+  },
+  pop_list: ({ clip, count }, words) =>
+    `The list of ${words.counted(count, pieces)} comes off the stack: its first, a piece of ${clip}, is the clip polygon.`,
+  beside: ({ polygon }, { before }) => {
+    const { pieces: all = [], seen = 0 } = before.regions?.inHand ?? {};
+    const [piece, clip] = [all[seen], all[0]];
+    if (piece === undefined || clip === undefined) return `${polygon} lies outside.`;
+    return `The box of ${polygon}, ${boxOf(piece[1])}, lies beside that of ${clip[0]}, ${boxOf(clip[1])}: all of the piece is outside.`;
+  },
+  clipped: ({ at, polygon, clip, inside, outside }, words) => {
+    if (inside.length === 0) return `No part of ${polygon} lies inside ${clip}.`;
+    if (at === 'SP1') {
+      return `${polygon} and ${clip} have a region of ${sized(inside, words)} in common.`;
+    }
+    if (outside.length === 0) return `All of this piece of ${polygon} lies inside ${clip}.`;
+    return `The outline of ${clip} cuts ${polygon} in two: inside ${sized(inside, words)}, outside ${sized(outside, words)}.`;
+  },
+  edge_piece: ({ from, to, lies: where }) =>
+    `The outline from ${point(from)} to ${point(to)} lies ${lies[where]}.`,
+  entering: ({ point: at }) => `At ${point(at)} the outline enters the clip region.`,
+  leaving: ({ point: at }) => `At ${point(at)} the outline leaves the clip region.`,
+  behind: ({ polygon, clip, point: at, z, clipZ, order, behind }) => {
+    const [own, other] = shortApart(z, clipZ);
+    const where = `At ${point(at)}, the mean of its vertices, ${polygon} has depth ${own}, ${clip} ${other}`;
+    if (order === 0) {
+      return behind
+        ? `${where}: equal, and ${clip} comes first in the scene, so ${polygon} is behind.`
+        : `${where}: equal, and ${polygon} comes first in the scene, so it is nearer.`;
+    }
+    return behind
+      ? `${where}: less, so ${polygon} is behind, here as all over the piece.`
+      : `${where}: greater, so ${polygon} is nearer, here as all over the piece.`;
+  },
+  nearer_ones: ({ polygons }, words) => {
+    const clip = words.after.regions?.inHand?.pieces[0]?.[0] ?? 'the clip polygon';
+    return polygons.length === 0
+      ? `Nothing inside is nearer than ${clip}: the rest inside goes.`
+      : `Nearer than ${clip}: ${words.ids(polygons)}. So ${clip} is not what shows first.`;
+  },
+  show: ({ polygon, region }, words) =>
+    `${polygon} is visible in this region of ${sized(region, words)}: nothing inside its outline is nearer.`,
+  order: ({ polygon, other, point: at, z, otherZ, order }) => {
+    const so = { '-1': 'behind', 0: 'as near as', 1: 'nearer than' }[order];
+    const sign = { '-1': '<', 0: '=', 1: '>' }[order];
+    return `At the centre ${point(at)} ${polygon} is ${so} ${other}: ${shortApart(z, otherZ).join(` ${sign} `)}.`;
+  },
+  paint: ({ polygon, runs }, words) => {
+    const n = cells(runs);
+    return n === 0
+      ? `No pixel takes the colour of ${polygon}: the centres in this region are taken, or there are none.`
+      : `${words.counted(n, { one: 'pixel', other: 'pixels' })} with ${n === 1 ? 'its centre' : 'their centres'} in this region ${n === 1 ? 'takes' : 'take'} the colour of ${polygon}.`;
+  },
+  painted: () => 'All visible regions are painted.',
+};
+
+export const regions: RegionTexts = {
+  lists: 'Stack of lists',
+  list: 'List in hand',
+  clip: 'clip polygon',
+  ground: 'ground',
+  inside: 'Inside',
+  outside: 'Outside',
+  behind: 'behind',
+  nearer: 'nearer',
+  visible: 'Visible regions',
+  area: 'area',
+  vertices: 'vertices',
+  pieces: 'Pieces',
+  loops: (n) => (n === 1 ? '1 loop' : `${n} loops`),
+  layers: {
+    pixels: 'pixels',
+    visible: 'visible regions',
+    list: 'list in hand',
+    parts: 'inside and outside',
+    crossings: 'entering and leaving',
+  },
+  layersName: 'What the picture shows of the regions',
+};

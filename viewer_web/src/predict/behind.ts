@@ -1,0 +1,71 @@
+import { point, toNumber } from '../i18n/words.js';
+import { polygonThing } from '../pointed.js';
+import { boundsOf } from '../regions/geometry.js';
+import type { Piece } from '../regions/events.js';
+import { methodKindOf } from '../trace/method-kind.js';
+import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
+import { mostOptions, optionsOf, relationOptions } from './asker.js';
+import type { Asker, Relation } from './asker.js';
+import type { Option, Part } from './question.js';
+
+/** What comes of the clip polygon: it is visible, or its list is looked at once more. */
+export const becomes = ['visible', 'again'] as const;
+export type Becomes = (typeof becomes)[number];
+
+const relationBy = { '-1': '<', 0: '=', 1: '>' } as const satisfies Record<string, Relation>;
+
+/** A part by the box around it. */
+function optionOf([id, region]: Piece): Option {
+  const { from, to } = boundsOf(region);
+  return { value: id, note: `${point(from)} – ${point(to)}` };
+}
+
+/** Which parts inside does the clip polygon hide, and is it visible then? */
+export const behind: Asker<'behind'> = {
+  isOf: (method) => methodKindOf(method) === 'regions',
+  from: 'polygons',
+  at: ['call'],
+  ask(trace, step) {
+    if (eventAt(trace, step, 'call')?.of !== 'RemoveBehind') return null;
+    const result = nextOf(trace, step, 'nearer_ones', 'pop_list');
+    const { inHand = null } = trace.timeline.seek(step).values.regions ?? {};
+    const clip = inHand?.pieces[0];
+    if (result === null || inHand === null || clip === undefined) return null;
+    const parts = inHand.inside.filter(([, , ground]) => !ground);
+    const ids = new Set(parts.map(([id]) => id));
+    const areTold = parts.every(([, region]) => region.flat(2).every(isTold));
+    if (parts.length === 0 || ids.size < parts.length || !areTold) return null;
+    if (parts.length > mostOptions) return null;
+    const until = result.step;
+    const compared = stepsOf(trace, step, until, 'behind');
+    const [only] = compared;
+    const depth: Part | null =
+      only === undefined || compared.length > 1
+        ? null
+        : {
+            asks: 'partDepth',
+            options: relationOptions,
+            right: [relationBy[only.event.order]],
+          };
+    const isVisible = result.event.polygons.length === 0;
+    return {
+      kind: 'behind',
+      step,
+      until,
+      about: { clip: clip[0] },
+      parts: [
+        ...(depth === null ? [] : [depth]),
+        {
+          asks: 'hidden',
+          options: parts.map(optionOf),
+          right: compared.filter(({ event }) => event.behind).map(({ event }) => event.polygon),
+        },
+        { asks: 'next', options: optionsOf(becomes), right: [isVisible ? 'visible' : 'again'] },
+      ],
+      because: inOrder(stepsOf(trace, step, until, 'depth'), compared, [result]),
+      things: [clip[0], ...ids].map(polygonThing),
+    };
+  },
+};
+
+const isTold = (value: Parameters<typeof toNumber>[0]): boolean => Number.isFinite(toNumber(value));

@@ -1,0 +1,8 @@
+import { figureFrame, figureOf } from '../picture/figure.js';
+import type { View } from '../view.js';
+import { allLayers } from './layers.js';
+import { regionShapes } from './shapes.js';
+
+/** The picture at a step with its regions, as an SVG document of its own; see `figureOf`. */
+export const regionFigureOf = (view: View): string =>
+  figureOf(view, regionShapes(view, figureFrame(view), allLayers));

@@ -1,0 +1,155 @@
+import type { Event, RegionEvents } from '../trace/events.js';
+import { Refusal } from '../trace/refusal.js';
+import type { Pair } from '../trace/values.js';
+import type { Piece, Region } from './events.js';
+
+export type List = readonly Piece[];
+
+/** The list that was taken from the stack; its first piece is the clip polygon. */
+export interface ListInHand {
+  readonly pieces: List;
+  /** How many of them were looked at, the clip polygon among them. */
+  readonly seen: number;
+  readonly inside: List;
+  readonly outside: List;
+  /** Of the parts inside that are not ground, in their order, whether the clip polygon hides them. */
+  readonly behind: readonly boolean[];
+}
+
+/** Where, so far, the outline of the region that is being clipped enters the clip region, and where it leaves it. */
+export interface Crossings {
+  readonly entering: readonly Pair[];
+  readonly leaving: readonly Pair[];
+}
+
+/** The state of Weiler and Atherton's algorithm. */
+export interface Regions {
+  /** The stack, its bottom first. */
+  readonly lists: readonly List[];
+  readonly inHand: ListInHand | null;
+  readonly facets: List;
+  readonly visible: List;
+  readonly crossings: Crossings;
+  /** The two polygons that are being split, and the line along which they are. */
+  readonly piercing: RegionEvents['pierce'] | null;
+}
+
+const noCrossings: Crossings = { entering: [], leaving: [] };
+
+export const emptyRegions: Regions = {
+  lists: [],
+  inHand: null,
+  facets: [],
+  visible: [],
+  crossings: noCrossings,
+  piercing: null,
+};
+
+/** What is painted on. */
+interface Canvas {
+  paint(x: number, y: number, width: number, height: number, color: string): void;
+}
+
+type Handler<K extends Event['e']> = (
+  event: Event<K>,
+  now: Regions,
+  canvas: Canvas,
+) => Partial<Regions>;
+
+const unchanged: Partial<Regions> = {};
+const nothing = (): Partial<Regions> => unchanged;
+
+const isEmpty = (region: Region): boolean => region.length === 0;
+
+/** The list in hand, of which this polygon's piece must be the next. */
+function handWith(polygon: string, { inHand }: Regions): readonly [ListInHand, Piece] {
+  if (inHand === null) throw new Refusal('', 'noListInHand');
+  const next = inHand.pieces[inHand.seen];
+  if (next?.[0] !== polygon) throw new Refusal('polygon', 'notNextPiece', polygon);
+  return [inHand, next];
+}
+
+/** A piece of the list in hand went inside, outside, or in part to each. */
+function parted(
+  polygon: string,
+  now: Regions,
+  inside: Region,
+  outside: (whole: Region) => Region,
+): Partial<Regions> {
+  const [hand, [, whole, ground]] = handWith(polygon, now);
+  const with_ = (list: List, part: Region): List =>
+    isEmpty(part) ? list : [...list, [polygon, part, ground]];
+  return {
+    inHand: {
+      ...hand,
+      seen: hand.seen + 1,
+      inside: with_(hand.inside, inside),
+      outside: with_(hand.outside, outside(whole)),
+    },
+  };
+}
+
+const handlers: { readonly [K in keyof RegionEvents]: Handler<K> } = {
+  cut_to_area: ({ polygon, region }, { facets }) => ({
+    crossings: noCrossings,
+    facets: isEmpty(region) ? facets : [...facets, [polygon, region, false]],
+  }),
+  pierce: (event) => ({ piercing: event }),
+  split: nothing,
+  facets: ({ pieces }) => ({ facets: pieces, piercing: null }),
+  greatest_depth: nothing,
+  sorted: nothing,
+  push_list: ({ pieces }, { lists }) => ({ lists: [...lists, pieces] }),
+  pop_list: ({ clip, count }, { lists }) => {
+    const pieces = lists.at(-1);
+    if (pieces === undefined) throw new Refusal('', 'noList');
+    if (pieces[0]?.[0] !== clip || pieces.length !== count) throw new Refusal('clip', 'notTopList');
+    return {
+      lists: lists.slice(0, -1),
+      inHand: { pieces, seen: 1, inside: [], outside: [], behind: [] },
+    };
+  },
+  beside: ({ polygon }, now) => parted(polygon, now, [], (whole) => whole),
+  // SplitPiercing only looks at what two polygons have in common.
+  clipped: ({ at, polygon, inside, outside }, now) => ({
+    ...(at === 'WA5' ? parted(polygon, now, inside, () => outside) : unchanged),
+    piercing: null,
+    crossings: noCrossings,
+  }),
+  edge_piece: nothing,
+  entering: ({ point }, { crossings }) => ({
+    crossings: { ...crossings, entering: [...crossings.entering, point] },
+  }),
+  leaving: ({ point }, { crossings }) => ({
+    crossings: { ...crossings, leaving: [...crossings.leaving, point] },
+  }),
+  behind: ({ behind }, { inHand }) => {
+    if (inHand === null) throw new Refusal('', 'noListInHand');
+    return { inHand: { ...inHand, behind: [...inHand.behind, behind] } };
+  },
+  nearer_ones: (_event, { inHand }) => {
+    if (inHand === null) throw new Refusal('', 'noListInHand');
+    const asked = inHand.inside.filter(([, , ground]) => !ground);
+    const { behind } = inHand;
+    if (asked.length !== behind.length) {
+      throw new Refusal('', 'behindCount', String(behind.length), String(asked.length));
+    }
+    return {
+      inHand: { ...inHand, inside: asked.filter((_, i) => behind[i] !== true), behind: [] },
+    };
+  },
+  show: ({ polygon, region }, { visible }) => ({ visible: [...visible, [polygon, region, false]] }),
+  row: nothing,
+  order: nothing,
+  paint: ({ color, runs }, _now, canvas) => {
+    for (const [row, first, end] of runs) canvas.paint(first, row, end - first, 1, color);
+    return unchanged;
+  },
+  painted: nothing,
+};
+
+export function afterRegions(event: Event, now: Regions, canvas: Canvas): Regions {
+  const handle = (handlers as Readonly<Partial<Record<string, Handler<Event['e']>>>>)[event.e];
+  const change = handle?.(event, now, canvas) ?? unchanged;
+  return change === unchanged ? now : { ...now, ...change };
+}
