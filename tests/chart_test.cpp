@@ -77,18 +77,6 @@ TEST_CASE("Chart: the methods of the Warnock family that take the scene, under e
     CHECK_MESSAGE(number_of(ways, std::nullopt, Method::warnock_bodies) == 0, "a quad is no body");
 }
 
-TEST_CASE("Chart: for the page without the Warnock family, and compared anew") {
-    const SceneChart all = charted(half_quad());
-    const SceneChart known = without_family(all);
-    CHECK(known.runs.size() == all.runs.size() - 5 * 6);
-    double least = INFINITY;
-    for (const auto& run : known.runs) {
-        CHECK_FALSE(is_family(run.way.method));
-        least = std::min(least, run.cost.time);
-    }
-    CHECK(least == 1);
-}
-
 TEST_CASE("Operations: the Warnock family finds a window surrounded by its own tests") {
     using enum Operation;
     // The box test, twice; the edges against four corners each. To the right of the centre (8, 8) one edge crosses the ray, the one

@@ -53,6 +53,12 @@ std::vector<Entry> atlas() {
     return entries;
 }
 
+Method method_named(const std::string& name) {
+    const auto found = std::find(method_names.begin(), method_names.end(), name);
+    REQUIRE(found != method_names.end());
+    return Method(found - method_names.begin());
+}
+
 Edition edition_named(const std::string& name) {
     const auto found = std::find(edition_names.begin(), edition_names.end(), name);
     REQUIRE(found != edition_names.end());
@@ -62,9 +68,7 @@ Edition edition_named(const std::string& name) {
 NamedKernel kernel_in(const json& run) { return *kernel_named(run.at("kernel").get<std::string>()); }
 
 RunRequest request_of(const json& run, const Scene& scene) {
-    const bool warnock = run.at("method") == "warnock";
-    return {warnock ? Method::warnock : Method::zbuffer, kernel_in(run), edition_named(run.at("edition")), scene,
-            Detail::signs};
+    return {method_named(run.at("method")), kernel_in(run), edition_named(run.at("edition")), scene, Detail::signs};
 }
 
 /// What a run shows of its failure.

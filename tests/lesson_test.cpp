@@ -282,6 +282,14 @@ TEST_CASE("A lesson whose run is of curves: in order, built, and refused what do
     CHECK_MESSAGE(program("lesson check " + lesson.folder).status == 2, "no scene of polygons");
 }
 
+TEST_CASE("A scene that the method of a run does not take is refused") {
+    const SquareLesson lesson;
+    lesson.edit("lesson.json", R"("warnock"})", R"("warnock-bodies"})");
+    const auto [status, text] = program("lesson check " + lesson.folder);
+    CHECK(status == 2);
+    CHECK(text.find("scene.json: not for warnock-bodies: polygon A has an edge") != text.npos);
+}
+
 TEST_CASE("A pin that no story leads to is of no use") {
     const SquareLesson lesson;
     lesson.edit("lesson.json", R"("all":)", R"("idle": {"find": [{"e": "push"}]}, "all":)");
@@ -366,6 +374,6 @@ TEST_CASE("The lessons say what their runs do, in both languages") {
     for (const auto& entry : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons")) {
         if (std::filesystem::exists(entry.path() / "lesson.json")) folders.insert(entry.path().string());
     }
-    CHECK(folders.size() >= 11);
+    CHECK(folders.size() >= 14);
     for (const auto& folder : folders) CHECK_MESSAGE(program("lesson check " + folder).text == "", folder);
 }

@@ -160,10 +160,4 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress) {
     return chart;
 }
 
-SceneChart without_family(SceneChart chart) {
-    std::erase_if(chart.runs, [](const ChartRun& run) { return is_family(run.way.method); });
-    compare_runs(chart.runs, cost_axes, error_axes);
-    return chart;
-}
-
 }  // namespace vidno

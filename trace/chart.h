@@ -69,9 +69,6 @@ std::size_t turns_of(const Scene& scene);
 
 SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
 
-/// The same without the Warnock family, of which the page does not know.
-SceneChart without_family(SceneChart chart);
-
 std::string chart_json(const std::vector<SceneChart>& scenes);
 std::string chart_csv(const std::vector<SceneChart>& scenes);
 

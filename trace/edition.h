@@ -21,7 +21,10 @@ enum class Edition : unsigned char {
     depth_sign_reversed,
     boundary_outside,
     integer_division,
-    surround_kept
+    surround_kept,
+    vertex_counted_twice,
+    octants_not_split,
+    line_for_edge
 };
 
 constexpr bool is_mistake(Edition edition) { return edition > Edition::printed; }
@@ -44,6 +47,10 @@ inline constexpr std::array edition_choices{
     EditionChoice{"boundary-outside", "points on the outline count as outside"},
     EditionChoice{"integer-division", "the area is halved in whole numbers, and the rest is lost", Method::warnock},
     EditionChoice{"surround-kept", "hasSurround is never reset", Method::warnock},
+    EditionChoice{"vertex-counted-twice", "a ray crosses a vertex twice, whether it is pierced or touched",
+                  Method::warnock_full},
+    EditionChoice{"octants-not-split", "an edge seen under half of a full angle is not split", Method::warnock_angles},
+    EditionChoice{"line-for-edge", "an edge is taken for the whole line on which it lies", Method::warnock_full},
 };
 
 constexpr const EditionChoice& choice_of(Edition edition) { return edition_choices[std::size_t(edition)]; }

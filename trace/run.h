@@ -63,7 +63,7 @@ struct KernelChoice {
 
     bool runs(Method method, Edition edition) const {
         const auto only = choice_of(edition).only;
-        if (is_family(method)) return run_family && edition == Edition::corrected;
+        if (is_family(method) && !(run_family && (edition == Edition::corrected || only == method))) return false;
         return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed) &&
                (runs_mistakes || !is_mistake(edition)) && (!only || *only == method);
     }
@@ -138,8 +138,9 @@ struct RunRequest {
 };
 
 inline Picture run(const RunRequest& request) {
-    if (is_family(request.method)) return request.kernel.choice->run_family(request);
-    return is_mistake(request.edition) ? run_mistake(request) : request.kernel.choice->run(request);
+    if (is_mistake(request.edition)) return run_mistake(request);
+    const KernelChoice& kernel = *request.kernel.choice;
+    return is_family(request.method) ? kernel.run_family(request) : kernel.run(request);
 }
 
 }  // namespace vidno

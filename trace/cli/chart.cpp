@@ -11,12 +11,6 @@ namespace vidno::cli {
 
 namespace {
 
-std::string page_of(const std::vector<SceneChart>& scenes) {
-    std::vector<SceneChart> known;
-    for (const auto& scene : scenes) known.push_back(without_family(scene));
-    return chart_page(chart_json(known));
-}
-
 /// The place of an axis; the first one if none is named.
 std::size_t place_of(const std::string& option, const std::optional<std::string>& name, const auto& axes) {
     if (!name) return 0;
@@ -61,7 +55,7 @@ std::string text_of(const auto& charts, const ChartOptions& options) {
 }
 
 std::string written(const std::vector<SceneChart>& scenes, const ChartOptions& options) {
-    return options.output.ends_with(".html") ? page_of(scenes) : text_of(scenes, options);
+    return options.output.ends_with(".html") ? chart_page(chart_json(scenes)) : text_of(scenes, options);
 }
 std::string written(const std::vector<SurfaceChart>& surfaces, const ChartOptions& options) {
     return text_of(surfaces, options);

@@ -38,7 +38,6 @@ PageFile trace_file(const std::string& file, bool& whole) {
     const TraceHeader& header = reader.header();
     RunOptions run;
     run.method = method_names[std::size_t(header.method)];
-    if (is_family(header.method)) throw Refused(file + ": the page does not show runs of " + *run.method);
     run.kernel = header.kernel;
     run.edition = edition_names[std::size_t(header.edition)];
     run.detail = detail_names[std::size_t(header.detail)];

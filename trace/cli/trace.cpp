@@ -20,8 +20,9 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     if (is_warnock(method) && !kernel.choice->runs_warnock) {
         throw Refused(named_method + ": not under --kernel " + kernel.name() + ", for it has no Z-buffer");
     }
-    if (is_family(method) && edition != Edition::corrected) {
-        throw Refused(named_method + ": only --edition corrected");
+    const auto only = choice_of(edition).only;
+    if (is_family(method) && edition != Edition::corrected && !only) {
+        throw Refused(named_method + ": only --edition corrected, and mistakes of this method alone");
     }
     if (is_family(method) && !kernel.choice->run_family) {
         throw Refused(named_method + ": not under --kernel " + kernel.name());
@@ -33,7 +34,7 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     if (is_mistake(edition) && !kernel.choice->runs_mistakes) {
         throw Refused(named + ": not under --kernel " + kernel.name() + ", but under double and exact");
     }
-    if (const auto only = choice_of(edition).only; only && *only != method) {
+    if (only && *only != method) {
         throw Refused(named + ": a mistake of --method " + std::string(method_names[std::size_t(*only)]) + " alone");
     }
 }

@@ -108,6 +108,9 @@ std::string_view advice_on(Edition mistake) {
             return "hasSurround is never reset: a polygon that lies before the surrounding one in a part of the window "
                    "is "
                    "overlooked. Set it to false wherever a nearer polygon is found";
+        case Edition::vertex_counted_twice:  // of methods that students do not write
+        case Edition::octants_not_split:
+        case Edition::line_for_edge:
         case Edition::corrected:
         case Edition::printed: break;
     }

@@ -29,7 +29,7 @@ int line_of(std::string_view text, const std::string& place) {
 
 /// The methods that a lesson may speak of.
 std::vector<std::string_view> lesson_methods() {
-    std::vector<std::string_view> names(course_method_names.begin(), course_method_names.end());
+    std::vector<std::string_view> names(method_names.begin(), method_names.end());
     names.push_back(curve_method);
     return names;
 }

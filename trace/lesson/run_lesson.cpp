@@ -6,7 +6,9 @@
 #include "event_lines.h"
 #include "import.h"
 #include "lesson.h"
+#include "method.h"
 #include "output.h"
+#include "refused.h"
 #include "scene_json.h"
 #include "snapped_scene.h"
 
@@ -24,7 +26,11 @@ AnyScene scene_of(const Lesson& lesson, const LessonRun& run) {
     const std::string file = lesson.file(run.scene);
     if (run.of_curves()) return read_surface(read_file(file), file);
     const bool is_mesh = !file.ends_with(".json");
-    return (is_mesh ? import_mesh(read_file(file), file, {}) : read_scene(read_file(file), file)).scene;
+    Scene scene = (is_mesh ? import_mesh(read_file(file), file, {}) : read_scene(read_file(file), file)).scene;
+    if (const auto reason = refusal_of(method_of(run), scene)) {
+        throw Refused(file + ": not for " + run.method + ": " + *reason);
+    }
+    return scene;
 }
 
 namespace {

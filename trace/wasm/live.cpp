@@ -1,4 +1,5 @@
-/// The library in a page: WebAssembly that makes a trace of a scene, the same bytes as `vidno trace`, and sign maps.
+/// The library in a page: WebAssembly that makes a trace of a scene, the same bytes as `vidno trace`, and sign maps. Of a
+/// surface given as a function the page's own numbers are taken: see height_function.cpp.
 ///
 /// A caller takes room for a request, writes it there, asks for what it wants, and reads the bytes where they are. A
 /// request is a line of JSON, then a file. For a trace, the fields of its header but for the scene, and two more; and the
@@ -16,6 +17,7 @@
 #include <string_view>
 
 #include "check.h"
+#include "curve_run.h"
 #include "json_node.h"
 #include "map.h"
 #include "method.h"
@@ -38,7 +40,7 @@ Live& live() {
 }
 
 struct Options {
-    Method method{};
+    Method method{};  // of polygons
     Edition edition{};
     NamedKernel kernel{};
     Detail detail{};
@@ -59,18 +61,27 @@ NamedKernel read_kernel(const JsonNode& node) {
     return *kernel;
 }
 
-Options read_options(const JsonNode& root) {
+enum class Kind { polygons, curves };
+
+Options read_options(const JsonNode& root, Kind kind) {
     root.require_keys({"method", "edition", "kernel", "detail", "check", "most_events"});
     Options options;
-    options.method = Method(place_of(root.at("method"), course_method_names));
+    if (kind == Kind::polygons) {
+        options.method = Method(place_of(root.at("method"), method_names));
+    } else if (root.at("method").text() != curve_method) {
+        root.at("method").refuse("draws no surface");
+    }
     options.edition = Edition(place_of(root.at("edition"), edition_names));
     if (is_mistake(options.edition)) root.at("edition").refuse("a usual mistake, which this library has not");
     options.kernel = read_kernel(root.at("kernel"));
-    if (!options.kernel.choice->runs(options.method, options.edition)) {
-        root.at("kernel").refuse("does not run this method and edition");
-    }
+    const KernelChoice& choice = *options.kernel.choice;
+    const bool runs =
+        kind == Kind::curves ? choice.runs_curves(options.edition) : choice.runs(options.method, options.edition);
+    if (!runs) root.at("kernel").refuse("does not run this method and edition");
     options.detail = Detail(place_of(root.at("detail"), detail_names));
     options.check = root.at("check").truth();
+    if (options.check && is_family(options.method))
+        root.at("check").refuse("a variant, which this library cannot check");
     options.most_events = std::uint64_t(root.at("most_events").whole_number(0, std::numeric_limits<int>::max()));
     return options;
 }
@@ -91,14 +102,27 @@ std::pair<std::string_view, std::string_view> parts(std::string_view request) {
     return {line, request.substr(std::min(line.size() + 1, request.size()))};
 }
 
+void write_run(Live& live, const Options& options, const auto& header, const auto& request) {
+    const auto write = [&](std::string_view text) { live.made += text; };
+    TraceWriter writer(header, write, options.most_events, &live.lines);
+    write_trace(request, writer, options.check);
+}
+
 void make_trace(Live& live) {
     const auto [line, file] = parts(live.request);
-    const Options options = read_json(line, "request", read_options);
-    const Scene scene = read_scene_for(options.kernel, file, live.messages);
-    const auto write = [&](std::string_view text) { live.made += text; };
-    TraceWriter writer({options.method, options.edition, options.kernel.name(), options.detail, scene}, write,
-                       options.most_events, &live.lines);
-    write_trace({options.method, options.kernel, options.edition, scene, options.detail}, writer, options.check);
+    const Kind kind = is_surface(file) ? Kind::curves : Kind::polygons;
+    const Options options = read_json(line, "request", [&](const JsonNode& root) { return read_options(root, kind); });
+    const auto& [method, edition, kernel, detail, check, most_events] = options;
+    if (kind == Kind::curves) {
+        const Surface surface = read_surface(file, "scene");
+        write_run(live, options, CurveHeader{edition, kernel.name(), detail, surface},
+                  CurveRequest{kernel, edition, surface.curves, detail});
+    } else {
+        const Scene scene = read_scene_for(kernel, file, live.messages);
+        if (const auto reason = refusal_of(method, scene)) throw Refused("scene: " + *reason);
+        write_run(live, options, TraceHeader{method, edition, kernel.name(), detail, scene},
+                  RunRequest{method, kernel, edition, scene, detail});
+    }
 }
 
 void make_map(Live& live) {

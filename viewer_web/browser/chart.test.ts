@@ -4,6 +4,7 @@ import { pathToFileURL } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Chart, Run, Scene } from '../src/chart/format.js';
+import { chartTexts } from '../src/i18n/chart.js';
 import { openChart, plot, rows, sample, sampleText, template } from './chart.js';
 import { launch, openFile, openUrl } from './page.js';
 
@@ -15,7 +16,7 @@ afterAll(async () => {
   await browser.close();
 });
 
-const methods = { warnock: 'Warnock', zbuffer: 'Z-buffer' };
+const { methods } = chartTexts.en;
 
 /** The front as the file has it. */
 function expected(scene: Scene | undefined): readonly (readonly [string, string])[] {

@@ -2,8 +2,7 @@ import { fileIn } from './base64.js';
 import { list, oneOf, optional, part, text } from './trace/check.js';
 import type { Checked } from './trace/check.js';
 import { editions } from './trace/editions.js';
-import { details, tables } from './trace/events.js';
-import type { Method } from './trace/events.js';
+import { details, methods } from './trace/events.js';
 
 /**
  * What `index.json` beside the lessons' traces says; the build embeds it together with them. `vidno page` may put a scene
@@ -11,7 +10,7 @@ import type { Method } from './trace/events.js';
  */
 const entry = part({
   file: text,
-  method: oneOf(...(Object.keys(tables) as Method[])),
+  method: oneOf(...methods),
   kernel: text,
   edition: oneOf(...editions),
   detail: oneOf(...details),

@@ -1,3 +1,4 @@
+import type { FloatingHorizon } from './curves/state.js';
 import { texts } from './i18n/index.js';
 import { windowText } from './i18n/words.js';
 import type { Pixel } from './picture/pixel.js';
@@ -7,7 +8,7 @@ import type { View } from './view.js';
 
 /**
  * What may be pointed at, wherever the page shows it: a polygon, an edge of the polygon in hand, a corner of the
- * current window, a window, or the pixel that a question is about. Its elements carry it as `data-thing`: its kind, a
+ * current window, a window, the pixel that a question is about, a curve, or a column. Its elements carry it as `data-thing`: its kind, a
  * space, and which one.
  */
 export type Thing =
@@ -15,22 +16,29 @@ export type Thing =
   | { readonly kind: 'edge'; readonly edge: number }
   | { readonly kind: 'corner'; readonly corner: Corner }
   | { readonly kind: 'window'; readonly window: Box }
-  | { readonly kind: 'pixel'; readonly at: Pixel };
+  | { readonly kind: 'pixel'; readonly at: Pixel }
+  | { readonly kind: 'curve'; readonly curve: number }
+  | { readonly kind: 'column'; readonly x: number };
 
 export const polygonThing = (id: string): string => `polygon ${id}`;
 export const edgeThing = (edge: number): string => `edge ${edge}`;
 export const cornerThing = (corner: Corner): string => `corner ${corner}`;
 export const windowThing = (window: Box): string => `window ${window.join(' ')}`;
+export const curveThing = (curve: number): string => `curve ${curve}`;
+export const columnThing = (x: number): string => `column ${x}`;
 export const pixelThing = (at: Pixel): string => `pixel ${at.join(' ')}`;
 
 /** The thing of that text; null if the step does not have it. */
 export function thingOf(text: string | null, view: View): Thing | null {
-  if (text === null || !thingsOf(view).includes(text)) return null;
+  if (text === null) return null;
   const kind = text.slice(0, text.indexOf(' '));
   const which = text.slice(kind.length + 1);
+  if (kind === 'column') return columnOf(Number(which), view);
+  if (!thingsOf(view).includes(text)) return null;
   if (kind === 'polygon') return { kind, id: which };
   if (kind === 'edge') return { kind, edge: Number(which) };
   if (kind === 'corner') return { kind, corner: which as Corner };
+  if (kind === 'curve') return { kind, curve: Number(which) };
   const numbers: unknown = which.split(' ').map(Number);
   if (kind === 'pixel') return { kind, at: numbers as Pixel };
   return { kind: 'window', window: numbers as Box };
@@ -39,7 +47,7 @@ export function thingOf(text: string | null, view: View): Thing | null {
 /** All that can be pointed at in a step, in the order in which the keyboard goes through it. */
 export function thingsOf({
   header,
-  after: { warnock, zbuffer },
+  after: { warnock, zbuffer, horizon },
   asked = [],
 }: View): readonly string[] {
   const all = [
@@ -48,9 +56,21 @@ export function thingsOf({
     ...(zbuffer?.edges ?? []).map(edgeThing),
     ...(warnock?.corners ? corners.map(cornerThing) : []),
     ...(warnock?.stack ?? []).map(({ window }) => windowThing(window)).reverse(),
+    ...(header.scene.curves ?? []).map((_, i) => curveThing(i)),
+    ...(horizon === null ? [] : lookedAt(horizon)),
     ...asked,
   ];
   return [...new Set(all)];
+}
+
+/** Of the columns, which may be thousands, the keyboard goes through those that were looked at last. */
+const lookedAt = ({ place: { previous, current } }: FloatingHorizon): readonly string[] =>
+  [previous, current].flatMap((looked) => (looked === null ? [] : [columnThing(looked[0])]));
+
+function columnOf(x: number, { columns, header }: View): Thing | null {
+  const { area } = header.scene;
+  const isThere = columns !== null && x >= area.x && x < area.x + area.width;
+  return isThere ? { kind: 'column', x } : null;
 }
 
 /** How it is called; nothing if there is none. */
@@ -61,6 +81,8 @@ export function sayThing(view: View): string {
   if (thing.kind === 'polygon') return things.polygon(thing.id);
   if (thing.kind === 'edge') return things.edge(thing.edge);
   if (thing.kind === 'corner') return things.corner(texts[view.language].places[thing.corner]);
+  if (thing.kind === 'curve') return texts[view.language].curves.curve(thing.curve);
+  if (thing.kind === 'column') return texts[view.language].curves.history.at(thing.x, 0);
   if (thing.kind === 'pixel') return texts[view.language].history.at(...thing.at);
   return things.window(windowText(thing.window));
 }

@@ -1,9 +1,10 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import type { Setup } from './address.js';
 import './components/comparison.js';
 import './components/player.js';
 import { texts } from './i18n/index.js';
+import type { Language } from './i18n/language.js';
 import type { Act } from './live/editor.js';
 import { needsExact } from './picture/layers.js';
 import type { Exact, Layer } from './picture/layers.js';
@@ -22,11 +23,12 @@ export interface Shown {
   copyLink(): Promise<void>;
 }
 
-/** The exact picture is asked for only when it is shown. */
+/** The exact picture is asked for only when it is shown; there is none of curves. */
 function exactOf({ session: { trace, exact }, setup }: Shown): Exact {
   if (trace === null) return null;
-  const { scene } = trace.header;
-  return needsExact(setup.layer) ? exact.of(scene) : exact.unasked(scene);
+  const { header } = trace;
+  if (header.scene.curves !== null) return null;
+  return needsExact(setup.layer) ? exact.of(header) : exact.unasked(header);
 }
 
 /** The player, which is out of sight while its run is shown beside another one. */
@@ -108,4 +110,17 @@ function noteOf({ session, setup }: Shown): string {
   if (rival.chosen?.kind === 'before') return texts[setup.language].compare.before;
   const name = rival.trace?.header.scene.name ?? '';
   return name === trace?.header.scene.name ? '' : name;
+}
+
+/** The way to a surface of one's own, if scenes can be run here. */
+export function ownSurface(
+  { canRun }: Session,
+  language: Language,
+  open: (name: string) => void,
+): TemplateResult | typeof nothing {
+  if (!canRun) return nothing;
+  const { surface } = texts[language].curves;
+  return html`<button class="own-surface" @click=${() => open(surface.name)}>
+    ${surface.own}
+  </button>`;
 }

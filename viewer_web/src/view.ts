@@ -1,3 +1,5 @@
+import type { Columns } from './curves/columns.js';
+import type { Line, Lines } from './curves/lines.js';
 import { sentence, texts } from './i18n/index.js';
 import type { Language } from './i18n/language.js';
 import type { PageTexts } from './i18n/texts.js';
@@ -17,10 +19,16 @@ export interface View {
   readonly before: Values;
   readonly after: Values;
   readonly screen: Screen;
+  /** What there is over each column in a run of curves; null in one of polygons. */
+  readonly columns: Columns | null;
+  /** The lines that a run of curves draws. */
+  readonly lines: Lines;
+  /** Those of another run, which are to be seen where this one has none. */
+  readonly rival?: readonly Line[];
   readonly language: Language;
   readonly texts: PageTexts;
   readonly sentence: string;
-  /** The pixel whose history is asked for. */
+  /** The pixel whose history is asked for; of curves, its column. */
   readonly pixel: Pixel | null;
   /** What is pointed at, as elements carry it. */
   readonly pointed: string | null;
@@ -34,7 +42,7 @@ export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked'>;
 export function viewOf({ header, timeline }: Trace, step: number, choice: Choice): View {
   const { language } = choice;
   const before = timeline.seek(Math.max(0, step - 1)).values;
-  const { values: after, screen } = timeline.seek(step);
+  const { values: after, screen, columns } = timeline.seek(step);
   const event = timeline.event(step);
   const { page } = texts[language];
   return {
@@ -46,6 +54,8 @@ export function viewOf({ header, timeline }: Trace, step: number, choice: Choice
     before,
     after,
     screen,
+    columns,
+    lines: timeline.lines,
     texts: page,
     sentence: event ? sentence(event, before, after, header.scene, language) : page.start,
   };

@@ -22,6 +22,9 @@
 namespace vidno {
 
 struct OctantAngles {
+    /// Is an edge seen under half of a full angle.
+    static bool needs_split(int difference) { return difference == 4 || difference == -4; }
+
     template <class Run>
     static int octant_angles(Run& run, const Polygon<typename Run::Arithmetic>& polygon, const Window& window) {
         using enum Line;
@@ -40,7 +43,7 @@ struct OctantAngles {
             int difference = to_octant - from_octant;
             if (difference > 4) difference -= 8;
             if (difference < -4) difference += 8;
-            const bool split = difference == 4 || difference == -4;
+            const bool split = Run::Set::needs_split(difference);
             if (split) {
                 const auto& corner = corners[(from_octant + 2) % 8 / 2];
                 const auto value = run.kernel.cross(from, to, corner);

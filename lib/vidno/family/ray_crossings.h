@@ -14,6 +14,9 @@
 namespace vidno {
 
 struct RayCrossings {
+    /// How often a vertex on the ray counts, or a row of them, where the outline touches the ray or pierces it.
+    static int crossings_at_vertex(bool touches) { return touches ? 2 : 1; }
+
     template <class Run>
     static int ray_crossings(Run& run, const Polygon<typename Run::Arithmetic>& polygon, const Window& window) {
         using enum Line;
@@ -37,7 +40,7 @@ struct RayCrossings {
             const Sign to_side = side_of(to);
             if (to_side == Sign::zero) continue;
             if (side_of(from) == Sign::zero) {
-                const int counts = !(from.x > point.x) ? 0 : to_side == side ? 2 : 1;
+                const int counts = from.x > point.x ? Run::Set::crossings_at_vertex(to_side == side) : 0;
                 crossings += counts;
                 trace.ray(CR3, polygon, i, counts);
             } else if (to_side != side) {

@@ -15,6 +15,12 @@
 namespace vidno {
 
 struct TrialFunction {
+    /// Does an edge end before the window, though its line passes through: are both ends beyond one side.
+    static bool ends_before(const auto& from, const auto& to, const auto& upper_left, const auto& lower_right) {
+        return (from.x <= upper_left.x && to.x <= upper_left.x) || (from.x >= lower_right.x && to.x >= lower_right.x) ||
+               (from.y <= upper_left.y && to.y <= upper_left.y) || (from.y >= lower_right.y && to.y >= lower_right.y);
+    }
+
     template <class Run>
     static bool trial_function(Run& run, const Polygon<typename Run::Arithmetic>& polygon, const Window& window) {
         using enum Line;
@@ -34,17 +40,12 @@ struct TrialFunction {
                 negative = negative || sign == Sign::negative;
                 positive = positive || sign == Sign::positive;
             }
-            const bool meets = negative && positive && !beyond_one_side(from, to, corners.front(), corners.back());
+            const bool meets =
+                negative && positive && !Run::Set::ends_before(from, to, corners.front(), corners.back());
             trace.trial(TF3, polygon, i, meets);
             if (meets) return true;
         }
         return false;
-    }
-
-private:
-    static bool beyond_one_side(const auto& from, const auto& to, const auto& upper_left, const auto& lower_right) {
-        return (from.x <= upper_left.x && to.x <= upper_left.x) || (from.x >= lower_right.x && to.x >= lower_right.x) ||
-               (from.y <= upper_left.y && to.y <= upper_left.y) || (from.y >= lower_right.y && to.y >= lower_right.y);
     }
 };
 

@@ -2,7 +2,17 @@ import { between, bool, finite, list, oneOf, part, plainObject, text } from '../
 import type { Check, Checked } from '../trace/check.js';
 import { Refusal, describe } from '../trace/refusal.js';
 
-export const methods = ['warnock', 'zbuffer'] as const;
+/** Those of the course, and the variants that are compared with them. */
+const courseMethods = ['warnock', 'zbuffer'] as const;
+export const variants = [
+  'warnock-simplest',
+  'warnock-full',
+  'warnock-angles',
+  'warnock-vertex',
+  'warnock-edges',
+  'warnock-bodies',
+] as const;
+export const methods = [...courseMethods, ...variants] as const;
 export const editions = ['corrected', 'printed'] as const;
 export const kinds = ['ordinary', 'degenerate'] as const;
 export const knobs = ['bits', 'depth', 'grid', 'window'] as const;

@@ -26,7 +26,7 @@ const color = ({ setting }: Point): string => `var(--${seriesId(setting)})`;
 const isPrinted = ({ setting }: Point): boolean => setting.edition === printed;
 const cost = (point: Point): number => point.cost;
 
-/** Warnock's symbols are filled, those of the Z-buffer are hollow. */
+/** Warnock's symbols are filled, those of the Z-buffer and of variants are hollow. */
 const fill = (point: Point): string =>
   point.setting.method === 'warnock' ? color(point) : 'var(--panel)';
 
@@ -105,6 +105,7 @@ function marks(shown: Shown, layout: Layout): readonly Markish[] {
       y,
       r,
       symbol: (point: Point) => (isPrinted(point) ? 'times' : shape(point.setting)),
+      rotate: ({ setting }: Point) => (shape(setting) === 'triangle2' ? 180 : 0),
       stroke: color,
       strokeWidth: 2,
       fill,

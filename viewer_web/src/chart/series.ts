@@ -1,4 +1,4 @@
-import { knobs, methods } from './format.js';
+import { knobs, methods, variants } from './format.js';
 import type { Knob, Method, Run } from './format.js';
 
 /** What was run, without what came out. */
@@ -11,7 +11,20 @@ export interface Series {
   readonly knob: Knob | null;
 }
 
-export const shapes = ['circle', 'square', 'triangle', 'diamond2', 'star', 'times'] as const;
+export const shapes = [
+  'circle',
+  'square',
+  'triangle',
+  'diamond2',
+  'star',
+  'times',
+  'plus',
+  'asterisk',
+  'cross',
+  'triangle2',
+  'wye',
+  'hexagon',
+] as const;
 export type Shape = (typeof shapes)[number];
 
 const shapeOf: Readonly<Record<Knob | 'none', Shape>> = {
@@ -22,9 +35,26 @@ const shapeOf: Readonly<Record<Knob | 'none', Shape>> = {
   none: 'star',
 };
 
+const shapeOfVariant: Readonly<Record<Variant, Shape>> = {
+  'warnock-simplest': 'hexagon',
+  'warnock-full': 'cross',
+  'warnock-angles': 'wye',
+  'warnock-vertex': 'triangle2',
+  'warnock-edges': 'plus',
+  'warnock-bodies': 'asterisk',
+};
+
+/** A variant of Warnock's algorithm: each has a symbol of its own, and no knob. */
+type Variant = (typeof variants)[number];
+export const isVariant = (method: Method): method is Variant => method in shapeOfVariant;
+
 /** All that there may be, in the order in which they are shown. */
 export const allSeries: readonly Series[] = methods.flatMap((method) =>
-  [...knobs, null].map((knob) => ({ id: `${method}-${knob ?? 'fixed'}`, method, knob })),
+  [...(isVariant(method) ? [] : knobs), null].map((knob) => ({
+    id: `${method}-${knob ?? 'fixed'}`,
+    method,
+    knob,
+  })),
 );
 
 /** The toggle of the printed edition stands beside those of the series. */
@@ -45,7 +75,8 @@ export function settingId({ method, kernel, edition, window, knob }: Setting): s
   return JSON.stringify([method, kernel, edition, window, knob]);
 }
 
-export function shape({ knob }: Pick<Setting, 'knob'>): Shape {
+export function shape({ method, knob }: Pick<Setting, 'method' | 'knob'>): Shape {
+  if (isVariant(method)) return shapeOfVariant[method];
   return shapeOf[knob ?? 'none'];
 }
 

@@ -1,13 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { chartComplaint, chartTexts } from '../i18n/chart.js';
 import { languages } from '../i18n/language.js';
-import { sample } from '../testing/charts.js';
+import { runOf, sample, sceneOf } from '../testing/charts.js';
 import { Refusal } from '../trace/refusal.js';
 import { formatChoice, parseChoice } from './choice.js';
 import { costs, errors } from './format.js';
 import { duration, number, percent, whole } from './numbers.js';
+import { allSeries, isVariant, shape } from './series.js';
 import { shownOf } from './shown.js';
-import { explanation, missingText, pointLines } from './words.js';
+import { explanation, missingText, pointLines, runName } from './words.js';
 
 /** Spaces that do not break, as they are typed. */
 const plain = (text: string): string => text.replace(/[\u00a0\u202f]/gu, ' ');
@@ -87,6 +88,32 @@ describe.each(languages)('in %s', (language) => {
       /x\.json.*scenes\[0\]\.runs: .*\.$/,
     );
     expect(chartTexts[language].unreadable('x', '', 'y')).not.toContain(': ');
+  });
+});
+
+describe('a variant of an algorithm', () => {
+  const variant = runOf({ method: 'warnock-bodies', kernel: 'exact' });
+  const chart = {
+    ...sample,
+    scenes: [sceneOf([runOf({}), variant], { name: 'A cube' }), sceneOf([runOf({})])],
+  };
+
+  it('is named with its kernel', () => {
+    expect(runName(variant, chartTexts.en)).toBe('Warnock: closed bodies, exact');
+    expect(runName(runOf({}), chartTexts.ru)).toBe('Z-буфер double');
+  });
+
+  it('that does not take each scene is named where it is missing', () => {
+    const shown = shownOf(chart, parseChoice(''), 'en');
+    expect(shown && missingText(shown)).toBe(
+      'Not shown, for not every scene has a number for them: Warnock: closed bodies.',
+    );
+  });
+
+  it('has a symbol of its own', () => {
+    const shapes = allSeries.filter(({ method }) => isVariant(method)).map(shape);
+    expect(new Set(shapes).size).toBe(6);
+    expect(shapes).not.toContain(shape({ method: 'warnock', knob: null }));
   });
 });
 

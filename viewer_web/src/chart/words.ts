@@ -2,11 +2,12 @@ import type { ChartTexts } from '../i18n/chart.js';
 import type { Run } from './format.js';
 import { duration, number, percent, ratio, whole } from './numbers.js';
 import type { Point } from './points.js';
+import { isVariant } from './series.js';
 import type { Setting } from './series.js';
 import type { Shown } from './shown.js';
 
 export function runName({ method, kernel }: Setting, texts: ChartTexts): string {
-  return `${texts.methods[method]} ${kernel}`;
+  return `${texts.methods[method]}${isVariant(method) ? ',' : ''} ${kernel}`;
 }
 
 /** What was turned, and which text was run. */
@@ -67,11 +68,14 @@ export function explanation({ view, cost, error, rounds, texts, language }: Show
   return [...sentences, texts.reading].join(' ');
 }
 
-/** Which runs have no place in the plot, and why; null if all have. */
-export function missingText({ missing, view, texts }: Shown): string | null {
+/** Which runs have no place in the plot, and why; null if all have. A variant that does not take each scene is named once. */
+export function missingText({ missing, points, view, texts }: Shown): string | null {
   if (missing.length === 0) return null;
   const most = 8;
-  const kernels = [...new Set(missing.map(({ kernel }) => kernel))];
+  const plotted = new Set(points.map(({ setting }) => setting.method));
+  const nameOf = ({ method, kernel }: Setting): string =>
+    plotted.has(method) ? kernel : texts.methods[method];
+  const kernels = [...new Set(missing.map(nameOf))];
   const listed = [...kernels.slice(0, most), ...(kernels.length > most ? ['…'] : [])].join(', ');
   return view.name === null ? texts.missingSomewhere(listed) : texts.missing(listed);
 }

@@ -8,9 +8,22 @@ describe('a run is quickly held against', () => {
     const words = quickRuns(usual).map(([name, options]) => [name, wordOf(options)]);
     expect(words).toEqual([
       ['method', 'zbuffer.corrected.double.signs'],
+      ['variant', 'warnock-full.corrected.double.signs'],
       ['printed', 'warnock.printed.double.signs'],
       ['exact', 'warnock.corrected.exact.signs'],
       ['float', 'warnock.corrected.float.signs'],
+    ]);
+  });
+
+  it('of a variant without a printed text, by the method it is one of', () => {
+    const words = quickRuns({ ...usual, method: 'warnock-full' }).map(([name, options]) => [
+      name,
+      wordOf(options),
+    ]);
+    expect(words).toEqual([
+      ['method', 'warnock.corrected.double.signs'],
+      ['exact', 'warnock-full.corrected.exact.signs'],
+      ['float', 'warnock-full.corrected.float.signs'],
     ]);
   });
 
@@ -18,6 +31,6 @@ describe('a run is quickly held against', () => {
     const depth = quickRuns({ ...usual, method: 'zbuffer', kernel: 'depth:8' });
     expect(depth[0]?.[1].kernel).toBe('double');
     const filtered = quickRuns({ ...usual, kernel: 'filtered' });
-    expect(filtered[1]).toMatchObject(['printed', { edition: 'printed', kernel: 'double' }]);
+    expect(filtered[2]).toMatchObject(['printed', { edition: 'printed', kernel: 'double' }]);
   });
 });

@@ -1,8 +1,25 @@
 import { nothing, svg } from 'lit';
 import type { SVGTemplateResult } from 'lit';
+import type { Frame } from '../picture/frame.js';
 import type { Shape } from '../picture/shapes.js';
+import { labelSize } from '../picture/still.js';
+import type { Label } from '../picture/still.js';
+import { polygonThing } from '../pointed.js';
 
 /** A shape as the page shows it. */
 export function drawn({ look, d, color, thing }: Shape): SVGTemplateResult {
   return svg`<path class=${look} d=${d} stroke=${color ?? nothing} data-thing=${thing ?? nothing} />`;
+}
+
+/** Labels as text of one size wherever one zooms; polygons are pointed at by their names. */
+export function labels(
+  all: readonly Label[],
+  { scale }: Frame,
+  areNames = false,
+): readonly SVGTemplateResult[] {
+  const size = labelSize / scale;
+  return all.map(
+    ({ text, at: [x, y] }) =>
+      svg`<text class="label" data-thing=${areNames ? polygonThing(text) : nothing} x=${x} y=${y} font-size=${size}>${text}</text>`,
+  );
 }

@@ -87,6 +87,11 @@ export const formStyle = css`
     padding: 0 0.4rem;
     white-space: nowrap;
   }
+  .rule {
+    margin: 0.35rem 0;
+    color: var(--soft);
+    font-size: 0.75rem;
+  }
   .small {
     display: inline-grid;
     place-items: center;

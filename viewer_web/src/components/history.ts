@@ -13,11 +13,13 @@ import type { HistoryTexts } from '../i18n/texts.js';
 import { windowText } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import { toColor } from '../state/grid.js';
+import type { Pixel } from '../picture/pixel.js';
 import type { View } from '../view.js';
 import { hiddenStyle } from './hidden.style.js';
 import { historyStyle } from './history.style.js';
 import { bringInSight } from './in-sight.js';
 import { polygonName, swatch } from './parts.js';
+import { placesOf } from './shows.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
 
@@ -37,7 +39,7 @@ export class HistoryElement extends LitElement {
   private shownStep = -1;
 
   private get texts(): HistoryTexts {
-    return texts[this.view.language].history;
+    return placesOf(this.view);
   }
 
   override willUpdate(changed: PropertyValues<this>): void {
@@ -73,12 +75,9 @@ export class HistoryElement extends LitElement {
     `;
   }
 
-  private head({ painter, pixel: [x, y] }: History): TemplateResult {
-    const { screen, header } = this.view;
-    const { area } = header.scene;
-    const color = toColor(screen.picture.row(y - area.y)[x - area.x] ?? 0);
+  private head({ painter, pixel }: History): TemplateResult {
     return html`<div class="head">
-      <p class="color" title=${color}>${swatch(color)}</p>
+      ${this.view.columns === null ? this.color(pixel) : nothing}
       <button
         class="last"
         ?disabled=${painter === null}
@@ -95,6 +94,13 @@ export class HistoryElement extends LitElement {
         ✕
       </button>
     </div>`;
+  }
+
+  private color([x, y]: Pixel): TemplateResult {
+    const { screen, header } = this.view;
+    const { area } = header.scene;
+    const color = toColor(screen.picture.row(y - area.y)[x - area.x] ?? 0);
+    return html`<p class="color" title=${color}>${swatch(color)}</p>`;
   }
 
   private more(next: Entry | undefined, label: string): TemplateResult | typeof nothing {
@@ -118,6 +124,7 @@ export class HistoryElement extends LitElement {
   private heading(under: NonNullable<Group['under']>): unknown {
     const { texts: page } = this.view;
     if (typeof under === 'string') return polygonName(under, this.view);
+    if (typeof under === 'number') return texts[this.view.language].curves.curve(under);
     return html`${page.window} <span class="number">${windowText(under)}</span>`;
   }
 
@@ -149,7 +156,7 @@ export class HistoryElement extends LitElement {
         >
         <span class="step number">${step}</span>
       </button>
-      ${painter ? this.why(entry, history) : nothing}
+      ${painter && this.view.columns === null ? this.why(entry, history) : nothing}
     </li>`;
   }
 
@@ -160,6 +167,7 @@ export class HistoryElement extends LitElement {
   private sign({ outcome, event, known }: Entry): unknown {
     if (outcome !== 'paint') return signs[outcome];
     if ('color' in event && event.color) return swatch(event.color);
+    if (event.e === 'draw_line') return '━';
     return swatch(this.view.header.scene.byId.get(known.zbuffer?.polygon ?? '')?.color ?? '');
   }
 

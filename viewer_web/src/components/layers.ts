@@ -116,6 +116,12 @@ export class LayersElement extends LitElement {
     `;
   }
 
+  next(): void {
+    const all = layersOf(this.view.header, this.exact);
+    const next = all[(all.indexOf(this.layer) + 1) % all.length];
+    if (next !== undefined && next !== this.layer) askForLayer(this, next);
+  }
+
   private onChoose(event: Event): void {
     askForLayer(this, (event.target as HTMLSelectElement).value as Layer);
   }

@@ -2,14 +2,18 @@ import { LitElement, css, html, svg } from 'lit';
 import type { SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { LegendEntry } from '../i18n/picture-texts.js';
-import type { Method } from '../trace/events.js';
+import { methodKindOf } from '../trace/method-kind.js';
+import type { MethodKind } from '../trace/method-kind.js';
 import type { View } from '../view.js';
+import { curvesStyle } from '../curves/curves.style.js';
+import { curveIcon, isCurveEntry } from './curve-icon.js';
 import { marksStyle } from './marks.style.js';
 import { base } from './theme.js';
 
-const entries: Readonly<Record<Method, readonly LegendEntry[]>> = {
-  warnock: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
-  zbuffer: ['scanline', 'edge', 'active', 'touched', 'chosen'],
+const entries: Readonly<Record<MethodKind, readonly LegendEntry[]>> = {
+  windows: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
+  scanlines: ['scanline', 'edge', 'active', 'touched', 'chosen'],
+  curves: ['visible', 'inHand', 'upper', 'lower', 'above', 'below', 'hidden', 'sideEdge'],
 };
 
 const dots: readonly LegendEntry[] = ['yes', 'no', 'edge'];
@@ -20,6 +24,7 @@ export class LegendElement extends LitElement {
   static override styles = [
     base,
     marksStyle,
+    curvesStyle,
     css`
       ul {
         display: flex;
@@ -53,7 +58,7 @@ export class LegendElement extends LitElement {
   override render(): TemplateResult {
     const { header, texts } = this.view;
     return html`<ul>
-      ${entries[header.method].map(
+      ${entries[methodKindOf(header.method)].map(
         (entry) =>
           html`<li>
             <svg viewBox="0 0 20 14" aria-hidden="true">${icon(entry)}</svg>${texts.legend[entry]}
@@ -65,6 +70,7 @@ export class LegendElement extends LitElement {
 }
 
 function icon(entry: LegendEntry): SVGTemplateResult {
+  if (isCurveEntry(entry)) return curveIcon(entry);
   if (entry === 'chosen') {
     return svg`<path class="chosen" d="M6 3.5h8v7h-8ZM10 1v2.5M10 10.5v2.5M3 7h3M14 7h3" />`;
   }

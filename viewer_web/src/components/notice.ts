@@ -4,6 +4,8 @@ import { customElement, property } from 'lit/decorators.js';
 import { complaint, texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
 import type { Shortened } from '../trace/read.js';
+import { whyRefused } from '../live/refusal.js';
+import { emptySketch } from '../live/sketch.js';
 import { Unreadable } from '../trace/trace.js';
 import { noticeStyle } from './notice.style.js';
 import { base } from './theme.js';
@@ -42,7 +44,10 @@ export class NoticeElement extends LitElement {
   private say(notice: Notice): string {
     const { page } = texts[this.language];
     if (notice.kind === 'reading') return page.reading(notice.name);
-    if (notice.kind === 'refused') return page.refusedScene(notice.name, notice.messages.trim());
+    if (notice.kind === 'refused') {
+      const { scene } = texts[this.language];
+      return page.refusedScene(notice.name, whyRefused(notice.messages, emptySketch, scene));
+    }
     if (notice.kind === 'growing') {
       const steps = notice.steps.toLocaleString(this.language);
       return page.growing(steps, Math.round(100 * notice.read));

@@ -84,6 +84,22 @@ export const panelsStyle = css`
   .apl {
     height: 6.4rem;
   }
+  .lists {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) minmax(0, 1.2fr) minmax(0, 1fr);
+    gap: 0 0.6rem;
+  }
+  h4 {
+    margin: 0 0 0.2rem;
+    font-size: 0.6875rem;
+    color: var(--soft);
+    white-space: nowrap;
+  }
+  .rows td.level {
+    color: var(--soft);
+    font-size: 0.75rem;
+    text-align: right;
+  }
   .stack {
     min-height: 8rem;
     flex: 1 0 auto;

@@ -116,8 +116,12 @@ export class PlayerElement extends StageElement {
 
   /** Opens a panel, or the state where it is open. */
   toggleSide(side: Side): void {
-    if (!this.isFull || (side === 'solid' && !hasSolid())) return;
+    if (!this.isFull || (side === 'solid' && !this.isSolid)) return;
     this.side = this.side === side ? 'state' : side;
+  }
+
+  private get isSolid(): boolean {
+    return this.view !== null && hasSolid(this.view);
   }
 
   async openBookmarks(way: 'mark' | 'enter'): Promise<void> {

@@ -9,7 +9,7 @@ import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
 import { idOf } from '../lessons.js';
 import type { Lesson, LessonTrace } from '../lessons.js';
-import { kernels, offeredNames, runnable, runs, usual } from '../live/options.js';
+import { kernels, methodNames, offeredNames, runnable, runs, usual } from '../live/options.js';
 import type { Options } from '../live/options.js';
 import type { Trace } from '../trace/trace.js';
 import { dialogStyle } from './dialog.style.js';
@@ -58,6 +58,11 @@ export class RivalChoiceElement extends LitElement {
       }
       .other {
         margin-top: 0.5rem;
+      }
+      .rule {
+        margin-top: 0.4rem;
+        color: var(--soft);
+        font-size: 0.75rem;
       }
       button {
         padding: 0 0.8rem;
@@ -146,12 +151,14 @@ export class RivalChoiceElement extends LitElement {
         )}
       </p>
       <div class="row other">
-        ${this.select('method', methods)} ${this.select('edition', offeredNames(editions))}
+        ${this.select('method', methodNames(methods, wanted))}
+        ${this.select('edition', offeredNames(wanted.method, editions))}
         ${this.select('kernel', numbers)}
         <button name="run" @click=${() => this.choose({ kind: 'run', options: wanted })}>
           ${say.run}
         </button>
       </div>
+      <p class="rule">${texts[this.language].family.rules[wanted.method]}</p>
     `;
   }
 

@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { texts } from '../i18n/index.js';
-import { kernels, offeredNames, runs } from '../live/options.js';
+import { canCheck, kernels, methodNames, offeredNames, runs } from '../live/options.js';
 import { resize } from '../live/sketch.js';
 import { details } from '../trace/events.js';
 import { FormElement } from './form.js';
@@ -26,13 +26,17 @@ export class RunFormElement extends FormElement {
       <section>
         <h3>${say.run}</h3>
         <div class="fields">
-          ${this.select('method', methods)} ${this.select('kernel', this.kernelNames())}
-          ${this.select('edition', offeredNames(editions))} ${this.select('detail', levels)}
+          ${this.select('method', methodNames(methods, editing.options))}
+          ${this.select('kernel', this.kernelNames())}
+          ${this.select('edition', offeredNames(editing.options.method, editions))}
+          ${this.select('detail', levels)}
         </div>
+        <p class="rule">${texts[this.language].family.rules[editing.options.method]}</p>
         <label class="line">
           <input
             type="checkbox"
             name="check"
+            ?disabled=${!canCheck(editing.options.method)}
             .checked=${editing.options.check}
             @change=${(event: Event) =>
               this.choose({ check: (event.target as HTMLInputElement).checked })}
@@ -95,15 +99,20 @@ export class RunFormElement extends FormElement {
             </label>`,
         )}
       </div>
-      <label class="line">
-        <input
-          type="color"
-          .value=${background}
-          @input=${(event: Event) =>
-            this.color(event, 'background', (color) => (old) => ({ ...old, background: color }))}
-        />
-        ${say.background}
-      </label>
+      ${editing.sketch.curves === null ? this.background(background) : nothing}
     </section>`;
+  }
+
+  private background(background: string): TemplateResult {
+    const { say } = this;
+    return html`<label class="line">
+      <input
+        type="color"
+        .value=${background}
+        @input=${(event: Event) =>
+          this.color(event, 'background', (color) => (old) => ({ ...old, background: color }))}
+      />
+      ${say.background}
+    </label>`;
   }
 }

@@ -17,9 +17,8 @@ import './history.js';
 import './predict.js';
 import type { Predictor } from './predictor.js';
 import './scene-panel.js';
+import { placesOf, showsOf } from './shows.js';
 import { base } from './theme.js';
-import './warnock-panel.js';
-import './zbuffer-panel.js';
 
 export type Side = 'state' | 'pixel' | 'exact' | 'solid' | 'predict' | 'bookmarks' | 'scene';
 
@@ -33,8 +32,9 @@ const keys: Readonly<Partial<Record<Side, string>>> = {
   bookmarks: 'Shift B',
 };
 
-/** Whether the page brings along the scene in 3D, which is large; a player alone does not. */
-export const hasSolid = (): boolean => customElements.get('vidno-solid') !== undefined;
+/** Whether there is a scene in 3D, and the page brings along what shows it, which is large; a player alone does not. */
+export const hasSolid = (view: View): boolean =>
+  showsOf(view).isSolid && customElements.get('vidno-solid') !== undefined;
 
 /** One of the panels: the state of the procedure, the history of a pixel, the truth of a decision, and so on. */
 @customElement('vidno-side')
@@ -128,13 +128,14 @@ export class SideElement extends LitElement {
 
   override render(): TemplateResult {
     const { view, history, editing } = this;
-    const { history: say, bookmarks: marks, scene, exact, solid, predict } = texts[view.language];
+    const { bookmarks: marks, scene, exact, solid, predict } = texts[view.language];
+    const say = placesOf(view);
     const pixel = history === null ? say.pixel : say.at(...history.pixel);
     return html`
       <div class="choice" role="group">
         ${this.button('state', view.texts.state)} ${this.button('pixel', pixel)}
         ${this.button('exact', exact.exactness)}
-        ${hasSolid() ? this.button('solid', solid.solid) : nothing}
+        ${hasSolid(view) ? this.button('solid', solid.solid) : nothing}
         ${editing === null ? nothing : this.button('scene', scene.scene)}
         <div class="asides">
           ${this.button('predict', predict.title, html`<span>?</span>`)}
@@ -191,9 +192,7 @@ export class SideElement extends LitElement {
   }
 
   private state(): TemplateResult {
-    return this.view.header.method === 'warnock'
-      ? html`<vidno-warnock .view=${this.view}></vidno-warnock>`
-      : html`<vidno-zbuffer .view=${this.view}></vidno-zbuffer>`;
+    return showsOf(this.view).state(this.view);
   }
 
   private scene(editing: Editing): TemplateResult {

@@ -26,7 +26,7 @@ export class TimedElement extends LitElement {
   canonicalState(): unknown {
     if (this.trace === null) return null;
     const { header, timeline } = this.trace;
-    return canonical(timeline.seek(this.clamped(this.step)), header);
+    return canonical(timeline.seek(this.clamped(this.step)), header, timeline.lines.at(this.step));
   }
 
   get first(): number {

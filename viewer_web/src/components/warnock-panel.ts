@@ -2,16 +2,19 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
+import type { FamilyTexts } from '../i18n/family-texts.js';
 import { short, windowText } from '../i18n/words.js';
 import { texts } from '../i18n/index.js';
 import { cornerThing, polygonThing, windowThing } from '../pointed.js';
 import { emptyWarnock } from '../state/warnock.js';
-import type { Entry, StackedWindow, Warnock } from '../state/warnock.js';
+import type { Entry, Joined, StackedWindow, Warnock } from '../state/warnock.js';
+import { hasThreeLists } from '../trace/events.js';
 import type { Corner } from '../trace/values.js';
 import type { View } from '../view.js';
 import { panelsStyle } from './panels.style.js';
 import { polygonName, swatch, value } from './parts.js';
 import { base } from './theme.js';
+import { listValues } from './list-values.js';
 
 const mostRows = 200;
 const chips = 12;
@@ -32,13 +35,20 @@ export class WarnockPanel extends LitElement {
   }
 
   override render(): TemplateResult {
-    return html` ${this.window()} ${this.corners()} ${this.apl()} ${this.stack()} `;
+    const { method } = this.view.header;
+    const corners = method === 'warnock-simplest' ? nothing : this.corners();
+    const lists = hasThreeLists(method) ? this.threeLists() : this.apl();
+    return html`${this.window()} ${corners} ${lists} ${this.stack()}`;
+  }
+
+  private get say(): FamilyTexts['panel'] {
+    return texts[this.view.language].family.panel;
   }
 
   private window(): TemplateResult {
     const { now, old } = this;
     const { texts: page } = this.view;
-    const yesNo = (flag: boolean): string => (flag ? page.yes : page.no);
+    const color = this.isStale ? null : now.color;
     return html`<section>
       <dl class="values">
         ${value(
@@ -47,14 +57,31 @@ export class WarnockPanel extends LitElement {
           now.window !== old.window,
           'wide',
         )}
-        ${value('polygonCount', now.count, now.count !== old.count)}
-        ${value('hasSurround', yesNo(now.hasSurround), now.hasSurround !== old.hasSurround)}
-        ${value('insider', yesNo(now.insider), now.insider !== old.insider)}
-        ${value('k', now.k ?? page.none, now.k !== old.k)}
-        ${value('C', now.color ? swatch(now.color) : page.none, now.color !== old.color)}
+        ${this.found()} ${value('C', color ? swatch(color) : page.none, now.color !== old.color)}
         ${this.inHand()}
       </dl>
     </section>`;
+  }
+
+  /** With three lists not every window is tested at its corners: what was found in one before it is over. */
+  private get isStale(): boolean {
+    return hasThreeLists(this.view.header.method) && !this.now.isTested;
+  }
+
+  /** What is known of the window so far. */
+  private found(): readonly TemplateResult[] {
+    const { now, old } = this;
+    const { header, texts: page } = this.view;
+    const yesNo = (flag: boolean): string => (flag ? page.yes : page.no);
+    const k = value('k', this.isStale ? page.none : (now.k ?? page.none), now.k !== old.k);
+    if (header.method === 'warnock-simplest') return [];
+    if (hasThreeLists(header.method)) return [...listValues(this.view, now, old), k];
+    return [
+      value('polygonCount', now.count, now.count !== old.count),
+      value('hasSurround', yesNo(now.hasSurround), now.hasSurround !== old.hasSurround),
+      value('insider', yesNo(now.insider), now.insider !== old.insider),
+      k,
+    ];
   }
 
   /** The lists of PolygonClip or what PointColor found: one of them, or neither, is in play. */
@@ -89,7 +116,7 @@ export class WarnockPanel extends LitElement {
   }
 
   private corner(name: Corner): TemplateResult {
-    const z = this.now.corners?.[name];
+    const z = this.isStale ? undefined : this.now.corners?.[name];
     const changed = z !== this.old.corners?.[name];
     const thing = cornerThing(name);
     const pointed = thing === this.view.pointed;
@@ -104,18 +131,46 @@ export class WarnockPanel extends LitElement {
   }
 
   private apl(): TemplateResult {
+    const { apl } = this.view.texts;
     const entries = this.now.apl?.entries ?? [];
     return html`<section>
-      <h3>${this.view.texts.apl}</h3>
-      <div class="list apl" tabindex="0" role="region" aria-label=${this.view.texts.apl}>
-        <table class="rows">
-          <tbody>
-            ${entries.slice(0, mostRows).map((entry) => this.entry(entry))}
-          </tbody>
-        </table>
-        ${this.emptyOrMore(entries.length)}
-      </div>
+      <h3>${apl}</h3>
+      ${this.list(apl, entries, (entry) => this.entry(entry))}
     </section>`;
+  }
+
+  private threeLists(): TemplateResult {
+    const { now, old, say } = this;
+    const joined = (name: keyof Warnock['joined']): TemplateResult => {
+      const list = [...now.joined[name]].reverse();
+      const fresh = list.length > old.joined[name].length ? list[0] : undefined;
+      return html`<div>
+        <h4>${say[name]}</h4>
+        ${this.list(say[name], list, (each) => this.joinedEntry(each, each === fresh))}
+      </div>`;
+    };
+    return html`<section class="lists">
+      <div>
+        <h4>${say.third}</h4>
+        ${this.list(say.third, now.apl?.entries ?? [], (entry) => this.entry(entry))}
+      </div>
+      ${joined('surrounding')} ${joined('outside')}
+    </section>`;
+  }
+
+  private list<T>(
+    label: string,
+    entries: readonly T[],
+    row: (entry: T) => TemplateResult,
+  ): TemplateResult {
+    return html`<div class="list apl" tabindex="0" role="region" aria-label=${label}>
+      <table class="rows">
+        <tbody>
+          ${entries.slice(0, mostRows).map(row)}
+        </tbody>
+      </table>
+      ${this.emptyOrMore(entries.length)}
+    </div>`;
   }
 
   private entry([id, surrounds]: Entry): TemplateResult {
@@ -128,6 +183,20 @@ export class WarnockPanel extends LitElement {
     return html`<tr class=${classMap({ current: inHand, pointed })} data-thing=${thing}>
       <td>${polygonName(id, this.view)}</td>
       <td class=${classMap({ changed })}>${surrounds ? page.surrounds : ''}</td>
+    </tr>`;
+  }
+
+  /** A polygon that is so for all parts of a window, and the level of that. */
+  private joinedEntry({ polygon, level }: Joined[number], changed: boolean): TemplateResult {
+    const { event } = this.view;
+    const current = event !== null && 'polygon' in event && event.polygon === polygon;
+    const thing = polygonThing(polygon);
+    const pointed = thing === this.view.pointed;
+    return html`<tr class=${classMap({ current, pointed })} data-thing=${thing}>
+      <td>${polygonName(polygon, this.view)}</td>
+      <td class=${classMap({ changed, level: true })} title=${this.say.sinceLevel(level)}>
+        ${level}
+      </td>
     </tr>`;
   }
 

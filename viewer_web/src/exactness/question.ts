@@ -1,5 +1,5 @@
 import { toNumber } from '../i18n/words.js';
-import { cornerOf } from '../picture/marks.js';
+import { cornerOf } from '../picture/mark.js';
 import { numberOf } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
@@ -52,10 +52,10 @@ const about: {
   disagree: (trace, _, step) => aboutPoint(trace, step - 1),
   orient: orientation,
   clip_sign: sideOf,
-  surround: (trace, { polygon, point }) => [
-    spotOf(point),
-    { surround: { polygon: verticesOf(trace, polygon).map(spotOf) } },
-  ],
+  surround: (trace, { polygon, point }) =>
+    isSegment(trace, polygon)
+      ? null
+      : [spotOf(point), { surround: { polygon: verticesOf(trace, polygon).map(spotOf) } }],
   compare: nearer,
   pixel: shows,
 };
@@ -69,6 +69,16 @@ function aboutPoint(trace: Trace, step: number): About {
 
 function verticesOf({ header }: Trace, id: string): Vertices {
   return header.scene.byId.get(id)?.vertices ?? [];
+}
+
+/** A polygon edge-on, where it shows: what is asked of a segment no map tells. */
+function isSegment({ header }: Trace, id: string): boolean {
+  if (header.method !== 'warnock-edges') return false;
+  const [first, ...others] = header.scene.byId.get(id)?.vertices ?? [];
+  if (first === undefined) return false;
+  const [x, y] = first;
+  const ways = others.map((vertex) => [vertex[0] - x, vertex[1] - y] as const);
+  return ways.every(([x1, y1]) => ways.every(([x2, y2]) => x1 * y2 === x2 * y1));
 }
 
 /** S2, S3: (to - from) x (point - from). */
@@ -88,7 +98,7 @@ function sideOf(trace: Trace, { vertex }: Event<'clip_sign'>, step: number): Abo
   return [spotOf(vertex), { orientation: { q: spotOf(from), r: spotOf(to), pivot: 'r' } }];
 }
 
-/** PW6, PC4: against the polygon that was the nearest so far. */
+/** PW6, HP4, PC4: against the polygon that was the nearest so far. */
 function nearer(trace: Trace, { polygon, corner }: Event<'compare'>, step: number): About {
   const pop = last(trace, step, 'pop');
   if (pop === null) return null;
@@ -128,6 +138,7 @@ function shows(trace: Trace, { x, y }: Event<'pixel'>, step: number): About {
 }
 
 function depths(trace: Trace, at: readonly N[], first: string, second: string): About {
+  if (isSegment(trace, first) || isSegment(trace, second)) return null;
   const polygons = [verticesOf(trace, first), verticesOf(trace, second)] as const;
   return [spotOf(at), { depth: { polygons } }];
 }

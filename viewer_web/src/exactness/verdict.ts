@@ -20,10 +20,18 @@ export interface Verdict {
 export type Stage = NonNullable<Event<'orient'>['by']>;
 
 type Deciding =
-  'orient' | 'clip_sign' | 'compare' | 'box' | 'insider' | 'row' | 'columns' | 'pixel';
+  | 'orient'
+  | 'clip_sign'
+  | 'compare'
+  | 'box'
+  | 'insider'
+  | 'row'
+  | 'columns'
+  | 'pixel'
+  | 'visibility';
 type Decided = Pick<Verdict, 'of' | 'numbers' | 'taken'>;
 
-const decided: { readonly [K in Deciding]: (event: Event<K>) => Decided } = {
+const decided: { readonly [K in Deciding]: (event: Event<K>, before: Event | null) => Decided } = {
   orient: ({ value, sign }) => ({ of: 'orientation', numbers: [['f', value]], taken: sign }),
   clip_sign: ({ value, sign }) => ({ of: 'orientation', numbers: [['f', value]], taken: sign }),
   compare: ({ z, against, nearer }) => ({
@@ -62,24 +70,40 @@ const decided: { readonly [K in Deciding]: (event: Event<K>) => Decided } = {
     ],
     taken: shown,
   }),
+  visibility: ({ flag }, before) => ({
+    of: 'visibility',
+    numbers: before?.e === 'height' ? heights(before) : [],
+    taken: flag,
+  }),
 };
+
+/** Of the curve, and of the horizons that are there. */
+function heights({ y, upper, lower }: Event<'height'>): readonly Number[] {
+  return [
+    ['y', y],
+    ...(upper === undefined ? [] : [['upper', upper] as const]),
+    ...(lower === undefined ? [] : [['lower', lower] as const]),
+  ];
+}
 
 const isDeciding = (event: Event): event is Event<Deciding> => event.e in decided;
 
 /** Null if the step decides nothing by numbers. A wrong decision and the step that tells so have the same verdict. */
 export function verdictOf({ timeline }: Trace, step: number): Verdict | null {
   const event = timeline.event(step);
-  if (event?.e === 'disagree') return judged(ownVerdict(timeline.event(step - 1)), event);
-  const own = ownVerdict(event);
+  const ownAt = (at: number): Verdict | null =>
+    ownVerdict(timeline.event(at), timeline.event(at - 1));
+  if (event?.e === 'disagree') return judged(ownAt(step - 1), event);
+  const own = ownAt(step);
   const next = own && timeline.event(step + 1);
   return own && next?.e === 'disagree' ? judged(own, next) : own;
 }
 
-function ownVerdict(event: Event | null): Verdict | null {
+function ownVerdict(event: Event | null, before: Event | null): Verdict | null {
   if (event === null || !isDeciding(event)) return null;
   const { exact, by } = event;
-  const how = decided[event.e] as (event: Event) => Decided;
-  return { ...how(event), exact, by, cause: undefined };
+  const how = decided[event.e] as (event: Event, before: Event | null) => Decided;
+  return { ...how(event, before), exact, by, cause: undefined };
 }
 
 /** A step may decide more than one thing, or one that has no event of its own: the wrong one is what counts. */

@@ -1,17 +1,20 @@
 import type { Box } from '../trace/values.js';
 import type { Entry } from './entry.js';
 
-/** Entries in a row that stand under the same heading: a window, or a polygon. */
+/** A window, a polygon, or a curve. */
+type Heading = Box | string | number;
+
+/** Entries in a row that stand under the same heading. */
 export interface Group {
-  readonly under: Box | string | null;
+  readonly under: Heading | null;
   readonly entries: readonly Entry[];
 }
 
-const headingOf = ({ known }: Entry): Box | string | null =>
-  known.warnock?.window ?? known.zbuffer?.polygon ?? null;
+const headingOf = ({ known }: Entry): Heading | null =>
+  known.warnock?.window ?? known.zbuffer?.polygon ?? known.horizon?.curve ?? null;
 
 export function grouped(entries: readonly Entry[]): readonly Group[] {
-  const groups: { under: Box | string | null; entries: Entry[] }[] = [];
+  const groups: { under: Heading | null; entries: Entry[] }[] = [];
   for (const entry of entries) {
     const under = headingOf(entry);
     const last = groups.at(-1);

@@ -1,5 +1,9 @@
+import { ColumnWatch } from '../curves/watch.js';
 import { isIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
+import type { Detail } from '../trace/events.js';
+import { methodKindOf } from '../trace/method-kind.js';
+import type { MethodKind } from '../trace/method-kind.js';
 import type { Trace } from '../trace/trace.js';
 import type { Entry, Watch } from './entry.js';
 import { WarnockWatch } from './warnock.js';
@@ -7,8 +11,14 @@ import { ZBufferWatch } from './zbuffer.js';
 
 const atOnce = 4096;
 
+const watches: Readonly<Record<MethodKind, (pixel: Pixel, detail: Detail) => Watch>> = {
+  windows: (pixel, detail) => new WarnockWatch(pixel, detail),
+  scanlines: (pixel) => new ZBufferWatch(pixel),
+  curves: (pixel, detail) => new ColumnWatch(pixel, detail),
+};
+
 /**
- * All that concerned a pixel, in order. It is gathered in one pass over the events, which a page may spread
+ * All that concerned a pixel, or of curves its column, in order. It is gathered in one pass over the events, which a page may spread
  * over several frames: nothing is kept for the pixels that nobody asks for.
  */
 export class History {
@@ -22,7 +32,7 @@ export class History {
     readonly pixel: Pixel,
   ) {
     const { method, detail } = trace.header;
-    this.watch = method === 'warnock' ? new WarnockWatch(pixel, detail) : new ZBufferWatch(pixel);
+    this.watch = watches[methodKindOf(method)](pixel, detail);
   }
 
   get entries(): readonly Entry[] {

@@ -4,6 +4,7 @@ import type { Detail, Event, EventName } from '../trace/events.js';
 import type { Box } from '../trace/values.js';
 import { covers, only, test } from './entry.js';
 import type { Outcome, Wanted, Watch } from './entry.js';
+import { wayTo } from '../state/lists.js';
 import { Lists } from './lists.js';
 
 interface Place {
@@ -44,6 +45,16 @@ const inWindow: { readonly [K in EventName]?: Judge<K> } = {
   decide: note,
   nearest: pass,
   color: note,
+  back_face: ({ away }) => test(!away),
+  rejoin: note,
+  join: note,
+  relation: ({ relation }) => test(relation !== 'outside'),
+  meets: note,
+  crossings: note,
+  angle: note,
+  hiding: ({ polygon }) => test(polygon !== undefined),
+  split_vertex: ({ splits }) => (splits ? 'note' : null),
+  edge_depth: note,
   clip_result: ({ vertices }) => test(vertices.length > 0),
   row: ({ row, first, end }, { pixel: [x, y] }) =>
     row === y ? test(covers([[first, end]], x)) : null,
@@ -61,13 +72,13 @@ const anywhere: { readonly [K in EventName]?: Judge<K> } = {
 };
 
 /** In a window that the pixel does not lie in. */
-const ways = ['push', 'pop', 'fill', 'draw', 'fault'] as const;
+const ways = ['push', 'pop', 'fill', 'draw', 'fault', 'join', 'rejoin'] as const;
 const outside = only(...ways);
 const outsideSharing = only(...ways, 'discard');
 
 /** In one that it lies in: what has a meaning or is followed; orientations only at the pixel's centre. */
 function inside(detail: Detail, centre: boolean): Wanted {
-  const followed: readonly EventName[] = ['call', 'row', 'disagree'];
+  const followed: readonly EventName[] = ['call', 'row', 'disagree', 'join', 'rejoin'];
   const judged = Object.keys({ ...inWindow, ...anywhere }) as EventName[];
   const idle = [...(detail === 'signs' ? ['depth'] : []), ...(centre ? [] : ['orient'])];
   return only(...[...followed, ...judged].filter((name) => !idle.includes(name)));
@@ -83,6 +94,8 @@ export class WarnockWatch implements Watch {
   private inside = false;
   private seen = 0;
   private covering: string | null = null;
+  private window: Box | null = null;
+  private way: readonly Box[] = [];
 
   constructor(pixel: Pixel, detail: Detail) {
     this.place = { pixel, detail, row: null, centre: false };
@@ -113,9 +126,12 @@ export class WarnockWatch implements Watch {
     if (event.e !== 'disagree') this.place.row = event.e === 'row' ? event.row : null;
     if (event.e === 'push') this.lists.push(event);
     else if (event.e === 'discard') this.lists.discard(event.polygon);
+    else if (event.e === 'join') this.lists.join(event);
+    else if (event.e === 'rejoin') this.lists.rejoin(event);
     else if (event.e === 'pop') this.enter(event.window);
     else if (event.e === 'decide' || event.e === 'summary') this.knowLists();
     else if (event.e === 'cover') this.covering = event.polygon;
+    else if (event.e === 'hiding') this.covering = event.polygon ?? null;
     else if (event.e === 'call') this.place.centre = event.at === 'PC2';
     else if (event.e === 'uncover') {
       this.know({ covering: this.covering });
@@ -125,13 +141,15 @@ export class WarnockWatch implements Watch {
 
   private enter(window: Box): void {
     this.lists.pop();
+    this.way = wayTo(window, { way: this.way, window: this.window });
+    this.window = window;
     this.inside = overlaps(window, this.place.pixel);
     this.covering = null;
-    if (this.inside) this.know({ window, apl: this.lists.apl });
+    if (this.inside) this.know({ window, way: this.way, ...this.lists.known });
   }
 
   private knowLists(): void {
-    this.know({ apl: this.lists.apl, covering: this.covering });
+    this.know({ ...this.lists.known, covering: this.covering });
   }
 
   private know(news: Partial<NonNullable<Known['warnock']>>): void {

@@ -1,3 +1,4 @@
+import type { Event } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
 import type { Entry } from './entry.js';
 import type { History } from './history.js';
@@ -5,6 +6,14 @@ import type { History } from './history.js';
 /** The ways in which a pixel comes by its colour. */
 export type Why =
   'hides' | 'centre' | 'alone' | 'nearest' | 'empty' | 'nothing' | 'beside' | 'untouched';
+
+/** What a window is that gets one colour, by the line that fills it. */
+const filled: Readonly<Record<Event<'fill'>['at'], Why>> = {
+  ...{ W7: 'empty', WS4: 'empty', WF5: 'empty' },
+  ...{ W8: 'hides', WF9: 'hides', WF10: 'hides' },
+  ...{ W9: 'centre', WS5: 'centre', WF11: 'centre' },
+  ...{ W10: 'beside', WF6: 'beside' },
+};
 
 const most = 3;
 
@@ -35,9 +44,9 @@ export function reasonOf(entry: Entry, history: History, scene: Scene): Reason {
   if (event.e === 'draw') return { why: 'alone', polygon: event.polygon };
   if (event.e === 'span') return { why: 'nearest', polygon: known.zbuffer?.polygon ?? null };
   if (event.e !== 'fill') return { why: 'untouched', polygon: null };
-  if (event.at === 'W7') return { why: 'empty', polygon: null };
-  if (event.at === 'W10') return { why: 'beside', polygon: null };
+  const why = filled[event.at];
+  if (why === 'empty' || why === 'beside') return { why, polygon: null };
   const polygon = ownerOf(entry, history, scene);
-  if (event.at === 'W8') return { why: 'hides', polygon };
+  if (why === 'hides') return { why, polygon };
   return { why: polygon === null ? 'nothing' : 'centre', polygon };
 }

@@ -8,6 +8,7 @@ import { reasons as enReasons } from './en/reasons.js';
 import type { Language } from './language.js';
 import { chart as ru } from './ru/chart.js';
 import { reasons as ruReasons } from './ru/reasons.js';
+import type { FamilyTexts } from './family-texts.js';
 import type { FileTexts, ReasonTexts } from './texts.js';
 
 export interface CostTexts {
@@ -59,6 +60,9 @@ export interface ChartTexts extends FileTexts {
   readonly error: string;
   readonly series: string;
   readonly methods: Readonly<Record<Method, string>>;
+  /** Of Warnock's algorithm. */
+  readonly variants: string;
+  readonly variantNames: FamilyTexts['names'];
   readonly knobs: Readonly<Record<Knob, string>>;
   readonly turned: Readonly<Record<Knob, (value: string) => string>>;
   readonly fixed: string;

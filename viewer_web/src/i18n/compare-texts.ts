@@ -31,6 +31,7 @@ export interface CompareTexts {
   readonly searching: string;
   readonly otherMethods: string;
   readonly differ: string;
+  readonly differColumns: string;
   readonly differNow: (n: string) => string;
   readonly differAtEnd: (n: string) => string;
   readonly otherArea: string;
@@ -46,4 +47,4 @@ export interface CompareTexts {
 }
 
 /** What there is to compare with at once. */
-export type Quick = 'method' | 'printed' | 'corrected' | 'exact' | 'float' | 'before';
+export type Quick = 'method' | 'variant' | 'printed' | 'corrected' | 'exact' | 'float' | 'before';

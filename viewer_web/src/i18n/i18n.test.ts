@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { allSamples } from '../testing/samples.js';
 import { headerOf } from '../testing/traces.js';
+import { emptyFloatingHorizon } from '../curves/state.js';
 import { emptyWarnock } from '../state/warnock.js';
 import { emptyZBuffer } from '../state/zbuffer.js';
 import type { Values } from '../state/state.js';
@@ -20,6 +21,7 @@ const values: Values = {
   calls: [],
   warnock: { ...emptyWarnock, window: [0, 0, 4, 4], apl },
   zbuffer: { ...emptyZBuffer, polygon: 'A' },
+  horizon: { ...emptyFloatingHorizon, curve: 0 },
 };
 const say = (event: Event, language: Language): string =>
   sentence(event, values, values, scene, language);

@@ -27,4 +27,9 @@ export type LegendEntry =
   | 'no'
   | 'scanline'
   | 'edge'
-  | 'chosen';
+  | 'chosen'
+  | CurveLegendEntry;
+
+/** Those on the picture of curves. */
+export type CurveLegendEntry =
+  'visible' | 'inHand' | 'upper' | 'lower' | 'above' | 'below' | 'hidden' | 'sideEdge';

@@ -1,5 +1,7 @@
 import type { Relation } from '../predict/asker.js';
 import type { Abouts, Asks, Kind } from '../predict/question.js';
+import type { tests } from '../predict/relation.js';
+import type { Event } from '../trace/events.js';
 
 /** What is said where one predicts the next steps. */
 export interface PredictTexts {
@@ -21,6 +23,9 @@ export interface PredictTexts {
   readonly area: string;
   readonly noPolygon: Readonly<Record<'hides' | 'wins', string>>;
   readonly relations: Readonly<Record<Relation, string>>;
+  readonly lies: Readonly<Record<Event<'relation'>['relation'], string>>;
+  /** What the lines of the test of a relation look at. */
+  readonly tests: Readonly<Record<(typeof tests)[number], string>>;
   readonly edge: (edge: string) => string;
   readonly column: (column: string) => string;
   readonly check: string;

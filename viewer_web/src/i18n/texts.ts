@@ -9,7 +9,9 @@ import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Shortened } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
 import type { ExactTexts } from './exact-texts.js';
+import type { CurveTexts } from './curve-texts.js';
 import type { CompareTexts } from './compare-texts.js';
+import type { FamilyTexts } from './family-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { PredictTexts } from './predict-texts.js';
 import type { ReaderTexts } from './reader-texts.js';
@@ -44,6 +46,8 @@ export interface Texts {
   readonly predict: PredictTexts;
   readonly compare: CompareTexts;
   readonly reader: ReaderTexts;
+  readonly family: FamilyTexts;
+  readonly curves: CurveTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */

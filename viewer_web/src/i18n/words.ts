@@ -1,3 +1,4 @@
+import type { FloatingHorizon } from '../curves/state.js';
 import type { Warnock } from '../state/warnock.js';
 import type { ZBuffer } from '../state/zbuffer.js';
 import type { Scene } from '../trace/header.js';
@@ -81,10 +82,15 @@ export interface PluralForms {
   readonly other: string;
 }
 
+/** What a state has of the variants with three lists. */
+type WithLists = 'way' | 'joined' | 'contained';
+
 /** What of a state the sentences use. */
 export interface Known {
-  readonly warnock: Pick<Warnock, 'window' | 'apl' | 'covering'> | null;
+  readonly warnock:
+    (Pick<Warnock, 'window' | 'apl' | 'covering'> & Partial<Pick<Warnock, WithLists>>) | null;
   readonly zbuffer: Pick<ZBuffer, 'polygon'> | null;
+  readonly horizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'told'> | null;
 }
 
 /** What the sentences of a step need beside its event. */
@@ -139,4 +145,17 @@ export function cells(runs: readonly (readonly number[])[]): number {
 export function onlyOf({ warnock }: Known): string | null {
   const [first, ...others] = warnock?.apl?.entries ?? [];
   return first !== undefined && others.length === 0 ? first[0] : null;
+}
+
+/** The sum so far of what the edges of an outline count: crossings of a ray, or octants. */
+export function containment(warnock: Known['warnock']): number {
+  return (warnock?.contained ?? []).reduce(
+    (sum, edge) => sum + (edge.e === 'ray' ? edge.counts : edge.difference),
+    0,
+  );
+}
+
+/** What hides all others in the window: as it was found, or the only one that surrounds it. */
+export function hidingOf({ warnock }: Known): string | null {
+  return warnock?.covering ?? warnock?.joined?.surrounding.at(-1)?.polygon ?? null;
 }

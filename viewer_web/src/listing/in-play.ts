@@ -1,9 +1,13 @@
 import { depthChanges } from '../state/state.js';
+import type { EventName } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
 import { noteOf } from './notes.js';
 
 /** So far back is looked for values: a long list of polygons is not gone through at each step. */
 const farthest = 400;
+
+/** What takes a window, a polygon, or a curve in hand. */
+const begins: readonly EventName[] = ['pop', 'polygon', 'curve'];
 
 /** A label is its procedure's letters and the number of the line. */
 function placeOf(label: string): readonly [procedure: string, line: number] {
@@ -13,7 +17,7 @@ function placeOf(label: string): readonly [procedure: string, line: number] {
 
 /**
  * What each line last said, by its label: in the procedures that run, on the way from where their loops last began.
- * What a later line said in a round before is over. The way begins with the window or the polygon in hand.
+ * What a later line said in a round before is over. The way begins with the window, the polygon, or the curve in hand.
  */
 export function valuesInPlay(
   { header, timeline }: Trace,
@@ -39,7 +43,7 @@ export function valuesInPlay(
       lines.set(procedure, line);
     }
     if (change < 0) within = 1;
-    if (event.e === 'pop' || event.e === 'polygon') break;
+    if (begins.includes(event.e)) break;
   }
   return values;
 }

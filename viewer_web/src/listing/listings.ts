@@ -38,18 +38,47 @@ interface Source {
 
 const sources: readonly Source[] = listings.procedures;
 
+const drawn = ['PolygonClip', 'FillPolygon'] as const;
+const warnock = [
+  'Warnock',
+  'ProcessWindow',
+  'SurroundTest',
+  'Depth',
+  'PointColor',
+  ...drawn,
+  'InitializePolygon',
+] as const;
+/** Whose test of containment, and what else, is a variant's own. */
+const withLists = (containment: string, ...others: readonly string[]): readonly string[] => [
+  'ThreeListsWarnock',
+  'Relation',
+  'TrialFunction',
+  containment,
+  'HidingPolygon',
+  ...others,
+  'PointColor',
+  'SurroundTest',
+  'Depth',
+  ...drawn,
+  'InitializePolygon',
+];
+
 const used: Readonly<Record<Method, readonly string[]>> = {
-  warnock: [
-    'Warnock',
-    'ProcessWindow',
+  warnock: warnock,
+  'warnock-simplest': [
+    'SimplestWarnock',
+    'PointColor',
     'SurroundTest',
     'Depth',
-    'PointColor',
-    'PolygonClip',
-    'FillPolygon',
     'InitializePolygon',
   ],
+  'warnock-full': withLists('RayCrossings'),
+  'warnock-angles': withLists('OctantAngles'),
+  'warnock-vertex': withLists('RayCrossings', 'VertexSplit'),
+  'warnock-edges': withLists('RayCrossings', 'EdgeDepth'),
+  'warnock-bodies': ['BackFaces', ...warnock],
   zbuffer: ['ZBuffer', 'ShowLine', 'Depth', 'InitializePolygon'],
+  'floating-horizon': ['FloatingHorizon', 'SideEdge', 'Visibility', 'Horizon', 'Intersection'],
 };
 
 function line(source: SourceLine, edition: Edition, language: Language): Omit<Line, 'speaks'> {

@@ -1,3 +1,4 @@
+import { curveNotes } from '../curves/notes.js';
 import { point, short, shortApart, windowText } from '../i18n/words.js';
 import { plainOf } from '../trace/check.js';
 import { common, details, tables } from '../trace/events.js';
@@ -19,6 +20,8 @@ const edgeOf = ({ edge }: { readonly edge: number }): string => `e = ${edge}`;
 const edgesOf = ({ edges }: { readonly edges: readonly number[] }): string =>
   edges.join(' ') || '∅';
 const half = (first: number, end: number): string => `[${first}, ${end})`;
+
+const signed = (n: number): string => (n > 0 ? `+${n}` : String(n).replace('-', '−'));
 
 const answer = (value: Answer): string =>
   typeof value === 'object' ? half(...value) : String(value).replace('-', '−');
@@ -61,6 +64,20 @@ const notes: { readonly [K in EventName]: Note<K> } = {
   row: ({ first, end }) => half(first, end),
   draw: ({ polygon }) => polygon,
 
+  back_face: ({ away }) => String(away),
+  rejoin: ({ polygon, level }) => `${polygon}, ${level}`,
+  join: ({ polygon, level }) => `${polygon}, ${level}`,
+  relation: null,
+  trial: ({ meets }) => String(meets),
+  meets: ({ meets }) => String(meets),
+  ray: ({ counts }) => `+ ${counts}`,
+  crossings: ({ count }) => `n = ${count}`,
+  octants: ({ from, to, difference }) => `${from} → ${to}: ${signed(difference)}`,
+  angle: ({ octants }) => `S = ${signed(octants)}`,
+  hiding: ({ polygon }) => polygon ?? '∅',
+  split_vertex: ({ column, row }) => `${column}, ${row}`,
+  edge_depth: ({ edge, z }) => `${edge}: ${short(z)}`,
+
   clear: null,
   polygon: polygonOf,
   edge: edgeOf,
@@ -78,6 +95,8 @@ const notes: { readonly [K in EventName]: Note<K> } = {
   span: ({ runs }) => runs.map((run) => half(...run)).join(' ') || '∅',
   ael_drop: edgesOf,
   ael_step: ({ edge, x }) => `${edge}: ${short(x)}`,
+
+  ...curveNotes,
 };
 
 /** What an event says beside its line; null if nothing. */

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { allSamples } from '../testing/samples.js';
-import { tables } from '../trace/events.js';
+import { methods, tables } from '../trace/events.js';
+import { listingsOf } from './listings.js';
 import { sourcesOf, telling } from './sources.js';
 
 const warnock = { method: 'warnock', edition: 'corrected' } as const;
@@ -58,11 +59,13 @@ describe('the C++ of a run', () => {
   });
 
   it('has a line for each event but that of the planes, which are made before the run', () => {
-    const procedures = ['warnock', 'zbuffer'] as const;
-    for (const method of procedures) {
+    for (const method of methods) {
       const sources = sourcesOf({ method, edition: 'corrected' });
+      const labels = listingsOf({ method, edition: 'corrected', detail: 'signs' }, 'en').flatMap(
+        ({ lines }) => lines.map(({ at }) => at),
+      );
       const silent = allSamples
-        .filter(({ e }) => e in tables[method])
+        .filter(({ e, at }) => e in tables[method] && labels.includes(at))
         .filter((event) => sources.every((source) => telling(event, source).length === 0));
       expect(silent.map(({ e, at }) => `${e} ${at}`)).toEqual([]);
     }

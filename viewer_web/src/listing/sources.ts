@@ -1,13 +1,14 @@
 import { isMistake } from '../trace/editions.js';
 import type { Edition, Mistake } from '../trace/editions.js';
-import type { Event } from '../trace/events.js';
+import { isFamily } from '../trace/events.js';
+import type { Event, Method } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { namesOf } from './listings.js';
 
 const root = '../../../lib/vidno/';
 const texts = import.meta.glob<string>(
   [
-    '../../../lib/vidno/{warnock,z_buffer,printed,mistakes}/*.h',
+    '../../../lib/vidno/{warnock,z_buffer,family,floating_horizon,printed,mistakes}/*.h',
     '../../../lib/vidno/{corrected,printed}.h',
   ],
   { query: '?raw', import: 'default', eager: true },
@@ -25,6 +26,15 @@ export interface Source {
   readonly lines: readonly SourceLine[];
 }
 
+/** Where a procedure is not in the file of its name alone. */
+const filesOfOthers: Readonly<Record<string, readonly string[]>> = {
+  SimplestWarnock: ['simplest.h'],
+  ThreeListsWarnock: ['three_lists.h', 'polygon_lists.h'],
+  Relation: ['relation_test.h', 'box_test.h'],
+};
+
+const filesOf = (name: string): readonly string[] => filesOfOthers[name] ?? [fileOf(name)];
+
 const fileOf = (name: string): string =>
   `${name.replace(/(?<=.)(?=[A-Z][a-z])/g, '_').toLowerCase()}.h`;
 
@@ -37,8 +47,10 @@ const linesOf = (text: string): readonly SourceLine[] =>
 const mistakePath = (mistake: Mistake): string => `mistakes/${mistake.replaceAll('-', '_')}.h`;
 
 /** The rules of an edition: those that are as usual, and the mistake. */
-const rulesOf = (edition: Edition): readonly string[] =>
-  isMistake(edition) ? ['corrected.h', mistakePath(edition)] : [`${edition}.h`];
+const rulesOf = (method: Method, edition: Edition): readonly string[] => {
+  if (isFamily(method)) return ['family/family.h', 'corrected.h'];
+  return isMistake(edition) ? ['corrected.h', mistakePath(edition)] : [`${edition}.h`];
+};
 
 /** Whether a mistake has a procedure of its own, which does not ask for the usual one. */
 function replaces(edition: Edition, procedure: string): boolean {
@@ -52,12 +64,18 @@ export function sourcesOf({
   method,
   edition,
 }: Pick<Header, 'method' | 'edition'>): readonly Source[] {
-  const folders = [...(edition === 'printed' ? ['printed/'] : []), 'warnock/', 'z_buffer/'];
+  const folders = [
+    ...(edition === 'printed' ? ['printed/'] : []),
+    'warnock/',
+    'z_buffer/',
+    'family/',
+    'floating_horizon/',
+  ];
   const paths = namesOf(method)
-    .map(fileOf)
+    .flatMap(filesOf)
     .filter((file) => !replaces(edition, file.replace('.h', '')))
     .map((file) => folders.map((folder) => folder + file).find((path) => root + path in texts));
-  return [...paths, ...rulesOf(edition)]
+  return [...paths, ...rulesOf(method, edition)]
     .filter((path) => path !== undefined)
     .map((path) => ({ path, lines: linesOf(texts[root + path] ?? '') }));
 }

@@ -1,27 +1,40 @@
 import type { Exact } from '../picture/layers.js';
-import type { Scene } from '../trace/header.js';
+import type { Method } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
 import type { Options } from './options.js';
 import { sceneText } from './sketch.js';
 import { Tracer } from './tracer.js';
 import type { Traced } from './tracer.js';
 
-/** Every corrected method paints the same picture with it; this one has the shortest trace. */
-const exactly: Options = {
-  method: 'zbuffer',
+/**
+ * Every corrected method paints the same picture with it, but for two whose rule is their own; of the others this one has the
+ * shortest trace.
+ */
+const exactly = (method: Method): Options => ({
+  method: method === 'warnock-edges' || method === 'warnock-bodies' ? method : 'zbuffer',
   edition: 'corrected',
   kernel: 'filtered',
   detail: 'windows',
   check: false,
-};
+});
+
+type Asked = Pick<Header, 'scene' | 'method'>;
+
+interface Run {
+  readonly scene: string;
+  readonly options: Options;
+}
+
+const isSame = (one: Run, other: Run | null): boolean =>
+  one.scene === other?.scene && one.options.method === other.options.method;
 
 /** The exact picture of the scene that was last asked for, by the library that the page brings along. */
 export class ExactPicture {
   private readonly tracer: Tracer | null;
-  private scene: Scene | null = null;
-  /** The same as text: another trace may be of it, too. */
-  private wanted = '';
-  /** The scene that is run now. */
-  private running: string | null = null;
+  private asked: Asked | null = null;
+  /** The run that paints it: another trace may be of the same scene, too. */
+  private wanted: Run | null = null;
+  private running: Run | null = null;
   private picture: Exact = null;
 
   constructor(
@@ -32,13 +45,13 @@ export class ExactPicture {
     this.tracer = library && new Tracer(library, (traced) => this.take(traced), fail);
   }
 
-  /** What is known of a scene's picture; what is not is asked for and told as a change. */
-  of(scene: Scene): Exact {
-    if (this.tracer === null || scene === this.scene) return this.picture;
-    this.scene = scene;
-    const text = sceneText(scene);
-    if (text !== this.wanted) {
-      this.wanted = text;
+  /** What is known of the picture that a method should paint; what is not is asked for and told as a change. */
+  of(asked: Asked): Exact {
+    if (this.tracer === null || this.isAsked(asked)) return this.picture;
+    this.asked = asked;
+    const run = { scene: sceneText(asked.scene), options: exactly(asked.method) };
+    if (!isSame(run, this.wanted)) {
+      this.wanted = run;
       this.picture = 'computing';
       if (this.running === null) this.run();
     }
@@ -46,14 +59,19 @@ export class ExactPicture {
   }
 
   /** What can be said without asking: a scene has a picture until it was refused. */
-  unasked(scene: Scene): Exact {
-    if (this.tracer === null || scene === this.scene) return this.picture;
+  unasked(asked: Asked): Exact {
+    if (this.tracer === null || this.isAsked(asked)) return this.picture;
     return 'computing';
   }
 
+  private isAsked({ scene, method }: Asked): boolean {
+    return scene === this.asked?.scene && method === this.asked.method;
+  }
+
   private run(): void {
-    this.running = this.wanted;
-    this.tracer?.run(this.wanted, exactly);
+    const { wanted } = this;
+    this.running = wanted;
+    if (wanted !== null) this.tracer?.run(wanted.scene, wanted.options);
   }
 
   private take({ trace }: Traced): void {

@@ -18,6 +18,18 @@ it('runs no usual mistake: the corrected text is run instead', () => {
   expect(runnable({ ...exact, edition: 'one-list' })).toEqual(exact);
 });
 
+it('runs a variant of the corrected text alone, unchecked', () => {
+  expect(count({ method: 'warnock-full' })).toBe(8); // no depth:8, depth:16
+  expect(count({ method: 'warnock-full', edition: 'printed' })).toBe(0);
+  const asked = { ...usual, method: 'warnock-full', edition: 'printed', check: true } as const;
+  expect(runnable({ ...asked, kernel: 'exact' })).toEqual({
+    ...usual,
+    method: 'warnock-full',
+    kernel: 'exact',
+  });
+  expect(runnable({ ...asked, kernel: 'depth:8' }).kernel).toBe('double');
+});
+
 it('goes back to double where the kernel does not run', () => {
   expect(runnable({ ...usual, kernel: 'filtered', edition: 'printed' }).kernel).toBe('double');
   expect(runnable({ ...usual, kernel: 'exact', edition: 'printed' }).kernel).toBe('exact');

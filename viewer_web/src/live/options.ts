@@ -1,3 +1,4 @@
+import { isFamily } from '../trace/events.js';
 import type { Detail, Method } from '../trace/events.js';
 import { isMistake } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
@@ -34,20 +35,47 @@ export const kernels = [
   'exact',
 ] as const;
 
-/** Of the editions' names those that the page offers: its library has no usual mistakes. */
-export function offeredNames(names: Readonly<Record<Edition, string>>): Record<string, string> {
-  return { corrected: names.corrected, printed: names.printed };
+/** Of the editions' names those that the page offers: its library has no usual mistakes, a variant no printed text. */
+export function offeredNames(
+  method: Method,
+  { corrected, printed }: Readonly<Record<Edition, string>>,
+): Record<string, string> {
+  return isFamily(method) ? { corrected } : { corrected, printed };
+}
+
+/** Of the methods' names those that draw a scene of polygons, or one of curves. */
+export function methodNames(
+  names: Readonly<Record<Method, string>>,
+  { method }: Pick<Options, 'method'>,
+): Record<string, string> {
+  const { 'floating-horizon': curves, ...polygons } = names;
+  return method === 'floating-horizon' ? { [method]: curves } : polygons;
 }
 
 /** Whether a method and an edition run under a kernel. */
 export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'check'>): boolean {
   if (kernel.startsWith('depth:')) return method === 'zbuffer';
+  if (kernel.startsWith('grid:') && method === 'floating-horizon') return false;
   if (isMistake(edition)) return false;
+  if (isFamily(method)) return edition === 'corrected';
   return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);
 }
 
-/** The nearest to some options that can be run: a mistake gives way to the corrected text, then the kernel. */
+/** Whether the page's library can hold the decisions of a method against exact arithmetic. */
+export const canCheck = (method: Method): boolean => !isFamily(method);
+
+/** The nearest to some options that can be run: the corrected text, the usual kernel, no check where there is no other. */
 export function runnable(options: Options): Options {
-  if (isMistake(options.edition)) return runnable({ ...options, edition: usual.edition });
-  return runs(options) ? options : { ...options, kernel: usual.kernel };
+  const { method, check } = options;
+  if (check && !canCheck(method)) return runnable({ ...options, check: false });
+  if (runs(options)) return options;
+  const isTold = !isMistake(options.edition) && !isFamily(method);
+  return isTold
+    ? { ...options, kernel: usual.kernel }
+    : runnable({ ...options, edition: usual.edition, kernel: kernelOf(options) });
+}
+
+/** A kernel under which the corrected text of the method runs. */
+function kernelOf({ method, kernel }: Options): string {
+  return runs({ method, edition: usual.edition, kernel }) ? kernel : usual.kernel;
 }

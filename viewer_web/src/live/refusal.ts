@@ -1,3 +1,4 @@
+import type { SceneTexts } from '../i18n/scene-texts.js';
 import type { Sketch } from './sketch.js';
 
 export interface SceneRefusal {
@@ -6,11 +7,26 @@ export interface SceneRefusal {
   readonly reason: string;
 }
 
-/** What the library says of a scene that it does not take: "scene: /polygons/0/vertices: not convex". */
+/** Without the name of another polygon. */
+const impersonal = (reason: string): string =>
+  reason.replace(/ of polygon .* before it/su, ' of another one before it');
+
+/**
+ * What the library says of a scene that it does not take, "scene: /polygons/0/vertices: not convex", or that the method does
+ * not, "scene: polygon A has no area".
+ */
 export function refusalOf(message: string, { polygons }: Sketch): SceneRefusal {
   const line = message.trim().replace(/^(scene|request): /u, '');
+  const named = /^polygon (.+?) ((?:has|is|goes) .*)$/su.exec(line);
+  if (named !== null) return { polygon: named[1] ?? null, reason: impersonal(named[2] ?? '') };
   const [, place = '', reason = line] = /^(\/\S*): (.*)$/su.exec(line) ?? [];
   const [, number] = /^\/polygons\/(\d+)/u.exec(place) ?? [];
   const polygon = number === undefined ? undefined : polygons[Number(number)];
   return { polygon: polygon?.id ?? (place === '' ? null : place), reason };
+}
+
+/** The same as a sentence. */
+export function whyRefused(message: string, sketch: Sketch, say: SceneTexts): string {
+  const { polygon, reason } = refusalOf(message, sketch);
+  return say.refused(polygon, say.reasons[reason] ?? reason);
 }

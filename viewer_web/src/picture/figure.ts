@@ -6,13 +6,14 @@ import { marksOf } from './marks.js';
 import { patchesOf } from './patches.js';
 import { shapesOf } from './shapes.js';
 import type { Shape } from './shapes.js';
-import { labelSize, gridShapes, labelsOf, outlineShapes } from './still.js';
+import { labelSize, gridShapes, labelsOf, notesOf, outlineShapes } from './still.js';
 import type { Label } from './still.js';
 
 /** The longer side, in CSS pixels. */
 const side = 720;
 
-function path({ look, d, color }: Shape, scale: number): string {
+/** A shape where a unit is so many CSS pixels. */
+export function pathOf({ look, d, color }: Shape, scale: number): string {
   const attributes = new Map([...lookOf(look, scale), ['d', d]]);
   if (color !== undefined) attributes.set('stroke', color);
   return element('path', attributes);
@@ -37,28 +38,41 @@ function label({ text, at: [x, y] }: Label, { whole, scale }: Frame): string {
   );
 }
 
+/** How the plane of a view lies in its figure. */
+export const figureFrame = ({ header }: View): Frame =>
+  new Frame(header.scene.area, { width: side, height: side });
+
 /**
  * The picture at a step, with its marks and names, as an SVG document of its own, which looks as on the page wherever it
  * is opened: vectors alone, looks as attributes, on white. The same view gives the same bytes.
  */
 export function figureOf(view: View): string {
-  const { header, step, texts } = view;
-  const { scene } = header;
-  const frame = new Frame(scene.area, { width: side, height: side });
-  const { whole, scale } = frame;
-  const width = Math.round(whole[2] * scale);
-  const height = Math.round(whole[3] * scale);
+  const { scene } = view.header;
+  const frame = figureFrame(view);
+  const { scale } = frame;
 
   const patches = patchesOf(view.screen.picture, scene.area);
   const pixels = patches.map(({ color, d }) => element('path', Object.entries({ fill: color, d })));
   // Neighbours must meet without a seam.
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
-  const marks = marksOf({ ...view, pointed: null, asked: [] }, frame.sight).flatMap((mark) =>
-    shapesOf(mark, scale),
-  );
+  const marked = marksOf({ ...view, pointed: null, asked: [] }, frame.sight);
+  const marks = marked.flatMap((mark) => shapesOf(mark, scale));
   const shapes = [...gridShapes(frame), ...outlineShapes(scene), ...marks].map((shape) =>
-    path(shape, scale),
+    pathOf(shape, scale),
   );
+  const names = [...labelsOf(scene, frame), ...notesOf(marked, frame)].map((each) =>
+    label(each, frame),
+  );
+  return figureDocument(view, frame, `${sharp}${shapes.join('')}`, names.join(''));
+}
+
+/** The document of what is drawn in the plane, and of what stands on it in CSS pixels. */
+export function figureDocument(view: View, frame: Frame, drawing: string, names = ''): string {
+  const { header, step, texts } = view;
+  const { scene } = header;
+  const { whole, scale } = frame;
+  const width = Math.round(whole[2] * scale);
+  const height = Math.round(whole[3] * scale);
   const place = `scale(${scale}) translate(${-whole[0]} ${-whole[1]})`;
 
   const title = [scene.name, texts.methods[header.method], `${texts.step} ${step}`];
@@ -66,8 +80,8 @@ export function figureOf(view: View): string {
     element('title', [], escaped(title.filter(Boolean).join(' · '))),
     element('desc', [], escaped(view.sentence)),
     element('rect', Object.entries({ width, height, fill: '#ffffff' })),
-    element('g', [['transform', place]], `\n${sharp}${shapes.join('')}`),
-    ...labelsOf(scene, frame).map((each) => label(each, frame)),
+    element('g', [['transform', place]], `\n${drawing}`),
+    names,
   ];
   const document = Object.entries({
     xmlns: 'http://www.w3.org/2000/svg',

@@ -1,5 +1,6 @@
 import { marksStyle } from '../components/marks.style.js';
 import { pictureStyle } from '../components/picture.style.js';
+import { curvesStyle } from '../curves/curves.style.js';
 
 /** Declarations for what has all of some classes. */
 interface Rule {
@@ -19,7 +20,7 @@ const attributes = [
   ...lengths,
 ];
 
-const sheet = marksStyle.cssText + pictureStyle.cssText;
+const sheet = marksStyle.cssText + pictureStyle.cssText + curvesStyle.cssText;
 
 const variables = new Map(
   [...sheet.matchAll(/(--[\w-]+):\s*([^;]+);/g)].map(([, name, value]) => [name, value]),

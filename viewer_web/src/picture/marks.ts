@@ -2,90 +2,18 @@ import { thingOf } from '../pointed.js';
 import type { View } from '../view.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
-import { toNumber } from '../i18n/words.js';
-import { leaves, wayTo } from '../state/quadtree.js';
 import type { Sight } from '../state/quadtree.js';
-import type { Pixel } from './pixel.js';
-import type { Box, Corner, N, Pair, Triple } from '../trace/values.js';
-
-/** What a mark is about; the style sheet of the picture gives each role its look. */
-export type Role =
-  | 'stacked'
-  | 'tree'
-  | 'way'
-  | 'window'
-  | 'fresh'
-  | 'off'
-  | 'touched'
-  | 'scanline'
-  | 'edge'
-  | 'active'
-  | 'clip'
-  | 'clip-new'
-  | 'side'
-  | 'yes'
-  | 'no'
-  | 'point'
-  | 'pointed'
-  | 'chosen'
-  | 'cursor';
-
-interface PathMark {
-  readonly kind: 'path';
-  readonly role: Role;
-  readonly points: readonly Spot[];
-  readonly closed: boolean;
-  /** Instead of the role's own colour. */
-  readonly color?: string;
-}
-
-export type Mark =
-  | PathMark
-  | { readonly kind: 'box'; readonly role: Role; readonly box: Box }
-  | { readonly kind: 'boxes'; readonly role: Role; readonly boxes: readonly Box[] }
-  | { readonly kind: 'point'; readonly role: Role; readonly at: Spot }
-  /** A pixel, to be found even where pixels are small. */
-  | { readonly kind: 'target'; readonly role: 'chosen' | 'cursor'; readonly at: Pixel };
-
-type Spot = readonly [number, number];
-
-export const target = (role: 'chosen' | 'cursor', at: Pixel): Mark => ({
-  kind: 'target',
-  role,
-  at,
-});
-
-const box = (role: Role, of: Box): Mark => ({ kind: 'box', role, box: of });
-
-const spot = (at: readonly N[]): Spot => [toNumber(at[0] ?? NaN), toNumber(at[1] ?? NaN)];
-const point = (role: Role, at: readonly N[]): Mark => ({ kind: 'point', role, at: spot(at) });
-
-const path = (role: Role, points: readonly (readonly N[])[], closed = false): PathMark => ({
-  kind: 'path',
-  role,
-  points: points.map(spot),
-  closed,
-});
-
-function edgeOf(polygon: Polygon | undefined, edge: number, role: Role): readonly Mark[] {
-  const vertices = polygon?.vertices ?? [];
-  const from = vertices[edge];
-  const to = vertices[(edge + 1) % vertices.length];
-  return from && to ? [path(role, [from, to])] : [];
-}
-
-export function cornerOf([x, y, width, height]: Box, corner: Corner): Spot {
-  return [corner.startsWith('r') ? x + width : x, corner.endsWith('t') ? y + height : y];
-}
+import { containmentMarks, splitMarks } from './family-marks.js';
+import { box, cornerOf, edgeOf, path, point, target } from './mark.js';
+import type { Mark, Role } from './mark.js';
+import type { Corner, N, Pair, Triple } from '../trace/values.js';
 
 /** How the area is divided into windows, and the way to the current one. */
-function treeMarks({ screen, after, header: { scene } }: View, sight: Sight): readonly Mark[] {
-  const { root, window } = after.warnock ?? {};
+function treeMarks({ screen, after }: View, sight: Sight): readonly Mark[] {
+  const { root, way = [] } = after.warnock ?? {};
   if (!root) return [];
-  const boxes = leaves(screen.levels, root, scene.area, sight);
-  const way = window ? wayTo(window, root) : [];
   return [
-    { kind: 'boxes', role: 'tree', boxes },
+    { kind: 'boxes', role: 'tree', boxes: screen.windows(root, sight) },
     { kind: 'boxes', role: 'way', boxes: way },
   ];
 }
@@ -101,6 +29,7 @@ function stateMarks({ after, header: { scene } }: View): readonly Mark[] {
     marks.push(path('clip-new', warnock.clip.next));
     for (const vertex of warnock.clip.next) marks.push(point('clip-new', vertex));
   }
+  marks.push(...containmentMarks(warnock, scene));
   const { area } = scene;
   if (zbuffer?.row != null) marks.push(box('scanline', [area.x, zbuffer.row, area.width, 1]));
   const polygon = scene.byId.get(zbuffer?.polygon ?? '');
@@ -146,6 +75,14 @@ const draw: { readonly [K in EventName]?: Draw<K> } = {
   push: ({ window }) => [box('fresh', window)],
   skip: ({ window }) => [box('off', window)],
   fill: ({ rect }) => [box('touched', rect)],
+  back_face: ({ polygon, away }, { header }) => [
+    path(away ? 'off' : 'touched', header.scene.byId.get(polygon)?.vertices ?? [], true),
+  ],
+  trial: ({ polygon, edge, meets }, { header }) =>
+    edgeOf(header.scene.byId.get(polygon), edge, meets ? 'side' : 'off'),
+  split_vertex: splitMarks,
+  edge_depth: ({ polygon, edge }, { header }) =>
+    edgeOf(header.scene.byId.get(polygon), edge, 'side'),
   draw: ({ runs }) => runs.flatMap(([row, ...run]) => rowBoxes('touched', row, [run])),
   span: ({ row, runs }) => rowBoxes('touched', row, runs),
   pixel: ({ x, y, shown }) => [box(shown ? 'touched' : 'off', [x, y, 1, 1])],
@@ -185,8 +122,8 @@ function eventMarks(event: Event, view: View): readonly Mark[] {
 }
 
 function isFinite(mark: Mark): boolean {
-  if (mark.kind !== 'point' && mark.kind !== 'path') return true;
-  const spots = mark.kind === 'point' ? [mark.at] : mark.points;
+  if (mark.kind !== 'point' && mark.kind !== 'note' && mark.kind !== 'path') return true;
+  const spots = mark.kind === 'path' ? mark.points : [mark.at];
   return spots.every(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
 }
 

@@ -1,5 +1,5 @@
 import type { Box } from '../trace/values.js';
-import type { Mark } from './marks.js';
+import type { Mark } from './mark.js';
 import type { Pixel } from './pixel.js';
 
 const dot = 5;
@@ -17,6 +17,7 @@ export interface Shape {
 
 /** What a mark is drawn with, where the plane is shown at so many CSS pixels a unit. */
 export function shapesOf(mark: Mark, scale: number): readonly Shape[] {
+  if (mark.kind === 'note') return [];
   if (mark.kind === 'point') {
     return [{ look: `dot ${mark.role}`, d: circleData(mark.at, dot / scale) }];
   }
@@ -28,7 +29,7 @@ export function shapesOf(mark: Mark, scale: number): readonly Shape[] {
   ];
 }
 
-function dataOf(mark: Exclude<Mark, { kind: 'point' }>, scale: number): string {
+function dataOf(mark: Exclude<Mark, { kind: 'point' | 'note' }>, scale: number): string {
   if (mark.kind === 'box') return boxData(mark.box);
   if (mark.kind === 'boxes') return mark.boxes.map(boxData).join('');
   if (mark.kind === 'target') return aim(mark.at, reach / scale);

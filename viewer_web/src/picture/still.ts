@@ -1,6 +1,7 @@
 import { polygonThing } from '../pointed.js';
 import type { Polygon, Scene } from '../trace/header.js';
 import type { Frame } from './frame.js';
+import type { Mark } from './mark.js';
 import { nearestIn } from './pixel.js';
 import type { Pixel } from './pixel.js';
 import { boxData, pathData } from './shapes.js';
@@ -68,6 +69,18 @@ export interface Label {
 export function labelsOf({ polygons }: Scene, { whole }: Frame): readonly Label[] {
   if (polygons.length > mostLabels) return [];
   return polygons.map(({ id, vertices }) => ({ text: id, at: labelSpot(vertices, whole) }));
+}
+
+/** What marks say in letters, above and beside their places; none where that is out of sight. */
+export function notesOf(marks: readonly Mark[], { whole, scale }: Frame): readonly Label[] {
+  const [left, top, width, height] = whole;
+  const off = labelSize / scale;
+  return marks.flatMap((mark) => {
+    if (mark.kind !== 'note') return [];
+    const [x, y] = mark.at;
+    const isSeen = x > left && x < left + width && y > top && y < top + height;
+    return isSeen ? [{ text: mark.text, at: [x + off * 0.8, y - off * 0.8] as const }] : [];
+  });
 }
 
 /** A little inward from the first vertex: the middles of polygons often coincide. */

@@ -7,7 +7,7 @@ import type { Part } from './question.js';
 
 /** What is the list of active edges on the next scanline? */
 export const ael: Asker<'ael'> = {
-  method: 'zbuffer',
+  isOf: (method) => method === 'zbuffer',
   from: 'polygons',
   at: ['extent', 'span'],
   ask(trace, step) {

@@ -7,7 +7,8 @@ import type { Kind, Option, Question } from './question.js';
 
 /** Asks questions of one kind. */
 export interface Asker<K extends Kind = Kind> {
-  readonly method: Method;
+  /** Whether a method's runs answer them. */
+  readonly isOf: (method: Method) => boolean;
   /** The least detail that answers them. */
   readonly from: Detail;
   /** The events at which they may be asked. */

@@ -1,5 +1,6 @@
 import { point } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
+import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import { optionsOf } from './asker.js';
 import type { Asker } from './asker.js';
@@ -9,7 +10,7 @@ export const crossing = 'x';
 
 /** What does this side of the window leave of the list of vertices? */
 export const clip: Asker<'clip'> = {
-  method: 'warnock',
+  isOf: hasWindows,
   from: 'polygons',
   at: ['clip_side'],
   ask(trace, step) {

@@ -1,20 +1,21 @@
 import { short } from '../i18n/words.js';
 import { cornerThing, polygonThing } from '../pointed.js';
 import { corners as places } from '../trace/values.js';
+import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import { relationOf, relationOptions } from './asker.js';
 import type { Asker } from './asker.js';
 
 /** At which corners is this polygon nearer than all before it? */
 export const corners: Asker<'corners'> = {
-  method: 'warnock',
+  isOf: hasWindows,
   from: 'polygons',
   at: ['depth'],
   ask(trace, step) {
     const depth = eventAt(trace, step, 'depth');
     const isLast = eventAt(trace, step + 1, 'depth') === null;
     const nearer = nextOf(trace, step, 'nearer', 'depth', 'pop');
-    if (depth?.at !== 'PW5' || !isLast || nearer === null) return null;
+    if ((depth?.at !== 'PW5' && depth?.at !== 'HP3') || !isLast || nearer === null) return null;
     const { corners: nearest = null, depths = [] } = trace.timeline.seek(step).values.warnock ?? {};
     if (nearest === null) return null;
 

@@ -1,5 +1,8 @@
 import { short, windowText } from '../i18n/words.js';
 import { texts } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
+import type { Joined, Warnock } from '../state/warnock.js';
+import { hasThreeLists } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import type { View } from '../view.js';
 import { mostOptions } from './asker.js';
@@ -8,9 +11,9 @@ import type { Question } from './question.js';
 /** Something that is known at a step, under its name. */
 export type Fact = readonly [name: string, said: string];
 
-function windowFacts({ after, texts: page }: View): readonly Fact[] {
-  const { window, apl } = after.warnock ?? {};
-  if (!window || !apl) return [];
+function windowFacts({ after, texts: page, language, header: { method } }: View): readonly Fact[] {
+  const { window, apl, joined, way } = after.warnock ?? {};
+  if (!window || !apl || !joined || !way) return [];
   const { length } = apl.entries;
   const listed = apl.entries
     .slice(0, mostOptions)
@@ -19,6 +22,19 @@ function windowFacts({ after, texts: page }: View): readonly Fact[] {
   return [
     [page.window, windowText(window)],
     [page.apl, [...listed, ...others].join(', ')],
+    ...(hasThreeLists(method) ? listFacts(way.length, joined, language) : []),
+  ];
+}
+
+/** The level of a window, and the two lists beside the third. */
+function listFacts(level: number, joined: Warnock['joined'], language: Language): readonly Fact[] {
+  const { panel } = texts[language].family;
+  const said = (list: Joined): string =>
+    list.map((each) => `${each.polygon} (${panel.sinceLevel(each.level)})`).join(', ') || '∅';
+  return [
+    [panel.level, String(level)],
+    [panel.surrounding, said(joined.surrounding)],
+    [panel.outside, said(joined.outside)],
   ];
 }
 

@@ -1,5 +1,6 @@
 import { cornerAt } from '../i18n/words.js';
 import { cornerThing, polygonThing } from '../pointed.js';
+import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import { edgeNote, optionsOf } from './asker.js';
 import type { Asker } from './asker.js';
@@ -10,7 +11,7 @@ const fewestEdges = 3;
 
 /** Is this point inside? */
 export const inside: Asker<'inside'> = {
-  method: 'warnock',
+  isOf: hasWindows,
   from: 'signs',
   at: ['call'],
   ask(trace, step) {
@@ -21,6 +22,7 @@ export const inside: Asker<'inside'> = {
     const polygon = trace.header.scene.byId.get(id);
     const tests = stepsOf(trace, step, result.step, 'orient');
     if (polygon === undefined || tests.length < fewestEdges) return null;
+    if (tests.some(({ event }) => event.at === 'ED3')) return null; // edge-on, on a line with all its edges
 
     const last = polygon.vertices.length - 1;
     const edges = [last, ...Array.from({ length: last }, (_, i) => i)];

@@ -6,7 +6,7 @@ import type { Asker } from './asker.js';
 
 /** At which pixels of this row is the polygon nearer than what is there? */
 export const pixels: Asker<'pixels'> = {
-  method: 'zbuffer',
+  isOf: (method) => method === 'zbuffer',
   from: 'signs',
   at: ['columns'],
   ask(trace, step) {

@@ -1,6 +1,8 @@
 import { short, toNumber } from '../i18n/words.js';
+import { shownIn } from '../state/lists.js';
 import { windowThing } from '../pointed.js';
 import type { N } from '../trace/values.js';
+import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import { mostOptions, optionsOf } from './asker.js';
 import type { Asker } from './asker.js';
@@ -16,7 +18,7 @@ function depthOptions(depths: readonly N[]): readonly Option[] {
 
 /** Which polygon is seen at this point, and by which depth? */
 export const point: Asker<'point'> = {
-  method: 'warnock',
+  isOf: hasWindows,
   from: 'polygons',
   at: ['call'],
   ask(trace, step) {
@@ -24,15 +26,15 @@ export const point: Asker<'point'> = {
     const color = nextOf(trace, step, 'color', 'pop');
     if (color === null) return null;
     const until = color.step;
-    const { apl = null, window = null } = trace.timeline.seek(step).values.warnock ?? {};
-    const list = apl?.entries ?? [];
+    const now = trace.timeline.seek(step).values.warnock;
+    const window = now?.window ?? null;
+    const ids = now === null ? [] : shownIn(now, trace.header.scene);
     const depths = stepsOf(trace, step, until, 'depth');
     const options = depthOptions(depths.map(({ event }) => event.z));
     const nearest = stepsOf(trace, step, until, 'nearest');
     const winner = nearest.at(-1)?.event;
-    if (winner === undefined || options.length < 2 || list.length > mostOptions) return null;
+    if (winner === undefined || options.length < 2 || ids.length > mostOptions) return null;
 
-    const ids = list.map(([id]) => id);
     const covering = depths.map(({ event }) => event.polygon);
     return {
       kind: 'point',

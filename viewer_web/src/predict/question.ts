@@ -1,7 +1,18 @@
 import type { Box, Corner, Pair } from '../trace/values.js';
 
 /** What is asked about, in the order in which the reader chooses among them. */
-export const kinds = ['window', 'corners', 'inside', 'point', 'clip', 'ael', 'pixels'] as const;
+export const kinds = [
+  'window',
+  'relation',
+  'ray',
+  'octants',
+  'corners',
+  'inside',
+  'point',
+  'clip',
+  'ael',
+  'pixels',
+] as const;
 export type Kind = (typeof kinds)[number];
 
 /** How a part is answered: by one of its options, by any set of them, or by a row of them that is typed. */
@@ -14,6 +25,9 @@ export type Of =
   | 'corner'
   | 'relation'
   | 'yes'
+  | 'lies'
+  | 'test'
+  | 'number'
   | 'sign'
   | 'vertex'
   | 'edge'
@@ -38,6 +52,12 @@ export const parts = {
   order: ['row', 'edge'],
   shown: ['some', 'column'],
   pixelDepths: ['one', 'relation'],
+  lies: ['one', 'lies'],
+  test: ['one', 'test'],
+  crossed: ['some', 'edge'],
+  crossings: ['one', 'number'],
+  halved: ['some', 'edge'],
+  sum: ['one', 'number'],
 } as const satisfies Readonly<Record<string, readonly [Form, Of]>>;
 export type Asks = keyof typeof parts;
 
@@ -62,6 +82,9 @@ export interface Part {
 /** What the words of a question name. */
 export interface Abouts {
   readonly window: { readonly window: Box };
+  readonly relation: { readonly polygon: string; readonly window: Box };
+  readonly ray: { readonly polygon: string; readonly window: Box };
+  readonly octants: { readonly polygon: string; readonly window: Box };
   readonly corners: { readonly polygon: string };
   readonly inside: {
     readonly polygon: string;

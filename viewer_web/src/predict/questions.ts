@@ -6,16 +6,21 @@ import { ael } from './ael.js';
 import { stepsOf } from './ahead.js';
 import type { Asker } from './asker.js';
 import { clip } from './clip.js';
+import { octants, ray } from './contained.js';
 import { corners } from './corners.js';
 import { inside } from './inside.js';
 import { pixels } from './pixels.js';
 import { point } from './point.js';
 import { kinds } from './question.js';
 import type { Kind, Question } from './question.js';
+import { relation } from './relation.js';
 import { window } from './window.js';
 
 const askers: { readonly [K in Kind]: Asker<K> } = {
   window,
+  relation,
+  ray,
+  octants,
   corners,
   inside,
   point,
@@ -28,7 +33,7 @@ const askers: { readonly [K in Kind]: Asker<K> } = {
 export function kindsOf({ method, detail }: Header): readonly Kind[] {
   const isTold = (kind: Kind): boolean =>
     details.indexOf(askers[kind].from) <= details.indexOf(detail);
-  return kinds.filter((kind) => askers[kind].method === method && isTold(kind));
+  return kinds.filter((kind) => askers[kind].isOf(method) && isTold(kind));
 }
 
 /** So many steps a kind rests after its first question, and twice as many after each more, up to a limit. */

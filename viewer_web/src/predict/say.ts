@@ -3,8 +3,12 @@ import type { Language } from '../i18n/language.js';
 import type { Case } from '../time/course.js';
 import type { Corner } from '../trace/values.js';
 import type { Relation } from './asker.js';
+import type { relations, tests } from './relation.js';
 import { none, parts } from './question.js';
 import type { Abouts, Asks, Kind, Of, Option, Part, Question } from './question.js';
+
+type Lies = (typeof relations)[number];
+type Test = (typeof tests)[number];
 
 type Say = (value: string, language: Language) => string;
 
@@ -16,6 +20,9 @@ const words: Readonly<Record<Of, Say>> = {
   corner: (value, language) => texts[language].places[value as Corner],
   relation: (value, language) => `${value} ${texts[language].predict.relations[value as Relation]}`,
   yes: (value, language) => texts[language].page[value === 'yes' ? 'yes' : 'no'],
+  lies: (value, language) => texts[language].predict.lies[value as Lies],
+  test: (value, language) => `${value}: ${texts[language].predict.tests[value as Test]}`,
+  number: itself,
   sign: itself,
   vertex: itself,
   edge: (value, language) => texts[language].predict.edge(value),

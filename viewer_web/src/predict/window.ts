@@ -1,6 +1,8 @@
+import { shownIn } from '../state/lists.js';
 import { windowThing } from '../pointed.js';
 import { cases } from '../time/course.js';
 import type { Trace } from '../trace/trace.js';
+import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import type { Step } from './ahead.js';
 import { mostOptions, optionsOf } from './asker.js';
@@ -24,7 +26,7 @@ function hidingIn(
 
 /** Which case is this window? */
 export const window: Asker<'window'> = {
-  method: 'warnock',
+  isOf: hasWindows,
   from: 'windows',
   at: ['pop'],
   ask(trace, step) {
@@ -34,9 +36,12 @@ export const window: Asker<'window'> = {
     const pop = eventAt(trace, step, 'pop');
     const decide = nextOf(trace, step, 'decide', 'pop');
     if (pop === null || decide === null) return null;
-    const list = trace.timeline.seek(step).values.warnock?.apl?.entries ?? [];
-    if (list.length === 0 || list.length > mostOptions) return null;
     const until = decide.step;
+    const back = stepsOf(trace, step, until, 'rejoin');
+    const now = trace.timeline.seek(back.at(-1)?.step ?? step).values.warnock;
+    const ids = (now?.apl?.entries ?? []).map(([id]) => id);
+    const shown = now === null ? [] : shownIn(now, scene);
+    if (ids.length === 0 || shown.length > mostOptions) return null;
     const covers = stepsOf(trace, step, until, 'cover');
     const hiding = hidingIn(trace, decide, covers);
     if (hiding === null) return null;
@@ -44,8 +49,10 @@ export const window: Asker<'window'> = {
     const cover = covers.slice(-1);
     const uncovers = stepsOf(trace, cover[0]?.step ?? until, until, 'uncover').slice(0, 1);
     const summary = stepsOf(trace, step, until, 'summary');
-    const ids = list.map(([id]) => id);
-    const discards = stepsOf(trace, step, until, 'discard');
+    const discards = [
+      ...stepsOf(trace, step, until, 'discard'),
+      ...stepsOf(trace, step, until, 'join'),
+    ];
     const gone = discards.map(({ event }) => event.polygon);
     const stay: Part = {
       asks: 'stay',
@@ -59,7 +66,7 @@ export const window: Asker<'window'> = {
       about: { window: pop.window },
       parts: [
         ...(isCoarse ? [] : [stay]),
-        { asks: 'hides', options: optionsOf([...ids, none]), right: [hiding] },
+        { asks: 'hides', options: optionsOf([...shown, none]), right: [hiding] },
         { asks: 'case', options: optionsOf(cases), right: [decide.event.case] },
       ],
       because: inOrder(discards, cover, uncovers, summary, [decide]),

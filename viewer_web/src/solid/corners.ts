@@ -1,4 +1,4 @@
-import { cornerOf } from '../picture/marks.js';
+import { cornerOf } from '../picture/mark.js';
 import { corners } from '../trace/values.js';
 import type { Corner, N } from '../trace/values.js';
 import type { View } from '../view.js';
@@ -15,7 +15,7 @@ export interface CornerDepth {
   readonly nearer: boolean | null;
 }
 
-const isCompared = /^PW[567]$/;
+const isCompared = /^(PW[567]|HP[345])$/;
 
 /** The polygon whose depths at the corners are in hand. */
 export function comparedPolygon({ event }: View): string | null {
@@ -25,10 +25,10 @@ export function comparedPolygon({ event }: View): string | null {
 /** The four corners with their depths; none where the trace does not tell them. */
 export function cornerDepths(view: View): readonly CornerDepth[] {
   const { event, before, after } = view;
-  const { window = null, depths = [], corners: now } = after.warnock ?? {};
+  const { window = null, depths = [], corners: now, isTested = false } = after.warnock ?? {};
   // The step that copies the nearer depths shows what they were compared with.
   const stored = event?.e === 'nearer' ? before.warnock?.corners : now;
-  if (window === null || !stored) return [];
+  if (window === null || !stored || !isTested) return [];
   const isInHand = comparedPolygon(view) !== null;
   return corners.map((corner, i) => ({
     corner,

@@ -1,4 +1,5 @@
-import type { Role } from '../picture/marks.js';
+import { shownIn } from '../state/lists.js';
+import type { Role } from '../picture/mark.js';
 import type { N } from '../trace/values.js';
 import type { View } from '../view.js';
 import { holds, planeOf } from './plane.js';
@@ -23,9 +24,10 @@ export function pointInHand({ event, after }: View): readonly [number, number] |
 /** The polygons of the list that hold the point, in the order of the list. */
 export function depthsAtPoint(view: View): readonly PointDepth[] {
   const at = pointInHand(view);
-  const { apl = null, nearest = null } = view.after.warnock ?? {};
-  if (at === null || apl === null) return [];
-  return apl.entries.flatMap(([id]): readonly PointDepth[] => {
+  const { warnock } = view.after;
+  if (at === null || warnock === null) return [];
+  const { nearest } = warnock;
+  return shownIn(warnock, view.header.scene).flatMap((id): readonly PointDepth[] => {
     const polygon = view.header.scene.byId.get(id);
     if (polygon === undefined || !holds(polygon, ...at)) return [];
     if (nearest?.polygon === id) return [{ polygon: id, z: nearest.z, told: true, role: 'yes' }];

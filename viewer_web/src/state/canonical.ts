@@ -1,18 +1,35 @@
+import { horizonValues } from '../curves/canonical.js';
+import type { Line } from '../curves/lines.js';
+import { hasThreeLists } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { toColor } from './grid.js';
 import type { Screen } from './screen.js';
 import type { State } from './state.js';
-import type { Warnock } from './warnock.js';
+import type { Joined, Warnock } from './warnock.js';
 import type { ZBuffer } from './zbuffer.js';
 
-/** The state in the one form in which readers of a trace are compared, key by key in this order. */
-export function canonical(state: State, { detail }: Header): unknown {
-  const { step, calls, warnock, zbuffer } = state.values;
+/**
+ * The state in the one form in which readers of a trace are compared, key by key in this order. The lines are those that a
+ * run of curves has drawn.
+ */
+export function canonical(
+  state: State,
+  { method, detail }: Header,
+  lines: readonly Line[],
+): unknown {
+  const { step, calls, warnock, zbuffer, horizon } = state.values;
+  const begun = { step, calls: calls.map(({ of, at }) => ({ of, at })) };
+  const { columns } = state;
+  if (horizon !== null && columns !== null) {
+    return { ...begun, ...horizonValues(horizon, columns, lines) };
+  }
   return {
-    step,
-    calls: calls.map(({ of, at }) => ({ of, at })),
+    ...begun,
     picture: pictureRows(state.screen),
-    warnock: warnock && warnockValues(warnock),
+    warnock: warnock && {
+      ...warnockValues(warnock),
+      ...(hasThreeLists(method) ? otherLists(warnock) : {}),
+    },
     zbuffer: zbuffer && { ...zbufferValues(zbuffer), z: depthRows(state.screen, detail) },
   };
 }
@@ -42,6 +59,11 @@ function warnockValues(warnock: Warnock): object {
     insider,
     clip: clip && { vertices: clip.vertices, next: clip.next },
   };
+}
+
+function otherLists({ joined: { surrounding, outside } }: Warnock): object {
+  const written = (list: Joined): unknown => list.map(({ polygon, level }) => [polygon, level]);
+  return { surrounding: written(surrounding), outside: written(outside) };
 }
 
 function zbufferValues({ polygon, edges, ael, y, row, nextS, nextAel }: ZBuffer): object {

@@ -4,7 +4,7 @@ import type { Event } from '../trace/events.js';
 import type { Area } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
 import type { Box } from '../trace/values.js';
-import { leaves, levelOf, wayTo } from './quadtree.js';
+import { levelOf } from './quadtree.js';
 
 const words = (boxes: readonly Box[]): readonly string[] =>
   boxes.map((box) => box.join(' ')).sort();
@@ -17,14 +17,18 @@ function leavesAt({ header, timeline }: Trace, step: number, least = 0): readonl
   const { area } = header.scene;
   const { values, screen } = timeline.seek(step);
   const root = values.warnock?.root ?? null;
-  return root === null ? [] : words(leaves(screen.levels, root, area, everywhere(area, least)));
+  return root === null ? [] : words(screen.windows(root, everywhere(area, least)));
 }
 
 const holds = ([x, y, width, height]: Box, i: number, j: number): boolean =>
   x <= i + 0.5 && i + 0.5 < x + width && y <= j + 0.5 && j + 0.5 < y + height;
 
-/** The same by going through all windows so far: for each pixel the last one that it is in. */
-function replayed(pushed: readonly Box[], { x, y, width, height }: Area): readonly string[] {
+/**
+ * The same by going through all windows so far: for each pixel the last one that it is in. Of a window that is being cut, and
+ * not halved, what is left is none.
+ */
+function replayed(pushed: readonly Box[], { scene, method }: Trace['header']): readonly string[] {
+  const { x, y, width, height } = scene.area;
   const found = new Set<Box>();
   for (let j = y; j < y + height; j++) {
     for (let i = x; i < x + width; i++) {
@@ -32,21 +36,27 @@ function replayed(pushed: readonly Box[], { x, y, width, height }: Area): readon
       if (last !== undefined) found.add(last);
     }
   }
-  return words([...found]);
+  const begins = (window: Box): boolean =>
+    pushed.filter((each) => holds(each, window[0], window[1])).at(-1) === window;
+  return words([...found].filter((window) => method !== 'warnock-vertex' || begins(window)));
 }
+
+const root: Event = { e: 'push', at: 'W3', window: [0, 0, 8, 8], apl: [] };
+const pop = (window: Box): Event => ({ e: 'pop', at: 'W5', window });
 
 describe('the windows into which the area is divided', () => {
   it.each(traceNames.filter((name) => name.includes('warnock')))(
     'are those of a replay of the pushes: %s, forward and backward',
     async (name) => {
       const trace = await traceOf(textOf(name));
-      const { area } = trace.header.scene;
       const pushed: Box[] = [];
       const expected: (readonly string[])[] = [[]];
       for (let step = 1; step <= trace.timeline.length; step++) {
         const event = trace.timeline.event(step);
         if (event?.e === 'push') pushed.push(event.window);
-        expected.push(event?.e === 'push' ? replayed(pushed, area) : (expected.at(-1) ?? []));
+        expected.push(
+          event?.e === 'push' ? replayed(pushed, trace.header) : (expected.at(-1) ?? []),
+        );
       }
       expect(expected.at(-1)).not.toEqual([]);
       for (let step = 0; step < expected.length; step++) {
@@ -58,8 +68,6 @@ describe('the windows into which the area is divided', () => {
     },
   );
 
-  const root: Event = { e: 'push', at: 'W3', window: [0, 0, 8, 8], apl: [] };
-  const pop = (window: Box): Event => ({ e: 'pop', at: 'W5', window });
   const quarters = ([x, y, side]: readonly [number, number, number]): readonly Event[] =>
     [
       [x, y],
@@ -83,27 +91,40 @@ describe('the windows into which the area is divided', () => {
     const first: Event = { ...root, window: [0, 0, 7, 7] };
     const right: Event = { e: 'push', at: 'W13', window: [3.5, 0, 3.5, 3.5] };
     const trace = await traceOf(textWith(headerOf('warnock'), [first, pop([0, 0, 7, 7]), right]));
-    const { levels } = trace.timeline.seek(3).screen;
+    const { division } = trace.timeline.seek(3).screen;
     // The centre of pixel 3 is at 3.5, where the right half begins; pixel 7 is in no window at all.
-    expect(Array.from(levels.row(0) as ArrayLike<number>)).toEqual([0, 0, 0, 1, 1, 1, 1, 0]);
+    expect(Array.from(division.row(0) as ArrayLike<number>)).toEqual([0, 0, 0, 1, 1, 1, 1, 0]);
   });
 });
 
 describe('the way to a window', () => {
-  const root: Box = [2, -1, 8, 8];
+  const window = (at: 'W13' | 'W5', box: Box): Event =>
+    at === 'W5' ? pop(box) : { e: 'push', at, window: box };
 
-  it('is the windows around it, from the first on', () => {
-    expect(wayTo([7, 0, 1, 1], root)).toEqual([root, [6, -1, 4, 4], [6, -1, 2, 2]]);
-    expect(wayTo(root, root)).toEqual([]);
+  it('is the windows around it, from the first on', async () => {
+    const trace = await traceOf(
+      textWith(headerOf('warnock'), [
+        root,
+        window('W5', [0, 0, 8, 8]),
+        window('W13', [0, 0, 4, 4]),
+        window('W13', [4, 4, 4, 4]),
+        window('W5', [4, 4, 4, 4]),
+        window('W13', [4, 6, 2, 2]),
+        window('W5', [4, 6, 2, 2]),
+        window('W5', [0, 0, 4, 4]),
+      ]),
+    );
+    const wayAt = (step: number): unknown => trace.timeline.seek(step).values.warnock?.way;
+    expect(wayAt(2)).toEqual([]);
+    expect(wayAt(7)).toEqual([
+      [0, 0, 8, 8],
+      [4, 4, 4, 4],
+    ]);
+    expect(wayAt(8)).toEqual([[0, 0, 8, 8]]);
   });
 
   it('halves a side of an oblong no further than to a pixel', () => {
     // 8 x 2 in quarters, 4 x 1, then in halves, 2 x 1 and 1 x 1.
     expect(levelOf([3, 1, 1, 1], [0, 0, 8, 2])).toBe(3);
-    expect(wayTo([3, 1, 1, 1], [0, 0, 8, 2])).toEqual([
-      [0, 0, 8, 2],
-      [0, 1, 4, 1],
-      [2, 1, 2, 1],
-    ]);
   });
 });

@@ -19,12 +19,16 @@ function windowAt([left, top, width, height]: Box, level: number, x: number, y: 
   return [left + Math.floor((x - left) / w) * w, top + Math.floor((y - top) / h) * h, w, h];
 }
 
-/** The windows that were divided on the way to one, from the first on. */
-export function wayTo(window: Box, root: Box): readonly Box[] {
+/** The pixels whose centres lie in a window get its level. */
+export function halve(levels: Grid<number>, area: Area, window: Box, root: Box): void {
   const [x, y, width, height] = window;
-  return Array.from({ length: Math.max(0, levelOf(window, root)) }, (_, level) =>
-    windowAt(root, level, x + width / 2, y + height / 2),
-  );
+  const cell = (at: number, from: number, cells: number): number =>
+    Math.min(Math.max(Math.ceil(at - from - 0.5), 0), cells);
+  const i = cell(x, area.x, area.width);
+  const j = cell(y, area.y, area.height);
+  const across = cell(x + width, area.x, area.width) - i;
+  const down = cell(y + height, area.y, area.height) - j;
+  levels.fill(i, j, across, down, levelOf(window, root));
 }
 
 /** What of the plane is looked at, and how large a window must be to be told apart. */

@@ -1,8 +1,11 @@
 import type { Polygon, Scene } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, N } from '../trace/values.js';
+import { cut, pieces } from './cuts.js';
 import { Grid, toGround, toPixel } from './grid.js';
 import type { Row } from './grid.js';
+import { halve, leaves } from './quadtree.js';
+import type { Sight } from './quadtree.js';
 
 /**
  * What the handlers of events write to: the picture, how the area is divided into windows and, where the trace carries
@@ -11,24 +14,35 @@ import type { Row } from './grid.js';
 export class Screen {
   /** Pixels; where nothing was painted yet those of the ground. */
   readonly picture: Grid<number>;
-  /** How often the first window was halved to get the smallest one that a pixel is in. */
-  readonly levels: Grid<number>;
+  /**
+   * For each pixel, of the smallest window that it is in: how often the first one was halved to get it; where windows are
+   * cut anywhere, which of its sides are there.
+   */
+  readonly division: Grid<number>;
   z: Grid<N> | null = null;
+  private places: ReadonlyMap<string, number> | null = null;
 
   constructor(
     readonly scene: Scene,
     private readonly hasDepths: boolean,
+    readonly isCut = false,
   ) {
     const { width, height } = scene.area;
     const ground = toGround(scene.background);
     this.picture = new Grid<number>(width, height, ground, (n) => new Uint32Array(n));
-    this.levels = new Grid<number>(width, height, 0, (n) => new Uint8Array(n));
+    this.division = new Grid<number>(width, height, 0, (n) => new Uint8Array(n));
   }
 
   polygon(id: string): Polygon {
     const polygon = this.scene.byId.get(id);
     if (polygon === undefined) throw new Refusal('polygon', 'noSuchPolygon', id);
     return polygon;
+  }
+
+  /** A polygon's place in the scene. */
+  placeOf(id: string): number {
+    this.places ??= new Map(this.scene.polygons.map((polygon, i) => [polygon.id, i]));
+    return this.places.get(id) ?? -1;
   }
 
   /** Pixels of the plane take a colour; they must lie in the area. */
@@ -43,15 +57,19 @@ export class Screen {
     this.picture.fill(i, j, width, height, toPixel(color));
   }
 
-  /** The pixels whose centres lie in a window are in one of this level. */
-  divide([x, y, width, height]: Box, level: number): void {
+  /** The pixels whose centres lie in a window, a part of the first one, are in no smaller one. */
+  divide(window: Box, root: Box): void {
     const { area } = this.scene;
-    const cell = (at: number, from: number, cells: number): number =>
-      Math.min(Math.max(Math.ceil(at - from - 0.5), 0), cells);
-    const i = cell(x, area.x, area.width);
-    const j = cell(y, area.y, area.height);
-    const across = cell(x + width, area.x, area.width) - i;
-    this.levels.fill(i, j, across, cell(y + height, area.y, area.height) - j, level);
+    if (this.isCut) cut(this.division, area, window);
+    else halve(this.division, area, window, root);
+  }
+
+  /** The windows that the area is divided into, as far as they can be told apart. */
+  windows(root: Box, sight: Sight): readonly Box[] {
+    const { area } = this.scene;
+    return this.isCut
+      ? pieces(this.division, area, sight)
+      : leaves(this.division, root, area, sight);
   }
 
   clear(color: string, z: N): void {
@@ -61,13 +79,13 @@ export class Screen {
   }
 
   save(): SavedScreen {
-    const { picture, levels, z } = this;
-    return { picture: picture.save(), levels: levels.save(), z: z?.save() ?? null };
+    const { picture, division, z } = this;
+    return { picture: picture.save(), division: division.save(), z: z?.save() ?? null };
   }
 
-  load({ picture, levels, z }: SavedScreen): void {
+  load({ picture, division, z }: SavedScreen): void {
     this.picture.load(picture);
-    this.levels.load(levels);
+    this.division.load(division);
     if (z === null) this.z = null;
     else (this.z ??= this.depths('-inf')).load(z);
   }
@@ -80,6 +98,6 @@ export class Screen {
 
 export interface SavedScreen {
   readonly picture: readonly Row<number>[];
-  readonly levels: readonly Row<number>[];
+  readonly division: readonly Row<number>[];
   readonly z: readonly Row<N>[] | null;
 }

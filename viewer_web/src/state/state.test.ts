@@ -4,21 +4,24 @@ import { samples } from '../testing/samples.js';
 import type { Event } from '../trace/events.js';
 import { Unreadable } from '../trace/trace.js';
 import type { Trace } from '../trace/trace.js';
+import { Lines } from '../curves/lines.js';
 import type { Reason } from '../trace/refusal.js';
 import { canonical } from './canonical.js';
 import { State } from './state.js';
 
 const stateAt = ({ header, timeline }: Trace, step: number): unknown =>
-  structuredClone(canonical(timeline.seek(step), header));
+  structuredClone(canonical(timeline.seek(step), header, timeline.lines.at(step)));
 
 /** The states by applying every event in turn, without keyframes. */
 function statesOf({ header, timeline }: Trace): readonly unknown[] {
   const state = new State(header);
-  const states: unknown[] = [structuredClone(canonical(state, header))];
+  const canonicalNow = (step: number): unknown =>
+    structuredClone(canonical(state, header, new Lines(timeline).at(step)));
+  const states: unknown[] = [canonicalNow(0)];
   for (let step = 1; step <= timeline.length; step++) {
     const event = timeline.event(step);
     if (event) state.apply(event);
-    states.push(structuredClone(canonical(state, header)));
+    states.push(canonicalNow(step));
   }
   return states;
 }

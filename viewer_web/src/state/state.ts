@@ -1,5 +1,9 @@
-import { common, details, eventNames } from '../trace/events.js';
-import type { Detail, Event, EventName, Procedure } from '../trace/events.js';
+import { Columns } from '../curves/columns.js';
+import type { SavedColumns } from '../curves/columns.js';
+import { afterCurves, emptyFloatingHorizon } from '../curves/state.js';
+import type { FloatingHorizon } from '../curves/state.js';
+import { common, details, eventNames, hasThreeLists, hasWindows } from '../trace/events.js';
+import type { Detail, Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import { Screen } from './screen.js';
@@ -10,9 +14,19 @@ import type { Warnock } from './warnock.js';
 import { afterZBuffer, emptyZBuffer } from './zbuffer.js';
 import type { ZBuffer } from './zbuffer.js';
 
+/** The methods themselves, as their listings are called. */
+type Bottom = 'Warnock' | 'SimplestWarnock' | 'ThreeListsWarnock' | 'ZBuffer' | 'FloatingHorizon';
+
+function bottomOf(method: Method): Bottom {
+  if (hasThreeLists(method)) return 'ThreeListsWarnock';
+  if (method === 'warnock-simplest') return 'SimplestWarnock';
+  if (method === 'floating-horizon') return 'FloatingHorizon';
+  return hasWindows(method) ? 'Warnock' : 'ZBuffer';
+}
+
 /** A procedure that runs, and the label that it is at. */
 export interface Frame {
-  readonly of: Procedure | 'Warnock' | 'ZBuffer';
+  readonly of: Procedure | Bottom;
   readonly at: string | null;
 }
 
@@ -22,12 +36,14 @@ export interface Values {
   readonly calls: readonly Frame[];
   readonly warnock: Warnock | null;
   readonly zbuffer: ZBuffer | null;
+  readonly horizon: FloatingHorizon | null;
 }
 
 /** All that a state is, as plain data. */
 export interface Keyframe {
   readonly values: Values;
   readonly screen: SavedScreen;
+  readonly columns: SavedColumns | null;
 }
 
 /** The procedure whose frame an event closes, being its result. */
@@ -38,7 +54,27 @@ const closes: Partial<Record<EventName, Procedure>> = {
   clip_result: 'PolygonClip',
   draw: 'FillPolygon',
   span: 'ShowLine',
+  relation: 'Relation',
+  meets: 'TrialFunction',
+  crossings: 'RayCrossings',
+  angle: 'OctantAngles',
+  hiding: 'HidingPolygon',
+  side_edge: 'SideEdge',
+  visibility: 'Visibility',
+  horizon: 'Horizon',
+  intersection: 'Intersection',
 };
+
+/** Below the level of signs nothing happens inside these, and their calls are not told. */
+const inSigns: readonly Procedure[] = [
+  'SurroundTest',
+  'TrialFunction',
+  'RayCrossings',
+  'OctantAngles',
+  'Visibility',
+  'Horizon',
+  'Intersection',
+];
 
 /** By how much each event, at the number of its name, changes the depth of the calls. */
 export function depthChanges(detail: Detail): readonly number[] {
@@ -49,29 +85,34 @@ export function depthChanges(detail: Detail): readonly number[] {
 function closedBy(name: EventName, detail: Detail): Procedure | null {
   const closed = closes[name];
   if (closed === undefined) return null;
-  const from = closed === 'SurroundTest' ? 'signs' : common.call.from;
+  const from = inSigns.includes(closed) ? 'signs' : common.call.from;
   return details.indexOf(detail) >= details.indexOf(from) ? closed : null;
 }
 
 /** Everything at a step. Its values are immutable, so that a keyframe shares what does not change. */
 export class State {
   readonly screen: Screen;
+  /** Null of a run of polygons. */
+  readonly columns: Columns | null;
   private step = 0;
   private calls: readonly Frame[];
   private warnock: Warnock | null;
   private zbuffer: ZBuffer | null;
+  private horizon: FloatingHorizon | null;
 
   constructor(private readonly header: Header) {
-    const warnock = header.method === 'warnock';
-    this.screen = new Screen(header.scene, header.detail !== 'windows');
-    this.calls = [{ of: warnock ? 'Warnock' : 'ZBuffer', at: null }];
-    this.warnock = warnock ? emptyWarnock : null;
-    this.zbuffer = warnock ? null : emptyZBuffer;
+    const { method, scene, detail } = header;
+    this.screen = new Screen(scene, detail !== 'windows', method === 'warnock-vertex');
+    this.columns = scene.curves === null ? null : new Columns(scene);
+    this.calls = [{ of: bottomOf(method), at: null }];
+    this.warnock = hasWindows(method) ? emptyWarnock : null;
+    this.zbuffer = method === 'zbuffer' ? emptyZBuffer : null;
+    this.horizon = method === 'floating-horizon' ? emptyFloatingHorizon : null;
   }
 
   get values(): Values {
-    const { step, calls, warnock, zbuffer } = this;
-    return { step, calls, warnock, zbuffer };
+    const { step, calls, warnock, zbuffer, horizon } = this;
+    return { step, calls, warnock, zbuffer, horizon };
   }
 
   /** The event of a step, at least the next that changes anything; one that cannot happen here is refused. */
@@ -101,20 +142,23 @@ export class State {
   }
 
   save(): Keyframe {
-    return { values: this.values, screen: this.screen.save() };
+    const { values, screen, columns } = this;
+    return { values, screen: screen.save(), columns: columns?.save() ?? null };
   }
 
-  load({ values, screen }: Keyframe): void {
+  load({ values, screen, columns }: Keyframe): void {
     ({ step: this.step, calls: this.calls } = values);
-    ({ warnock: this.warnock, zbuffer: this.zbuffer } = values);
+    ({ warnock: this.warnock, zbuffer: this.zbuffer, horizon: this.horizon } = values);
     this.screen.load(screen);
+    if (columns !== null) this.columns?.load(columns);
   }
 
   private change(event: Event): void {
-    const { warnock, zbuffer, screen } = this;
+    const { warnock, zbuffer, horizon, screen, columns } = this;
     if ('polygon' in event) screen.polygon(event.polygon);
     if (warnock !== null) this.warnock = afterWarnock(event, warnock, screen);
     if (zbuffer !== null) this.zbuffer = afterZBuffer(event, zbuffer, screen);
+    if (horizon !== null && columns !== null) this.horizon = afterCurves(event, horizon, columns);
   }
 }
 

@@ -17,7 +17,9 @@ describe('a long run', async () => {
   it('is at any step what its last pixel says', () => {
     for (let i = 0; i < 200; i++) {
       const step = 1 + ((i * 48_611) % length);
-      const { picture } = canonical(timeline.seek(step), header) as { picture: readonly string[] };
+      const { picture } = canonical(timeline.seek(step), header, []) as {
+        picture: readonly string[];
+      };
       const index = step - 1;
       const row = picture[Math.floor(index / 8) % 8] ?? '';
       const pixel = row.slice(7 * (index % 8), 7 * (index % 8) + 7);

@@ -1,3 +1,4 @@
+import { Lines } from '../curves/lines.js';
 import type { Event } from '../trace/events.js';
 import type { Area, Header } from '../trace/header.js';
 import { Store } from '../trace/store.js';
@@ -33,6 +34,8 @@ export function hasKeyframe(step: number, area: Area): boolean {
 export class Timeline {
   private readonly state: State;
   private readonly store = new Store();
+  /** The lines that a run of curves draws. */
+  readonly lines = new Lines(this.store);
   private readonly depthChanges: readonly number[];
   private keyframes: readonly Keyframe[];
   private every = least;

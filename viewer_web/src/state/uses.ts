@@ -1,10 +1,20 @@
+import type { FloatingHorizon } from '../curves/state.js';
 import { eventNames } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import type { Warnock } from './warnock.js';
 import type { ZBuffer } from './zbuffer.js';
 
-/** A part of the state; the stack of calls is followed apart. */
-export type Field = keyof Warnock | keyof ZBuffer | 'picture' | 'levels' | 'z';
+/** A part of the state; the stack of calls and the lines that were drawn are followed apart. */
+export type Field =
+  | keyof Warnock
+  | keyof ZBuffer
+  | keyof FloatingHorizon
+  | 'picture'
+  | 'division'
+  | 'z'
+  | 'horizons'
+  | 'before'
+  | 'flags';
 
 /** What an event does with the state before it. */
 export interface Use {
@@ -18,6 +28,7 @@ export interface Use {
 
 const ofWindow: readonly Field[] = [
   'corners',
+  'isTested',
   'k',
   'count',
   'hasSurround',
@@ -29,6 +40,7 @@ const ofWindow: readonly Field[] = [
 
 /** A list of active polygons may be that of windows on the stack too. */
 const list: Use = { changes: ['apl', 'stack'] };
+const joining: Use = { changes: ['apl', 'stack', 'joined'] };
 const vertex: Use = { changes: ['clip'] };
 const none: Use = {};
 
@@ -39,9 +51,13 @@ export const uses: Readonly<Record<EventName, Use>> = {
   fault: none,
   disagree: none,
 
-  push: { changes: ['stack', 'root', 'levels'], reads: ['apl'] },
+  push: { changes: ['stack', 'root', 'division'], reads: ['apl'] },
   skip: none,
-  pop: { changes: ['stack'], sets: ['window', 'apl', 'nearest'] },
+  pop: {
+    changes: ['stack', 'way'],
+    sets: ['window', 'apl', 'nearest', 'covering', 'isTested'],
+    reads: ['window'],
+  },
   corners: { sets: ofWindow },
   box: none,
   discard: list,
@@ -70,6 +86,20 @@ export const uses: Readonly<Record<EventName, Use>> = {
   row: none,
   draw: { changes: ['picture'] },
 
+  back_face: none,
+  rejoin: joining,
+  join: joining,
+  relation: { sets: ['contained'] },
+  trial: none,
+  meets: { sets: ['contained'] },
+  ray: { changes: ['contained'] },
+  crossings: none,
+  octants: { changes: ['contained'] },
+  angle: none,
+  hiding: { sets: ['hasSurround', 'covering'] },
+  split_vertex: none,
+  edge_depth: none,
+
   clear: { sets: ['picture', 'z'] },
   polygon: { sets: ['polygon', 'edges', 'ael'] },
   edge: { changes: ['edges'] },
@@ -87,6 +117,18 @@ export const uses: Readonly<Record<EventName, Use>> = {
   span: { changes: ['picture', 'z'], reads: ['polygon'] },
   ael_drop: { changes: ['ael'], sets: ['nextAel'] },
   ael_step: { changes: ['ael'] },
+
+  horizons: { sets: ['horizons'] },
+  curve: { sets: ['curve', 'place', 'told', 'flags', 'before'], reads: ['horizons'] },
+  side_edge: { changes: ['edges'] },
+  visibility: { changes: ['place', 'flags', 'before'], reads: ['horizons'] },
+  intersection: none,
+  draw_line: { changes: ['place'], reads: ['curve'] },
+  horizon: { changes: ['horizons'] },
+  height: { sets: ['told'] },
+  raise: { changes: ['horizons'] },
+  lower: { changes: ['horizons'] },
+  step: none,
 };
 
 /** Sets of fields as bits. */

@@ -2,7 +2,7 @@ import { corners as cornerNames } from '../trace/values.js';
 import type { CommonEvents, Event, EventName, WarnockEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, Color, Corner, N, Triple } from '../trace/values.js';
-import { levelOf } from './quadtree.js';
+import { counted, isRoot, joinedBy, marked, pushedApl, rejoined, wayTo, without } from './lists.js';
 import type { Screen } from './screen.js';
 
 /** An entry (P, S) of a list of active polygons. */
@@ -23,13 +23,24 @@ export interface Clip {
   readonly next: readonly Triple[];
 }
 
+/** Polygons that surround a window or are outside of it, and the level of the one at which each joined the list. */
+export type Joined = readonly { readonly polygon: string; readonly level: number }[];
+
 export interface Warnock {
   /** The first window, which all others are parts of. */
   readonly root: Box | null;
+  /** The windows that were divided on the way to the current one, from the first on: its level is their number. */
+  readonly way: readonly Box[];
   readonly stack: readonly StackedWindow[];
   readonly window: Box | null;
+  /** With three lists the third, which all windows share; the others are those of polygons that joined them. */
   readonly apl: Apl | null;
+  readonly joined: Readonly<Record<'surrounding' | 'outside', Joined>>;
+  /** What the edges of the outline that is gone round count so far, for containment. */
+  readonly contained: readonly (Event<'ray'> | Event<'octants'>)[];
   readonly corners: Readonly<Record<Corner, N>> | null;
+  /** Whether the depths at the corners are those of the current window, and not of one before it. */
+  readonly isTested: boolean;
   readonly k: number | null;
   readonly count: number;
   readonly hasSurround: boolean;
@@ -46,10 +57,14 @@ export interface Warnock {
 
 export const emptyWarnock: Warnock = {
   root: null,
+  way: [],
   stack: [],
   window: null,
   apl: null,
+  joined: { surrounding: [], outside: [] },
+  contained: [],
   corners: null,
+  isTested: false,
   k: null,
   count: 0,
   hasSurround: false,
@@ -76,28 +91,6 @@ function sameWindow(a: Box, b: Box): boolean {
   return a.every((value, i) => value === b[i]);
 }
 
-function currentApl(now: Warnock): Apl {
-  if (now.apl === null) throw new Refusal('', 'noWindow');
-  return now.apl;
-}
-
-/** The current list becomes another one, in the windows that share it too. */
-function changeApl(now: Warnock, entries: readonly Entry[]): Partial<Warnock> {
-  const old = currentApl(now);
-  const apl = { entries };
-  const shared = now.stack.some((each) => each.apl === old);
-  const stack = shared
-    ? now.stack.map((each) => (each.apl === old ? { ...each, apl } : each))
-    : now.stack;
-  return { apl, stack };
-}
-
-function entryIndex(now: Warnock, polygon: string): number {
-  const index = currentApl(now).entries.findIndex(([id]) => id === polygon);
-  if (index < 0) throw new Refusal('polygon', 'notInList', polygon);
-  return index;
-}
-
 function currentClip(now: Warnock): Clip {
   if (now.clip === null) throw new Refusal('', 'noClip');
   return now.clip;
@@ -108,38 +101,35 @@ function keep({ vertex }: { readonly vertex: Triple }, now: Warnock): Partial<Wa
   return { clip: { ...clip, next: [...clip.next, vertex] } };
 }
 
-function pushedApl({ at, apl, shared }: WarnockEvents['push'], now: Warnock): Apl {
-  if (at === 'W3') {
-    if (apl === undefined) throw new Refusal('apl', 'rootNeedsList');
-    return { entries: apl };
-  }
-  if (apl !== undefined) throw new Refusal('apl', 'partHasList');
-  return shared === true ? currentApl(now) : { entries: currentApl(now).entries };
-}
-
 const handlers: Handlers = {
   plane: nothing,
   call: nothing,
-  depth: ({ at, z }, { depths }) => (at === 'PW5' ? { depths: [...depths, z] } : unchanged),
+  depth: ({ at, z }, { depths }) =>
+    at === 'PW5' || at === 'HP3'
+      ? { depths: [...(depths.length < 4 ? depths : []), z] }
+      : unchanged,
   fault: nothing,
   disagree: nothing,
   push: (event, now, screen) => {
     event.apl?.forEach(([id]) => screen.polygon(id));
     const { window } = event;
     const stack = [...now.stack, { window, apl: pushedApl(event, now) }];
-    const root = event.at === 'W3' ? window : (now.root ?? window);
-    screen.divide(window, levelOf(window, root));
+    const root = isRoot(event) ? window : (now.root ?? window);
+    screen.divide(window, root);
     return { stack, root };
   },
   skip: nothing,
-  pop: ({ window }, { stack }) => {
+  pop: ({ window }, now) => {
+    const { stack } = now;
     const top = stack.at(-1);
     if (top === undefined) throw new Refusal('', 'emptyStack');
     if (!sameWindow(top.window, window)) throw new Refusal('window', 'notTop');
-    return { stack: stack.slice(0, -1), window, apl: top.apl, nearest: null };
+    const found = { nearest: null, covering: null, isTested: false };
+    return { stack: stack.slice(0, -1), way: wayTo(window, now), window, apl: top.apl, ...found };
   },
   corners: ({ z }) => ({
     corners: { lb: z, lt: z, rb: z, rt: z },
+    isTested: true,
     k: null,
     count: 0,
     hasSurround: false,
@@ -149,13 +139,7 @@ const handlers: Handlers = {
     depths: [],
   }),
   box: nothing,
-  discard: ({ polygon }, now) => {
-    const index = entryIndex(now, polygon);
-    return changeApl(
-      now,
-      currentApl(now).entries.filter((_, i) => i !== index),
-    );
-  },
+  discard: ({ polygon }, now) => without(polygon, now),
   count: ({ count }) => ({ count, depths: [] }),
   compare: nothing,
   nearer: ({ corners, k }, now) => {
@@ -170,13 +154,7 @@ const handlers: Handlers = {
   },
   uncover: () => ({ hasSurround: false, covering: null }),
   surround: nothing,
-  mark: ({ polygon }, now) => {
-    const index = entryIndex(now, polygon);
-    return changeApl(
-      now,
-      currentApl(now).entries.map((entry, i) => (i === index ? [polygon, true] : entry)),
-    );
-  },
+  mark: ({ polygon }, now) => marked(polygon, now),
   cover: ({ polygon, color }) => ({ hasSurround: true, covering: polygon, color }),
   insider: ({ inside }) => ({ insider: inside }),
   summary: ({ count, hasSurround, color, insider }) => ({
@@ -214,6 +192,20 @@ const handlers: Handlers = {
     for (const [row, first, end] of runs) screen.paint(first, row, end - first, 1, color);
     return unchanged;
   },
+
+  back_face: nothing,
+  rejoin: rejoined,
+  join: joinedBy,
+  relation: () => ({ contained: [] }),
+  trial: nothing,
+  meets: () => ({ contained: [] }),
+  ray: counted,
+  crossings: nothing,
+  octants: counted,
+  angle: nothing,
+  hiding: ({ polygon }) => ({ hasSurround: polygon !== undefined, covering: polygon ?? null }),
+  split_vertex: nothing,
+  edge_depth: nothing,
 };
 
 /** What is after an event of this method. */

@@ -1,7 +1,9 @@
+import { methodKindOf } from '../trace/method-kind.js';
+import type { MethodKind } from '../trace/method-kind.js';
 import type { Header } from '../trace/header.js';
 
 /** What a strip shows, from above: what is in hand, how finely the area is split, changes of AEL, calls. */
-export type LaneName = 'cases' | 'polygons' | 'levels' | 'ael' | 'calls';
+export type LaneName = 'cases' | 'polygons' | 'curves' | 'levels' | 'ael' | 'calls';
 
 /** A lane of the strip, in CSS pixels. */
 export interface Lane {
@@ -15,29 +17,44 @@ export const marksHeight = 10;
 export const stripHeight = 52;
 const gap = 2;
 
-const heights: Readonly<Record<Exclude<LaneName, 'cases' | 'polygons'>, number>> = {
+type First = 'cases' | 'polygons' | 'curves';
+
+/** What is in hand. */
+const firsts: Readonly<Record<MethodKind, First>> = {
+  windows: 'cases',
+  scanlines: 'polygons',
+  curves: 'curves',
+};
+
+/** Below it, those for which the lowest detail has events, and those that take more. */
+const others: Readonly<Record<MethodKind, readonly (readonly (keyof typeof heights)[])[]>> = {
+  windows: [['levels'], ['levels', 'calls']],
+  scanlines: [[], ['ael', 'calls']],
+  curves: [[], ['calls']],
+};
+
+const heights: Readonly<Record<Exclude<LaneName, First>, number>> = {
   levels: 12,
   ael: 10,
   calls: 10,
 };
 
 function namesOf({ method, detail }: Header): readonly (keyof typeof heights)[] {
-  if (detail === 'windows') return method === 'warnock' ? ['levels'] : [];
-  return method === 'warnock' ? ['levels', 'calls'] : ['ael', 'calls'];
+  return others[methodKindOf(method)][detail === 'windows' ? 0 : 1] ?? [];
 }
 
 /** The lanes for which a trace of this detail has events; the first takes what the others leave. */
 export function lanesOf(header: Header): readonly Lane[] {
-  const others = namesOf(header);
-  const taken = others.reduce((sum, name) => sum + heights[name] + gap, marksHeight);
+  const names = namesOf(header);
+  const taken = names.reduce((sum, name) => sum + heights[name] + gap, marksHeight);
   let top = marksHeight;
   const next = (name: LaneName, height: number): Lane => {
     const lane = { name, top, height };
     top += height + gap;
     return lane;
   };
-  const first = header.method === 'warnock' ? 'cases' : 'polygons';
-  return [next(first, stripHeight - taken), ...others.map((name) => next(name, heights[name]))];
+  const first = firsts[methodKindOf(header.method)];
+  return [next(first, stripHeight - taken), ...names.map((name) => next(name, heights[name]))];
 }
 
 /** A flag on a pole so high, as SVG path: what a bookmark looks like. */

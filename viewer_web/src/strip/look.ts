@@ -18,6 +18,7 @@ export interface Look {
   readonly font: string;
   readonly ofCase: (name: Case) => Fill;
   readonly ofPolygon: (polygon: Polygon, index: number) => Fill;
+  readonly ofCurve: (index: number) => Fill;
 }
 
 /** The look that the style sheet gives an element. */
@@ -38,5 +39,6 @@ export function lookOf(element: Element, ratio: number): Look {
     // Polygons next to each other may have the same colour.
     ofPolygon: ({ color: own }, index) =>
       textureIn(index % 2 === 0 ? 'plain' : 'striped', own, ratio),
+    ofCurve: (index) => textureIn(index % 2 === 0 ? 'plain' : 'striped', color('--level'), ratio),
   };
 }

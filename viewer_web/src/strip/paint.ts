@@ -2,6 +2,8 @@ import { columnsOf, placeOf } from '../time/columns.js';
 import type { Column, Depth } from '../time/columns.js';
 import { cases } from '../time/course.js';
 import type { Course } from '../time/course.js';
+import { methodKindOf } from '../trace/method-kind.js';
+import type { MethodKind } from '../trace/method-kind.js';
 import { lanesOf, marksHeight } from './lanes.js';
 import type { Lane, LaneName } from './lanes.js';
 import type { Look } from './look.js';
@@ -51,6 +53,10 @@ export class StripPainter {
       this.shares(band);
       this.names(band);
     },
+    curves: (band) => {
+      this.shares(band);
+      this.names(band);
+    },
     levels: (band) => {
       this.depths(band, this.look.level, this.course.finest, ({ levels }) => levels);
     },
@@ -87,19 +93,23 @@ export class StripPainter {
     const known = this.fills.get(part);
     if (known !== undefined) return known;
     const { method, scene } = this.course.trace.header;
+    const { look } = this;
     const name = cases[part];
     const polygon = scene.polygons[part];
-    let fill: CanvasPattern | string = this.look.ground;
-    if (method === 'warnock' && name !== undefined) fill = this.look.ofCase(name);
-    if (method === 'zbuffer' && polygon !== undefined) fill = this.look.ofPolygon(polygon, part);
+    const ofKind: Readonly<Record<MethodKind, () => CanvasPattern | string>> = {
+      windows: () => (name === undefined ? look.ground : look.ofCase(name)),
+      scanlines: () => (polygon === undefined ? look.ground : look.ofPolygon(polygon, part)),
+      curves: () => look.ofCurve(part),
+    };
+    const fill = ofKind[methodKindOf(method)]();
     this.fills.set(part, fill);
     return fill;
   }
 
-  /** The polygons' ids, where there is room, and a line before each. */
+  /** The polygons' ids or the curves' numbers, where there is room, and a line before each. */
   private names({ top, height }: Band): void {
     const { context, course, look } = this;
-    const { polygons } = course.trace.header.scene;
+    const { polygons, curves } = course.trace.header.scene;
     const { ratio } = look;
     context.font = look.font;
     context.textBaseline = 'middle';
@@ -110,7 +120,7 @@ export class StripPainter {
       const until = placeOf(next - 0.5, course.length, this.columns.length);
       const room = until - from - 10 * ratio;
       if (room < 6 * ratio) return;
-      const id = polygons[part[i] ?? -1]?.id ?? '';
+      const id = curves === null ? (polygons[part[i] ?? -1]?.id ?? '') : String(part[i] ?? '');
       const { width } = context.measureText(id);
       context.fillStyle = look.ink;
       context.fillRect(from, top, Math.max(1, ratio), height);

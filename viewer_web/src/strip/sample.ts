@@ -31,6 +31,13 @@ const painters: Readonly<Record<Exclude<Sample, Case>, SamplePainter>> = {
     context.fillStyle = ofPolygon(gray, 1);
     context.fillRect(width / 2, 0, width / 2, height);
   },
+  curves: (context, { ofCurve }) => {
+    const { width, height } = context.canvas;
+    context.fillStyle = ofCurve(0);
+    context.fillRect(0, 0, width / 2, height);
+    context.fillStyle = ofCurve(1);
+    context.fillRect(width / 2, 0, width / 2, height);
+  },
   levels: (context, { level, ratio }) => {
     context.fillStyle = level;
     bars(context, ratio);

@@ -1,4 +1,5 @@
 import type { Event, EventName } from '../trace/events.js';
+import { curveSamples } from './curve-samples.js';
 
 /** One event of each kind and more where a sentence has cases: a missing kind does not compile. */
 export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
@@ -23,9 +24,14 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
     { e: 'push', at: 'W3', window: [0, 0, 8, 8], apl: [] },
     { e: 'push', at: 'W13', window: [4, 0, 4, 4] },
     { e: 'push', at: 'W13', window: [4, 0, 4, 4], shared: true },
+    { e: 'push', at: 'WF1', window: [0, 0, 8, 8], apl: [['A', false]] },
+    { e: 'push', at: 'WF12', window: [4, 0, 4, 4], shared: true },
   ],
   skip: [{ e: 'skip', at: 'W13', window: [4, 0, 4, 4] }],
-  pop: [{ e: 'pop', at: 'W5', window: [4, 0, 4, 4] }],
+  pop: [
+    { e: 'pop', at: 'W5', window: [4, 0, 4, 4] },
+    { e: 'pop', at: 'WF2', window: [4, 0, 4, 4] },
+  ],
   corners: [{ e: 'corners', at: 'PW1', z: '-inf' }],
   box: [
     {
@@ -60,6 +66,7 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   insider: [
     { e: 'insider', at: 'PW10', polygon: 'A', inside: true },
     { e: 'insider', at: 'PW10', polygon: 'A', inside: false },
+    { e: 'insider', at: 'RE2', polygon: 'A', inside: false },
   ],
   summary: [
     { e: 'summary', at: 'W6', count: 1, hasSurround: true, color: '#112233', insider: false },
@@ -76,15 +83,17 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   ],
   nearest: [{ e: 'nearest', at: 'PC4', polygon: 'A', z: 0.1, color: '#112233' }],
   color: [{ e: 'color', at: 'W9', point: [0.5, 0.5], color: '#ffffff' }],
-  orient: ([-1, 0, 1] as const).map((sign) => ({
-    e: 'orient',
-    at: 'S3',
-    polygon: 'A',
-    edge: 2,
-    point: [0, 0],
-    value: sign,
-    sign,
-  })),
+  orient: (['S3', 'TF2', 'CR4', 'OA4', 'ED3', 'BF1'] as const).flatMap((at) =>
+    ([-1, 0, 1] as const).map((sign) => ({
+      e: 'orient',
+      at,
+      polygon: 'A',
+      edge: 2,
+      point: [0, 0],
+      value: sign,
+      sign,
+    })),
+  ),
   clip_begin: [{ e: 'clip_begin', at: 'PL1', polygon: 'A', window: [0, 0, 4, 4] }],
   clip_side: [{ e: 'clip_side', at: 'PL2', side: 1, from: [4, 0], to: [0, 0] }],
   clip_sign: ([-1, 0, 1] as const).map((sign) => ({
@@ -110,6 +119,58 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
     { e: 'row', at: 'F2', row: 3, left: 1.25, right: 1.3, first: 1, end: 1 },
   ],
   draw: [{ e: 'draw', at: 'W12', polygon: 'A', color: '#112233', runs: [[0, 1, 3]] }],
+  back_face: [
+    { e: 'back_face', at: 'BF2', polygon: 'A', away: true },
+    { e: 'back_face', at: 'BF2', polygon: 'A', away: false },
+  ],
+  rejoin: [{ e: 'rejoin', at: 'WF3', polygon: 'A', list: 'surrounding', level: 2 }],
+  join: [{ e: 'join', at: 'WF4', polygon: 'A', list: 'outside', level: 0 }],
+  relation: (['outside', 'inside', 'intersecting', 'surrounding'] as const).map((relation) => ({
+    e: 'relation',
+    at: 'WF4',
+    polygon: 'A',
+    relation,
+  })),
+  trial: [
+    { e: 'trial', at: 'TF3', polygon: 'A', edge: 0, meets: true },
+    { e: 'trial', at: 'TF3', polygon: 'A', edge: 0, meets: false },
+  ],
+  meets: [
+    { e: 'meets', at: 'RE3', polygon: 'A', meets: true },
+    { e: 'meets', at: 'RE3', polygon: 'A', meets: false },
+  ],
+  ray: [
+    ...([0, 1, 2] as const).map((counts) => ({
+      e: 'ray' as const,
+      at: 'CR3' as const,
+      polygon: 'A',
+      edge: 1,
+      counts,
+    })),
+    { e: 'ray', at: 'CR4', polygon: 'A', edge: 1, counts: 0 },
+    { e: 'ray', at: 'CR4', polygon: 'A', edge: 1, counts: 1 },
+  ],
+  crossings: [
+    { e: 'crossings', at: 'RE4', polygon: 'A', count: 1 },
+    { e: 'crossings', at: 'RE4', polygon: 'A', count: 2 },
+  ],
+  octants: [
+    { e: 'octants', at: 'OA3', polygon: 'A', edge: 1, from: 0, to: 6, difference: -2 },
+    { e: 'octants', at: 'OA4', polygon: 'A', edge: 1, from: 2, to: 6, difference: 4 },
+  ],
+  angle: [
+    { e: 'angle', at: 'RE4', polygon: 'A', octants: -8 },
+    { e: 'angle', at: 'RE4', polygon: 'A', octants: 0 },
+  ],
+  hiding: [
+    { e: 'hiding', at: 'WF10', polygon: 'A' },
+    { e: 'hiding', at: 'WF10' },
+  ],
+  split_vertex: [
+    { e: 'split_vertex', at: 'VS2', polygon: 'A', vertex: 1, column: 3, row: 2, splits: true },
+    { e: 'split_vertex', at: 'VS2', polygon: 'A', vertex: 1, column: 4, row: 0, splits: false },
+  ],
+  edge_depth: [{ e: 'edge_depth', at: 'ED5', polygon: 'A', edge: 0, z: '1/3' }],
   clear: [{ e: 'clear', at: 'Z1', color: '#ffffff', z: '-inf' }],
   polygon: [{ e: 'polygon', at: 'Z2', polygon: 'A', color: '#112233' }],
   edge: [
@@ -153,6 +214,8 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
     { e: 'ael_drop', at: 'Z16', edges: [0], next: 'inf' },
   ],
   ael_step: [{ e: 'ael_step', at: 'Z17', edge: 0, x: 1.5, z: 0.5 }],
+
+  ...curveSamples,
 };
 
 export const allSamples: readonly Event[] = Object.values(samples).flat();

@@ -1,7 +1,8 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { Timeline } from '../state/timeline.js';
-import type { Detail, Event, Method } from '../trace/events.js';
+import { common, methods, tables } from '../trace/events.js';
+import type { Detail, Event, EventName, Method } from '../trace/events.js';
 import { read } from '../trace/read.js';
 import { follow } from '../trace/trace.js';
 import type { Trace } from '../trace/trace.js';
@@ -41,7 +42,33 @@ export async function bareTimelineOf(text: string): Promise<Timeline> {
   return bare;
 }
 
-/** The header of an 8 x 8 scene with the polygons A and B. */
+/** A method whose runs tell such events. */
+export function methodWith(name: EventName): Method {
+  const method = methods.find((each) => name in common || name in tables[each]);
+  if (method === undefined) throw new Error(`no method tells ${name}`);
+  return method;
+}
+
+/** Two curves over 8 columns that cross. */
+const twoCurves = {
+  format: 'vidno-surface/1',
+  name: 'Two curves',
+  window: { x: 0, y: 0, width: 8, height: 8 },
+  curves: [
+    [
+      [0, 2],
+      [4, 3],
+      [7, 2],
+    ],
+    [
+      [0, 3],
+      [4, 1],
+      [7, 5],
+    ],
+  ],
+};
+
+/** The header of an 8 x 8 scene with the polygons A and B, or with two curves. */
 export function headerOf(method: Method, detail: Detail = 'signs'): object {
   const square = (id: string, color: string): object => ({
     id,
@@ -59,13 +86,16 @@ export function headerOf(method: Method, detail: Detail = 'signs'): object {
     edition: 'corrected',
     kernel: 'double',
     detail,
-    scene: {
-      format: 'vidno-scene/1',
-      name: 'Two squares',
-      window: { x: 0, y: 0, width: 8, height: 8 },
-      background: '#ffffff',
-      polygons: [square('A', '#112233'), square('B', '#445566')],
-    },
+    scene:
+      method === 'floating-horizon'
+        ? twoCurves
+        : {
+            format: 'vidno-scene/1',
+            name: 'Two squares',
+            window: { x: 0, y: 0, width: 8, height: 8 },
+            background: '#ffffff',
+            polygons: [square('A', '#112233'), square('B', '#445566')],
+          },
   };
 }
 

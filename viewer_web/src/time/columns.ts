@@ -75,7 +75,8 @@ class Counter {
   private readonly steps: Uint32Array;
 
   constructor(private readonly course: Course) {
-    const parts = Math.max(cases.length, course.trace.header.scene.polygons.length);
+    const { polygons, curves } = course.trace.header.scene;
+    const parts = Math.max(cases.length, polygons.length, curves?.length ?? 0);
     this.steps = new Uint32Array(parts);
   }
 

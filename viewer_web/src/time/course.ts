@@ -15,14 +15,14 @@ export const cases = [
 export type Case = (typeof cases)[number];
 
 /**
- * Steps in a row with the same window or the same polygon in hand, from its first step to the next one's. There may be
+ * Steps in a row with the same window, polygon or curve in hand, from its first step to the next one's. There may be
  * some 100 000 of them, so that each of their properties is a column.
  */
 export interface Stretches {
   readonly first: number[];
-  /** How often the area was split to get this window, from 1 for the area itself; 1 for a polygon. */
+  /** How often the area was split to get this window, from 1 for the area itself; 1 for a polygon or a curve. */
   readonly level: number[];
-  /** What the window comes to, as an index of `cases`; the polygon's index in the scene; -1 if not decided. */
+  /** What the window comes to, as an index of `cases`; the polygon's index in the scene, or the curve's; -1 if not decided. */
   readonly part: number[];
 }
 
@@ -31,7 +31,7 @@ const atOnce = 16384;
 /**
  * The course of a run: what is in hand, how deep it is nested, and where something rare happens. It is gathered in one
  * pass over the numbers of the events' names, which a page may spread over frames and which goes on as the trace grows;
- * only events that decide a window, name a polygon or change AEL are asked for.
+ * only events that decide a window, name a polygon or a curve, or change AEL are asked for.
  */
 export class Course {
   readonly stretches: Stretches = { first: [], level: [], part: [] };
@@ -125,6 +125,10 @@ export class Course {
     polygon: (step) => {
       const event = this.trace.timeline.event(step);
       if (event?.e === 'polygon') this.begin(step, 1, this.indices.get(event.polygon) ?? -1);
+    },
+    curve: (step) => {
+      const event = this.trace.timeline.event(step);
+      if (event?.e === 'curve') this.begin(step, 1, event.curve);
     },
     ael_add: (step) => this.ael.push(step),
     ael_drop: (step) => {

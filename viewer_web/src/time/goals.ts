@@ -4,40 +4,56 @@ import type { History } from '../history/history.js';
 import type { Timeline } from '../state/timeline.js';
 import { eventNames, kinds, numberOf } from '../trace/events.js';
 import type { Event, Method } from '../trace/events.js';
+import { methodKindOf } from '../trace/method-kind.js';
+import type { MethodKind } from '../trace/method-kind.js';
 import type { Trace } from '../trace/trace.js';
 import type { Bookmarks } from './bookmarks.js';
 
 /** What one may go to: steps of one kind, those of the chosen pixel, or bookmarks. */
-export const goalNames = ['split', 'ael', 'wrong', 'pixel', 'bookmark'] as const;
+export const goalNames = [
+  'split',
+  'ael',
+  'curve',
+  'crossing',
+  'wrong',
+  'pixel',
+  'bookmark',
+] as const;
 export type GoalName = (typeof goalNames)[number];
 /** These are not looked for in the trace. */
 type Given = 'pixel' | 'bookmark';
 type SearchedName = Exclude<GoalName, Given>;
 export type Goal = GoalName | { readonly polygon: string };
 
-const ofMethod: Readonly<Record<Method, readonly GoalName[]>> = {
-  warnock: ['split', 'wrong', 'pixel', 'bookmark'],
-  zbuffer: ['ael', 'wrong', 'pixel', 'bookmark'],
+const ofKind: Readonly<Record<MethodKind, readonly GoalName[]>> = {
+  windows: ['split', 'wrong', 'pixel', 'bookmark'],
+  scanlines: ['ael', 'wrong', 'pixel', 'bookmark'],
+  curves: ['curve', 'crossing', 'wrong', 'pixel', 'bookmark'],
 };
 
-export const goalsOf = (method: Method): readonly GoalName[] => ofMethod[method];
+export const goalsOf = (method: Method): readonly GoalName[] => ofKind[methodKindOf(method)];
 
 export function changesAel(event: Event | null): boolean {
   return event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0);
 }
 
-const pushes: Wanted = only('push', 'skip');
+/** What follows the decision to split. */
+const splits: Wanted = only('push', 'skip', 'split_vertex');
 
 /** Most goals are known by their names, or by the next one: a long run is gone through without its events. */
 const isGoal: Readonly<Record<SearchedName, (timeline: Timeline, step: number) => boolean>> = {
-  split: ({ names }, step) => pushes[names[step] ?? -1] === true,
+  split: ({ names }, step) => splits[names[step] ?? -1] === true,
   ael: (timeline, step) => changesAel(timeline.event(step)),
+  curve: () => true,
+  crossing: () => true,
   wrong: () => true,
 };
 
 const wanted: Readonly<Record<SearchedName, Wanted>> = {
   split: only('decide'),
   ael: only('ael_add', 'ael_drop'),
+  curve: only('curve'),
+  crossing: only('intersection'),
   wrong: only('disagree'),
 };
 

@@ -13,6 +13,7 @@ export interface Place {
   readonly window: Box | null;
   readonly case: Case | null;
   readonly polygon: string | null;
+  readonly curve: number | null;
   readonly row: number | null;
   readonly wrong: boolean;
   readonly fault: boolean;
@@ -42,6 +43,7 @@ export function placeAt(course: Course, step: number): Place {
     window: begins?.e === 'pop' ? begins.window : null,
     case: begins?.e === 'pop' ? decided : null,
     polygon: begins?.e === 'polygon' ? begins.polygon : null,
+    curve: begins?.e === 'curve' ? begins.curve : null,
     row: header.method === 'zbuffer' && first > 0 ? rowAt(course, first, step) : null,
     wrong: isAmong(course.wrong, step),
     fault: isAmong(course.faults, step),
@@ -53,16 +55,17 @@ export function sayPlace(
   course: Course,
   step: number,
   bookmarks: Bookmarks,
-  { strip }: Texts,
+  { strip, curves }: Texts,
 ): string {
   const place = placeAt(course, step);
-  const { window, polygon, row } = place;
+  const { window, polygon, curve, row } = place;
   const bookmark = bookmarkAt(bookmarks, step);
   const said = [
     window &&
       strip.windowAt(`${short(window[2])} × ${short(window[3])}`, point(window.slice(0, 2))),
     place.case && strip.cases[place.case],
     polygon !== null && strip.polygon(polygon),
+    curve !== null && curves.curve(curve).toLowerCase(),
     row !== null && strip.row(short(row)),
     place.wrong && strip.marks.wrong,
     place.fault && strip.marks.fault,

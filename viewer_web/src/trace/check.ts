@@ -69,8 +69,12 @@ export const whole = written(integer, (value, path) => {
 export const count = written(natural, (value, path) => inRange(value, path, 0));
 
 export function between(least: number, greatest: number): Check<number> {
-  const digits = least >= 0 && greatest <= 9 ? `[${least}-${greatest}]` : nothing;
-  return written(digits, (value, path) => inRange(value, path, least, greatest));
+  const isOfDigits = least >= -9 && greatest <= 9 && greatest >= 0;
+  const negative = least < 0 ? `|-[1-${-least}]` : '';
+  const digits = `(?:[${Math.max(0, least)}-${greatest}]${negative})`;
+  return written(isOfDigits ? digits : nothing, (value, path) =>
+    inRange(value, path, least, greatest),
+  );
 }
 
 function inRange(

@@ -8,6 +8,9 @@ const mistakes = [
   'boundary-outside',
   'integer-division',
   'surround-kept',
+  'vertex-counted-twice',
+  'octants-not-split',
+  'line-for-edge',
 ] as const;
 
 export const editions = ['corrected', 'printed', ...mistakes] as const;

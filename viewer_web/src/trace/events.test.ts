@@ -2,20 +2,14 @@ import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { Ajv2020 } from 'ajv/dist/2020.js';
 import { describe, expect, it } from 'vitest';
-import { headerOf, textOf, traceNames } from '../testing/traces.js';
+import { headerOf, methodWith, textOf, traceNames } from '../testing/traces.js';
 import { allSamples } from '../testing/samples.js';
-import { tables } from './events.js';
 import { parseHeader } from './header.js';
 import { parseLine } from './parse.js';
 
-const headers = {
-  warnock: parseHeader(headerOf('warnock')),
-  zbuffer: parseHeader(headerOf('zbuffer')),
-};
-
 describe('an event that was written is the event that is read', () => {
   it.each(allSamples.map((event) => [event.e, event] as const))('%s', (name, event) => {
-    const header = name in tables.zbuffer ? headers.zbuffer : headers.warnock;
+    const header = parseHeader(headerOf(methodWith(name)));
     expect(parseLine(JSON.stringify(event), header)).toEqual({ event });
   });
 });
@@ -25,7 +19,7 @@ const schemaFile = (name: string): string =>
 
 describe.runIf(existsSync(schemaFile('trace')))('the schema of the repository', () => {
   const ajv = new Ajv2020({ strict: false });
-  for (const name of ['scene', 'trace']) {
+  for (const name of ['scene', 'surface', 'trace']) {
     if (existsSync(schemaFile(name))) {
       ajv.addSchema(JSON.parse(readFileSync(schemaFile(name), 'utf8')) as object, name);
     }

@@ -1,3 +1,4 @@
+import { floatingHorizon } from '../curves/events.js';
 import {
   between,
   bool,
@@ -10,7 +11,11 @@ import {
   tuple,
   whole,
 } from './check.js';
-import type { Check, Checked, Fields, Recorded } from './check.js';
+import type { Checked, Recorded } from './check.js';
+import { decisions, told } from './decisions.js';
+import { bodies, lists } from './family-events.js';
+import { kind } from './kind.js';
+import type { AnyKind } from './kind.js';
 import {
   answer,
   box,
@@ -24,7 +29,6 @@ import {
   runs,
   sign,
   triple,
-  truth,
 } from './values.js';
 
 /**
@@ -32,26 +36,15 @@ import {
  * derived from it, so that they cannot part. The order of events and fields is that of FORMAT.md.
  */
 
-interface Kind<L extends string, F extends Fields> {
-  readonly at: Check<L>;
-  readonly from: Detail;
-  readonly fields: F;
-}
+export { decisions, told } from './decisions.js';
+export type { Decision } from './decisions.js';
+export { details } from './kind.js';
+export type { AnyKind, Detail } from './kind.js';
 
-export const details = ['windows', 'polygons', 'signs'] as const;
-export type Detail = (typeof details)[number];
-
-const levels = { w: 'windows', p: 'polygons', s: 'signs' } as const;
-
-function kind<L extends string, F extends Fields>(
-  at: Check<L>,
-  from: keyof typeof levels,
-  fields: F,
-): Kind<L, F> {
-  return { at, from: levels[from], fields };
-}
-
-const anyLine = matching(/^(?:W|PW|PC|D|S|PL|I|F|Z|L)[1-9]\d?$/, 'label');
+const anyLine = matching(
+  /^(?:W|PW|PC|D|S|PL|I|F|Z|L|WS|WF|RE|TF|CR|OA|HP|VS|ED|BF|FH|SE|V|H|IN)[1-9]\d?$/,
+  'label',
+);
 const edges = list(count);
 
 export const procedures = [
@@ -61,35 +54,22 @@ export const procedures = [
   'PolygonClip',
   'FillPolygon',
   'ShowLine',
+  'Relation',
+  'TrialFunction',
+  'RayCrossings',
+  'OctantAngles',
+  'HidingPolygon',
+  'SideEdge',
+  'Visibility',
+  'Horizon',
+  'Intersection',
 ] as const;
 export type Procedure = (typeof procedures)[number];
-
-/** What may be decided, as a checked trace names it. */
-export const decisions = [
-  'comparison',
-  'orientation',
-  'nearer',
-  'outside',
-  'inside',
-  'first_centre',
-  'last_centre',
-  'rows',
-  'columns',
-  'same_rounded',
-  'pixel',
-] as const;
-export type Decision = (typeof decisions)[number];
-
-/** Beside a decision in a checked trace. */
-export const told = {
-  exact: optional(truth),
-  by: optional(oneOf('given', 'scene', 'operands', 'exact')),
-} as const;
 
 export const common = {
   plane: kind(oneOf('I1'), 'p', { polygon: id, plane: tuple(num, num, num, num) }),
   call: kind(anyLine, 'p', { of: oneOf(...procedures) }),
-  depth: kind(oneOf('PW5', 'PC3', 'Z3'), 'p', { polygon: id, point: pair, z: num }),
+  depth: kind(oneOf('PW5', 'PC3', 'Z3', 'HP3'), 'p', { polygon: id, point: pair, z: num }),
   fault: kind(anyLine, 'w', { reason: text, x: optional(whole), y: optional(whole) }),
   disagree: kind(anyLine, 'w', {
     of: oneOf(...decisions),
@@ -99,24 +79,32 @@ export const common = {
   }),
 } as const;
 
+/** Where a window gets one colour, which of it may be a polygon's surroundings only; and where it is split. */
+const filling = [
+  ...(['W7', 'W8', 'W9', 'W10'] as const),
+  ...(['WS4', 'WS5'] as const),
+  ...(['WF5', 'WF6', 'WF9', 'WF10', 'WF11'] as const),
+] as const;
+const deciding = [...filling, 'W13', 'WS6', 'WF12'] as const;
+
 export const warnock = {
-  push: kind(oneOf('W3', 'W13'), 'w', {
+  push: kind(oneOf('W3', 'W13', 'WS1', 'WS6', 'WF1', 'WF12'), 'w', {
     window: box,
     apl: optional(list(tuple(id, bool))),
     shared: optional(oneOf(true)),
   }),
-  skip: kind(oneOf('W13'), 'w', { window: box }),
-  pop: kind(oneOf('W5'), 'w', { window: box }),
-  corners: kind(oneOf('PW1'), 'p', { z: num }),
-  box: kind(oneOf('PW3'), 's', {
+  skip: kind(oneOf('W13', 'WS6', 'WF12'), 'w', { window: box }),
+  pop: kind(oneOf('W5', 'WS2', 'WF2'), 'w', { window: box }),
+  corners: kind(oneOf('PW1', 'HP1'), 'p', { z: num }),
+  box: kind(oneOf('PW3', 'WS3', 'RE1'), 's', {
     polygon: id,
     box: tuple(num, num, num, num),
     outside: bool,
     ...told,
   }),
-  discard: kind(oneOf('PW3'), 'p', { polygon: id }),
+  discard: kind(oneOf('PW3', 'WS3'), 'p', { polygon: id }),
   count: kind(oneOf('PW4'), 'p', { polygon: id, count }),
-  compare: kind(oneOf('PW6', 'PC4'), 's', {
+  compare: kind(oneOf('PW6', 'PC4', 'HP4'), 's', {
     polygon: id,
     corner: optional(corner),
     z: num,
@@ -124,25 +112,25 @@ export const warnock = {
     nearer: bool,
     ...told,
   }),
-  nearer: kind(oneOf('PW6'), 'p', { polygon: id, corners: list(corner), k: between(0, 4) }),
-  uncover: kind(oneOf('PW7'), 'p', { polygon: id }),
+  nearer: kind(oneOf('PW6', 'HP4'), 'p', { polygon: id, corners: list(corner), k: between(0, 4) }),
+  uncover: kind(oneOf('PW7', 'HP5'), 'p', { polygon: id }),
   surround: kind(oneOf('PW8', 'PC2'), 'p', { polygon: id, point: pair, inside: bool }),
   mark: kind(oneOf('PW8'), 'p', { polygon: id }),
-  cover: kind(oneOf('PW9'), 'p', { polygon: id, color }),
-  insider: kind(oneOf('PW10'), 'p', { polygon: id, inside: bool, ...told }),
+  cover: kind(oneOf('PW9', 'HP6'), 'p', { polygon: id, color }),
+  insider: kind(oneOf('PW10', 'RE2'), 'p', { polygon: id, inside: bool, ...told }),
   summary: kind(oneOf('W6'), 'p', {
     count,
     hasSurround: bool,
     color: optional(color),
     insider: bool,
   }),
-  decide: kind(oneOf('W7', 'W8', 'W9', 'W10', 'W13'), 'w', {
+  decide: kind(oneOf(...deciding), 'w', {
     case: oneOf('empty', 'surrounded', 'pixel', 'single', 'split'),
   }),
-  fill: kind(oneOf('W7', 'W8', 'W9', 'W10'), 'w', { rect: pixels, color }),
+  fill: kind(oneOf(...filling), 'w', { rect: pixels, color }),
   nearest: kind(oneOf('PC4'), 'p', { polygon: id, z: num, color }),
-  color: kind(oneOf('W9'), 'p', { point: pair, color }),
-  orient: kind(oneOf('S2', 'S3'), 's', {
+  color: kind(oneOf('W9', 'WS5', 'WF11'), 'p', { point: pair, color }),
+  orient: kind(oneOf('S2', 'S3', 'TF2', 'CR4', 'OA4', 'ED3', 'BF1'), 's', {
     polygon: id,
     edge: count,
     point: pair,
@@ -157,7 +145,7 @@ export const warnock = {
   clip_keep: kind(oneOf('PL6'), 'p', { vertex: triple }),
   clip_drop: kind(oneOf('PL6'), 'p', { vertex: triple }),
   clip_list: kind(oneOf('PL7'), 'p', { count }),
-  clip_result: kind(oneOf('W12'), 'p', { polygon: id, vertices: list(triple) }),
+  clip_result: kind(oneOf('W12', 'WF8'), 'p', { polygon: id, vertices: list(triple) }),
   row: kind(oneOf('F2'), 's', {
     row: whole,
     left: num,
@@ -166,7 +154,7 @@ export const warnock = {
     end: whole,
     ...told,
   }),
-  draw: kind(oneOf('W11', 'W12'), 'w', { polygon: id, color, runs }),
+  draw: kind(oneOf('W11', 'W12', 'WF7', 'WF8'), 'w', { polygon: id, color, runs }),
 } as const;
 
 export const zbuffer = {
@@ -201,8 +189,28 @@ export const zbuffer = {
   ael_step: kind(oneOf('Z17'), 'p', { edge: count, x: num, z: num }),
 } as const;
 
-export const tables = { warnock, zbuffer } as const;
+const threeLists = { ...warnock, ...lists } as const;
+
+export const tables = {
+  warnock,
+  'warnock-simplest': warnock,
+  'warnock-full': threeLists,
+  'warnock-angles': threeLists,
+  'warnock-vertex': threeLists,
+  'warnock-edges': threeLists,
+  'warnock-bodies': { ...warnock, ...bodies },
+  zbuffer,
+  'floating-horizon': floatingHorizon,
+} as const;
 export type Method = keyof typeof tables;
+export const methods = Object.keys(tables) as readonly Method[];
+
+/** Whether it goes from window to window. */
+export const hasWindows = (method: Method): boolean => 'pop' in tables[method];
+/** Whether the list of polygons is the third of three, of which the others hold what surrounds or is outside. */
+export const hasThreeLists = (method: Method): boolean => 'join' in tables[method];
+/** A variant of Warnock's algorithm: its text is the corrected one. */
+export const isFamily = (method: Method): boolean => method.startsWith('warnock-');
 
 type EventsOf<T extends Readonly<Record<string, AnyKind>>> = {
   readonly [K in keyof T]: { readonly e: K; readonly at: Checked<T[K]['at']> } & Recorded<
@@ -211,18 +219,24 @@ type EventsOf<T extends Readonly<Record<string, AnyKind>>> = {
 };
 
 export type CommonEvents = EventsOf<typeof common>;
-export type WarnockEvents = EventsOf<typeof warnock>;
+export type WarnockEvents = EventsOf<typeof threeLists> & EventsOf<typeof bodies>;
 export type ZBufferEvents = EventsOf<typeof zbuffer>;
-export type Events = CommonEvents & WarnockEvents & ZBufferEvents;
+export type CurveEvents = EventsOf<typeof floatingHorizon>;
+export type Events = CommonEvents & WarnockEvents & ZBufferEvents & CurveEvents;
 
 export type EventName = keyof Events;
 /** An event, or with a name the event of that name. */
 export type Event<K extends EventName = EventName> = { readonly [P in K]: Events[P] }[K];
 
-export type AnyKind = Kind<string, Fields>;
-
 /** Those of all methods. */
-export const kinds: Readonly<Record<EventName, AnyKind>> = { ...common, ...warnock, ...zbuffer };
+export const kinds: Readonly<Record<EventName, AnyKind>> = {
+  ...common,
+  ...warnock,
+  ...bodies,
+  ...lists,
+  ...zbuffer,
+  ...floatingHorizon,
+};
 
 /** The names, each at its number: numbers are looked through faster than events. */
 export const eventNames = Object.keys(kinds) as readonly EventName[];

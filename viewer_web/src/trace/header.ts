@@ -5,6 +5,7 @@ import {
   matching,
   oneOf,
   optional,
+  plainObject,
   record,
   text,
   tuple,
@@ -12,10 +13,10 @@ import {
 } from './check.js';
 import type { Check, Checked } from './check.js';
 import { editions } from './editions.js';
-import { details, tables } from './events.js';
-import type { Method } from './events.js';
+import { details, methods } from './events.js';
 import { Refusal } from './refusal.js';
 import { color } from './values.js';
+import type { Sample } from './values.js';
 
 const greatestSide = 16384;
 const kernelName =
@@ -53,13 +54,21 @@ const sceneFile = record({
   polygons: list(polygon),
 });
 
+/** The samples of each curve, in place of polygons. */
+const surfaceFile = record({
+  format: oneOf('vidno-surface/1'),
+  name: optional(text),
+  window: area,
+  curves: list(list(tuple(whole, coordinate))),
+});
+
 const header = record({
   format: oneOf('vidno-trace/1'),
-  method: oneOf(...(Object.keys(tables) as Method[])),
+  method: oneOf(...methods),
   edition: oneOf(...editions),
   kernel: matching(kernelName, 'kernel'),
   detail: oneOf(...details),
-  scene: sceneFile,
+  scene: plainObject,
 });
 
 export type Area = Checked<typeof area>;
@@ -70,12 +79,17 @@ export interface Polygon {
   readonly vertices: readonly (readonly [number, number, number])[];
 }
 
+/** From left to right, at least two. */
+export type Curve = readonly Sample[];
+
 export interface Scene {
   readonly name: string;
   readonly area: Area;
   readonly background: string;
   readonly polygons: readonly Polygon[];
   readonly byId: ReadonlyMap<string, Polygon>;
+  /** From the nearest to the farthest; null of a scene of polygons, while one of curves has none of these. */
+  readonly curves: readonly Curve[] | null;
 }
 
 export interface Header extends Omit<Checked<typeof header>, 'scene' | 'format'> {
@@ -83,7 +97,13 @@ export interface Header extends Omit<Checked<typeof header>, 'scene' | 'format'>
 }
 
 export function parseHeader(value: unknown): Header {
-  const { method, edition, kernel, detail, scene: drawn } = header(value, '');
+  const { method, edition, kernel, detail, scene: file } = header(value, '');
+  const scene = method === 'floating-horizon' ? surfaceOf(file) : sceneOf(file);
+  return { method, edition, kernel, detail, scene };
+}
+
+function sceneOf(file: unknown): Scene {
+  const drawn = sceneFile(file, 'scene');
   const polygons = drawn.polygons.map((p, i) => ({ ...p, id: p.id ?? String(i) }));
   const byId = new Map<string, Polygon>();
   polygons.forEach((p, i) => {
@@ -91,6 +111,21 @@ export function parseHeader(value: unknown): Header {
     byId.set(p.id, p);
   });
   const { name = '', window: shown, background } = drawn;
-  const scene = { name, area: shown, background, polygons, byId };
-  return { method, edition, kernel, detail, scene };
+  return { name, area: shown, background, polygons, byId, curves: null };
+}
+
+function surfaceOf(file: unknown): Scene {
+  const { name = '', window: shown, curves } = surfaceFile(file, 'scene');
+  curves.forEach((curve, i) => expectOnColumns(curve, shown, `scene.curves[${i}]`));
+  return { name, area: shown, background: '#ffffff', polygons: [], byId: new Map(), curves };
+}
+
+function expectOnColumns(curve: Curve, { x, width }: Area, path: string): void {
+  if (curve.length < 2) throw new Refusal(path, 'fewSamples');
+  let before = x - 1;
+  curve.forEach(([column], i) => {
+    if (column <= before) throw new Refusal(`${path}[${i}]`, 'notRight');
+    before = column;
+  });
+  if (before >= x + width) throw new Refusal(path, 'outsideArea');
 }

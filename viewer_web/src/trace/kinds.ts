@@ -1,6 +1,6 @@
 import { plainOf, record, text } from './check.js';
 import type { Check } from './check.js';
-import { common, numberOf, tables } from './events.js';
+import { common, methods, numberOf, tables } from './events.js';
 import type { AnyKind, Detail, Event, EventName, Method } from './events.js';
 
 /** What there is to know of the lines of an event. */
@@ -33,4 +33,7 @@ function lineKinds(method: Method): ReadonlyMap<string, LineKind> {
   );
 }
 
-export const kindsOf = { warnock: lineKinds('warnock'), zbuffer: lineKinds('zbuffer') } as const;
+/** The lines of each method. */
+export const kindsOf = Object.fromEntries(
+  methods.map((method) => [method, lineKinds(method)]),
+) as Readonly<Record<Method, ReadonlyMap<string, LineKind>>>;

@@ -6,11 +6,14 @@ import type { Header } from './header.js';
 import { kindsOf } from './kinds.js';
 import { Refusal, describe } from './refusal.js';
 
-/** A whole run has the hash of its picture, one that was stopped says that it is partial. */
+const hash = matching(/^sha256:[0-9a-f]{64}$/, 'hash');
+
+/** A whole run has the hash of its picture, or of its lines; one that was stopped says that it is partial. */
 const end = record({
   end: record({
     events: count,
-    picture: optional(matching(/^sha256:[0-9a-f]{64}$/, 'hash')),
+    picture: optional(hash),
+    lines: optional(hash),
     partial: optional(oneOf(true)),
   }),
 });

@@ -1,18 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { allSamples } from '../testing/samples.js';
-import { headerOf, textOf, traceNames } from '../testing/traces.js';
-import { tables } from './events.js';
+import { headerOf, methodWith, textOf, traceNames } from '../testing/traces.js';
+import type { Event } from './events.js';
 import { parseHeader } from './header.js';
 import { kindsOf } from './kinds.js';
 import type { LineKind } from './kinds.js';
 import { parseLine } from './parse.js';
 
-const methodOf = (name: string): 'warnock' | 'zbuffer' =>
-  name in tables.zbuffer ? 'zbuffer' : 'warnock';
-
 function kindOf(line: string): LineKind {
-  const { e } = JSON.parse(line) as { e: string };
-  const kind = kindsOf[methodOf(e)].get(e);
+  const { e } = JSON.parse(line) as Event;
+  const kind = kindsOf[methodWith(e)].get(e);
   if (kind === undefined) throw new Error(`no event ${e}`);
   return kind;
 }
@@ -47,18 +44,14 @@ function* mutants(line: string): Generator<string> {
 }
 
 describe('a line that is plain would be taken when parsed', () => {
-  const headers = {
-    warnock: parseHeader(headerOf('warnock')),
-    zbuffer: parseHeader(headerOf('zbuffer')),
-  };
-
   it.each(allSamples.map((event) => [event.e, JSON.stringify(event)] as const))(
     '%s',
     (name, line) => {
       const kind = kindOf(line);
+      const header = parseHeader(headerOf(methodWith(name)));
       for (const mutant of mutants(line)) {
         if (!isPlain(mutant, kind)) continue;
-        expect(parseLine(mutant, headers[methodOf(name)])).toEqual({
+        expect(parseLine(mutant, header)).toEqual({
           event: JSON.parse(mutant) as unknown,
         });
       }
@@ -74,7 +67,7 @@ describe('a line that is plain would be taken when parsed', () => {
     ['a space', '{"e":"corners", "at":"PW1","z":1}'],
     ['a text that ends the line', '{"e":"discard","at":"PW3","polygon":"A\n"}'],
   ])('%s is not plain', (_name, line) => {
-    const kind = [...kindsOf.warnock.values(), ...kindsOf.zbuffer.values()];
+    const kind = Object.values(kindsOf).flatMap((kinds) => [...kinds.values()]);
     expect(kind.some((each) => isPlain(line, each))).toBe(false);
   });
 });

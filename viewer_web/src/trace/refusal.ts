@@ -45,6 +45,7 @@ export interface Reasons {
   rootNeedsList: [];
   partHasList: [];
   notInList: [id: string];
+  notLast: [id: string];
   noDepths: [];
   noClip: [];
   clipCount: [said: string, found: string];
@@ -54,6 +55,11 @@ export interface Reasons {
   twiceInAel: [edge: string];
   notAnOrder: [];
   depthCount: [depths: string, pixels: string];
+  // Of curves.
+  fewSamples: [];
+  notRight: [];
+  noSuchCurve: [curve: string];
+  notOfCurve: [segment: string];
 }
 export type Reason = keyof Reasons;
 

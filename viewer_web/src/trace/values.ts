@@ -35,6 +35,8 @@ export const id = text;
 export const color = matching(/^#[0-9a-f]{6}$/, 'color');
 export const corner = oneOf('lb', 'lt', 'rb', 'rt');
 export const pair = tuple(num, num);
+/** A column and the height over it, as the scene has them. */
+export const sample = tuple(whole, finite);
 export const triple = tuple(num, num, num);
 export const box = tuple(finite, finite, finite, finite);
 export const pixels = tuple(whole, whole, whole, whole);
@@ -55,6 +57,7 @@ export type Answer = Checked<typeof answer>;
 export type Color = Checked<typeof color>;
 export type Corner = Checked<typeof corner>;
 export type Pair = Checked<typeof pair>;
+export type Sample = Checked<typeof sample>;
 export type Triple = Checked<typeof triple>;
 export type Box = Checked<typeof box>;
 

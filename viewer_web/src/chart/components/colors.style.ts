@@ -18,6 +18,12 @@ export const colors = css`
     --zbuffer-grid: #b4568c;
     --zbuffer-window: #56606f;
     --zbuffer-fixed: var(--ink);
+    --warnock-simplest-fixed: #8c5e00;
+    --warnock-full-fixed: #00608f;
+    --warnock-angles-fixed: #a3416f;
+    --warnock-vertex-fixed: #00745a;
+    --warnock-edges-fixed: #b34700;
+    --warnock-bodies-fixed: #5a3fc0;
   }
   @media (prefers-color-scheme: dark) {
     :host {
@@ -31,6 +37,12 @@ export const colors = css`
       --zbuffer-depth: #e69f00;
       --zbuffer-grid: #dd8fbb;
       --zbuffer-window: #9aa5b5;
+      --warnock-simplest-fixed: #e0b458;
+      --warnock-full-fixed: #6cc3f2;
+      --warnock-angles-fixed: #f0a0c8;
+      --warnock-vertex-fixed: #35d0a4;
+      --warnock-edges-fixed: #ff9a55;
+      --warnock-bodies-fixed: #b3a2ff;
     }
   }
 `;

@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../../components/theme.js';
-import { printed, shape } from '../series.js';
+import { isVariant, printed, shape } from '../series.js';
 import type { Series, Shape } from '../series.js';
 import type { Shown } from '../shown.js';
 import { methods } from '../format.js';
@@ -25,6 +25,17 @@ export class SeriesElement extends LitElement {
         grid-template-columns: repeat(2, minmax(0, 1fr));
         gap: 0 0.5em;
         align-items: start;
+      }
+      .variants {
+        grid-column: 1 / -1;
+      }
+      .variants fieldset {
+        display: grid;
+        grid-template-columns: repeat(2, minmax(0, 1fr));
+        gap: 0 0.5em;
+      }
+      .variants label {
+        line-height: 1.15;
       }
       legend {
         padding: 0 0 0.2em;
@@ -77,8 +88,11 @@ export class SeriesElement extends LitElement {
       <legend>${texts.series}</legend>
       ${methods.map((method) => {
         const own = series.filter((each) => each.method === method);
-        return own.length === 0 ? nothing : this.method(texts.methods[method], own);
+        return own.length === 0 || isVariant(method)
+          ? nothing
+          : this.method(texts.methods[method], own);
       })}
+      ${this.variants()}
       ${
         hasPrinted
           ? this.toggle(printed, texts.printed, 'times', ['currentColor', 'none'])
@@ -86,6 +100,15 @@ export class SeriesElement extends LitElement {
       }
       <p><svg viewBox="0 0 28 18" aria-hidden="true">${front}</svg>${texts.frontMark}</p>
     </fieldset>`;
+  }
+
+  /** Each is a series, by its own name. */
+  private variants(): TemplateResult | typeof nothing {
+    const { series, texts } = this.shown;
+    const own = series.filter(({ method }) => isVariant(method));
+    return own.length === 0
+      ? nothing
+      : html`<div class="variants">${this.method(texts.variants, own)}</div>`;
   }
 
   private method(name: string, series: readonly Series[]): TemplateResult {
@@ -98,9 +121,10 @@ export class SeriesElement extends LitElement {
   private series(series: Series): TemplateResult {
     const color = `var(--${series.id})`;
     const fill = series.method === 'warnock' ? color : 'var(--panel)';
-    const { knobs, fixed } = this.shown.texts;
-    const name = series.knob === null ? fixed : knobs[series.knob];
-    return this.toggle(series.id, name, shape(series), [color, fill]);
+    const { knobs, fixed, variantNames } = this.shown.texts;
+    const ofMethod = isVariant(series.method) ? variantNames[series.method] : fixed;
+    const name = series.knob === null ? ofMethod : knobs[series.knob];
+    return this.toggle(series.id, name, shape(series), [color, fill], series.knob !== null);
   }
 
   private toggle(
@@ -108,6 +132,7 @@ export class SeriesElement extends LitElement {
     name: string,
     form: Shape,
     [color, fill]: readonly [string, string],
+    hasLine = true,
   ): TemplateResult {
     return html`<label>
       <input
@@ -116,7 +141,7 @@ export class SeriesElement extends LitElement {
         .checked=${!this.shown.hidden.has(id)}
         @change=${() => this.flip(id)}
       />
-      <svg viewBox="0 0 28 18" aria-hidden="true">${symbol(form, color, fill)}</svg>
+      <svg viewBox="0 0 28 18" aria-hidden="true">${symbol(form, color, fill, hasLine)}</svg>
       <span>${name}</span>
     </label>`;
   }

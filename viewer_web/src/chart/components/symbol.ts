@@ -10,13 +10,24 @@ const outlines: Readonly<Record<Shape, string>> = {
   diamond2: 'M0 -6.2L6.2 0L0 6.2L-6.2 0z',
   star: 'M0 -7.9L1.8 -2.4H7.5L2.9 .9L4.6 6.4L0 3L-4.6 6.4L-2.9 .9L-7.5 -2.4H-1.8z',
   times: 'M-4.5 -4.5L4.5 4.5M-4.5 4.5L4.5 -4.5',
+  plus: 'M-6 0h12M0 -6v12',
+  asterisk: 'M0 -6.5v13M-5.6 -3.2L5.6 3.2M-5.6 3.2L5.6 -3.2',
+  cross: 'M-6 -2h4v-4h4v4h4v4h-4v4h-4v-4h-4z',
+  triangle2: 'M0 6.7L5.8 -3.4H-5.8z',
+  wye: 'M-2 6.3V1.2L-6.4 -1.4L-4.4 -4.8L0 -2.3L4.4 -4.8L6.4 -1.4L2 1.2V6.3z',
+  hexagon: 'M0 -6L5.2 -3V3L0 6L-5.2 3V-3z',
 };
 
-/** A series' symbol on its line, 28 x 18. */
-export function symbol(shape: Shape, color: string, fill: string): SVGTemplateResult {
+/** A series' symbol, 28 x 18, and the line that it has if a knob is turned, or text printed. */
+export function symbol(
+  shape: Shape,
+  color: string,
+  fill: string,
+  hasLine: boolean,
+): SVGTemplateResult {
   const dashes = shape === 'times' ? '5 4' : 'none';
   return svg`<g transform="translate(14 9)" stroke=${color} stroke-width="2" fill=${fill}>
-    ${shape === 'star' ? '' : svg`<path d="M-14 0H14" stroke-dasharray=${dashes} />`}
+    ${hasLine ? svg`<path d="M-14 0H14" stroke-dasharray=${dashes} />` : ''}
     <path d=${outlines[shape]} />
   </g>`;
 }

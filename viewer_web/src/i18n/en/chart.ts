@@ -1,4 +1,5 @@
 import type { ChartTexts } from '../chart.js';
+import { family } from './family.js';
 
 export const chart: ChartTexts = {
   tagline: 'what a right picture costs',
@@ -16,7 +17,13 @@ export const chart: ChartTexts = {
   cost: 'Cost',
   error: 'Error',
   series: 'Shown',
-  methods: { warnock: 'Warnock', zbuffer: 'Z-buffer' },
+  methods: {
+    warnock: 'Warnock',
+    zbuffer: 'Z-buffer',
+    ...family.methods,
+  },
+  variants: 'Variants of Warnock',
+  variantNames: family.names,
   knobs: { bits: 'bits', depth: 'depth bits', grid: 'grid', window: 'window' },
   turned: {
     bits: (value) => `arithmetic of ${value} bits`,

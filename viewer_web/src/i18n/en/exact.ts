@@ -25,6 +25,7 @@ export const exact: ExactTexts = {
     columns: 'the columns',
     same_rounded: 'whether two numbers round alike',
     pixel: 'the pixel of a number',
+    visibility: 'the flag of Visibility',
   },
   causes: {
     rounded: 'The operation rounded.',

@@ -1,4 +1,5 @@
 import type { PageTexts, Texts } from '../texts.js';
+import { family } from './family.js';
 
 export const page: PageTexts = {
   tagline: 'why a pixel has its colour',
@@ -18,7 +19,12 @@ export const page: PageTexts = {
     partial: () => 'The run was stopped by its limit of events: you see its beginning.',
     limit: (line) => `The trace is too long for this page: you see its first ${line} lines.`,
   },
-  methods: { warnock: 'Warnock', zbuffer: 'Z-buffer' },
+  methods: {
+    warnock: 'Warnock',
+    zbuffer: 'Z-buffer',
+    ...family.methods,
+    'floating-horizon': 'Floating horizon',
+  },
   editions: {
     corrected: 'corrected',
     printed: 'as printed',
@@ -30,6 +36,9 @@ export const page: PageTexts = {
     'boundary-outside': 'mistake: boundary outside',
     'integer-division': 'mistake: integer division',
     'surround-kept': 'mistake: hasSurround never reset',
+    'vertex-counted-twice': 'mistake: pierced vertex counted twice',
+    'octants-not-split': 'mistake: half angle not split',
+    'line-for-edge': 'mistake: line taken for edge',
   },
   kernel: 'numbers',
   detail: 'detail',
@@ -111,6 +120,14 @@ export const page: PageTexts = {
     scanline: 'scanline',
     edge: 'active edges',
     chosen: 'chosen pixel',
+    visible: 'visible lines',
+    inHand: 'curve in hand',
+    upper: 'upper horizon',
+    lower: 'lower horizon',
+    above: 'visible above',
+    below: 'visible below',
+    hidden: 'hidden',
+    sideEdge: 'side edge',
   },
   cornerDepths: 'Nearest depth at the corners',
   apl: 'List of active polygons (APL)',
@@ -145,4 +162,9 @@ export const purposes: Texts['purposes'] = {
   PolygonClip: 'which part of the polygon lies in the window?',
   FillPolygon: 'which pixels have their centre in the polygon?',
   ShowLine: 'where on this row is the polygon the nearest?',
+  ...family.purposes,
+  SideEdge: 'what does the side of the surface hide?',
+  Visibility: 'how does the curve lie to the horizons over this column?',
+  Horizon: 'over which columns does the segment go beyond the horizons?',
+  Intersection: 'where does the segment meet the horizon?',
 };

@@ -14,6 +14,9 @@ export const predict: PredictTexts = {
   askAbout: 'Ask about',
   kinds: {
     window: 'the case of a window',
+    relation: 'the relation to a window',
+    ray: 'crossings of the ray',
+    octants: 'the sum of angles',
     corners: 'depths at the corners',
     inside: 'the surround test',
     point: 'what is seen at a point',
@@ -23,6 +26,12 @@ export const predict: PredictTexts = {
   },
   intro: {
     window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
+    relation: ({ polygon, window }) =>
+      `How does ${polygon} lie to the window ${windowText(window)}?`,
+    ray: ({ polygon, window }) =>
+      `RayCrossings: ${polygon} and the ray from the centre of the window ${windowText(window)} to the right.`,
+    octants: ({ polygon, window }) =>
+      `OctantAngles: ${polygon} about the window ${windowText(window)}. Octants are counted from the upper left, 0, to the right and on.`,
     corners: ({ polygon }) =>
       `The depths of ${polygon} at the corners are known; behind each stands the nearest so far.`,
     inside: ({ polygon, point: at, corner }) =>
@@ -53,6 +62,12 @@ export const predict: PredictTexts = {
     enter: 'Which edges enter it?',
     order: 'Which edges has it then, from left to right?',
     shown: 'At which of these columns is it seen?',
+    lies: 'How does it lie?',
+    test: 'Which line tells?',
+    crossed: 'Which edges are counted?',
+    crossings: 'How many crossings are there in all?',
+    halved: 'Which edges go to the opposite octant and must be split?',
+    sum: 'What is the sum, in octants?',
     pixelDepths: 'Its depth there against the stored one:',
   },
   rows: {
@@ -65,6 +80,18 @@ export const predict: PredictTexts = {
   area: 'Area',
   noPolygon: { hides: 'none', wins: 'the background' },
   relations: { '>': 'greater', '=': 'equal', '<': 'less' },
+  lies: {
+    outside: 'outside',
+    inside: 'inside',
+    intersecting: 'intersecting',
+    surrounding: 'surrounding',
+  },
+  tests: {
+    RE1: 'the box lies outside',
+    RE2: 'the box lies inside',
+    RE3: 'an edge meets the window',
+    RE4: 'containment',
+  },
   edge: (edge) => `edge ${edge}`,
   column: (column) => `column ${column}`,
   check: 'Check',

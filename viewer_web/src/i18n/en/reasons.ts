@@ -43,6 +43,7 @@ export const reasons: ReasonTexts = {
   rootNeedsList: () => 'the first window comes without its list',
   partHasList: () => 'a part comes with a list of its own',
   notInList: (id) => `${id} is not in the current list`,
+  notLast: (id) => `${id} is not the polygon that joined that list last`,
   noDepths: () => 'the four depths at the corners are not known',
   noClip: () => 'nothing is being clipped',
   clipCount: (said, found) => `${said} vertices are said to be left, there are ${found}`,
@@ -52,4 +53,8 @@ export const reasons: ReasonTexts = {
   twiceInAel: (edge) => `edge ${edge} is in AEL already`,
   notAnOrder: () => 'these are not the entries of AEL, each once',
   depthCount: (depths, pixels) => `${depths} depths come for ${pixels} pixels`,
+  fewSamples: () => 'a curve has fewer than two samples',
+  notRight: () => 'this sample is not right of the one before, or not in the window',
+  noSuchCurve: (curve) => `the scene has no curve ${curve}`,
+  notOfCurve: (segment) => `the curve in hand has no samples on ${segment} with none between`,
 };

@@ -44,6 +44,11 @@ export const scene: SceneTexts = {
   removeCorner: (n) => `Remove corner ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
   stands: 'You still see the run before.',
-  reasons: {},
+  reasons: {
+    'has an edge that no other one shares':
+      'has an edge that no other one shares: this method takes closed convex bodies',
+    'goes along an edge the way another one does':
+      'goes along an edge the way another one does: this method takes closed convex bodies',
+  },
   more: (n) => `and ${n} more; the first are shown`,
 };

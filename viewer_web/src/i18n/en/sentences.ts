@@ -1,7 +1,9 @@
 import type { Sentences } from '../texts.js';
-import { cells, onlyOf, point, short, shortApart, windowText } from '../words.js';
+import { cells, hidingOf, onlyOf, point, short, shortApart, windowText } from '../words.js';
 import type { Words } from '../words.js';
+import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
+import { family } from './family.js';
 import { purposes } from './page.js';
 
 const pixels = { one: 'pixel', other: 'pixels' };
@@ -37,8 +39,8 @@ export const sentences: Sentences = {
   plane: ({ polygon, plane }) =>
     `The plane of ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
   call: ({ of }) => `${of} begins: ${purposes[of]}`,
-  depth: ({ polygon, point: at, z }, words) =>
-    `At the ${place(at, words)} the plane of ${polygon} has depth ${short(z)}.`,
+  depth: ({ at: line, polygon, point: at, z }, words) =>
+    `At the ${place(at, words)} ${line === 'PC3' ? polygon : `the plane of ${polygon}`} has depth ${short(z)}.`,
   fault: ({ reason, x, y }) =>
     x === undefined || y === undefined
       ? `The printed text fails here: ${reason}. The run ends.`
@@ -47,15 +49,18 @@ export const sentences: Sentences = {
     `Wrong, ${decided[of]}: ${answer(taken)} here, ${answer(exact)} exactly. ${causes[cause]}`,
 
   push: ({ at, window, shared, apl }, words) => {
-    if (at === 'W3') {
+    if (at === 'W3' || at === 'WS1' || at === 'WF1') {
       return `The first window, ${windowText(window)}, goes on the stack with ${words.ids((apl ?? []).map(([id]) => id)) || 'no polygon'}.`;
     }
+    if (at === 'WF12') return `The part ${windowText(window)} goes on the stack.`;
     const list = shared === true ? 'the same list' : 'its own copy of the list';
     return `The part ${windowText(window)} goes on the stack with ${list}.`;
   },
   skip: ({ window }) => `The part ${windowText(window)} lies off the area: it is left out.`,
-  pop: ({ window }, words) =>
-    `The window ${windowText(window)} comes off the stack with ${currentList(words) || 'an empty list'}.`,
+  pop: ({ at, window }, words) =>
+    at === 'WF2'
+      ? `The window ${windowText(window)} comes off the stack: it is of level ${words.after.warnock?.way?.length ?? 0}.`
+      : `The window ${windowText(window)} comes off the stack with ${currentList(words) || 'an empty list'}.`,
   corners: ({ z }) => `Nothing is seen yet: the depth at all four corners starts at ${short(z)}.`,
   box: ({ polygon, outside }) =>
     outside
@@ -86,10 +91,12 @@ export const sentences: Sentences = {
   mark: ({ polygon }) => `All four corners lie in ${polygon}: it surrounds the window.`,
   cover: ({ polygon }) =>
     `${polygon} surrounds the window and is nearest at all four corners: it hides all so far.`,
-  insider: ({ polygon, inside }) =>
-    inside
-      ? `${polygon}, the first in the window, lies wholly inside it.`
-      : `${polygon}, the first in the window, does not lie wholly inside it.`,
+  insider: ({ at, polygon, inside }) =>
+    at === 'RE2'
+      ? `The box of ${polygon} ${inside ? 'lies' : 'does not lie'} strictly inside the window.`
+      : inside
+        ? `${polygon}, the first in the window, lies wholly inside it.`
+        : `${polygon}, the first in the window, does not lie wholly inside it.`,
   summary: ({ count, hasSurround }, words) => {
     const found = words.counted(count, { one: 'polygon', other: 'polygons' });
     const one = words.after.warnock?.covering ?? 'one';
@@ -97,7 +104,7 @@ export const sentences: Sentences = {
   },
   decide: (event, { after }) => {
     const only = onlyOf(after);
-    const covering = after.warnock?.covering ?? 'One polygon';
+    const covering = hidingOf(after) ?? 'One polygon';
     return {
       empty: 'No polygon is left in the window: it takes the background.',
       surrounded: `${covering} hides everything: the window takes its colour.`,
@@ -110,13 +117,15 @@ export const sentences: Sentences = {
   nearest: ({ polygon, z }) => `${polygon} is the nearest at the point so far: z = ${short(z)}.`,
   color: ({ point: at, color }, words) =>
     `At ${point(at)} one sees ${words.owner(color) ?? 'the background'}.`,
-  orient: ({ polygon, edge, value, sign }) => {
+  orient: ({ at, polygon, edge, point: where, value, sign }, words) => {
+    const name = at === 'S2' || at === 'S3' || at === 'ED3' ? null : family.side[at];
+    const what = name === null ? 'The point' : name(where, words.placeOf(where));
     const side = {
       '-1': 'on the negative side of',
       0: 'on the line of',
       1: 'on the positive side of',
     };
-    return `The point lies ${side[sign]} edge ${edge} of ${polygon} (${short(value)}).`;
+    return `${what} lies ${side[sign]} edge ${edge} of ${polygon} (${short(value)}).`;
   },
   clip_begin: ({ polygon }) => `${polygon} is clipped by the window's four sides in turn.`,
   clip_side: ({ side }) =>
@@ -143,6 +152,8 @@ export const sentences: Sentences = {
       : `Row ${row} meets it from ${short(left)} to ${short(right)}: no pixel's centre.`,
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} the colour of ${polygon}, in ${words.counted(runs.length, rows)}.`,
+
+  ...family.sentences,
 
   clear: ({ z }) => `The picture is background; every cell of Z holds ${short(z)}.`,
   polygon: ({ polygon }) => `Now ${polygon}: S and AEL are empty.`,
@@ -188,4 +199,6 @@ export const sentences: Sentences = {
       ? 'No edge ends here.'
       : `${edgesOf(edges, words)} ended: out of AEL${when(next, 'the next change is at')}.`,
   ael_step: ({ edge, x, z }) => `Edge ${edge} steps to x = ${short(x)}, z = ${short(z)}.`,
+
+  ...curveSentences,
 };

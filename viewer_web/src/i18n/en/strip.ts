@@ -17,6 +17,7 @@ export const strip: StripTexts = {
   lanes: {
     cases: 'windows',
     polygons: 'polygons',
+    curves: 'curves',
     levels: 'levels',
     ael: 'AEL',
     calls: 'calls',
@@ -25,6 +26,7 @@ export const strip: StripTexts = {
   explain: {
     cases: 'Windows, by what each comes to:',
     polygons: 'Which polygon is in hand, in its colour: every second one is striped',
+    curves: 'Which curve is in hand: every second one is striped',
     levels: 'How often the area was split to get the window',
     ael: 'Where AEL changes',
     calls: 'How deep the calls are nested',

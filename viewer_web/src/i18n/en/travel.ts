@@ -12,6 +12,8 @@ export const travel: TravelTexts = {
   goals: {
     split: 'a split of a window',
     ael: 'a change of AEL',
+    curve: 'a curve',
+    crossing: 'an intersection',
     wrong: 'a wrong decision',
     pixel: 'a step of the chosen pixel',
     bookmark: 'a bookmark',

@@ -1,4 +1,5 @@
 import type { ChartTexts } from '../chart.js';
+import { family } from './family.js';
 
 export const chart: ChartTexts = {
   tagline: 'чего стоит верное изображение',
@@ -16,7 +17,9 @@ export const chart: ChartTexts = {
   cost: 'Цена',
   error: 'Ошибка',
   series: 'Показаны',
-  methods: { warnock: 'Варнок', zbuffer: 'Z-буфер' },
+  methods: { warnock: 'Варнок', zbuffer: 'Z-буфер', ...family.methods },
+  variants: 'Варианты алгоритма Варнока',
+  variantNames: family.names,
   knobs: { bits: 'биты', depth: 'биты глубины', grid: 'сетка', window: 'окно' },
   turned: {
     bits: (value) => `арифметика, бит: ${value}`,

@@ -25,6 +25,7 @@ export const exact: ExactTexts = {
     columns: 'столбцы',
     same_rounded: 'одинаково ли округляются два числа',
     pixel: 'пиксель числа',
+    visibility: 'признак видимости',
   },
   causes: {
     rounded: 'Операция округлила.',

@@ -1,7 +1,9 @@
 import type { Texts } from '../texts.js';
 import { bookmarks } from './bookmarks.js';
+import { curves } from './curves.js';
 import { exact } from './exact.js';
 import { compare } from './compare.js';
+import { family } from './family.js';
 import { history } from './history.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
@@ -27,8 +29,10 @@ export const texts: Texts = {
   picture,
   predict,
   scene,
+  curves,
   exact,
   solid,
   compare,
   reader,
+  family,
 };

@@ -1,4 +1,5 @@
 import type { PageTexts, Texts } from '../texts.js';
+import { family } from './family.js';
 
 export const page: PageTexts = {
   tagline: 'почему у пикселя такой цвет',
@@ -19,7 +20,12 @@ export const page: PageTexts = {
     partial: () => 'Прогон остановлен по пределу числа событий: показано его начало.',
     limit: (line) => `Трасса слишком длинна для страницы: показаны первые ${line} строк.`,
   },
-  methods: { warnock: 'Алгоритм Варнока', zbuffer: 'Z-буфер' },
+  methods: {
+    warnock: 'Алгоритм Варнока',
+    zbuffer: 'Z-буфер',
+    ...family.methods,
+    'floating-horizon': 'Плавающий горизонт',
+  },
   editions: {
     corrected: 'исправленный текст',
     printed: 'как напечатано',
@@ -31,6 +37,9 @@ export const page: PageTexts = {
     'boundary-outside': 'ошибка: граница снаружи',
     'integer-division': 'ошибка: деление нацело',
     'surround-kept': 'ошибка: hasSurround не сбрасывается',
+    'vertex-counted-twice': 'ошибка: проткнутая вершина за два',
+    'octants-not-split': 'ошибка: развёрнутый угол не разбит',
+    'line-for-edge': 'ошибка: прямая вместо ребра',
   },
   kernel: 'числа',
   detail: 'подробность',
@@ -112,6 +121,14 @@ export const page: PageTexts = {
     scanline: 'строка растра',
     edge: 'активные рёбра',
     chosen: 'выбранный пиксель',
+    visible: 'видимые линии',
+    inHand: 'текущая кривая',
+    upper: 'верхний горизонт',
+    lower: 'нижний горизонт',
+    above: 'видна выше',
+    below: 'видна ниже',
+    hidden: 'не видна',
+    sideEdge: 'боковое ребро',
   },
   cornerDepths: 'Наибольшая глубина z в углах',
   apl: 'Список активных многоугольников (APL)',
@@ -146,4 +163,9 @@ export const purposes: Texts['purposes'] = {
   PolygonClip: 'какая часть многоугольника лежит в окне?',
   FillPolygon: 'у каких пикселей центр лежит в многоугольнике?',
   ShowLine: 'где в этой строке многоугольник ближе всех?',
+  ...family.purposes,
+  SideEdge: 'что закрывает бок поверхности?',
+  Visibility: 'как кривая лежит относительно горизонтов над этим столбцом?',
+  Horizon: 'над какими столбцами отрезок выходит за горизонты?',
+  Intersection: 'где отрезок встречается с горизонтом?',
 };

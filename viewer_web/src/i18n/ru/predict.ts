@@ -14,6 +14,9 @@ export const predict: PredictTexts = {
   askAbout: 'О чём спрашивать',
   kinds: {
     window: 'случай окна',
+    relation: 'отношение к окну',
+    ray: 'пересечения луча',
+    octants: 'сумма углов',
     corners: 'глубины в углах',
     inside: 'проверка принадлежности',
     point: 'что видно в точке',
@@ -23,6 +26,12 @@ export const predict: PredictTexts = {
   },
   intro: {
     window: ({ window }) => `Что станет с окном ${windowText(window)}?`,
+    relation: ({ polygon, window }) =>
+      `Как ${polygon} лежит относительно окна ${windowText(window)}?`,
+    ray: ({ polygon, window }) =>
+      `RayCrossings: ${polygon} и луч из центра окна ${windowText(window)} вправо.`,
+    octants: ({ polygon, window }) =>
+      `OctantAngles: ${polygon} вокруг окна ${windowText(window)}. Октанты считаются от левого верхнего, 0, вправо и дальше.`,
     corners: ({ polygon }) =>
       `Глубины ${polygon} в углах известны; за каждой стоит наибольшая до неё.`,
     inside: ({ polygon, point: at, corner }) =>
@@ -53,6 +62,12 @@ export const predict: PredictTexts = {
     enter: 'Какие рёбра войдут в него?',
     order: 'Какие рёбра в нём будут, слева направо?',
     shown: 'В каких из этих столбцов он виден?',
+    lies: 'Как он лежит?',
+    test: 'Какая строка это решает?',
+    crossed: 'Какие рёбра считаются?',
+    crossings: 'Сколько всего пересечений?',
+    halved: 'Какие рёбра идут в противоположный октант и должны быть разбиты?',
+    sum: 'Какова сумма в октантах?',
     pixelDepths: 'Его глубина здесь и записанная:',
   },
   rows: {
@@ -65,6 +80,18 @@ export const predict: PredictTexts = {
   area: 'Область',
   noPolygon: { hides: 'никакой', wins: 'фон' },
   relations: { '>': 'больше', '=': 'равна', '<': 'меньше' },
+  lies: {
+    outside: 'внешний',
+    inside: 'внутренний',
+    intersecting: 'пересекающий',
+    surrounding: 'охватывающий',
+  },
+  tests: {
+    RE1: 'габарит вне окна',
+    RE2: 'габарит внутри окна',
+    RE3: 'ребро встречает окно',
+    RE4: 'охват',
+  },
   edge: (edge) => `ребро ${edge}`,
   column: (column) => `столбец ${column}`,
   check: 'Проверить',

@@ -43,6 +43,7 @@ export const reasons: ReasonTexts = {
   rootNeedsList: () => 'у первого окна нет списка',
   partHasList: () => 'у части окна указан собственный список',
   notInList: (id) => `${id} нет в текущем списке`,
+  notLast: (id) => `${id} — не тот многоугольник, что вошёл в этот список последним`,
   noDepths: () => 'глубины в четырёх углах неизвестны',
   noClip: () => 'сейчас ничего не отсекается',
   clipCount: (said, found) => `вершин должно остаться ${said}, на деле ${found}`,
@@ -52,4 +53,8 @@ export const reasons: ReasonTexts = {
   twiceInAel: (edge) => `ребро ${edge} уже есть в AEL`,
   notAnOrder: () => 'это не записи AEL, каждая по разу',
   depthCount: (depths, pixels) => `глубин ${depths}, а пикселей ${pixels}`,
+  fewSamples: () => 'у кривой меньше двух отсчётов',
+  notRight: () => 'этот отсчёт не правее предыдущего или вне окна',
+  noSuchCurve: (curve) => `в сцене нет кривой ${curve}`,
+  notOfCurve: (segment) => `у текущей кривой нет соседних отсчётов ${segment}`,
 };

@@ -50,6 +50,14 @@ export const scene: SceneTexts = {
     'z outside -1 to 1': 'глубина не от −1 до 1',
     'not planar': 'не плоский',
     'not convex': 'не выпуклый',
+    'has an edge that no other one shares':
+      'у него есть ребро, которое не принадлежит никакому другому: нужны замкнутые выпуклые тела',
+    'goes along an edge the way another one does':
+      'идёт вдоль ребра в ту же сторону, что и другой: нужны замкнутые выпуклые тела',
+    'has no area': 'у него нет площади',
+    'is not planar to the last digit': 'не плоский до последнего знака',
+    'has a vertex of another one before it: its body is not convex, or it goes round the other way':
+      'перед ним лежит вершина другого: его тело не выпукло, или обход обратный',
   },
   more: (n) => `и ещё ${n}; показаны первые`,
 };

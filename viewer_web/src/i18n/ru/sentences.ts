@@ -1,7 +1,9 @@
 import type { Sentences } from '../texts.js';
-import { cells, onlyOf, point, short, shortApart, windowText } from '../words.js';
+import { cells, hidingOf, onlyOf, point, short, shortApart, windowText } from '../words.js';
 import type { Words } from '../words.js';
+import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
+import { family } from './family.js';
 import { purposes } from './page.js';
 
 const pixels = { one: 'пиксель', few: 'пикселя', other: 'пикселей' };
@@ -44,8 +46,8 @@ export const sentences: Sentences = {
   plane: ({ polygon, plane }) =>
     `Плоскость ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
   call: ({ of }) => `Начинается ${of}: ${purposes[of]}`,
-  depth: ({ polygon, point: at, z }, words) =>
-    `${capital(where(at, words))} глубина плоскости ${polygon} равна ${short(z)}.`,
+  depth: ({ at: line, polygon, point: at, z }, words) =>
+    `${capital(where(at, words))} глубина ${line === 'PC3' ? '' : 'плоскости '}${polygon} равна ${short(z)}.`,
   fault: ({ reason, x, y }) =>
     x === undefined || y === undefined
       ? `Напечатанный текст здесь ошибается: ${reason}. Прогон окончен.`
@@ -54,15 +56,18 @@ export const sentences: Sentences = {
     `Неверно, ${decided[of]}: здесь ${answer(taken)}, точно ${answer(exact)}. ${causes[cause]}`,
 
   push: ({ at, window, shared, apl }, words) => {
-    if (at === 'W3') {
+    if (at === 'W3' || at === 'WS1' || at === 'WF1') {
       return `Первое окно ${windowText(window)} кладётся в стек, его список: ${words.ids((apl ?? []).map(([id]) => id)) || 'пуст'}.`;
     }
+    if (at === 'WF12') return `Часть ${windowText(window)} кладётся в стек.`;
     const list = shared === true ? 'с тем же списком' : 'с собственной копией списка';
     return `Часть ${windowText(window)} кладётся в стек ${list}.`;
   },
   skip: ({ window }) => `Часть ${windowText(window)} лежит вне области: она пропускается.`,
-  pop: ({ window }, words) =>
-    `Окно ${windowText(window)} берётся из стека, его список: ${currentList(words) || 'пуст'}.`,
+  pop: ({ at, window }, words) =>
+    at === 'WF2'
+      ? `Окно ${windowText(window)} берётся из стека, его уровень ${words.after.warnock?.way?.length ?? 0}.`
+      : `Окно ${windowText(window)} берётся из стека, его список: ${currentList(words) || 'пуст'}.`,
   corners: ({ z }) => `Пока ничего не видно: глубина во всех четырёх углах равна ${short(z)}.`,
   box: ({ polygon, outside }) =>
     outside
@@ -96,10 +101,12 @@ export const sentences: Sentences = {
   mark: ({ polygon }) => `Все четыре угла лежат в ${polygon}: он охватывает окно.`,
   cover: ({ polygon }) =>
     `${polygon} охватывает окно и ближе всех в четырёх углах: он закрывает всё рассмотренное.`,
-  insider: ({ polygon, inside }) =>
-    inside
-      ? `${polygon}, первый в окне, лежит целиком внутри него.`
-      : `${polygon}, первый в окне, не лежит целиком внутри него.`,
+  insider: ({ at, polygon, inside }) =>
+    at === 'RE2'
+      ? `Габаритный прямоугольник ${polygon} ${inside ? 'лежит' : 'не лежит'} строго внутри окна.`
+      : inside
+        ? `${polygon}, первый в окне, лежит целиком внутри него.`
+        : `${polygon}, первый в окне, не лежит целиком внутри него.`,
   summary: ({ count, hasSurround }, words) => {
     const found = words.counted(count, {
       one: 'многоугольник',
@@ -111,7 +118,7 @@ export const sentences: Sentences = {
   },
   decide: (event, { after }) => {
     const only = onlyOf(after);
-    const covering = after.warnock?.covering ?? 'Один многоугольник';
+    const covering = hidingOf(after) ?? 'Один многоугольник';
     return {
       empty: 'В окне не осталось многоугольников: оно получает цвет фона.',
       surrounded: `${covering} закрывает всё: окно получает его цвет.`,
@@ -126,13 +133,15 @@ export const sentences: Sentences = {
     const owner = words.owner(color);
     return `В точке ${point(at)} виден ${owner ?? 'фон'}.`;
   },
-  orient: ({ polygon, edge, value, sign }) => {
+  orient: ({ at, polygon, edge, point: place, value, sign }, words) => {
+    const name = at === 'S2' || at === 'S3' || at === 'ED3' ? null : family.side[at];
+    const what = name === null ? 'Точка' : name(place, words.placeOf(place));
     const side = {
       '-1': 'по отрицательную сторону ребра',
       0: 'на прямой ребра',
       1: 'по положительную сторону ребра',
     }[sign];
-    return `Точка лежит ${side} ${edge} многоугольника ${polygon} (${short(value)}).`;
+    return `${what} лежит ${side} ${edge} многоугольника ${polygon} (${short(value)}).`;
   },
   clip_begin: ({ polygon }) => `${polygon} отсекается по очереди четырьмя сторонами окна.`,
   clip_side: ({ side }) => `Сторона ${side} из 4, ${sides[side - 1] ?? ''}: новый список пуст.`,
@@ -158,6 +167,8 @@ export const sentences: Sentences = {
       : `Строка ${row} пересекает его от ${short(left)} до ${short(right)}: ни одного центра пикселя.`,
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} цвет ${polygon} в ${words.counted(runs.length, rows)}.`,
+
+  ...family.sentences,
 
   clear: ({ z }) => `Изображение заполнено фоном, каждая ячейка Z-буфера — значением ${short(z)}.`,
   polygon: ({ polygon }) => `Теперь ${polygon}: S и список активных рёбер пусты.`,
@@ -203,4 +214,6 @@ export const sentences: Sentences = {
       ? 'Ни одно ребро здесь не кончается.'
       : `${edgesOf(edges, words)}: конец, удаление из списка${when(next, 'следующее изменение в')}.`,
   ael_step: ({ edge, x, z }) => `Ребро ${edge} делает шаг: x = ${short(x)}, z = ${short(z)}.`,
+
+  ...curveSentences,
 };

@@ -17,6 +17,7 @@ export const strip: StripTexts = {
   lanes: {
     cases: 'окна',
     polygons: 'многоуг.',
+    curves: 'кривые',
     levels: 'уровни',
     ael: 'AEL',
     calls: 'вызовы',
@@ -25,6 +26,7 @@ export const strip: StripTexts = {
   explain: {
     cases: 'Окна, по тому, что о каждом решено:',
     polygons: 'Текущий многоугольник, его цветом: каждый второй в полоску',
+    curves: 'Текущая кривая: каждая вторая в полоску',
     levels: 'Сколько раз делилась область, чтобы получилось окно',
     ael: 'Где меняется AEL',
     calls: 'Глубина вложенности вызовов',

@@ -12,6 +12,8 @@ export const travel: TravelTexts = {
   goals: {
     split: 'деление окна',
     ael: 'изменение AEL',
+    curve: 'кривая',
+    crossing: 'встреча с горизонтом',
     wrong: 'неверное решение',
     pixel: 'шаг выбранного пикселя',
     bookmark: 'закладка',

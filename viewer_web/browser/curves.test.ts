@@ -1,0 +1,146 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { goTo, launch, open, opened, sampleTrace, shown } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+const name = 'hills.floating-horizon.signs.jsonl';
+const hills = sampleTrace('hills.floating-horizon.signs');
+
+async function openHills(
+  hash = '#lang=en',
+  options: Parameters<typeof open>[2] = {},
+): Promise<{ page: Page; faults: readonly string[] }> {
+  const { page, faults } = await open(browser, hash, options);
+  await opened(page, name, hills);
+  return { page, faults };
+}
+
+/** The first step from one on whose line in the file matches. */
+const stepOf = (pattern: RegExp, from = 1): number =>
+  hills.split('\n').findIndex((line, i) => i >= from && pattern.test(line));
+
+const shapes = (page: Page, look: string): Promise<number> =>
+  page.locator(`vidno-curve-picture > svg > path.${look}`).count();
+
+/** Clicks a column of the picture: the area is 14 columns wide, from -2 on. */
+async function clickColumn(page: Page, x: number): Promise<void> {
+  const area = await page.locator('vidno-curve-picture .area').boundingBox();
+  if (area === null) throw new Error('no picture');
+  await page.mouse.click(area.x + ((x + 2) * area.width) / 14, area.y + area.height / 2);
+}
+
+describe('a run of curves', () => {
+  it('is replayed in its own words, with the listing', async () => {
+    const { page, faults } = await openHills();
+    await goTo(page, stepOf(/"visibility","at":"FH5".*"flag":0/));
+    expect(await shown(page)).toMatchObject({
+      line: 'FH5',
+      sentence: expect.stringContaining('strictly between the horizons, and hidden (0)') as string,
+    });
+    expect(await page.locator('vidno-horizon dl').first().innerText()).toContain('0, hidden');
+    await page.getByRole('button', { name: 'C++' }).click();
+    expect(await page.locator('vidno-cpp').getByText('run.visibility(FH5').count()).toBe(1);
+    await page.getByRole('button', { name: 'C++' }).click();
+    await page.keyboard.press('End');
+    expect((await shown(page)).line).toBe('FH10');
+    expect(faults).toEqual([]);
+  });
+
+  it('steps over and out of its procedures', async () => {
+    const { page } = await openHills();
+    const call = stepOf(/"call","at":"FH5"/);
+    await goTo(page, call - 1);
+    await page.getByRole('button', { name: 'Over the call', exact: true }).click();
+    expect((await shown(page)).step).toBe(stepOf(/"visibility"/, call));
+    await goTo(page, call);
+    await page.getByRole('button', { name: 'Out of the procedure, to its result' }).click();
+    expect((await shown(page)).step).toBe(stepOf(/"visibility"/, call));
+  });
+
+  it('shows what is switched on', async () => {
+    const { page } = await openHills();
+    await goTo(page, stepOf(/"curve":3/) + 20);
+    const looks = ['visible', 'in-hand', 'upper', 'lower', 'flag', 'side-edge', 'looked-at'];
+    for (const look of looks) expect([look, await shapes(page, look)]).not.toEqual([look, 0]);
+    await page.getByLabel('horizons', { exact: true }).uncheck();
+    expect(await shapes(page, 'upper')).toBe(0);
+    await page.keyboard.press('l');
+    expect(await shapes(page, 'visible')).toBe(1);
+    expect(await shapes(page, 'in-hand')).toBe(0);
+    await page.keyboard.press('l');
+    expect(await shapes(page, 'in-hand')).toBe(1);
+  });
+
+  it('has no pixels, no scene in 3D and no picture to be exact by', async () => {
+    const { page, faults } = await openHills();
+    await goTo(page, stepOf(/"visibility"/));
+    await page.locator('vidno-curve-picture > svg').focus();
+    await page.keyboard.press('v');
+    await page.keyboard.press('x');
+    expect(await page.locator('vidno-solid, vidno-layers').count()).toBe(0);
+    expect(await page.locator('vidno-exactness h3').innerText()).toBe('The flag of Visibility');
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('the history of a column', () => {
+  it('is opened by a click, and leads to its steps', async () => {
+    const { page, faults } = await openHills();
+    await clickColumn(page, 4);
+    const headings = page.locator('vidno-history h3');
+    expect(await headings.allInnerTexts()).toEqual(['Curve 0', 'Curve 1', 'Curve 2', 'Curve 3']);
+    const step = stepOf(/"visibility".*"x":4,/);
+    await page.locator(`vidno-history li[data-step="${step}"] button`).click();
+    expect((await shown(page)).step).toBe(step);
+    expect(await shapes(page, 'chosen-column')).toBe(1);
+    expect(new URL(page.url()).hash).toContain('lang=en');
+    expect(faults).toEqual([]);
+  });
+
+  it('is chosen by keyboard alone', async () => {
+    const { page } = await openHills();
+    await page.keyboard.press('p');
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('Enter');
+    const button = page.locator('vidno-side button[aria-pressed=true]');
+    expect(await button.textContent()).toContain('Column 10');
+  });
+});
+
+describe('with a run of curves', () => {
+  it.each(['light', 'dark'] as const)('all can use the page (%s)', async (colorScheme) => {
+    const { page } = await openHills('#lang=ru', { colorScheme });
+    await goTo(page, 200);
+    expect(await violations(page)).toEqual([]);
+    await clickColumn(page, 4);
+    expect(await violations(page)).toEqual([]);
+  });
+
+  it.each([390, 768, 1280, 1920])('nothing is clipped or moves at %i px', async (width) => {
+    const viewport = { width, height: width < 500 ? 844 : 1080 };
+    const { page } = await openHills('#lang=ru', { viewport });
+    const places = new Set<string>();
+    for (const step of [0, 1, 60, 200, 373]) {
+      await goTo(page, step);
+      const parts = page.locator('vidno-horizon section, .dock, .listing, vidno-curve-picture');
+      const boxes = await parts.evaluateAll((all) =>
+        all.map((part) => {
+          const { x, y, width: wide, height } = part.getBoundingClientRect();
+          return [x, y + scrollY, wide, height].map(Math.round).join();
+        }),
+      );
+      places.add(boxes.join(' '));
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+    }
+    expect([...places]).toHaveLength(1);
+  });
+});

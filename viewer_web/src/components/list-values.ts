@@ -1,0 +1,20 @@
+import type { TemplateResult } from 'lit';
+import { texts } from '../i18n/index.js';
+import { containment } from '../i18n/words.js';
+import type { Warnock } from '../state/warnock.js';
+import type { View } from '../view.js';
+import { polygonName, value } from './parts.js';
+
+/** What is known of a window with three lists: its level, what an outline counts so far, and what hides all others. */
+export function listValues(view: View, now: Warnock, old: Warnock): readonly TemplateResult[] {
+  const { header, language, texts: page } = view;
+  const { panel } = texts[language].family;
+  const sum = now.contained.length === 0 ? page.none : String(containment(now)).replace('-', '−');
+  const hiding = now.covering === null ? page.none : polygonName(now.covering, view);
+  const name = header.method === 'warnock-angles' ? panel.octants : panel.ray;
+  return [
+    value(panel.level, now.way.length, now.way.length !== old.way.length),
+    value(name, sum, now.contained !== old.contained),
+    value(panel.hides, hiding, now.covering !== old.covering),
+  ];
+}

@@ -1,0 +1,114 @@
+import { numberOf } from '../trace/events.js';
+import type { CurveEvents, Event } from '../trace/events.js';
+import type { Pair } from '../trace/values.js';
+import { isPoint } from './sides.js';
+
+/** A visible part of a curve. */
+export interface Line {
+  readonly curve: number;
+  readonly from: Pair;
+  readonly to: Pair;
+  /** The first and the last column that it is over; none between, if the last is less. */
+  readonly columns: readonly [first: number, last: number];
+}
+
+/** What a run has told, step by step. */
+export interface Told {
+  readonly names: Uint8Array;
+  event(step: number): Event | null;
+}
+
+type Drawn = CurveEvents['draw_line'];
+
+/** What came of a step that drew: the line that was then the last one, its segment, and its place among the lines. */
+interface Entry {
+  readonly step: number;
+  readonly index: number;
+  readonly line: Line;
+  readonly segment: string;
+  readonly fromColumns: Drawn['fromColumns'];
+  readonly toColumns: Drawn['toColumns'];
+}
+
+const drawing = numberOf.get('draw_line');
+const beginning = numberOf.get('curve');
+
+const isOn = ([left, right]: readonly [number, number]): boolean => left === right;
+
+/**
+ * The lines that a run has drawn. Each step that draws changes the last line alone, or adds one: so the lines of a step are
+ * known by the last such step before it, and no keyframe has to hold them. They are gone through when they are asked for.
+ */
+export class Lines {
+  private readonly entries: Entry[] = [];
+  /** Of each line what it came to be. */
+  private readonly final: Line[] = [];
+  private seen = 0;
+  private curve = -1;
+
+  constructor(private readonly told: Told) {}
+
+  /** How many lines there are after a step, and the last of them as it is then. */
+  upTo(step: number): { readonly count: number; readonly last: Line | null } {
+    this.read(step);
+    const entry = this.entries[this.indexAt(step)];
+    return entry === undefined
+      ? { count: 0, last: null }
+      : { count: entry.index + 1, last: entry.line };
+  }
+
+  /** The lines after a step. */
+  at(step: number): readonly Line[] {
+    const { count, last } = this.upTo(step);
+    return last === null ? [] : [...this.final.slice(0, count - 1), last];
+  }
+
+  private read(step: number): void {
+    const { names } = this.told;
+    for (const end = Math.min(step, names.length); this.seen < end;) {
+      const name = names[this.seen];
+      this.seen++;
+      if (name !== drawing && name !== beginning) continue;
+      const event = this.told.event(this.seen);
+      if (event?.e === 'curve') this.curve = event.curve;
+      if (event?.e === 'draw_line') this.add(event, this.seen);
+    }
+  }
+
+  /** See "What a reader keeps" in trace/FORMAT.md. */
+  private add({ segment, from, to, fromColumns, toColumns }: Drawn, step: number): void {
+    const { curve } = this;
+    const last = this.entries.at(-1);
+    const made = { step, segment: segment.join(), fromColumns, toColumns };
+    const line: Line = { curve, from, to, columns: [fromColumns[1], toColumns[0]] };
+    const goesOn =
+      last?.line.curve === curve &&
+      isOn(fromColumns) &&
+      isOn(last.toColumns) &&
+      last.toColumns[0] === fromColumns[0];
+    if (!goesOn) this.put({ ...made, line, index: this.final.length });
+    else if (isPoint(last)) this.put({ ...made, line, index: last.index });
+    else if (last.segment === made.segment) {
+      const { line: begun, index, fromColumns: begin } = last;
+      const whole: Line = { ...begun, to, columns: [begun.columns[0], toColumns[0]] };
+      this.put({ ...made, fromColumns: begin, line: whole, index });
+    } else if (!isPoint(made)) this.put({ ...made, line, index: this.final.length });
+  }
+
+  private put(entry: Entry): void {
+    this.entries.push(entry);
+    this.final[entry.index] = entry.line;
+  }
+
+  /** The index of the last entry at a step or before it, or -1. */
+  private indexAt(step: number): number {
+    let from = 0;
+    let end = this.entries.length;
+    while (from < end) {
+      const middle = (from + end) >> 1;
+      if ((this.entries[middle]?.step ?? Infinity) <= step) from = middle + 1;
+      else end = middle;
+    }
+    return from - 1;
+  }
+}

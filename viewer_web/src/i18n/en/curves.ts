@@ -1,0 +1,138 @@
+import type { Flag } from '../../curves/events.js';
+import { isPoint, metBy } from '../../curves/sides.js';
+import type { CurveSentences, CurveTexts } from '../curve-texts.js';
+import { point, short, shortApart } from '../words.js';
+
+const columns = { one: 'column', other: 'columns' };
+
+const where = ([left, right]: readonly [number, number]): string =>
+  left === right ? `over column ${left}` : `between the columns ${left} and ${right}`;
+
+const names = { upper: 'the upper horizon', lower: 'the lower horizon' } as const;
+
+const flags: Readonly<Record<`${Flag}`, string>> = {
+  1: 'on the upper horizon or above it, and visible (1)',
+  '-1': 'on the lower horizon or below it, and visible (−1)',
+  0: 'strictly between the horizons, and hidden (0)',
+  2: 'on both horizons, or before any, and visible (2)',
+};
+
+export const curveSentences: CurveSentences = {
+  horizons: ({ upper, lower }) =>
+    upper === undefined || lower === undefined
+      ? 'There is no horizon over any column yet.'
+      : `Over every column the upper horizon begins at ${short(upper)}, the lower one at ${short(lower)}.`,
+  curve: ({ curve }) =>
+    curve === 0 ? 'The first curve, 0, is the nearest.' : `Curve ${curve} is the next one.`,
+  side_edge: ({ at, sample }) =>
+    `The ${at === 'FH3' ? 'left' : 'right'} side edge has come to ${point(sample)}.`,
+  visibility: ({ x, flag }, { after }) => {
+    const told = after.horizon?.told ?? null;
+    const at = told?.x === x ? ` at ${short(told.y)}` : '';
+    return `Over column ${x} the curve${at} is ${flags[flag]}.`;
+  },
+  intersection: ({ at, point: met, columns: between }, { after }) => {
+    const horizon = metBy(at, after.horizon ?? null);
+    return `The segment meets ${horizon === null ? 'the horizon' : names[horizon]} at ${point(met)}, ${where(between)}.`;
+  },
+  draw_line: (event) => {
+    const { at, from, to } = event;
+    if (isPoint(event)) return `The curve is visible at the point ${point(from)}.`;
+    const why = {
+      FH6: 'it is on one side all the way',
+      FH7: 'then a horizon hides it, or it changes sides',
+      FH8: 'before, a horizon hid it, or it was on the other side',
+    }[at];
+    return `The curve is drawn from ${point(from)} to ${point(to)}: ${why}.`;
+  },
+  horizon: ({ first, last, upper, lower }, words) => {
+    if (last < first) return 'No column lies between: the horizons stay as they are.';
+    const over = first === last ? `Column ${first}` : `Columns ${first} to ${last}`;
+    if (upper.length + lower.length === 0) return `${over}: both horizons stay as they are.`;
+    const raised = words.counted(upper.length, columns);
+    const lowered = words.counted(lower.length, columns);
+    return `${over}: the upper horizon rises over ${raised}, the lower one falls over ${lowered}.`;
+  },
+  height: ({ x, y, upper, lower }) => {
+    if (upper === undefined || lower === undefined) {
+      return `Over column ${x} the curve is at ${short(y)}; no horizon is there.`;
+    }
+    const [own, above] = shortApart(y, upper);
+    const [, below] = shortApart(y, lower);
+    return `Over column ${x} the curve is at ${own}; the upper horizon is at ${above}, the lower one at ${below}.`;
+  },
+  raise: ({ x, y }) => `Over column ${x} the upper horizon comes to ${short(y)}.`,
+  lower: ({ x, y }) => `Over column ${x} the lower horizon comes to ${short(y)}.`,
+  step: ({ x, changes }) =>
+    changes
+      ? `Over column ${x} the segment is on the other side of the horizon: they meet on the way here.`
+      : `Over column ${x} the segment is still on the same side of the horizon.`,
+};
+
+export const curves: CurveTexts = {
+  curve: (curve) => `Curve ${curve}`,
+  inHand: 'curve',
+  segment: 'segment',
+  edges: 'Side edges',
+  left: 'left',
+  right: 'right',
+  columns: 'Horizons around the column',
+  column: 'column',
+  height: 'height',
+  upper: 'upper',
+  lower: 'lower',
+  looked: 'flag',
+  lines: 'lines so far',
+  flags: {
+    above: '1, above',
+    below: '−1, below',
+    hidden: '0, hidden',
+    both: '2, both',
+  },
+  layers: {
+    lines: 'lines so far',
+    curve: 'curve in hand',
+    horizons: 'horizons',
+    columns: 'flags of columns',
+    edges: 'side edges',
+  },
+  layersName: 'What the picture shows',
+  around: (column) => `Horizons around column ${column}`,
+  history: {
+    pixel: 'Column',
+    at: (x) => `Column ${x}`,
+    hint: 'Click a column of the picture, or press P, to see every curve over it, each flag and each change of the horizons.',
+    how: 'The left and right arrow keys move to another column, with Shift by ten. Enter shows the history of the column. Escape leaves.',
+    forget: 'Forget the column',
+    entries: 'All that happened over the column',
+    outcomes: { pass: 'visible', fail: 'hidden', paint: 'drawn', wrong: 'wrong', note: '' },
+    painted: (step) => `Last drawn over at step ${step}`,
+    unpainted: 'No curve is drawn over it.',
+  },
+  surface: {
+    own: 'A surface y = f(x, z)…',
+    name: 'Surface',
+    how: 'Drag a sample of the curve in hand up or down; with the keyboard, by the arrow keys up and down. Or change the function.',
+    title: 'Surface',
+    function: 'y as a function of x and z',
+    language:
+      'x, z, pi; + − * / ^, comparisons, ? :; sin, cos, tan, asin, acos, atan, atan2, sinh …, exp, ln, log2, log10, sqrt, abs, sign, min, max, sum, avg.',
+    sampled: (curves, samples) =>
+      `${curves} curves with ${samples} samples, as numbers. Moved samples take the place of a function.`,
+    give: 'Give a function instead',
+    ends: { x: ['x, left', 'x, right'], z: ['z, nearest', 'z, farthest'] },
+    curves: 'curves',
+    samples: 'samples',
+    tolerance: 'tolerance',
+    toleranceHint:
+      'Pixels: where a curve is farther than that from the line between two samples, one more stands halfway. Empty: none',
+    up: 'pixels up',
+    ways: {
+      origin: 'Left end of the nearest curve, at y = 0',
+      across: 'From a curve’s left end to its right one',
+      back: 'From a curve to the next',
+    },
+    place: ['columns', 'rows'],
+    sample: (curve, x, y) => `Curve ${curve}, column ${x}: height ${y}`,
+  },
+};

@@ -1,0 +1,45 @@
+import type { Event, Method, Procedure } from '../trace/events.js';
+import type { bodies, lists } from '../trace/family-events.js';
+import type { N } from '../trace/values.js';
+import type { Sentences } from './texts.js';
+
+type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'floating-horizon'>;
+type OfVariants = 'Relation' | 'TrialFunction' | 'RayCrossings' | 'OctantAngles' | 'HidingPolygon';
+
+type Names = Readonly<Record<Variant, string>>;
+
+/** The names of variants with that of the algorithm before them. */
+export function prefixed(before: string, names: Names): Names {
+  return Object.fromEntries(
+    Object.entries(names).map(([variant, name]) => [variant, before + name]),
+  ) as Names;
+}
+
+/** What is said of the variants of Warnock's algorithm alone. */
+export interface FamilyTexts {
+  /** Among one another, and among other methods. */
+  readonly names: Names;
+  readonly methods: Names;
+  /** What each method takes and does. */
+  readonly rules: Readonly<Record<Method, string>>;
+  readonly purposes: Readonly<Record<OfVariants & Procedure, string>>;
+  readonly panel: FamilyPanelTexts;
+  readonly sentences: Pick<Sentences, keyof typeof lists | keyof typeof bodies>;
+  /** Of what it is said on which side of an edge it lies, by the line: a point, and its corner of the window if it is one. */
+  readonly side: Readonly<Record<SideLine, (at: readonly N[], corner: string | null) => string>>;
+}
+
+/** The lines that ask for the side of an edge, but for those that ask it of a point as such. */
+export type SideLine = Exclude<Event<'orient'>['at'], 'S2' | 'S3' | 'ED3'>;
+
+/** What stands in the panel of the state. */
+export interface FamilyPanelTexts {
+  readonly level: string;
+  readonly third: string;
+  readonly surrounding: string;
+  readonly outside: string;
+  readonly sinceLevel: (level: number) => string;
+  readonly hides: string;
+  readonly ray: string;
+  readonly octants: string;
+}
