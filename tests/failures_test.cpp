@@ -166,7 +166,8 @@ void check_entry(const json& entry, const Scene& scene) {
 /// What the rule of the floating horizon says.
 ColumnsDrawn right_columns(const CurveScene& curves) {
     ColumnsDrawn right;
-    for (const auto& seen : HorizonReference(curves).curves()) right.push_back(seen.visible);
+    const HorizonReference reference(curves);
+    for (const auto& seen : reference.curves()) right.push_back(seen.visible);
     return right;
 }
 
