@@ -136,6 +136,62 @@ TEST_CASE("surfaces: what is refused, and says why") {
     CHECK_FALSE(work.has("out.jsonl"));
 }
 
+TEST_CASE("surfaces: a command for polygons says so in a sentence, and writes nothing") {
+    const Workplace work;
+    const std::string surface = work.write("s.json", crossing);
+    const auto refused = [&](const std::string& call, const std::string& sentence) {
+        CAPTURE(call);
+        const auto [status, text] = program(call);
+        CHECK(status == 2);
+        CHECK(text == "vidno: " + sentence + "\n");
+    };
+    const std::string for_polygons = surface + ": a surface, and this command takes scenes of polygons, vidno-scene/1";
+    refused("shrink " + surface + " -o " + work.file("out.json"), for_polygons);
+    refused("need " + surface, for_polygons);
+    refused("choose " + surface, for_polygons);
+    refused("variants " + surface + " -o " + work.file("out"), for_polygons);
+    refused("worksheet " + surface + " -o " + work.file("out.pdf"), for_polygons);
+    refused("grade /bin/true --scenes " + surface, for_polygons);
+    refused("map " + surface, surface + ": a surface, and no question of a map, vidno-question/1");
+    refused("figure " + surface + " -o " + work.file("out.svg"),
+            surface + ": a surface; vidno render draws it, and a figure its trace");
+    CHECK_MESSAGE(work.files() == 1, "the surface");
+}
+
+TEST_CASE("surfaces: a chart turns the sampling of a function; the name decides what is written") {
+    const Workplace work;
+    const std::string function = work.write(
+        "f.json", R"({"format":"vidno-surface/1","name":"Wave","window":{"x":0,"y":0,"width":9,"height":16},)"
+                  R"("function":"sin(x) + z","x":[0,6],"z":[1,0],"curves":2,"samples":3,)"
+                  R"("view":{"origin":[0,8],"across":[8,0],"back":[0,-1],"up":2}})");
+    REQUIRE(program("chart " + function + " -o " + work.file("a.json")).status == 0);
+    CHECK(work.read("a.json").starts_with(R"({"format":"vidno-chart/1","rounds":5,"surfaces":[)"));
+    REQUIRE(program("chart " + function + " " + function + " -o " + work.file("a.csv")).status == 0);
+    CHECK(work.read("a.csv").starts_with("surface.name,"));
+    REQUIRE(program("chart " + function + " --cost samples --error height -o " + work.file("a.svg")).status == 0);
+    CHECK(has(work.read("a.svg"), "height missed, pixels"));
+    REQUIRE(program("figure " + work.file("a.json") + " --language ru -o " + work.file("b.svg")).status == 0);
+    CHECK(has(work.read("b.svg"), "неверные столбцы, %"));
+
+    const std::string sampled = work.write("s.json", crossing);
+    const std::string polygons = work.write("p.json", square);
+    const auto refusal = [&](const std::string& arguments, const std::string& name) {
+        const auto [status, text] = program("chart " + arguments + " -o " + work.file(name));
+        CHECK(status == 2);
+        CHECK_FALSE(work.has(name));
+        return text;
+    };
+    CHECK(refusal(sampled, "c.json") == "vidno: " + sampled + ": no function, which could be sampled in other ways\n");
+    CHECK(refusal(function + " " + polygons, "c.json") ==
+          "vidno: " + polygons + ": a chart is of scenes or of surfaces, not of both\n");
+    CHECK(refusal(function, "c.html") ==
+          "vidno: " + work.file("c.html") + ": of surfaces a chart is .json, .csv or .svg\n");
+    CHECK(refusal(function + " --error area", "c.svg") ==
+          "vidno: --error area: this chart has wrongColumns, height, wrongDecisions\n");
+    CHECK(refusal(polygons + " --cost samples", "c.svg") ==
+          "vidno: --cost samples: this chart has time, operations, bits\n");
+}
+
 TEST_CASE("surfaces: methods names domain and rule") {
     const std::string text = program("methods").text;
     CHECK(has(text, "floating-horizon"));

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "check.h"
+#include "curve_run.h"
 #include "output.h"
 #include "sampling.h"
 #include "scene_json.h"
@@ -19,8 +20,9 @@
 #include "support/reference.h"
 #include "support/scenes.h"
 #include "support/stage.h"
+#include "surface.h"
 #include "vidno/floating_horizon.h"
-#include "vidno/kernels/filtered_heights.h"
+#include "vidno/printed.h"
 #include "vidno/viewport.h"
 
 using namespace vidno;
@@ -32,15 +34,20 @@ namespace {
 struct Entry {
     std::string name;
     json told;
-    std::optional<Scene> scene;  // none: a test of its own shows the failure
+    std::optional<AnyScene> scene;  // none: a test of its own shows the failure
 };
+
+AnyScene scene_in(const std::string& text, const std::string& name) {
+    if (is_surface(text)) return read_surface(text, name);
+    return read_scene(text, name).scene;
+}
 
 std::vector<Entry> atlas() {
     std::vector<Entry> entries;
     for (const auto& file : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons/failures")) {
         if (file.path().extension() != ".json") continue;
         Entry entry{file.path().stem().string(), json::parse(read_file(file.path().string())), {}};
-        if (entry.told.contains("scene")) entry.scene = read_scene(entry.told["scene"].dump(), entry.name).scene;
+        if (entry.told.contains("scene")) entry.scene = scene_in(entry.told["scene"].dump(), entry.name);
         entries.push_back(std::move(entry));
     }
     return entries;
@@ -58,9 +65,10 @@ Edition edition_named(const std::string& name) {
     return Edition(found - edition_names.begin());
 }
 
+NamedKernel kernel_in(const json& run) { return *kernel_named(run.at("kernel").get<std::string>()); }
+
 RunRequest request_of(const json& run, const Scene& scene) {
-    return {method_named(run.at("method")), *kernel_named(run.at("kernel").get<std::string>()),
-            edition_named(run.at("edition")), scene, Detail::signs};
+    return {method_named(run.at("method")), kernel_in(run), edition_named(run.at("edition")), scene, Detail::signs};
 }
 
 /// What a run shows of its failure.
@@ -149,6 +157,36 @@ void check_shown(const std::string& form, const json& told, const Shown& fails, 
     }
 }
 
+void check_entry(const json& entry, const Scene& scene) {
+    const Picture right = Reference(scene).picture();
+    const Shown fails(entry.at("fails"), scene), holds(entry.at("holds"), scene);
+    for (const auto& [form, told] : entry.at("shows").items()) check_shown(form, told, fails, holds, right);
+}
+
+/// What the rule of the floating horizon says.
+ColumnsDrawn right_columns(const CurveScene& curves) {
+    ColumnsDrawn right;
+    const HorizonReference reference(curves);
+    for (const auto& seen : reference.curves()) right.push_back(seen.visible);
+    return right;
+}
+
+void check_entry(const json& entry, const Surface& surface) {
+    const CurveScene& curves = surface.curves;
+    const auto drawn = [&](const json& told) {
+        REQUIRE(told.at("method") == curve_method);
+        return columns_drawn(run(CurveRequest{kernel_in(told), edition_named(told.at("edition")), curves}), curves);
+    };
+    const ColumnsDrawn right = right_columns(curves), fails = drawn(entry.at("fails"));
+    for (const auto& [form, told] : entry.at("shows").items()) {
+        REQUIRE(form == "column");
+        const std::size_t curve = told[0];
+        const auto column = std::size_t(told[1].get<int>() - curves.curves[curve].samples.front().x);
+        CHECK(fails[curve][column] != right[curve][column]);
+    }
+    CHECK(drawn(entry.at("holds")) == right);
+}
+
 }  // namespace
 
 TEST_CASE("Failures: each entry of the atlas fails as it says, and its remedy does not") {
@@ -163,11 +201,8 @@ TEST_CASE("Failures: each entry of the atlas fails as it says, and its remedy do
         }
         if (!entry.scene) continue;
         ++scenes;
-        const Picture right = Reference(*entry.scene).picture();
-        const Shown fails(entry.told.at("fails"), *entry.scene);
-        const Shown holds(entry.told.at("holds"), *entry.scene);
         REQUIRE_FALSE(entry.told.at("shows").empty());
-        for (const auto& [form, told] : entry.told.at("shows").items()) check_shown(form, told, fails, holds, right);
+        std::visit([&](const auto& scene) { check_entry(entry.told, scene); }, *entry.scene);
     }
     CHECK(scenes >= 30);
 }
@@ -317,48 +352,37 @@ TEST_CASE("Failures: an empty list has no least element") {
 
 namespace {
 
-/// From where to where the last curve of a scene is drawn; none if it is not.
+// The corrected procedures, with one rule of the text each.
+struct BelowLost : Corrected {  // X-H1
+    static bool draws(VisibilityFlag side) { return Printed::draws(side); }
+};
+struct EdgeLost : Corrected {  // X-H1
+    static bool no_edge_yet(const std::optional<Sample>& edge) { return Printed::no_edge_yet(edge); }
+};
+struct WrongHorizonMet : Corrected {  // X-H2
+    static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) { return Printed::horizon_met(was, is); }
+};
+
+/// Of the rules by which the text differs from the corrected procedures, does this one show what the entry shows?
 template <class Set>
-std::optional<HorizonReference::Interval> drawn_of_last(const CurveScene& scene) {
-    std::optional<HorizonReference::Interval> drawn;
-    for (const auto& [segment, from, to] : visible_lines<Set>(scene, Exact{}).lines) {
-        if (segment.curve != int(scene.curves.size()) - 1) continue;
-        drawn = HorizonReference::Interval{drawn ? drawn->first : from.point.x, to.point.x};
+bool shows_alone(const std::string& name) {
+    const std::string file = VIDNO_ROOT "/lessons/failures/" + name + ".json";
+    const json entry = json::parse(read_file(file));
+    const CurveScene curves = read_surface(entry.at("scene").dump(), file).curves;
+    DrawnLines drawn;
+    for (const auto& [segment, from, to] : visible_lines<Set>(curves, Exact{}).lines) {
+        drawn.push_back({segment, {{}, from.left, from.right}, {{}, to.left, to.right}});
     }
-    return drawn;
+    return columns_drawn(drawn, curves) != right_columns(curves);
 }
 
 }  // namespace
 
-TEST_CASE("Failures: a side edge at x = 1 is lost, and what is below is not drawn") {
-    // The left edge of the first two curves is at 10, 8, 6 over the columns between their ends. It hides the third curve, at
-    // 11, from halfway to the first of them; without it, that curve would go on to the third.
-    const auto behind_an_edge = [](int left) {
-        return CurveSceneBuilder({0, 0, 16, 16})
-            .curve({{left, 12}, {12, 12}})
-            .curve({{left + 4, 4}, {12, 4}})
-            .curve({{left - 1, 24}, {left, 11}, {left + 1, 11}, {left + 2, 11}, {left + 3, 11}, {left + 4, 11}})
-            .build();
-    };
-    CHECK(drawn_of_last<Corrected>(behind_an_edge(1))->last == 1.5);
-    CHECK(drawn_of_last<Printed>(behind_an_edge(1))->last == 3);
-    CHECK(drawn_of_last<Corrected>(behind_an_edge(2))->last == 2.5);
-    CHECK_MESSAGE(drawn_of_last<Printed>(behind_an_edge(2))->last == 2, "at x = 2 it is not lost");
-
-    const CurveScene below = CurveSceneBuilder({0, 0, 9, 16}).curve({{0, 4}, {8, 4}}).curve({{0, 12}, {8, 12}}).build();
-    CHECK(drawn_of_last<Corrected>(below) == HorizonReference::Interval{0, 8});
-    CHECK_FALSE(drawn_of_last<Printed>(below).has_value());
-}
-
-TEST_CASE("Failures: what emerges below the horizons is cut by the upper one") {
-    // 9.5 + x comes to the lower horizon, 12, at x = 2.5; to the upper one, 4, never.
-    const CurveScene scene = CurveSceneBuilder({0, 0, 9, 16})
-                                 .curve({{0, 12}, {8, 12}})
-                                 .curve({{0, 4}, {8, 4}})
-                                 .curve({{0, 9.5}, {8, 17.5}})
-                                 .build();
-    CHECK(drawn_of_last<Corrected>(scene) == HorizonReference::Interval{2.5, 8});
-    CHECK_MESSAGE((drawn_of_last<Printed>(scene) == HorizonReference::Interval{8, 8}), "nothing but its end");
+TEST_CASE("Failures: what the printed floating horizon has wrong shows by each of its rules alone") {
+    CHECK(shows_alone<BelowLost>("x-h1"));
+    CHECK(shows_alone<EdgeLost>("x-h1-edge"));
+    CHECK(shows_alone<WrongHorizonMet>("x-h2"));
+    for (const auto* name : {"x-h1", "x-h1-edge", "x-h2"}) CHECK_FALSE(shows_alone<Corrected>(name));
 }
 
 TEST_CASE("Failures: a peak narrower than the step hides nothing, and denser samples find it") {
@@ -382,18 +406,4 @@ TEST_CASE("Failures: a peak narrower than the step hides nothing, and denser sam
     CHECK(drawn_over_5(sampled(surface)));
     surface.tolerance = 0.5;
     CHECK_FALSE(drawn_over_5(sampled(surface)));
-}
-
-TEST_CASE("Failures: what is on a horizon is found below it") {
-    // From (0, 1) to (98, -1) the line is at 1 - x / 49: over column 49 on the horizon at 0, and above it from there on. In
-    // doubles 49 times 1 / 49 is less than 1.
-    const CurveScene scene = CurveSceneBuilder({0, 0, 99, 8})
-                                 .curve({{0, 4}, {98, 4}})
-                                 .curve({{0, 0}, {98, 0}})
-                                 .curve({{0, 1}, {98, -1}})
-                                 .build();
-    CHECK(drawn_of_last<Corrected>(scene) == HorizonReference::Interval{49, 98});
-    CHECK(visible_lines(scene, Double{}).lines.back().from.point.x > 49);
-    CHECK(visible_lines(scene, Filtered{}).lines.back().from.left == 49);
-    CHECK(visible_lines(scene, Filtered{}).lines.back().from.on_column());
 }

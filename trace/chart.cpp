@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <tuple>
 
 #include "method.h"
 #include "scene_json.h"
@@ -15,13 +14,13 @@
 
 namespace vidno {
 
-const std::array<CostAxis, 3> cost_axes{{
+const CostAxes<ChartRun, 3> cost_axes{{
     {"time", [](const ChartRun& run) { return std::optional(run.cost.time); }},
     {"operations", [](const ChartRun& run) { return std::optional(run.cost.operations); }},
     {"bits", [](const ChartRun& run) { return run.cost.bits; }},
 }};
 
-const std::array<ErrorAxis, 4> error_axes{{
+const ErrorAxes<ChartRun, 4> error_axes{{
     {"wrongPixels", [](const ChartRun& run) { return double(run.found.wrong_pixels); }},
     {"area", [](const ChartRun& run) { return run.found.area; }},
     {"wrongDecisions",
@@ -99,41 +98,6 @@ Cost cost_of(const Way& way, const Scene& scene, const OperationCounts& counts) 
     return cost;
 }
 
-// ------------------------------------------------------------------------------------- fronts
-
-/// The runs to which none is preferred: one that is better in one of both and as good in the other, or an equal one that
-/// comes before. A run that a fault ended is not among them.
-void mark_front(std::vector<ChartRun>& runs, std::size_t cost, std::size_t error) {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (runs[i].found.complete && cost_axes[cost].of(runs[i])) order.push_back(i);
-    }
-    const auto place = [&](std::size_t i) {
-        return std::tuple(*cost_axes[cost].of(runs[i]), error_axes[error].of(runs[i]), i);
-    };
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return place(i) < place(j); });
-    std::optional<double> least_error;
-    for (const std::size_t i : order) {
-        const double own_error = error_axes[error].of(runs[i]);
-        if (least_error && own_error >= *least_error) continue;
-        least_error = own_error;
-        runs[i].on_front[cost][error] = true;
-    }
-}
-
-/// The relative times and the fronts, of runs that were all measured.
-void compare_runs(std::vector<ChartRun>& runs) {
-    const auto faster = [](const auto& a, const auto& b) { return a.cost.seconds < b.cost.seconds; };
-    const double fastest = std::min_element(runs.begin(), runs.end(), faster)->cost.seconds;
-    for (auto& run : runs) {
-        run.cost.time = run.cost.seconds / fastest;
-        run.on_front = {};
-    }
-    for (std::size_t cost = 0; cost < cost_axes.size(); ++cost) {
-        for (std::size_t error = 0; error < error_axes.size(); ++error) mark_front(runs, cost, error);
-    }
-}
-
 // ------------------------------------------------------------------------------------- scenes
 
 /// A scene as the kernels run it.
@@ -181,19 +145,19 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress) {
     SceneChart chart{scene.name, examiner.unsteady_pixels(), examiner.pixels(), scene.polygons.size(),
                      examiner.area_of_pixels()};
     chart.scene = scene_json(scene);
-    std::vector<RunRequest> requests;
+    std::vector<std::function<void()>> runs;
     for (const Way& way : ways_to_draw(scene)) {
         const SnappedScene& as_run = stage.scene_for(way.kernel);
         RunRequest request{way.method, way.kernel, way.edition, as_run.scene};
         request.smallest_window = way.smallest_window;
         const Findings found = examiner.examine(request, as_run.sources);
         chart.runs.push_back({way, cost_of(way, scene, found.operations), found});
-        requests.push_back(std::move(request));
+        runs.emplace_back([request] { run(request); });
         progress();
     }
-    const auto seconds = median_seconds(requests, chart_rounds, progress);
+    const auto seconds = median_seconds(runs, chart_rounds, progress);
     for (std::size_t i = 0; i < seconds.size(); ++i) chart.runs[i].cost.seconds = seconds[i];
-    compare_runs(chart.runs);
+    compare_runs(chart.runs, cost_axes, error_axes);
     return chart;
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "axes.h"
+#include "chart_plot.h"
 #include "examiner.h"
 
 namespace vidno {
@@ -36,20 +38,13 @@ struct ChartRun {
     Way way;
     Cost cost;
     Findings found;
-    std::array<std::array<bool, 4>, 3> on_front{};  // by the places of cost_axes and error_axes
+    Fronts<3, 4> on_front{};
+
+    bool is_complete() const { return found.complete; }
 };
 
-/// By the names under which they are written.
-struct CostAxis {
-    std::string_view name;
-    std::optional<double> (*of)(const ChartRun&);
-};
-struct ErrorAxis {
-    std::string_view name;
-    double (*of)(const ChartRun&);  // of decisions the share: not every run takes as many
-};
-extern const std::array<CostAxis, 3> cost_axes;
-extern const std::array<ErrorAxis, 4> error_axes;
+extern const CostAxes<ChartRun, 3> cost_axes;
+extern const ErrorAxes<ChartRun, 4> error_axes;  // of decisions the share: not every run takes as many
 
 struct SceneChart {
     std::string name;
@@ -77,9 +72,6 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
 std::string chart_json(const std::vector<SceneChart>& scenes);
 std::string chart_csv(const std::vector<SceneChart>& scenes);
 
-/// What chart_json wrote. `file` is its name in messages. Throws Refused.
-std::vector<SceneChart> read_chart(std::string_view text, const std::string& file);
-
 /// The words in a chart's figure.
 struct ChartWords {
     std::array<std::string_view, 3> costs;   // by the places of cost_axes
@@ -89,15 +81,8 @@ struct ChartWords {
 };
 extern const ChartWords chart_in_english, chart_in_russian;
 
-/// How a chart is laid out: the panels side by side, and the width of one in units of which 15 are the size of its letters.
-struct ChartLayout {
-    int columns = 2, panel_width = 800;
-    std::string_view font = "DejaVu Sans";
-    const ChartWords& words = chart_in_english;
-};
-
 /// The program by which gnuplot draws a panel a scene, ordinary ones first, as SVG. The axes are given by their places.
 std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
-                         const ChartLayout& layout = {});
+                         const PlotLayout& layout = {}, const ChartWords& words = chart_in_english);
 
 }  // namespace vidno

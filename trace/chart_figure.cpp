@@ -1,11 +1,6 @@
-// The figure of a chart, as a program for gnuplot.
+// The figure of a chart of scenes.
 
 #include <algorithm>
-#include <cmath>
-#include <iomanip>
-#include <limits>
-#include <sstream>
-#include <tuple>
 
 #include "chart.h"
 
@@ -68,214 +63,60 @@ constexpr std::array<Series, 17> all_series{{
     {Method::weiler_atherton, std::nullopt, Edition::corrected, "#009e73", 1},
 }};
 
-constexpr int most_panel_height = 520, legend_entry = 400, legend_line = 30;
-
-std::string style_of(const Series& series) {
-    return "lc '" + std::string(series.color) + "' pt " + std::to_string(series.point) + " ps 0.8 lw 2";
+/// In per cent, or in ulps.
+double error_in(const SceneChart& scene, const ChartRun& run, std::size_t error) {
+    const auto& axis = error_axes[error];
+    const double value = axis.of(run);
+    if (axis.name == "depthUlps") return value;
+    return 100 * (axis.name == "wrongDecisions" ? value : value / double(scene.pixels));
 }
 
-/// In single quotes gnuplot takes everything for itself, a quote excepted.
-std::string in_quotes(std::string_view text) {
-    std::string quoted = "'";
-    for (const char c : text) {
-        if (c == '\'') quoted += '\'';
-        quoted += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? ' ' : c;
-    }
-    return quoted + "'";
-}
-
-std::string number(double value) {
-    std::ostringstream text;
-    text << std::setprecision(9) << value;
-    return text.str();
-}
-
-std::string power_of_ten(int exponent) { return "1e" + std::to_string(exponent); }
-
-struct Mark {
-    double x, y;
-    std::string name;
-
-    bool operator<(const Mark& other) const { return std::tie(x, y) < std::tie(other.x, other.y); }
-};
-
-/// A scene's runs in two of their measures. Errors go by decades; 0 has a place of its own below them, and an infinite one
-/// above.
-class Panel {
-public:
-    Panel(const SceneChart& scene, std::size_t cost, std::size_t error, const ChartWords& words)
-        : scene_(scene), cost_(cost), error_(error), words_(words) {
-        double least = infinity;
-        double most = 0;
+Plot plot_of(const SceneChart& scene, std::size_t cost, std::size_t error, const ChartWords& words) {
+    Plot plot;
+    plot.title = scene.name + " (" + std::string(scene.degenerate() ? words.degenerate : words.ordinary) + ")";
+    const auto marks = [&](const auto& belongs) {
+        std::vector<PlotMark> found;
         for (const auto& run : scene.runs) {
-            const double value = error_of(run);
-            has_zero_ = has_zero_ || value == 0;
-            has_infinity_ = has_infinity_ || value == infinity;
-            if (value == 0 || value == infinity) continue;
-            least = std::min(least, value);
-            most = std::max(most, value);
+            const auto own_cost = cost_axes[cost].of(run);
+            if (!own_cost || !belongs(run)) continue;
+            found.push_back({*own_cost, error_in(scene, run, error), std::string(run.way.kernel.choice->name)});
         }
-        if (least > most) return;
-        lowest_ = int(std::floor(std::log10(least)));
-        highest_ = std::max(int(std::ceil(std::log10(most))), lowest_ + 1);
+        return found;
+    };
+    for (const auto& run : scene.runs) plot.errors.push_back(error_in(scene, run, error));
+    for (const auto& series : all_series) {
+        plot.marks.push_back(marks([&](const ChartRun& run) { return series.has(run.way); }));
+        // The kernels of the corrected text stand by their points.
+        const bool named = !series.knob && series.edition == Edition::corrected;
+        if (named) plot.labels.push_back({plot.marks.back(), is_warnock(series.method)});
     }
+    plot.front = marks([&](const ChartRun& run) { return run.on_front[cost][error]; });
+    return plot;
+}
 
-    std::string script() const {
-        const int bottom = lowest_ - (has_zero_ ? 2 : 0);
-        const int top = highest_ + (has_infinity_ ? 2 : 0);
-        std::string text = "set title " +
-                           in_quotes(scene_.name + " (" +
-                                     std::string(scene_.degenerate() ? words_.degenerate : words_.ordinary) + ")") +
-                           " noenhanced\nset xlabel " + in_quotes(words_.costs[cost_]) + "\nset ylabel " +
-                           in_quotes(words_.errors[error_]) + "\nset yrange [" + power_of_ten(bottom) + ":" +
-                           power_of_ten(top) + "]\nset ytics (" + ytics() + ")\nunset label\n" + labels();
-        text += block("front", front());
-        std::string plots =
-            "$front with steps lc '#bbbbbb' lw 6 notitle, $front with points pt 7 ps 2.2 lc '#dddddd' notitle";
-        for (std::size_t i = 0; i < all_series.size(); ++i) {
-            const std::string name = "series" + std::to_string(i);
-            text += block(name, marks_of(all_series[i]));
-            plots += ", $" + name + (all_series[i].knob ? " with linespoints " : " with points ") +
-                     style_of(all_series[i]) + " notitle";
-        }
-        return text + "plot " + plots + "\n";
-    }
-
-private:
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-    /// In per cent, or in ulps.
-    double error_of(const ChartRun& run) const {
-        const auto& axis = error_axes[error_];
-        const double value = axis.of(run);
-        if (axis.name == "depthUlps") return value;
-        return 100 * (axis.name == "wrongDecisions" ? value : value / double(scene_.pixels));
-    }
-
-    double height_of(const ChartRun& run) const {
-        const double error = error_of(run);
-        if (error == 0) return std::pow(10, lowest_ - 1);
-        return error == infinity ? std::pow(10, highest_ + 1) : error;
-    }
-
-    std::string ytics() const {
-        std::string tics = has_zero_ ? "'0' " + power_of_ten(lowest_ - 1) : "";
-        const int step = (highest_ - lowest_) / 8 + 1;
-        for (int exponent = lowest_; exponent <= highest_; exponent += step) {
-            const bool plain = -4 < exponent && exponent < 5;
-            const std::string text = plain ? number(std::pow(10, exponent)) : "10^{" + std::to_string(exponent) + "}";
-            tics += (tics.empty() ? "'" : ", '") + text + "' " + power_of_ten(exponent);
-        }
-        return tics + (has_infinity_ ? ", " + in_quotes(words_.no_number) + " " + power_of_ten(highest_ + 1) : "");
-    }
-
-    std::vector<Mark> marks(const auto& belongs) const {
-        std::vector<Mark> marks;
-        for (const auto& run : scene_.runs) {
-            const auto cost = cost_axes[cost_].of(run);
-            if (cost && belongs(run))
-                marks.push_back({*cost, height_of(run), std::string(run.way.kernel.choice->name)});
-        }
-        return marks;
-    }
-    std::vector<Mark> marks_of(const Series& series) const {
-        return marks([&](const ChartRun& run) { return series.has(run.way); });
-    }
-    std::vector<Mark> front() const {
-        auto front = marks([&](const ChartRun& run) { return run.on_front[cost_][error_]; });
-        std::sort(front.begin(), front.end());
-        return front;
-    }
-
-    static std::string block(const std::string& name, const std::vector<Mark>& marks) {
-        std::string text = "$" + name + " << END\n";
-        for (const auto& [x, y, label] : marks) text += number(x) + " " + number(y) + "\n";
-        if (marks.empty()) text += "NaN NaN\n";
-        return text + "END\n";
-    }
-
-    /// The kernels of the corrected text stand by their points, those of Warnock's algorithm above and those of the Z-buffer
-    /// below; points that are close together have one label.
-    std::string labels() const {
-        constexpr double close = 2.5;
-        std::string text;
-        for (const auto& series : all_series) {
-            if (series.knob || series.edition == Edition::printed) continue;
-            auto named = marks_of(series);
-            std::sort(named.begin(), named.end());
-            std::vector<Mark> labels;
-            for (const auto& mark : named) {
-                if (!labels.empty() && mark.x < close * labels.back().x && mark.y == labels.back().y) {
-                    labels.back().name += ", " + mark.name;
-                } else {
-                    labels.push_back(mark);
-                }
-            }
-            const std::string offset = is_warnock(series.method) ? "-0.6,0.9" : "-0.6,-0.9";
-            for (const auto& [x, y, name] : labels) {
-                text += "set label " + in_quotes(name) + " at " + number(x) + "," + number(y) + " left offset " +
-                        offset + " font ',13'\n";
-            }
-        }
-        return text;
-    }
-
-    const SceneChart& scene_;
-    std::size_t cost_, error_;
-    const ChartWords& words_;
-    bool has_zero_ = false, has_infinity_ = false;
-    int lowest_ = 0, highest_ = 1;  // decades of what is neither
-};
-
-/// The names of the series, and of the front.
-std::string legend(int rows, const ChartWords& words) {
-    std::string text =
-        "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nset key center center maxrows " +
-        std::to_string(rows) +
-        "\n"
-        "set margins 0, 0, 0, 0\n"
-        "set xrange [1:2]\nset yrange [1:2]\n"
-        "plot NaN with lines lc '#bbbbbb' lw 6 title " +
-        in_quotes(words.front);
+PlotWords plot_words(std::size_t cost, std::size_t error, const ChartWords& words) {
+    PlotWords of_plot{.cost = words.costs[cost],
+                      .error = words.errors[error],
+                      .front = words.front,
+                      .no_number = words.no_number,
+                      .series = {},
+                      .plain_costs = cost_axes[cost].name == "time"};
     for (std::size_t i = 0; i < all_series.size(); ++i) {
         const auto& series = all_series[i];
-        text += std::string(", NaN with ") + (series.knob ? "linespoints " : "points ") + style_of(series) + " title " +
-                in_quotes(words.series[i]);
+        of_plot.series.push_back({std::string(words.series[i]), series.color, series.point, series.knob.has_value()});
     }
-    return text + "\n";
+    return of_plot;
 }
 
 }  // namespace
 
 std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
-                         const ChartLayout& layout) {
+                         const PlotLayout& layout, const ChartWords& words) {
     auto ordered = scenes;
     std::stable_partition(ordered.begin(), ordered.end(), [](const auto& scene) { return !scene.degenerate(); });
-    const int columns = std::min(int(ordered.size()), layout.columns);
-    const int rows = (int(ordered.size()) + columns - 1) / columns;
-    const int width = columns * layout.panel_width;
-    const int panel_height = std::min(most_panel_height, layout.panel_width * 3 / 4);
-    const int entries = int(all_series.size()) + 1;
-    const int entries_in_row = std::max(1, width / legend_entry);
-    const int legend_rows = std::max(3, (entries + entries_in_row - 1) / entries_in_row);
-    const int legend_height = (legend_rows + 1) * legend_line;
-    const int height = rows * panel_height + legend_height;
-
-    std::ostringstream out;
-    out << "set encoding utf8\nset terminal svg size " << width << "," << height << " font "
-        << in_quotes(std::string(layout.font) + ",15") << " background 'white'\n"
-        << "set multiplot\nset logscale xy\nset format x '" << (cost_axes[cost].name == "time" ? "%g" : "10^{%T}")
-        << "'\nset grid lc '#e5e5e5' lt 1\nunset key\n";
-    const double panel_share = double(panel_height) / height;
-    for (std::size_t i = 0; i < ordered.size(); ++i) {
-        const int row = int(i) / columns;
-        out << "set origin " << double(int(i) % columns) / columns << "," << 1 - (row + 1) * panel_share
-            << "\nset size " << 1.0 / columns << "," << panel_share << '\n'
-            << Panel(ordered[i], cost, error, layout.words).script();
-    }
-    out << "set origin 0,0\nset size 1," << double(legend_height) / height << '\n'
-        << legend(legend_rows, layout.words) << "unset multiplot\n";
-    return out.str();
+    std::vector<Plot> plots;
+    for (const auto& scene : ordered) plots.push_back(plot_of(scene, cost, error, words));
+    return plot_script(plots, plot_words(cost, error, words), layout);
 }
 
 }  // namespace vidno

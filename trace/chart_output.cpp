@@ -2,6 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "chart.h"
+#include "curve_chart.h"
+#include "curve_trace.h"
 
 namespace vidno {
 
@@ -11,13 +13,13 @@ using Json = nlohmann::ordered_json;
 
 Json number_or_infinite(double value) { return std::isfinite(value) ? Json(value) : Json("inf"); }
 
-Json counts_of(const OperationCounts& operations) {
+Json counts_of(const auto& operations, const auto& names) {
     Json counts = Json::object();
-    for (std::size_t i = 0; i < operations.size(); ++i) counts[std::string(operation_names[i])] = operations[i];
+    for (std::size_t i = 0; i < operations.size(); ++i) counts[std::string(names[i])] = operations[i];
     return counts;
 }
 
-Json fronts_of(const ChartRun& run) {
+Json fronts_of(const auto& run, const auto& cost_axes, const auto& error_axes) {
     Json fronts = Json::object();
     for (std::size_t cost = 0; cost < cost_axes.size(); ++cost) {
         Json& errors = fronts[std::string(cost_axes[cost].name)] = Json::array();
@@ -41,19 +43,42 @@ Json json_of(const ChartRun& run) {
             {"time", cost.time},
             {"operations", std::uint64_t(cost.operations)},
             {"bits", cost.bits ? Json(std::uint64_t(*cost.bits)) : Json()},
-            {"counts", counts_of(found.operations)},
+            {"counts", counts_of(found.operations, operation_names)},
             {"wrongPixels", found.wrong_pixels},
             {"area", found.area},
             {"decisions", found.decisions},
             {"wrongDecisions", found.wrong_decisions},
             {"depthUlps", number_or_infinite(found.depth_ulps)},
-            {"front", fronts_of(run)}};
+            {"front", fronts_of(run, cost_axes, error_axes)}};
+}
+
+Json json_of(const CurveChartRun& run) {
+    const auto& [way, cost, found, on_front] = run;
+    return {{"method", curve_method},
+            {"kernel", way.kernel.name()},
+            {"edition", edition_names[std::size_t(way.edition)]},
+            {"knob", way.knob ? Json(sampling_knob_names[std::size_t(*way.knob)]) : Json()},
+            {"value", way.knob ? Json(way.value) : Json()},
+            {"seconds", cost.seconds},
+            {"time", cost.time},
+            {"operations", std::uint64_t(cost.operations)},
+            {"samples", std::uint64_t(cost.samples)},
+            {"counts", counts_of(found.operations, curve_operation_names)},
+            {"wrongColumns", found.wrong_columns},
+            {"height", found.height},
+            {"decisions", found.decisions},
+            {"wrongDecisions", found.wrong_decisions},
+            {"front", fronts_of(run, curve_cost_axes, curve_error_axes)}};
 }
 
 Json head_of(const SceneChart& scene) {
     return {{"name", scene.name},         {"kind", scene.degenerate() ? "degenerate" : "ordinary"},
             {"unsteady", scene.unsteady}, {"pixels", scene.pixels},
             {"polygons", scene.polygons}, {"area", scene.area}};
+}
+
+Json head_of(const SurfaceChart& surface) {
+    return {{"name", surface.name}, {"curves", surface.curves}, {"columns", surface.columns}};
 }
 
 /// Items on lines of their own, in brackets.
@@ -99,23 +124,22 @@ std::vector<std::pair<std::string, std::string>> cells_of(const Json& object, co
     return cells;
 }
 
-}  // namespace
-
-std::string chart_json(const std::vector<SceneChart>& scenes) {
-    const auto run_text = [](const ChartRun& run) { return json_of(run).dump(); };
-    const auto scene_text = [&](const SceneChart& scene) {
-        return with(with(head_of(scene).dump(), "scene", scene.scene), "runs", listed(scene.runs, run_text));
-    };
+/// A chart of such subjects, each as text.
+std::string file_of(const std::string& subjects, const auto& charts, const auto& text_of) {
     const Json head{{"format", "vidno-chart/1"}, {"rounds", chart_rounds}};
-    return with(head.dump(), "scenes", listed(scenes, scene_text)) + "\n";
+    return with(head.dump(), subjects, listed(charts, text_of)) + "\n";
 }
 
-std::string chart_csv(const std::vector<SceneChart>& scenes) {
+std::string runs_of(const auto& chart) {
+    return listed(chart.runs, [](const auto& run) { return json_of(run).dump(); });
+}
+
+std::string rows_of(const std::string& subject, const auto& charts) {
     std::string text;
-    for (const auto& scene : scenes) {
-        for (const auto& run : scene.runs) {
+    for (const auto& chart : charts) {
+        for (const auto& run : chart.runs) {
             Json row;
-            row["scene"] = head_of(scene);
+            row[subject] = head_of(chart);
             row.update(json_of(run));
             std::string names, values;
             for (const auto& [name, value] : cells_of(row)) {
@@ -128,5 +152,20 @@ std::string chart_csv(const std::vector<SceneChart>& scenes) {
     }
     return text;
 }
+
+}  // namespace
+
+std::string chart_json(const std::vector<SceneChart>& scenes) {
+    return file_of("scenes", scenes, [](const SceneChart& scene) {
+        return with(with(head_of(scene).dump(), "scene", scene.scene), "runs", runs_of(scene));
+    });
+}
+std::string chart_json(const std::vector<SurfaceChart>& surfaces) {
+    return file_of("surfaces", surfaces,
+                   [](const SurfaceChart& surface) { return with(head_of(surface).dump(), "runs", runs_of(surface)); });
+}
+
+std::string chart_csv(const std::vector<SceneChart>& scenes) { return rows_of("scene", scenes); }
+std::string chart_csv(const std::vector<SurfaceChart>& surfaces) { return rows_of("surface", surfaces); }
 
 }  // namespace vidno

@@ -163,9 +163,10 @@ DrawnLines trace_checked(const CurveRequest& request) {
     return lines;
 }
 
-/// Of each curve, over which of its columns it is drawn.
-std::vector<std::vector<bool>> columns_drawn(const DrawnLines& lines, const CurveScene& scene) {
-    std::vector<std::vector<bool>> drawn;
+}  // namespace
+
+ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene) {
+    ColumnsDrawn drawn;
     for (const auto& [samples] : scene.curves) {
         drawn.emplace_back(std::size_t(samples.back().x - samples.front().x + 1), false);
     }
@@ -177,7 +178,13 @@ std::vector<std::vector<bool>> columns_drawn(const DrawnLines& lines, const Curv
     return drawn;
 }
 
-}  // namespace
+std::uint64_t different_columns(const ColumnsDrawn& one, const ColumnsDrawn& other) {
+    std::uint64_t different = 0;
+    for (std::size_t curve = 0; curve < one.size(); ++curve) {
+        for (std::size_t i = 0; i < one[curve].size(); ++i) different += one[curve][i] == other[curve][i] ? 0 : 1;
+    }
+    return different;
+}
 
 DrawnLines run(const CurveRequest& request) {
     return with_curve_kernel(request.kernel, [&]<class K>(const K& kernel) {
@@ -189,28 +196,24 @@ DrawnLines run(const CurveRequest& request) {
     });
 }
 
-CurveCheckReport check_run(const CurveRequest& request) {
+CurveCheckReport check_run(const CurveRequest& request, const std::function<void(const Event&)>& hear) {
     DecisionCount counted(Procedure::floating_horizon);
     const auto judge = [&](const Verdict& verdict) { counted.judge(verdict); };
     const auto survey = [&](double pixels) { counted.survey(pixels); };
     const auto count = [&](FilterStage stage) { counted.count(stage); };
-    const auto hear = [&](const Event& event) {
+    const auto follow = [&](const Event& event) {
         request.progress();
         counted.follow(event);
+        hear(event);
     };
     CurveCheckReport report;
-    report.lines = judged_lines(request, {judge, survey, count, hear});
+    report.lines = judged_lines(request, {judge, survey, count, follow});
     static_cast<DecisionReport&>(report) = counted.report();
 
     const CurveRequest exactly{*kernel_named(Exact::name), Edition::corrected, request.scene};
     const auto found = columns_drawn(report.lines, request.scene);
-    const auto right = columns_drawn(run(exactly), request.scene);
-    for (std::size_t curve = 0; curve < found.size(); ++curve) {
-        report.columns += found[curve].size();
-        for (std::size_t i = 0; i < found[curve].size(); ++i) {
-            report.wrong_columns += found[curve][i] == right[curve][i] ? 0 : 1;
-        }
-    }
+    report.columns = column_count(request.scene);
+    report.wrong_columns = different_columns(found, columns_drawn(run(exactly), request.scene));
     return report;
 }
 

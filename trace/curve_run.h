@@ -19,6 +19,13 @@ struct CurveRequest {
 /// Throws EventLimitReached out of the writer.
 DrawnLines run(const CurveRequest& request);
 
+/// Of each curve, over which of its columns it is drawn.
+using ColumnsDrawn = std::vector<std::vector<bool>>;
+ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene);
+
+/// Of the same curves, over how many columns one is drawn and the other not.
+std::uint64_t different_columns(const ColumnsDrawn& one, const ColumnsDrawn& other);
+
 struct CurveCheckReport : DecisionReport {
     DrawnLines lines;
     /// Of the columns of all curves, and of these those over which a curve is drawn though it is hidden, or the other way round.
@@ -29,7 +36,9 @@ struct CurveCheckReport : DecisionReport {
 
 /// Runs the curves with every decision of Visibility, and under `float`, `double` and `bits` every comparison, held against
 /// the exact one along the path that was taken; the lines, against those of the corrected procedures in exact arithmetic.
-CurveCheckReport check_run(const CurveRequest& request);
+/// `hear` is told of each event of level `signs`.
+CurveCheckReport check_run(
+    const CurveRequest& request, const std::function<void(const Event&)>& hear = [](const Event&) {});
 
 /// Traces a run to the end of its file, checked or not; false if the writer's limit ended it, so that it is partial.
 bool write_trace(CurveRequest request, TraceWriter& writer, bool checked);

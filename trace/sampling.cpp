@@ -72,6 +72,12 @@ private:
 
 }  // namespace
 
+FunctionSurface on_each_column(FunctionSurface surface) {
+    surface.samples = surface.view.across.columns + 1;
+    surface.tolerance.reset();
+    return surface;
+}
+
 std::vector<Curve> sampled(const FunctionSurface& surface) {
     std::vector<Curve> curves;
     for (int i = 0; i < surface.curves; ++i) {

@@ -33,6 +33,9 @@ struct FunctionSurface {
     SurfaceView view;
 };
 
+/// The same with a sample on each column: all that the screen can show of the function.
+FunctionSurface on_each_column(FunctionSurface surface);
+
 /// Where a function is not finite, or too large to be shown.
 struct NotFinite {
     double x, z;

@@ -50,7 +50,7 @@ SurfaceView read_view(const JsonNode& node) {
             positive(node.at("up"))};
 }
 
-HeightFunction read_function(const JsonNode& node) {
+HeightFunction read_expression(const JsonNode& node) {
     try {
         return height_function(node.text());
     } catch (const Refused& refused) {
@@ -78,9 +78,9 @@ void expect_in_window(const JsonNode& view, const SurfaceView& seen, int curves,
     }
 }
 
-std::vector<Curve> read_sampled(const JsonNode& root, const Area& area) {
+FunctionSurface read_function_surface(const JsonNode& root, const Area& area) {
     FunctionSurface surface;
-    surface.function = read_function(root.at("function"));
+    surface.function = read_expression(root.at("function"));
     std::tie(surface.left, surface.right) = read_range(root.at("x"));
     std::tie(surface.nearest, surface.farthest) = read_range(root.at("z"));
     surface.curves = root.at("curves").whole_number(2, most_curves);
@@ -88,6 +88,11 @@ std::vector<Curve> read_sampled(const JsonNode& root, const Area& area) {
     surface.samples = root.at("samples").whole_number(2, surface.view.across.columns + 1);
     if (root.has("tolerance")) surface.tolerance = positive(root.at("tolerance"));
     expect_in_window(root.at("view"), surface.view, surface.curves, area);
+    return surface;
+}
+
+/// The surface is that of the root. Refuses too many samples, and a function that is not finite at one.
+std::vector<Curve> samples_of(const FunctionSurface& surface, const JsonNode& root) {
     const int most = surface.tolerance ? surface.view.across.columns + 1 : surface.samples;
     expect_few_samples(root.at("curves"), std::size_t(surface.curves) * std::size_t(most));
     try {
@@ -117,8 +122,8 @@ std::vector<Curve> read_curves(const JsonNode& node, const Area& area) {
     return curves;
 }
 
-Surface read(const JsonNode& root) {
-    const bool is_function = root.has("function");
+/// The keys that there must be, and the format.
+void expect_surface(const JsonNode& root, bool is_function) {
     if (is_function) {
         root.require_keys({"format", "window", "function", "x", "z", "curves", "samples", "view"},
                           {"name", "tolerance"});
@@ -126,11 +131,17 @@ Surface read(const JsonNode& root) {
         root.require_keys({"format", "window", "curves"}, {"name"});
     }
     if (root.at("format").text() != surface_format) root.at("format").refuse("not \"vidno-surface/1\"");
+}
+
+Surface read(const JsonNode& root) {
+    const bool is_function = root.has("function");
+    expect_surface(root, is_function);
     Surface surface;
     if (root.has("name")) surface.name = root.at("name").text();
     surface.curves.area = root.at("window").window();
     const Area& area = surface.curves.area;
-    surface.curves.curves = is_function ? read_sampled(root, area) : read_curves(root.at("curves"), area);
+    surface.curves.curves =
+        is_function ? samples_of(read_function_surface(root, area), root) : read_curves(root.at("curves"), area);
     expect_few_samples(root.at("curves"), sample_count(surface.curves));
     return surface;
 }
@@ -142,12 +153,31 @@ std::size_t sample_count(const CurveScene& curves) {
                            [](std::size_t count, const Curve& curve) { return count + curve.samples.size(); });
 }
 
+std::size_t column_count(const CurveScene& curves) {
+    std::size_t count = 0;
+    for (const auto& [samples] : curves.curves) count += std::size_t(samples.back().x - samples.front().x) + 1;
+    return count;
+}
+
 bool is_surface(std::string_view text) {
     const auto document = nlohmann::json::parse(text, nullptr, false);
     return document.is_object() && document.contains("format") && document["format"] == surface_format;
 }
 
 Surface read_surface(std::string_view text, const std::string& file) { return read_json(text, file, read); }
+
+Function read_function(std::string_view text, const std::string& file) {
+    return read_json(text, file, [](const JsonNode& root) {
+        if (!root.has("function")) root.refuse("no function, which could be sampled in other ways");
+        expect_surface(root, true);
+        Function function;
+        if (root.has("name")) function.name = root.at("name").text();
+        function.area = root.at("window").window();
+        function.surface = read_function_surface(root, function.area);
+        samples_of(on_each_column(function.surface), root);
+        return function;
+    });
+}
 
 std::string surface_json(const Surface& surface) {
     const auto& [area, curves] = surface.curves;

@@ -3,8 +3,9 @@
 
 #include <string>
 #include <string_view>
+#include <variant>
 
-#include "vidno/floating_horizon/curves.h"
+#include "sampling.h"
 
 namespace vidno {
 
@@ -14,14 +15,30 @@ struct Surface {
     bool operator==(const Surface&) const = default;
 };
 
+/// What a scene file holds: polygons, or curves.
+using AnyScene = std::variant<Scene, Surface>;
+
 /// How many samples the curves have together.
 std::size_t sample_count(const CurveScene& curves);
+
+/// Over how many columns they are together.
+std::size_t column_count(const CurveScene& curves);
 
 /// Whether a scene file says that it is one of these.
 bool is_surface(std::string_view text);
 
 /// `text` is the JSON, `file` its name in messages. Of a function its samples remain. Throws Refused.
 Surface read_surface(std::string_view text, const std::string& file);
+
+/// A surface that is given as a function, which may be sampled in other ways.
+struct Function {
+    std::string name;
+    Area area;
+    FunctionSurface surface;
+};
+
+/// The same of a file. Throws Refused, also where there is no function, or it is not finite over some column.
+Function read_function(std::string_view text, const std::string& file);
 
 /// The surface as JSON on one line, sample by sample, the same bytes each time; read_surface gives the same surface again.
 std::string surface_json(const Surface& surface);

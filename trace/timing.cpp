@@ -7,18 +7,18 @@ namespace vidno {
 
 namespace {
 
-double seconds_of(const RunRequest& request) {
+double seconds_of(const std::function<void()>& run) {
     using Clock = std::chrono::steady_clock;
     constexpr double long_enough = 0.002;
     const auto start = Clock::now();
     std::chrono::duration<double> taken{};
-    int pictures = 0;
+    int times = 0;
     do {
-        run(request);
-        ++pictures;
+        run();
+        ++times;
         taken = Clock::now() - start;
     } while (taken.count() < long_enough);
-    return taken.count() / pictures;
+    return taken.count() / times;
 }
 
 double median(std::vector<double> values) {
@@ -29,7 +29,7 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<double> median_seconds(const std::vector<RunRequest>& runs, int rounds,
+std::vector<double> median_seconds(const std::vector<std::function<void()>>& runs, int rounds,
                                    const std::function<void()>& progress) {
     std::vector<std::vector<double>> seconds(runs.size());
     for (int round = 0; round < rounds; ++round) {

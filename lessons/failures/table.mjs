@@ -25,6 +25,7 @@ step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
     present: (label) => `${label} is reached`,
     windows: ([more, fewer]) => `${more} windows, not ${fewer}`,
     off: ([x, right]) => `an intersection at x = ${x}, not ${right}`,
+    column: ([curve, x, drawn]) => `curve ${curve} is ${drawn ? 'drawn' : 'not drawn'} over column ${x}`,
     test: 'a test of its own',
   },
   ru: {
@@ -42,6 +43,7 @@ step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
     present: (label) => `${label} достигнута`,
     windows: ([more, fewer]) => `окон ${more}, а не ${fewer}`,
     off: ([x, right]) => `пересечение при x = ${x}, а не ${right}`,
+    column: ([curve, x, drawn]) => `кривая ${curve} над столбцом ${x} ${drawn ? 'нарисована' : 'не нарисована'}`,
     test: 'отдельный тест',
   },
 };
@@ -90,6 +92,18 @@ function farthestCut(failing, holding) {
   return pairs.reduce((farthest, pair) => (far(pair) > far(farthest) ? pair : farthest));
 }
 
+/** Which step draws a curve over a column or, if none does, is the last at which its segment there is looked at. */
+function drawing(events, [curve, x]) {
+  const begin = events.findIndex((event) => event.e === 'curve' && event.curve === curve);
+  const end = events.findIndex((event, i) => i > begin && event.e === 'curve');
+  const steps = events
+    .map((event, i) => ({ event, step: i + 1 }))
+    .slice(begin, end < 0 ? undefined : end);
+  const drawn = steps.find(({ event: { e, fromColumns, toColumns } }) => e === 'draw_line' && fromColumns[1] <= x && x <= toColumns[0]);
+  const looked = steps.findLast(({ event: { e, segment } }) => e === 'visibility' && segment[0] <= x && x <= segment[1]);
+  return { step: (drawn ?? looked).step, there: 'column', value: [curve, x, drawn !== undefined] };
+}
+
 /** Where the failure is seen. */
 function seen({ scene, fails, holds, shows }) {
   const file = join(work, 'scene.json');
@@ -107,6 +121,7 @@ function seen({ scene, fails, holds, shows }) {
   const checked = trace('checked', file, fails, '--check');
   const wrong = checked.findIndex(({ e }) => e === 'disagree');
   if (fails.edition === 'corrected' && wrong >= 0) return { step: wrong, there: 'wrong', value: checked[wrong] };
+  if (shows.column) return drawing(failing, shows.column);
   const painted = painting(scene, failing, shows.pixel);
   return { step: painted.step, there: 'pixel', value: [painted.id, painting(scene, holding, shows.pixel).id] };
 }

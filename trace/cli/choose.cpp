@@ -73,13 +73,13 @@ int choose(const ChooseOptions& options) {
     const Scene scene = scene_from(options.scene);
     auto candidates = candidates_for(scene);
     const Picture right = run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
-    std::vector<RunRequest> requests;
+    std::vector<std::function<void()>> runs;
     for (auto& candidate : candidates) {
         candidate.wrong_pixels = different_pixels(run(candidate.request()), right);
-        requests.push_back(candidate.request());
+        runs.emplace_back([request = candidate.request()] { run(request); });
     }
     Progress progress("runs");
-    const auto seconds = median_seconds(requests, 5, [&, runs = 0ULL]() mutable { progress.show(++runs); });
+    const auto seconds = median_seconds(runs, 5, [&, done = 0ULL]() mutable { progress.show(++done); });
     progress.clear();
     for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].seconds = seconds[i];
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "chart_input.h"
 #include "import.h"
 #include "page.h"
 #include "run.h"
@@ -55,10 +56,15 @@ struct MapOptions {
     std::string kernel = "double";
 };
 
+/// Which cost and error of a chart a figure has; none: the first one.
+struct AxisOptions {
+    std::optional<std::string> cost, error;
+};
+
 struct ChartOptions {
     std::vector<std::string> scenes;
     std::string output;
-    std::string cost = "time", error = "wrongPixels";  // of the figure
+    AxisOptions axes;  // of the figure
 };
 
 struct ReplayOptions {
@@ -72,7 +78,8 @@ struct FigureOptions {
     std::string steps, pin, pixel, width;  // empty: as usual
     std::string show = "picture,windows";
     std::string language = "en";
-    std::string kernel = "double", cost = "time", error = "wrongPixels";  // of a map; of a chart
+    std::string kernel = "double";  // of a map
+    AxisOptions axes;               // of a chart
     int dots_an_inch = 300;
     bool greyscale = false, beamer = false;
 };
@@ -156,13 +163,12 @@ void expect_curve_run(const NamedKernel& kernel, Edition edition);
 /// The kernel of the options, if it runs their method and edition.
 NamedKernel kernel_of(const RunOptions& options);
 
-/// The scene of a file; warnings go to standard error.
+/// The scene of a file, of polygons; warnings go to standard error.
 Scene scene_from(const std::string& file);
+/// The same of its text.
+Scene scene_of(std::string_view text, const std::string& file);
 
-/// Of polygons, or of curves.
-using AnyScene = std::variant<Scene, Surface>;
-
-/// The same, of either kind, which must be that of the method, if there is one.
+/// A scene of polygons or of curves, which must be that of the method, if there is one.
 AnyScene any_scene_from(const std::string& file, const std::optional<std::string>& method);
 
 /// Whether a file is a trace, by its name.
@@ -180,6 +186,12 @@ std::vector<std::string> names_of(const auto& named) {
     for (const auto& each : named) names.emplace_back(each.name);
     return names;
 }
+
+/// The program that draws a chart by the axes that are named; refuses those that a chart of this kind has not.
+std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& axes, const PlotLayout& layout = {},
+                      bool in_russian = false);
+std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout = {},
+                      bool in_russian = false);
 
 int trace(const RunOptions& options);
 int render(const RunOptions& options);

@@ -277,14 +277,16 @@ std::string drawn_chart(const FigureOptions& options, const std::string& text) {
     expect_no_steps(options);
     if (options.greyscale) refuse("--greyscale", "of a chart the shapes of its points already tell");
     const figures::Style style = style_of(options);
-    const auto scenes = read_chart(text, options.input);
+    const AnyChart chart = read_chart(text, options.input);
     const double width = options.width.empty() ? page_width : length_of(options.width);
     constexpr double unit = 8 / 15. / figures::points_per_millimetre;  // letters of 8 points
-    const std::string script = chart_script(
-        scenes, place_in(names_of(cost_axes), options.cost), place_in(names_of(error_axes), options.error),
-        {1, int(width / unit), "Helvetica", style.language == Language::russian ? chart_in_russian : chart_in_english});
-    const std::string svg = sized(output_of({"gnuplot"}, script), width);
-    return encoded(svg, {scenes.front().name, style.language}, options.output, options.dots_an_inch);
+    const PlotLayout layout{1, int(width / unit), "Helvetica"};
+    const auto draw = [&](const auto& charts) {
+        const std::string script = script_of(charts, options.axes, layout, style.language == Language::russian);
+        const std::string svg = sized(output_of({"gnuplot"}, script), width);
+        return encoded(svg, {charts.front().name, style.language}, options.output, options.dots_an_inch);
+    };
+    return std::visit(draw, chart);
 }
 
 }  // namespace
@@ -293,6 +295,7 @@ std::string drawn_figure(const FigureOptions& options) {
     format_of(options.output);
     if (!options.input.ends_with(".json")) return drawn_trace(options);
     const std::string text = read_file(options.input);
+    if (is_surface(text)) throw Refused(options.input + ": a surface; vidno render draws it, and a figure its trace");
     const auto document = nlohmann::json::parse(text, nullptr, false);
     const bool is_chart = document.is_object() && document.value("format", "") == "vidno-chart/1";
     return (is_chart ? drawn_chart : drawn_map)(options, text);

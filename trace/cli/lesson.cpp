@@ -85,7 +85,7 @@ Built built(const std::string& folder, Problems& problems) {
         const std::string file = run.trace_file(lesson.id);
         made.traces.emplace_back(file, std::move(texts[run.name]));
         Json trace{{"file", file},
-                   {"method", method_names[std::size_t(run.method)]},
+                   {"method", run.method},
                    {"kernel", run.kernel},
                    {"edition", edition_names[std::size_t(run.edition)]},
                    {"detail", detail_names[std::size_t(run.detail)]}};
@@ -143,10 +143,10 @@ int lesson_new(const LessonOptions& options) {
     const std::filesystem::path folder(options.output);
     if (std::filesystem::exists(folder)) throw Refused(options.output + ": is there already");
     const bool is_mesh = !options.source.ends_with(".json");
-    const Scene scene =
-        is_mesh ? import_mesh(read_file(options.source), options.source, {}).scene : scene_from(options.source);
+    const AnyScene scene = is_mesh ? AnyScene(import_mesh(read_file(options.source), options.source, {}).scene)
+                                   : any_scene_from(options.source, std::nullopt);
     auto files = new_lesson(scene);
-    files["scene.json"] = is_mesh ? scene_json(scene) + '\n' : read_file(options.source);
+    files["scene.json"] = is_mesh ? scene_json(std::get<Scene>(scene)) + '\n' : read_file(options.source);
     std::filesystem::create_directories(folder);
     for (const auto& [name, text] : files) write_file(folder / name, text);
     std::cerr << options.output << ": write its stories where they say TODO, then vidno lesson check " << options.output

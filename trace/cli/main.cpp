@@ -142,21 +142,33 @@ CLI::App& add_map(CLI::App& app, MapOptions& options) {
     return command;
 }
 
+/// Those of charts of scenes and of surfaces.
+void add_axes(CLI::App& command, AxisOptions& axes, const char* what_cost) {
+    const auto all = [](auto names, const auto& more) {
+        for (const auto& name : more) {
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        }
+        return names;
+    };
+    command.add_option("--cost", axes.cost, what_cost)
+        ->check(CLI::IsMember(all(names_of(cost_axes), names_of(curve_cost_axes))));
+    command.add_option("--error", axes.error, "And from below [wrongPixels, of surfaces wrongColumns]")
+        ->check(CLI::IsMember(all(names_of(error_axes), names_of(curve_error_axes))));
+}
+
 CLI::App& add_chart(CLI::App& app, ChartOptions& options) {
     auto& command =
         *app.add_subcommand("chart", "Chart what accuracy costs: every method, kernel and edition, and knobs");
-    command.add_option("SCENE", options.scenes, "Scene files, vidno-scene/1")->required();
-    command.add_option("--cost", options.cost, "What .svg has from left to right")
-        ->check(CLI::IsMember(names_of(cost_axes)))
-        ->capture_default_str();
-    command.add_option("--error", options.error, "And from below")
-        ->check(CLI::IsMember(names_of(error_axes)))
-        ->capture_default_str();
+    command
+        .add_option("SCENE", options.scenes,
+                    "Scene files, vidno-scene/1, or surface files, vidno-surface/1, with a function")
+        ->required();
+    add_axes(command, options.axes, "What .svg has from left to right [time]");
     command.add_option("-o", options.output, "The chart, .json, .csv, .svg (by gnuplot) or .html (a page)")->required();
     command.footer(
-        "Knobs: bits of arithmetic, bits of the Z-buffer, bits of the grid, smallest window. Times are medians of "
-        "five\n"
-        "interleaved runs, relative to the fastest; operations repeat exactly.\n"
+        "Knobs: bits of arithmetic, bits of the Z-buffer, bits of the grid, smallest window; of surfaces samples a\n"
+        "curve, and tolerance. Times are medians of five interleaved runs, relative to the fastest; operations repeat\n"
+        "exactly.\n"
         "Example: vidno chart lessons/charts/*.json -o chart.html");
     return command;
 }
@@ -204,7 +216,8 @@ CLI::App& add_lesson(CLI::App& app, LessonOptions& options, int& status) {
     };
 
     auto& made = *command.add_subcommand("new", "Make the folder of a lesson from a scene or a mesh");
-    made.add_option("SCENE|MESH", options.source, "A scene file, or a mesh: .obj, .off, .ply or .stl")->required();
+    made.add_option("SCENE|MESH", options.source, "A scene or surface file, or a mesh: .obj, .off, .ply or .stl")
+        ->required();
     made.add_option("-o", options.output, "The folder, which is not there yet")->required();
     made.footer("Example: vidno lesson new scene.json -o lessons/11-my-topic");
     made.callback([&] { status = lesson_new(options); });
@@ -364,12 +377,7 @@ CLI::App& add_figure(CLI::App& app, FigureOptions& options) {
     command.add_option("--kernel", options.kernel, "Of a map: which arithmetic decides")
         ->check(a_kernel)
         ->capture_default_str();
-    command.add_option("--cost", options.cost, "Of a chart: what it has from left to right")
-        ->check(CLI::IsMember(names_of(cost_axes)))
-        ->capture_default_str();
-    command.add_option("--error", options.error, "And from below")
-        ->check(CLI::IsMember(names_of(error_axes)))
-        ->capture_default_str();
+    add_axes(command, options.axes, "Of a chart: what it has from left to right [time]");
     command.add_option("--dpi", options.dots_an_inch, "Of .png")->check(CLI::Range(30, 2400))->capture_default_str();
     command.add_flag("--greyscale", options.greyscale, "No colours, and textures that are darker");
     command.add_flag("--beamer", options.beamer, "A slide with an overlay a step, .tex");

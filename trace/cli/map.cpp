@@ -38,7 +38,9 @@ int map(const MapOptions& options) {
     if (output == "-") throw Refused("-: the table goes to standard output, the map to a .png, .ppm or .json file");
     const NamedKernel kernel = *kernel_named(options.kernel);
     if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
-    const Question question = read_question(read_file(options.question), options.question);
+    const std::string text = read_file(options.question);
+    if (is_surface(text)) throw Refused(options.question + ": a surface, and no question of a map, vidno-question/1");
+    const Question question = read_question(text, options.question);
     const SignMap drawn = sign_map(question, kernel);
     if (!output.empty()) {
         OutputFile file(output);

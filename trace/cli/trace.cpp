@@ -62,18 +62,19 @@ NamedKernel kernel_of(const RunOptions& options) {
     return kernel;
 }
 
-namespace {
-
 Scene scene_of(std::string_view text, const std::string& file) {
     Progress progress;
     progress.say("reading " + file);
-    auto [scene, warnings] = read_scene(text, file);
-    progress.clear();
-    for (const auto& warning : warnings) std::cerr << warning << '\n';
-    return scene;
+    try {
+        auto [scene, warnings] = read_scene(text, file);
+        progress.clear();
+        for (const auto& warning : warnings) std::cerr << warning << '\n';
+        return scene;
+    } catch (const Refused&) {
+        if (!is_surface(text)) throw;
+        throw Refused(file + ": a surface, and this command takes scenes of polygons, vidno-scene/1");
+    }
 }
-
-}  // namespace
 
 Scene scene_from(const std::string& file) { return scene_of(read_file(file), file); }
 

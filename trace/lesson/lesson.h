@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "curve_trace.h"
 #include "pin.h"
 #include "problem.h"
 #include "run.h"
@@ -19,17 +20,22 @@ namespace vidno {
 struct LessonRun {
     std::string name;
     std::string scene = "scene.json";  // of the lesson's folder, or a mesh
-    Method method{};
+    std::string method;
     std::string kernel = "double";
     Edition edition = Edition::corrected;
     Detail detail = Detail::signs;
     bool check = false;
+
+    bool of_curves() const { return method == curve_method; }
 
     /// The scene's name, without what its file's name ends in; empty for `scene.json`.
     std::string other_scene() const;
     /// That of the trace, for the lesson of this name.
     std::string trace_file(const std::string& lesson) const;
 };
+
+/// Of a run of polygons.
+Method method_of(const LessonRun& run);
 
 struct Lesson {
     std::string folder;           // as it was given, without a slash at its end
@@ -50,11 +56,11 @@ Lesson read_lesson(const std::string& folder, Problems& problems);
 /// Adds what does not fit together: pins, stories, the lessons beside this one.
 void check_lesson(const Lesson& lesson, Problems& problems);
 
-/// The scene of a run; a mesh is looked at by the default camera. Throws Refused.
-Scene scene_of(const Lesson& lesson, const LessonRun& run);
+/// The scene of a run, of the kind that its method takes; a mesh is looked at by the default camera. Throws Refused.
+AnyScene scene_of(const Lesson& lesson, const LessonRun& run);
 
 /// Traces a scene as a run of a lesson does.
-void trace_run(const Scene& scene, const LessonRun& run, const TraceWriter::Write& write);
+void trace_run(const AnyScene& scene, const LessonRun& run, const TraceWriter::Write& write);
 
 /// The steps of pins, by their names.
 using Steps = std::map<std::string, std::uint64_t>;

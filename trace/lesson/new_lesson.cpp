@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// In more, each sign would be too much to look at.
-constexpr std::uint64_t most_windows_with_signs = 1000;
+/// In more windows, or over more columns of curves, each sign would be too much to look at.
+constexpr std::uint64_t most_with_signs = 1000;
 
 constexpr std::string_view english = R"(# TODO: the title
 
@@ -23,7 +23,7 @@ TODO: what there is to see, in two or three sentences.
 
 Warnock's algorithm begins with [the window over the whole area](#start). TODO: what it finds there.
 
-It looks at [WINDOWS windows](#windows). TODO: why so many, or so few.
+It looks at [COUNT windows](#windows). TODO: why so many, or so few.
 
 ## Row by row
 
@@ -48,7 +48,7 @@ TODO: что здесь можно увидеть, в двух-трёх пред
 
 Алгоритм Варнока начинает с [окна во всю область](#start). TODO: что он в нём находит.
 
-Всего он рассматривает [окон: WINDOWS](#windows). TODO: почему так много или так мало.
+Всего он рассматривает [окон: COUNT](#windows). TODO: почему так много или так мало.
 
 ## Строка за строкой
 
@@ -65,16 +65,59 @@ Z-буфер начинает с [первой строки первого мн�
    > TODO: ответ на него.
 )";
 
-std::string with_count(std::string_view story, std::uint64_t windows) {
-    constexpr std::string_view place = "WINDOWS";
+constexpr std::string_view english_of_curves = R"(# TODO: the title
+
+TODO: what there is to see, in two or three sentences.
+
+## Curve by curve
+
+The floating horizon takes [COUNT curves](#curves), the nearest first. TODO: of what surface.
+
+Of the first one [all is visible](#first). TODO: what the others come to.
+
+## Questions
+
+1. TODO: a question to think about.
+
+   > TODO: its answer.
+
+2. TODO: another one.
+
+   > TODO: its answer.
+)";
+
+constexpr std::string_view russian_of_curves = R"(# TODO: название
+
+TODO: что здесь можно увидеть, в двух-трёх предложениях.
+
+## Кривая за кривой
+
+Плавающий горизонт берёт [кривых: COUNT](#curves), начиная с ближайшей. TODO: какой поверхности.
+
+Первая [видна вся](#first). TODO: что будет с остальными.
+
+## Вопросы
+
+1. TODO: вопрос для размышления.
+
+   > TODO: ответ на него.
+
+2. TODO: ещё один.
+
+   > TODO: ответ на него.
+)";
+
+std::string with_count(std::string_view story, std::uint64_t count) {
+    constexpr std::string_view place = "COUNT";
     std::string text(story);
-    return text.replace(text.find(place), place.size(), std::to_string(windows));
+    return text.replace(text.find(place), place.size(), std::to_string(count));
 }
 
 /// The fields that tell what an event is about; the others tell what it comes to.
 Json subject_of(const Json& event) {
     Json subject;
-    for (const char* key : {"e", "at", "window", "polygon", "edge", "corner", "side", "row", "x", "y", "point"}) {
+    for (const char* key : {"e", "at", "window", "polygon", "edge", "corner", "side", "row", "x", "y", "point", "curve",
+                            "segment", "fromColumns"}) {
         if (event.contains(key)) subject[key] = event[key];
     }
     return subject;
@@ -87,13 +130,13 @@ bool is_about(const Json& event, const Json& subject) {
     return true;
 }
 
-/// The events that one looks for first: a window, or a polygon and in it a row.
+/// The events that one looks for first: a window, a polygon and in it a row, or a curve and on it a column.
 std::vector<Json> way_to(const std::vector<Json>& events) {
     std::vector<Json> way;
     for (const Json& event : events) {
         const auto& name = event["e"];
-        if (name == "pop" || name == "polygon") way = {subject_of(event)};
-        if (name == "scanline") way = {way.front(), subject_of(event)};
+        if (name == "pop" || name == "polygon" || name == "curve") way = {subject_of(event)};
+        if (name == "scanline" || name == "visibility") way = {way.front(), subject_of(event)};
     }
     return way;
 }
@@ -110,7 +153,7 @@ std::size_t end_of(const std::vector<Json>& way, const std::vector<Json>& events
 
 /// A run that says what is not the default.
 std::string run_json(const LessonRun& run) {
-    Json json{{"name", run.name}, {"method", method_names[std::size_t(run.method)]}};
+    Json json{{"name", run.name}, {"method", run.method}};
     if (run.detail != Detail::signs) json["detail"] = detail_names[std::size_t(run.detail)];
     return json.dump();
 }
@@ -124,35 +167,64 @@ std::string lines_of(const std::vector<std::string>& items) {
     return lines + "\n ";
 }
 
-}  // namespace
-
-std::map<std::string, std::string> new_lesson(const Scene& scene) {
-    LessonRun windows, rows;
-    windows.name = "windows";
-    windows.method = Method::warnock;
-    rows.name = "rows";
-    rows.method = Method::zbuffer;
-    windows.detail = Detail::windows;
+/// How many events of the run begin so.
+std::uint64_t count_of(std::string_view beginning, const AnyScene& scene, const LessonRun& run) {
     std::uint64_t count = 0;
     EventLines lines;
-    trace_run(scene, windows, [&](std::string_view text) {
-        lines.take(text, [&](std::uint64_t, std::string_view line) { count += line.starts_with(R"({"e":"pop",)"); });
+    trace_run(scene, run, [&](std::string_view text) {
+        lines.take(text, [&](std::uint64_t, std::string_view line) { count += line.starts_with(beginning) ? 1 : 0; });
     });
-    windows.detail = rows.detail = count > most_windows_with_signs ? Detail::windows : Detail::signs;
+    return count;
+}
+
+using Files = std::map<std::string, std::string>;
+
+Files files_of(const std::vector<std::string>& runs, const std::vector<std::string>& pins, std::string_view in_english,
+               std::string_view in_russian, std::uint64_t count) {
+    const std::string lesson = "{\"format\": \"vidno-lesson/1\",\n \"runs\": [" + lines_of(runs) + "],\n \"pins\": {" +
+                               lines_of(pins) + "}}\n";
+    return {{"lesson.json", lesson},
+            {"story.en.md", with_count(in_english, count)},
+            {"story.ru.md", with_count(in_russian, count)}};
+}
+
+Files lesson_on(const Scene& scene) {
+    LessonRun windows, rows;
+    windows.name = "windows";
+    windows.method = method_names[std::size_t(Method::warnock)];
+    rows.name = "rows";
+    rows.method = method_names[std::size_t(Method::zbuffer)];
+    windows.detail = Detail::windows;
+    const std::uint64_t count = count_of(R"({"e":"pop",)", scene, windows);
+    windows.detail = rows.detail = count > most_with_signs ? Detail::windows : Detail::signs;
 
     const std::vector<std::string> runs{run_json(windows), run_json(rows)};
     const Json pop{{"e", "pop"}}, scanline{{"e", "scanline"}};
     const std::vector<std::string> pins{pin_json("start", {{"find", {pop}}}),
                                         pin_json("windows", {{"find", {pop}}, {"times", count}}),
                                         pin_json("row", {{"run", rows.name}, {"find", {scanline}}})};
-    const std::string lesson = "{\"format\": \"vidno-lesson/1\",\n \"runs\": [" + lines_of(runs) + "],\n \"pins\": {" +
-                               lines_of(pins) + "}}\n";
-    return {{"lesson.json", lesson},
-            {"story.en.md", with_count(english, count)},
-            {"story.ru.md", with_count(russian, count)}};
+    return files_of(runs, pins, english, russian, count);
 }
 
-std::string pin_of_step(const Scene& scene, const LessonRun& run, std::uint64_t step) {
+Files lesson_on(const Surface& surface) {
+    LessonRun lines;
+    lines.name = "lines";
+    lines.method = curve_method;
+    lines.detail = column_count(surface.curves) > most_with_signs ? Detail::windows : Detail::signs;
+    const auto count = std::uint64_t(surface.curves.curves.size());
+    const Json curve{{"e", "curve"}}, line{{"e", "draw_line"}};
+    const std::vector<std::string> pins{pin_json("curves", {{"find", {curve}}, {"times", count}}),
+                                        pin_json("first", {{"find", {line}}})};
+    return files_of({run_json(lines)}, pins, english_of_curves, russian_of_curves, count);
+}
+
+}  // namespace
+
+std::map<std::string, std::string> new_lesson(const AnyScene& scene) {
+    return std::visit([](const auto& each) { return lesson_on(each); }, scene);
+}
+
+std::string pin_of_step(const AnyScene& scene, const LessonRun& run, std::uint64_t step) {
     std::vector<Json> events;
     EventLines lines;
     trace_run(scene, run, [&](std::string_view text) {

@@ -9,10 +9,10 @@
 namespace vidno {
 
 /// The files of a lesson on a scene, by name, besides `scene.json`. The stories say TODO where there is to be written.
-std::map<std::string, std::string> new_lesson(const Scene& scene);
+std::map<std::string, std::string> new_lesson(const AnyScene& scene);
 
-/// A pin of a step, as JSON: the window, or polygon and row, in which it is taken, and who or what it is about. Throws
-/// Refused if the run has no such step.
-std::string pin_of_step(const Scene& scene, const LessonRun& run, std::uint64_t step);
+/// A pin of a step, as JSON: the window, polygon and row, or curve and column, in which it is taken, and who or what it is
+/// about. Throws Refused if the run has no such step.
+std::string pin_of_step(const AnyScene& scene, const LessonRun& run, std::uint64_t step);
 
 }  // namespace vidno

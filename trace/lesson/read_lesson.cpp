@@ -27,8 +27,15 @@ int line_of(std::string_view text, const std::string& place) {
     return 1 + int(std::count(text.begin(), text.begin() + std::ptrdiff_t(position), '\n'));
 }
 
-/// One of some names, by its place among them; the first one if it is not said.
-std::size_t choice(const JsonNode& node, std::string_view key, const auto& names, std::size_t otherwise) {
+/// The methods that a lesson may speak of.
+std::vector<std::string_view> lesson_methods() {
+    std::vector<std::string_view> names(method_names.begin(), method_names.end());
+    names.push_back(curve_method);
+    return names;
+}
+
+/// One of some names, by its place among them.
+std::size_t choice(const JsonNode& node, std::string_view key, const auto& names, std::size_t otherwise = 0) {
     if (!node.has(key)) return otherwise;
     const std::string& name = node.at(key).text();
     const auto found = std::find(names.begin(), names.end(), name);
@@ -78,13 +85,16 @@ private:
         run.name = node.at("name").text();
         if (has_run(run.name)) node.at("name").refuse(run.name + ": another run has this name");
         if (node.has("scene")) run.scene = node.at("scene").text();
-        run.method = Method(choice(node, "method", method_names, 0));
+        const auto methods = lesson_methods();
+        run.method = methods[choice(node, "method", methods)];
         run.detail = Detail(choice(node, "detail", detail_names, std::size_t(Detail::signs)));
         run.edition = Edition(choice(node, "edition", edition_names, std::size_t(Edition::corrected)));
         if (node.has("kernel")) run.kernel = node.at("kernel").text();
         const auto kernel = kernel_named(run.kernel);
         if (!kernel) node.at("kernel").refuse(run.kernel + " is not one of " + kernel_names());
-        if (!kernel->choice->runs(run.method, run.edition)) {
+        const bool runs = run.of_curves() ? kernel->choice->runs_curves(run.edition)
+                                          : kernel->choice->runs(method_of(run), run.edition);
+        if (!runs) {
             node.refuse(run.kernel + " does not run this method in this edition");
         }
         run.check = node.has("check") && node.at("check").truth();

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "check.h"
+#include "curve_run.h"
 #include "event_lines.h"
 #include "import.h"
 #include "lesson.h"
@@ -17,21 +18,39 @@ const LessonRun& Lesson::run(const std::string& name) const {
     return *std::find_if(runs.begin(), runs.end(), [&](const LessonRun& each) { return each.name == name; });
 }
 
-Scene scene_of(const Lesson& lesson, const LessonRun& run) {
+Method method_of(const LessonRun& run) {
+    return Method(std::find(method_names.begin(), method_names.end(), run.method) - method_names.begin());
+}
+
+AnyScene scene_of(const Lesson& lesson, const LessonRun& run) {
     const std::string file = lesson.file(run.scene);
+    if (run.of_curves()) return read_surface(read_file(file), file);
     const bool is_mesh = !file.ends_with(".json");
     Scene scene = (is_mesh ? import_mesh(read_file(file), file, {}) : read_scene(read_file(file), file)).scene;
-    if (const auto reason = refusal_of(run.method, scene)) {
-        throw Refused(file + ": not for " + std::string(method_names[std::size_t(run.method)]) + ": " + *reason);
+    if (const auto reason = refusal_of(method_of(run), scene)) {
+        throw Refused(file + ": not for " + run.method + ": " + *reason);
     }
     return scene;
 }
 
-void trace_run(const Scene& scene, const LessonRun& run, const TraceWriter::Write& write) {
+namespace {
+
+void trace_scene(const Scene& scene, const LessonRun& run, const TraceWriter::Write& write) {
     const NamedKernel kernel = *kernel_named(run.kernel);
     const Scene ran = kernel.snaps() ? snapped_scene(scene, kernel.parameter).scene : scene;
-    TraceWriter writer({run.method, run.edition, kernel.name(), run.detail, ran}, write);
-    write_trace({run.method, kernel, run.edition, ran, run.detail}, writer, run.check);
+    TraceWriter writer(TraceHeader{method_of(run), run.edition, kernel.name(), run.detail, ran}, write);
+    write_trace(RunRequest{method_of(run), kernel, run.edition, ran, run.detail}, writer, run.check);
+}
+void trace_scene(const Surface& surface, const LessonRun& run, const TraceWriter::Write& write) {
+    const NamedKernel kernel = *kernel_named(run.kernel);
+    TraceWriter writer(CurveHeader{run.edition, kernel.name(), run.detail, surface}, write);
+    write_trace(CurveRequest{kernel, run.edition, surface.curves, run.detail}, writer, run.check);
+}
+
+}  // namespace
+
+void trace_run(const AnyScene& scene, const LessonRun& run, const TraceWriter::Write& write) {
+    std::visit([&](const auto& each) { trace_scene(each, run, write); }, scene);
 }
 
 std::string LessonRun::other_scene() const {
@@ -41,7 +60,7 @@ std::string LessonRun::other_scene() const {
 
 std::string LessonRun::trace_file(const std::string& lesson) const {
     std::string file = lesson + (other_scene().empty() ? "" : '.' + other_scene());
-    for (const std::string_view part : {method_names[std::size_t(method)], std::string_view(kernel),
+    for (const std::string_view part : {std::string_view(method), std::string_view(kernel),
                                         edition_names[std::size_t(edition)], detail_names[std::size_t(detail)]}) {
         file += '.';
         file += part;
