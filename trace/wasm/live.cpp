@@ -68,7 +68,6 @@ Options read_options(const JsonNode& root, Kind kind) {
     Options options;
     if (kind == Kind::polygons) {
         options.method = Method(place_of(root.at("method"), method_names));
-        if (options.method == Method::weiler_atherton) root.at("method").refuse("which this library has not");
     } else if (root.at("method").text() != curve_method) {
         root.at("method").refuse("draws no surface");
     }
@@ -81,8 +80,9 @@ Options read_options(const JsonNode& root, Kind kind) {
     if (!runs) root.at("kernel").refuse("does not run this method and edition");
     options.detail = Detail(place_of(root.at("detail"), detail_names));
     options.check = root.at("check").truth();
-    if (options.check && is_family(options.method))
-        root.at("check").refuse("a variant, which this library cannot check");
+    const bool checks = options.method == Method::warnock || options.method == Method::zbuffer;
+    if (options.check && !checks && kind == Kind::polygons)
+        root.at("check").refuse("a method whose decisions this library cannot check");
     options.most_events = std::uint64_t(root.at("most_events").whole_number(0, std::numeric_limits<int>::max()));
     return options;
 }
