@@ -61,7 +61,7 @@ export class RegionsPanel extends LitElement {
           now.inHand?.pieces !== old.inHand?.pieces,
         )}
         ${value(say.lists, now.lists.length, now.lists.length !== old.lists.length)}
-        ${value(say.visible, now.visible.length, now.visible !== old.visible)}
+        ${value(say.shown, now.visible.length, now.visible !== old.visible)}
       </dl>
     </section>`;
   }

@@ -48,9 +48,11 @@ function valuesOf({ asks, options }: Part, chosen: readonly number[]): readonly 
   return options.filter((_, i) => chosen[i] === 0).map((option) => option.value);
 }
 
-/** Scanlines alone, and curves, give nothing to ask about. */
+/** Scanlines or lists alone, and curves, give nothing to ask about. */
 const byTrace = traceNames.filter(
-  (name) => name !== 'small.zbuffer.windows.jsonl' && !name.includes('floating-horizon'),
+  (name) =>
+    !/^(small\.zbuffer|wedge\.weiler-atherton)\.windows/.test(name) &&
+    !name.includes('floating-horizon'),
 );
 
 describe.each(byTrace)('the questions of %s for Moodle', (name) => {
