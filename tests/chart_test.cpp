@@ -16,6 +16,7 @@
 #include "scene_json.h"
 #include "snapped_scene.h"
 #include "support/scenes.h"
+#include "visible_areas.h"
 
 using namespace vidno;
 using namespace vidno::test;
@@ -68,13 +69,27 @@ TEST_CASE("Chart: each kernel in each edition that it runs, and each knob at eac
     CHECK(number_of(ways, Knob::window, Method::zbuffer) == 0);
 }
 
-TEST_CASE("Chart: the methods of the Warnock family that take the scene, under each kernel") {
+TEST_CASE("Chart: other methods that take the scene, under each kernel") {
     const auto ways = ways_to_draw(whole_quad());
     for (const Method method : {Method::warnock_simplest, Method::warnock_full, Method::warnock_angles,
                                 Method::warnock_vertex, Method::warnock_edges}) {
         CHECK_MESSAGE(number_of(ways, std::nullopt, method) == 6, "float, double, bits:12, filtered, grid:8, exact");
     }
     CHECK_MESSAGE(number_of(ways, std::nullopt, Method::warnock_bodies) == 0, "a quad is no body");
+    CHECK_MESSAGE(number_of(ways, std::nullopt, Method::weiler_atherton) == 5,
+                  "float, double, bits:12, filtered, exact");
+}
+
+TEST_CASE("Chart: for the page by the methods that it shows, and compared anew") {
+    const SceneChart all = charted(half_quad());
+    const SceneChart known = for_page(all);
+    CHECK(known.runs.size() == all.runs.size() - 5);
+    double least = INFINITY;
+    for (const auto& run : known.runs) {
+        CHECK(run.way.method != Method::weiler_atherton);
+        least = std::min(least, run.cost.time);
+    }
+    CHECK(least == 1);
 }
 
 TEST_CASE("Operations: the Warnock family finds a window surrounded by its own tests") {
@@ -120,12 +135,44 @@ TEST_CASE("Operations: a quad scanned row by row") {
 }
 
 TEST_CASE("Area: of a pixel that is half covered, half is wrong") {
-    // The centres of column 8 lie on the outline, which belongs to the quad; 4 of the 8 samples across lie beyond it.
+    // The centres of column 8 lie on the outline, which belongs to the quad; half of each is beyond it.
     CHECK(Examiner(half_quad()).area_of_pixels() == 16 * 0.5);
     CHECK(Examiner(whole_quad()).area_of_pixels() == 0);
     const Findings right = examined(half_quad(), Method::zbuffer, "double");
     CHECK(right.wrong_pixels == 0);
     CHECK(right.area == 16 * 0.5);
+}
+
+TEST_CASE("Area: what of each pixel shows the colour that it has not, where an outline is slanted") {
+    // From (0, 1) the slanted edge falls to (3, 0): of the three pixels it leaves 5/6, 3/6 and 1/6. The centre of the second lies on it,
+    // so the first two are painted, the third is not: 1/6 + 3/6 + 1/6 have a wrong colour.
+    const Scene scene = SceneBuilder({0, 0, 3, 1}).polygon({{0, 0, 0}, {3, 0, 0}, {0, 1, 0}}).build();
+    CHECK(Examiner(scene).area_of_pixels() == doctest::Approx(5 / 6.).epsilon(1e-15));
+    // All white: 5/6 + 3/6 + 1/6.
+    CHECK(VisibleAreas(scene).wrong_in(Picture(scene.area, scene.background)) == doctest::Approx(1.5).epsilon(1e-15));
+}
+
+TEST_CASE("Area: polygons of one colour are one, a hidden one shows nothing, and a hole is its own") {
+    // A quad of 2 x 2 around one of 1/2 x 1/2 that is nearer, in the middle of a pixel, and one of 1 x 1 behind.
+    const Scene scene =
+        SceneBuilder({0, 0, 2, 2}).quad(0, 0, 2, 2, 0).quad(.25, .25, .75, .75, .5).quad(1, 1, 2, 2, -.5).build();
+    Picture picture(scene.area, color_of(0));
+    CHECK(VisibleAreas(scene).wrong_in(picture) == .25);
+    picture.paint(0, 0, color_of(1));
+    CHECK(VisibleAreas(scene).wrong_in(picture) == .75);
+    picture.paint(1, 1, color_of(2));
+    CHECK(VisibleAreas(scene).wrong_in(picture) == 1.75);
+    Scene one_color = scene;
+    for (auto& polygon : one_color.polygons) polygon.color = color_of(0);
+    CHECK(VisibleAreas(one_color).wrong_in(Picture(scene.area, color_of(0))) == 0);
+}
+
+TEST_CASE("Operations: Weiler and Atherton's algorithm on one quad") {
+    using enum Operation;
+    // Cut to the area: its four edges lie outside, and those of the area inside it (which are not told). Its greatest depth is found
+    // at four vertices; a list of one; 16 rows, each looked at above and below its centres.
+    CHECK(examined(whole_quad(), Method::weiler_atherton, "double").operations ==
+          counted({{windows, 1}, {depths, 4}, {orientations, 4}, {rows, 32}}));
 }
 
 TEST_CASE("Smallest window: one colour for the whole area, that of its centre") {

@@ -227,7 +227,7 @@ TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
         for (const std::string name : {"float", "double", "bits:9", "depth:5", "filtered", "grid:3", "exact"}) {
             const NamedKernel kernel = *kernel_named(name);
             const Scene scene = kernel.snaps() ? snapped_scene(drawn, 3).scene : drawn;
-            for (const Method method : {Method::warnock, Method::zbuffer}) {
+            for (const Method method : {Method::warnock, Method::zbuffer, Method::weiler_atherton}) {
                 for (const Edition edition : all_editions()) {
                     if (!kernel.choice->runs(method, edition)) continue;
                     for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {

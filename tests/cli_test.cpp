@@ -376,6 +376,42 @@ TEST_CASE("The Warnock family: traced, replayed, checked; a scene outside the do
     CHECK(refused.text.find("has an edge that no other one shares") != std::string::npos);
 }
 
+TEST_CASE("Weiler and Atherton's algorithm: traced, replayed, compared, checked and drawn; its regions are a file") {
+    const Workplace work;
+    const std::string scene = VIDNO_ROOT "/lessons/01-four-relations/cycle.json", named = " --method weiler-atherton";
+    REQUIRE(program("render " + scene + " --method zbuffer --kernel exact -o " + work.file("right.ppm")).status == 0);
+    for (const std::string kernel : {"filtered", "exact"}) {
+        CAPTURE(kernel);
+        const std::string trace = work.file(kernel + ".jsonl"), picture = work.file(kernel + ".ppm");
+        REQUIRE(program("trace " + scene + named + " --kernel " + kernel + " --check -o " + trace).status == 0);
+        REQUIRE(program("replay " + trace + " -o " + picture).status == 0);
+        CHECK(work.read(kernel + ".ppm") == work.read("right.ppm"));
+        CHECK(program("check " + scene + named + " --kernel " + kernel).status == 0);
+    }
+    CHECK(program("diff " + work.file("filtered.jsonl") + " " + work.file("filtered.jsonl")).status == 0);
+    CHECK(program("diff " + work.file("filtered.jsonl") + " " + work.file("exact.jsonl")).status == 1);
+
+    const std::string trace = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + named + " --detail polygons -o " + trace).status == 0);
+    for (const std::string form : {".svg", ".pdf", ".tex"}) {
+        CAPTURE(form);
+        const std::string parts = " --show picture,windows,list,listing -o ";
+        CHECK(program("figure " + trace + " --step 60" + parts + work.file("step" + form)).status == 0);
+        CHECK(program("render " + scene + named + " -o " + work.file("regions" + form)).status == 0);
+        CHECK(work.has("regions" + form));
+    }
+    CHECK(work.read("step.svg").find("List L, C first") != std::string::npos);
+    REQUIRE(program("render " + scene + named + " --kernel exact -o " + work.file("regions.json")).status == 0);
+    CHECK(work.read("regions.json").find("\"format\":\"vidno-regions/1\"") != std::string::npos);
+
+    CHECK(program("render " + scene + named + " --kernel grid:8 -o " + work.file("none.ppm")).text ==
+          "vidno: --method weiler-atherton: not under --kernel grid:8\n");
+    CHECK(program("render " + scene + named + " --edition printed -o " + work.file("none.ppm")).text ==
+          "vidno: --method weiler-atherton: only --edition corrected\n");
+    CHECK(program("render " + scene + " -o " + work.file("none.json")).status == 2);
+    CHECK(program("page " + trace + " -o " + work.file("none.html")).status == 2);
+}
+
 TEST_CASE("need and choose: a table, and a choice whose picture is right") {
     const std::string drifting = VIDNO_ROOT "/lessons/08-show-line/scene.json";
     const auto needed = program("need " + drifting);
@@ -486,6 +522,20 @@ TEST_CASE("page: the built page with what was given in place of its lessons") {
         // {"format" in base64: seven of its bytes in whole letters.
         CHECK(made.find(R"(data-vidno-file="1.json">eyJmb3JtYX)") != std::string::npos);
         CHECK(made.find(R"(data-vidno-file="2.jsonl.gz">)") != std::string::npos);
+    }
+    SUBCASE("a surface, and a trace of curves") {
+        work.write("share/vidno/index.html", before + library + after);
+        const std::string surface = work.write("surface.json", R"({"format":"vidno-surface/1","name":"Line",)"
+                                                               R"("window":{"x":0,"y":0,"width":2,"height":2},)"
+                                                               R"("curves":[[[0,1],[1,1]]]})");
+        const std::string curves = work.file("curves.jsonl");
+        REQUIRE(program("trace " + surface + " --kernel exact -o " + curves).status == 0);
+        REQUIRE(page(surface + " " + curves + output).status == 0);
+        const std::string made = work.read("out.html");
+        const std::string index = R"("method":"floating-horizon","kernel":")";
+        CHECK(made.find(R"("file":"1.json",)" + index + "double") != std::string::npos);
+        CHECK(made.find(R"("file":"2.jsonl.gz",)" + index + "exact") != std::string::npos);
+        CHECK(made.find(R"(data-vidno-file="1.json">)" + base64_of(work.read("surface.json"))) != std::string::npos);
     }
     SUBCASE("nothing given: the page with its lessons") {
         work.write("share/vidno/index.html", before + lessons + library + after);

@@ -53,12 +53,13 @@ struct RegionStage {
           picture(scene.area, scene.background),
           run(scene, OnRegions<K>{}, HearPassages(entered, left), picture) {}
 
-    Piece piece(std::size_t index) {
-        auto cut = run.cut_to_area(Line::WA1, run.polygons[index]);
+    auto part_in_area(std::size_t index) {
+        auto part = run.cut_to_area(Line::WA1, run.polygons[index]);
         entered.clear();
         left.clear();
-        return cut;
+        return part;
     }
+    Piece piece(std::size_t index) { return {&run.polygons[index], part_in_area(index)}; }
     std::vector<Piece> all_pieces() {
         std::vector<Piece> pieces;
         for (std::size_t i = 0; i < run.polygons.size(); ++i) pieces.push_back(piece(i));
@@ -186,11 +187,11 @@ TEST_CASE_TEMPLATE("A polygon is cut to the area", K, VIDNO_REGION_KERNELS) {
                              .polygon({{8, -8, 0}, {24, 8, 0}, {8, 8, 0}})
                              .quad(16, 0, 20, 16, 0)
                              .build());
-    CHECK(area_in_doubles(stage.piece(0).region) == 16);
-    CHECK(area_in_doubles(stage.piece(1).region) == 256);
-    CHECK_MESSAGE(stage.piece(2).region.empty(), "its edge passes through the corner (16, 16)");
-    CHECK_MESSAGE(area_in_doubles(stage.piece(3).region) == 64, "its edge passes through (16, 0)");
-    CHECK_MESSAGE(stage.piece(4).region.empty(), "beside");
+    CHECK(area_in_doubles(stage.part_in_area(0)) == 16);
+    CHECK(area_in_doubles(stage.part_in_area(1)) == 256);
+    CHECK_MESSAGE(stage.part_in_area(2).empty(), "its edge passes through the corner (16, 16)");
+    CHECK_MESSAGE(area_in_doubles(stage.part_in_area(3)) == 64, "its edge passes through (16, 0)");
+    CHECK_MESSAGE(stage.part_in_area(4).empty(), "beside");
 }
 
 TEST_CASE_TEMPLATE("DepthSort: by the greatest depth, equal ones in the order of the scene", K, VIDNO_REGION_KERNELS) {
@@ -345,7 +346,9 @@ struct HearLabels : NoTrace {
 
     void hear(Line at) { *heard += std::string(line_names[std::size_t(at)]) + ' '; }
     void cut_to_area(Line at, const auto&, const auto&) { hear(at); }
-    void pieces(Line at, const auto&) { hear(at); }
+    void facets(Line at, const auto&) { hear(at); }
+    void sorted(Line at, const auto&) { hear(at); }
+    void nearer_ones(Line at, const auto&) { hear(at); }
     void push_list(Line at, const auto&) { hear(at); }
     void pop_list(Line at, const auto&) { hear(at); }
     void show_region(Line at, const auto&, const auto&) { hear(at); }
@@ -353,7 +356,7 @@ struct HearLabels : NoTrace {
     void split(Line at, const auto&, const auto&, const auto&) { hear(at); }
     void greatest_depth(Line at, const auto&, const auto&) { hear(at); }
     void clipped(Line at, const auto&, const auto&, const auto&, const auto&) { hear(at); }
-    void behind(Line at, const auto&, const auto&, const auto&, const auto&, const auto&, bool) { hear(at); }
+    void behind(Line at, const auto&, const auto&, const auto&, const auto&, const auto&, Sign, bool) { hear(at); }
     void paint(Line at, const auto&, int, int) { hear(at); }
 };
 

@@ -56,11 +56,12 @@ std::vector<Way> turned(Method method, Knob knob, std::string_view kernel, int l
 }
 
 /// Of a method that is compared with the course's no knob is turned: its numbers have few bits, or a grid, in one run each.
-std::vector<Way> family_ways(Method method, const Scene& scene) {
+std::vector<Way> compared_ways(Method method, const Scene& scene) {
     if (refusal_of(method, scene)) return {};
     auto ways = fixed_ways(method);
     for (const auto* kernel : {"bits:12", "grid:8"}) {
         const auto named = *kernel_named(kernel);
+        if (!named.choice->runs(method, Edition::corrected)) continue;
         if (!named.snaps() || named.parameter <= finest_grid_of(scene)) ways.push_back({method, named});
     }
     return ways;
@@ -167,7 +168,7 @@ std::vector<Way> ways_to_draw(const Scene& scene) {
     add(turned(Method::zbuffer, Knob::depth, DepthBits::name, fewest_depth_bits, most_depth_bits));
     add(larger_windows(scene));
     for (std::size_t place = 0; place < method_names.size(); ++place) {
-        if (is_family(Method(place))) add(family_ways(Method(place), scene));
+        if (!is_of_course(Method(place))) add(compared_ways(Method(place), scene));
     }
     return ways;
 }
@@ -192,6 +193,12 @@ SceneChart chart_of(const Scene& scene, const std::function<void()>& progress) {
     }
     const auto seconds = median_seconds(requests, chart_rounds, progress);
     for (std::size_t i = 0; i < seconds.size(); ++i) chart.runs[i].cost.seconds = seconds[i];
+    compare_runs(chart.runs);
+    return chart;
+}
+
+SceneChart for_page(SceneChart chart) {
+    std::erase_if(chart.runs, [](const ChartRun& run) { return run.way.method == Method::weiler_atherton; });
     compare_runs(chart.runs);
     return chart;
 }

@@ -55,24 +55,27 @@ struct SceneChart {
     std::string name;
     std::size_t unsteady = 0;  // pixels that an ulp can change
     std::size_t pixels = 0, polygons = 0;
-    double area = 0;  // by which the right picture differs from the visible regions, in pixels
+    double area = 0;  // that even the right picture shows in a wrong colour, in pixels
     std::vector<ChartRun> runs{};
     std::string scene{};  // the scene itself, as scene_json writes it
 
     bool degenerate() const { return unsteady > 0; }
 };
 
-/// Each method of the course under each kernel in each edition, and each knob at each place; of the Warnock family those that
-/// take the scene, under each kernel that runs them, one of `bits` and one of `grid`.
+/// Each method of the course under each kernel in each edition, and each knob at each place; of the others those that take the
+/// scene, under each kernel that runs them, one of `bits` and one of `grid`.
 std::vector<Way> ways_to_draw(const Scene& scene);
 
 inline constexpr int chart_rounds = 5;
-inline constexpr int largest_charted_side = 512;  // of an area; the samples of a larger one would fill gigabytes
+inline constexpr int largest_charted_side = 512;  // of an area; a larger one would take minutes
 
 /// How often a chart of the scene calls its `progress`.
 std::size_t turns_of(const Scene& scene);
 
 SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
+
+/// The same without Weiler and Atherton's algorithm, of which the page does not know.
+SceneChart for_page(SceneChart chart);
 
 std::string chart_json(const std::vector<SceneChart>& scenes);
 std::string chart_csv(const std::vector<SceneChart>& scenes);
@@ -84,7 +87,7 @@ std::vector<SceneChart> read_chart(std::string_view text, const std::string& fil
 struct ChartWords {
     std::array<std::string_view, 3> costs;   // by the places of cost_axes
     std::array<std::string_view, 4> errors;  // and of error_axes
-    std::array<std::string_view, 16> series;
+    std::array<std::string_view, 17> series;
     std::string_view front, ordinary, degenerate, no_number;
 };
 extern const ChartWords chart_in_english, chart_in_russian;

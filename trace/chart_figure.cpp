@@ -17,7 +17,7 @@ const ChartWords chart_in_english{
     .series = {"Warnock, bits of arithmetic", "Warnock, grid", "Warnock, smallest window", "Warnock",
                "Warnock, printed", "Z-buffer, bits of arithmetic", "Z-buffer, grid", "Z-buffer, bits of depth",
                "Z-buffer", "Z-buffer, printed", "Warnock, simplest", "Warnock, three lists", "Warnock, angles",
-               "Warnock, at vertices", "Warnock, edge-on shown", "Warnock, back faces removed"},
+               "Warnock, at vertices", "Warnock, edge-on shown", "Warnock, back faces removed", "Weiler-Atherton"},
     .front = "nothing is cheaper and as right",
     .ordinary = "ordinary",
     .degenerate = "degenerate",
@@ -29,7 +29,7 @@ const ChartWords chart_in_russian{
     .series = {"Варнок, биты арифметики", "Варнок, сетка", "Варнок, наименьшее окно", "Варнок",
                "Варнок, как напечатано", "Z-буфер, биты арифметики", "Z-буфер, сетка", "Z-буфер, биты глубины",
                "Z-буфер", "Z-буфер, как напечатано", "Варнок, простейший", "Варнок, три списка", "Варнок, углы",
-               "Варнок, по вершинам", "Варнок, рёбра видны", "Варнок, без нелицевых граней"},
+               "Варнок, по вершинам", "Варнок, рёбра видны", "Варнок, без нелицевых граней", "Вейлер — Азертон"},
     .front = "дешевле и не хуже ничего нет",
     .ordinary = "обычная",
     .degenerate = "вырожденная",
@@ -48,7 +48,7 @@ struct Series {
     bool has(const Way& way) const { return way.method == method && way.knob == knob && way.edition == edition; }
 };
 
-constexpr std::array<Series, 16> all_series{{
+constexpr std::array<Series, 17> all_series{{
     {Method::warnock, Knob::bits, Edition::corrected, "#0072b2", 9},
     {Method::warnock, Knob::grid, Edition::corrected, "#56b4e9", 11},
     {Method::warnock, Knob::window, Edition::corrected, "#cc79a7", 13},
@@ -65,6 +65,7 @@ constexpr std::array<Series, 16> all_series{{
     {Method::warnock_vertex, std::nullopt, Edition::corrected, "#cc79a7", 1},
     {Method::warnock_edges, std::nullopt, Edition::corrected, "#cc79a7", 2},
     {Method::warnock_bodies, std::nullopt, Edition::corrected, "#cc79a7", 3},
+    {Method::weiler_atherton, std::nullopt, Edition::corrected, "#009e73", 1},
 }};
 
 constexpr int most_panel_height = 520, legend_entry = 400, legend_line = 30;

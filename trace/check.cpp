@@ -1,6 +1,7 @@
 #include "check.h"
 
 #include "check_family.h"
+#include "check_regions.h"
 #include "checked.h"
 #include "checked_trace.h"
 #include "kernels.h"
@@ -60,6 +61,9 @@ Picture compared_run(const RunRequest& request, const K& kernel, const Audience&
 }
 
 Picture judged_run(const RunRequest& request, const Audience& audience) {
+    if (request.method == Method::weiler_atherton) {
+        return judged_regions(request, audience.judge, audience.survey, audience.count, audience.hear);
+    }
     const auto judged = [&](auto kernel) {
         using K = decltype(kernel);
         if constexpr (std::same_as<K, Filtered>) {

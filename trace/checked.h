@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shadowed.h"
+#include "vidno/weiler_atherton/region.h"
 
 namespace vidno {
 
@@ -64,9 +65,7 @@ public:
 
     Vertex<Number> meet(const Vertex<Number>& p, const Vertex<Number>& q, const Number& cp, const Number& cq) const {
         Vertex<Number> found = Base::meet(p, q, cp, cq);
-        if (found.x.exact && found.y.exact && is_finite(found.x) && is_finite(found.y)) {
-            (*surveyor_)(std::hypot(off(found.x), off(found.y)));
-        }
+        survey(found);
         return found;
     }
 
@@ -136,10 +135,8 @@ public:
             Decision::pixel, [](const auto& kernel, const auto& v) { return kernel.pixel_of(v); }, value);
     }
 
-private:
-    const Machine& machine() const { return Base::machine; }
-    const Judge& judge() const { return *Base::judge; }
-
+protected:
+    /// Takes `decision(kernel, operands...)`, thrice.
     auto decide(Decision of, auto decision, const auto&... operands) const {
         const auto taken = decision(machine(), mapped(operands, value_of)...);
         Verdict verdict{of, answer(taken), {}};
@@ -152,6 +149,17 @@ private:
         judge()(verdict);
         return taken;
     }
+
+    void survey(const auto& intersection) const {
+        const auto& x = intersection.x;
+        const auto& y = intersection.y;
+        if (x.exact && y.exact && is_finite(x) && is_finite(y)) (*surveyor_)(std::hypot(off(x), off(y)));
+    }
+
+private:
+    const Machine& machine() const { return Base::machine; }
+    const Judge& judge() const { return *Base::judge; }
+
     static Answer answer(Sign sign) { return int(sign); }
     static Answer answer(const auto& found) { return found; }
 
@@ -180,6 +188,12 @@ private:
     static auto mapped(const Point<Number>& p, auto part) { return Point<Part<decltype(part)>>{part(p.x), part(p.y)}; }
     static auto mapped(const Box<Number>& b, auto part) {
         return Box<Part<decltype(part)>>{part(b.xmin), part(b.ymin), part(b.xmax), part(b.ymax)};
+    }
+    static auto mapped(const vidno::Plane<Number>& p, auto part) {
+        return vidno::Plane<Part<decltype(part)>>{part(p.a), part(p.b), part(p.c), part(p.d)};
+    }
+    static auto mapped(const SupportLine<Number>& line, auto part) {
+        return SupportLine<Part<decltype(part)>>{part(line.a), part(line.b), mapped(line.on, part)};
     }
     static auto mapped(const Outline& outline, auto part) {
         std::vector<Vertex<Part<decltype(part)>>> vertices;

@@ -21,6 +21,7 @@
 #include "vidno/kernel.h"
 #include "vidno/picture.h"
 #include "vidno/trace.h"
+#include "vidno/weiler_atherton/overlay.h"
 
 namespace vidno {
 
@@ -38,6 +39,17 @@ using AplEntry = std::pair<PolygonPlace, bool>;
 struct ColumnRun {
     int first = 0, end = 0;
     bool operator==(const ColumnRun&) const = default;
+};
+
+/// The loops of a region.
+using RegionLoops = std::vector<std::vector<ValuePoint>>;
+
+/// A part of a polygon; ground, if it is known to be behind all others of its list.
+struct PolygonPart {
+    PolygonPlace polygon;
+    RegionLoops region;
+    bool ground = false;
+    bool operator==(const PolygonPart&) const = default;
 };
 
 using ColumnHeight = std::pair<int, Value>;
@@ -860,6 +872,228 @@ struct BackFace {
     }
 };
 
+// WeilerAtherton
+
+struct CutToArea {
+    static constexpr Kind kind{"cut_to_area", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::region_clip;
+    Line at{};
+    PolygonPlace polygon;
+    RegionLoops region;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("region", e.region);
+    }
+};
+
+struct Facets {
+    static constexpr Kind kind{"facets", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::split_piercing;
+    Line at{};
+    std::vector<PolygonPart> pieces;
+    static void fields(auto& e, auto&& field) { field("pieces", e.pieces); }
+};
+
+struct Sorted {
+    static constexpr Kind kind{"sorted", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::depth_sort;
+    Line at{};
+    std::vector<PolygonPlace> polygons;
+    static void fields(auto& e, auto&& field) { field("polygons", e.polygons); }
+};
+
+struct PushList {
+    static constexpr Kind kind{"push_list", Detail::windows};
+    Line at{};
+    std::vector<PolygonPart> pieces;
+    static void fields(auto& e, auto&& field) { field("pieces", e.pieces); }
+};
+
+struct PopList {
+    static constexpr Kind kind{"pop_list", Detail::windows};
+    Line at{};
+    PolygonPlace clip;  // the first of the list
+    int count = 0;
+    static void fields(auto& e, auto&& field) {
+        field("clip", e.clip);
+        field("count", e.count);
+    }
+};
+
+struct Beside {
+    static constexpr Kind kind{"beside", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
+};
+
+struct Clipped {
+    static constexpr Kind kind{"clipped", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::region_clip;
+    Line at{};
+    PolygonPlace polygon, clip;
+    RegionLoops inside, outside;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("clip", e.clip);
+        field("inside", e.inside);
+        field("outside", e.outside);
+    }
+};
+
+struct NearerOnes {
+    static constexpr Kind kind{"nearer_ones", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::remove_behind;
+    Line at{};
+    std::vector<PolygonPlace> polygons;
+    static void fields(auto& e, auto&& field) { field("polygons", e.polygons); }
+};
+
+struct Show {
+    static constexpr Kind kind{"show", Detail::windows};
+    Line at{};
+    PolygonPlace polygon;
+    RegionLoops region;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("region", e.region);
+    }
+};
+
+// SplitPiercing, DepthSort
+
+struct Pierce {
+    static constexpr Kind kind{"pierce", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon, other;
+    ValuePoint normal, point;  // of the line in which their planes meet
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("other", e.other);
+        field("normal", e.normal);
+        field("point", e.point);
+    }
+};
+
+struct Split {
+    static constexpr Kind kind{"split", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    RegionLoops region, other;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("region", e.region);
+        field("other", e.other);
+    }
+};
+
+struct GreatestDepth {
+    static constexpr Kind kind{"greatest_depth", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon;
+    Value z;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("z", e.z);
+    }
+};
+
+// RegionClip, RemoveBehind
+
+struct EdgePiece {
+    static constexpr Kind kind{"edge_piece", Detail::signs};
+    Line at{};
+    ValuePoint from, to;
+    Lies lies{};
+    static void fields(auto& e, auto&& field) {
+        field("from", e.from);
+        field("to", e.to);
+        field("lies", e.lies);
+    }
+};
+
+struct Entering {
+    static constexpr Kind kind{"entering", Detail::polygons};
+    Line at{};
+    ValuePoint point;
+    static void fields(auto& e, auto&& field) { field("point", e.point); }
+};
+
+struct Leaving {
+    static constexpr Kind kind{"leaving", Detail::polygons};
+    Line at{};
+    ValuePoint point;
+    static void fields(auto& e, auto&& field) { field("point", e.point); }
+};
+
+struct Behind {
+    static constexpr Kind kind{"behind", Detail::polygons};
+    Line at{};
+    PolygonPlace polygon, clip;
+    ValuePoint point;
+    Value z, clip_z;
+    Sign order{};
+    bool behind = false;
+    Told told;
+    static constexpr Decision decides = Decision::comparison;
+    Answer decision() const { return int(order); }
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("clip", e.clip);
+        field("point", e.point);
+        field("z", e.z);
+        field("clipZ", e.clip_z);
+        field("order", e.order);
+        field("behind", e.behind);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
+    }
+};
+
+// PaintRegions
+
+struct Order {
+    static constexpr Kind kind{"order", Detail::signs};
+    Line at{};
+    PolygonPlace polygon, other;
+    ValuePoint point;
+    Value z, other_z;
+    Sign order{};
+    Told told;
+    static constexpr Decision decides = Decision::comparison;
+    Answer decision() const { return int(order); }
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("other", e.other);
+        field("point", e.point);
+        field("z", e.z);
+        field("otherZ", e.other_z);
+        field("order", e.order);
+        field("exact", e.told.exact);
+        field("by", e.told.by);
+    }
+};
+
+struct Paint {
+    static constexpr Kind kind{"paint", Detail::windows};
+    Line at{};
+    PolygonPlace polygon;
+    Color color;
+    std::vector<PixelRun> runs;
+    static void fields(auto& e, auto&& field) {
+        field("polygon", e.polygon);
+        field("color", e.color);
+        field("runs", e.runs);
+    }
+};
+
+struct Painted {
+    static constexpr Kind kind{"painted", Detail::polygons};
+    static constexpr Procedure result_of = Procedure::paint_regions;
+    Line at{};
+    static void fields(auto&, auto&&) {}
+};
+
 // FloatingHorizon
 
 /// Without a height there is none over any column.
@@ -1014,8 +1248,11 @@ using Event = std::variant<
     event::AelSort, event::AelDrop, event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns,
     event::Pixel, event::Span, event::Join, event::Rejoin, event::RelationFound, event::Trial, event::Meets, event::Ray,
     event::Crossings, event::Octants, event::Angle, event::Hiding, event::SplitVertex, event::EdgeDepth,
-    event::BackFace, event::Horizons, event::Curve, event::SideEdge, event::Visibility, event::Intersection,
-    event::DrawLine, event::Horizon, event::Height, event::Raise, event::Lower, event::Step>;
+    event::BackFace, event::CutToArea, event::Facets, event::Sorted, event::PushList, event::PopList, event::Beside,
+    event::Clipped, event::NearerOnes, event::Show, event::Pierce, event::Split, event::GreatestDepth, event::EdgePiece,
+    event::Entering, event::Leaving, event::Behind, event::Order, event::Paint, event::Painted, event::Horizons,
+    event::Curve, event::SideEdge, event::Visibility, event::Intersection, event::DrawLine, event::Horizon,
+    event::Height, event::Raise, event::Lower, event::Step>;
 
 /// The place of a type in Event.
 template <class E, class... Events>

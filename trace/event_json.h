@@ -41,6 +41,7 @@ private:
     void add(const Truth&) { add_all(0, 0); }
     void add(const ValuePoint& v) { add_all(v.x, v.y); }
     void add(const ValueVertex& v) { add_all(v.x, v.y, v.z); }
+    void add(const PolygonPart& v) { add_all(v.polygon, v.region, v.ground); }
     template <class A, class B>
     void add(const std::pair<A, B>& v) {
         add_all(v.first, v.second);
@@ -118,6 +119,7 @@ private:
     void value(Pen& out, VisibilityFlag v) { append_integer(out, int(v)); }
     void value(Pen& out, Corner v) { name(out, corner_names[std::size_t(v)]); }
     void value(Pen& out, Case v) { name(out, case_names[std::size_t(v)]); }
+    void value(Pen& out, Lies v) { name(out, lies_names[std::size_t(v)]); }
     void value(Pen& out, Relation v) { name(out, relation_names[std::size_t(v)]); }
     void value(Pen& out, Decision v) { name(out, decision_names[std::size_t(v)]); }
     void value(Pen& out, FilterStage v) { name(out, filter_stage_names[std::size_t(v)]); }
@@ -135,6 +137,7 @@ private:
     void value(Pen& out, Procedure v) { name(out, procedure_names[std::size_t(v)]); }
     void value(Pen& out, const ValuePoint& v) { list(out, v.x, v.y); }
     void value(Pen& out, const ValueVertex& v) { list(out, v.x, v.y, v.z); }
+    void value(Pen& out, const PolygonPart& v) { list(out, v.polygon, v.region, v.ground); }
     void value(Pen& out, const Window& v) { list(out, v.x, v.y, v.width, v.height); }
     void value(Pen& out, const PixelRectangle& v) { list(out, v.x, v.y, v.width, v.height); }
     void value(Pen& out, const PixelRun& v) { list(out, v.row, v.first, v.end); }

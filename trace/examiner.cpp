@@ -1,7 +1,6 @@
 #include "examiner.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -38,24 +37,9 @@ private:
 
 namespace {
 
-constexpr int samples_a_side = 8;  // of a pixel
-
 /// The right one; `exact` would take longer.
 Picture picture_of(const Scene& scene) {
     return run({Method::zbuffer, *kernel_named("filtered"), Edition::corrected, scene});
-}
-
-/// The colours of the samples: the picture of the scene made so many times as large.
-Picture samples_of(const Scene& scene) {
-    Scene large = scene;
-    for (int* length : {&large.area.x, &large.area.y, &large.area.width, &large.area.height}) *length *= samples_a_side;
-    for (auto& polygon : large.polygons) {
-        for (auto& vertex : polygon.vertices) {
-            vertex.x *= samples_a_side;
-            vertex.y *= samples_a_side;
-        }
-    }
-    return picture_of(large);
 }
 
 /// Which operation an event tells; of most, none.
@@ -76,16 +60,26 @@ struct OperationOf {
     Found operator()(const event::ShownLine&) const { return rows; }
     Found operator()(const event::AelAdd&) const { return edges; }
     Found operator()(const event::AelStep&) const { return edges; }
+    Found operator()(const event::PopList&) const { return windows; }
+    Found operator()(const event::EdgePiece&) const { return orientations; }
+    Found operator()(const event::Entering&) const { return intersections; }
+    Found operator()(const event::Leaving&) const { return intersections; }
+    Found operator()(const event::Beside&) const { return boxes; }
+    Found operator()(const event::Behind&) const { return comparisons; }
+    Found operator()(const event::Order&) const { return comparisons; }
     Found operator()(const auto&) const { return std::nullopt; }
 };
+
+/// A write outside the area does not, nor an outline that is left out, for it does not close.
+bool ends_run(const event::Fault& fault) {
+    using enum Line;
+    return !fault.x && fault.at != RC4 && fault.at != RC5 && fault.at != SP3;
+}
 
 }  // namespace
 
 Examiner::Examiner(const Scene& scene)
-    : scene_(scene),
-      right_(right_picture(scene)),
-      samples_(samples_of(scene)),
-      depths_(std::make_unique<const Depths>(scene)) {}
+    : scene_(scene), right_(right_picture(scene)), visible_(scene), depths_(std::make_unique<const Depths>(scene)) {}
 
 Examiner::~Examiner() = default;
 
@@ -99,7 +93,7 @@ Findings Examiner::examine(const RunRequest& request, const std::vector<std::siz
     };
     const auto hear = [&](const Event& event) {
         if (const auto operation = std::visit(OperationOf{}, event)) ++found.operations[std::size_t(*operation)];
-        if (const auto* fault = std::get_if<event::Fault>(&event)) found.complete = found.complete && fault->x;
+        if (const auto* fault = std::get_if<event::Fault>(&event)) found.complete = found.complete && !ends_run(*fault);
         if (const auto* polygon = std::get_if<event::Polygon>(&event)) scanned = polygon->polygon;
         if (const auto* depth = std::get_if<event::Depth>(&event)) {
             look_at_depth(depth->polygon, depth->point.x, depth->point.y, depth->z);
@@ -112,24 +106,12 @@ Findings Examiner::examine(const RunRequest& request, const std::vector<std::siz
     const CheckReport report =
         check_run(request, by_picture_rule ? right_ : right_picture(scene_, request.method), hear);
     found.wrong_pixels = report.wrong_pixels;
-    found.area = area_off(report.picture);
+    found.area = visible_.wrong_in(report.picture);
     for (const auto& each : report.procedures) {
         found.decisions += each.decisions - each.undefined;
         found.wrong_decisions += each.wrong_for_scene;
     }
     return found;
-}
-
-double Examiner::area_off(const Picture& picture) const {
-    const Area& area = samples_.area();
-    std::size_t differing = 0;
-    for (int y = area.y; y < area.bottom(); ++y) {
-        for (int x = area.x; x < area.right(); ++x) {
-            const auto pixel_of = [](int sample) { return sample >> std::countr_zero(unsigned(samples_a_side)); };
-            differing += samples_.at(x, y) == picture.at(pixel_of(x), pixel_of(y)) ? 0 : 1;
-        }
-    }
-    return double(differing) / (samples_a_side * samples_a_side);
 }
 
 std::size_t Examiner::unsteady_pixels() const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check.h"
+#include "visible_areas.h"
 
 namespace vidno {
 
@@ -21,7 +22,7 @@ struct Findings {
     bool complete = true;  // no fault ended the run
     OperationCounts operations{};
     std::uint64_t wrong_pixels = 0;
-    double area = 0;  // by which the picture differs from the visible regions, in pixels
+    double area = 0;  // shown in a wrong colour, in pixels
     std::uint64_t decisions = 0, wrong_decisions = 0;
     double depth_ulps = 0;  // of the worst depth; infinite if one was no number
 };
@@ -39,8 +40,8 @@ public:
 
     std::size_t pixels() const { return right_.pixels().size(); }
 
-    /// By which the right picture itself differs from the visible regions: a pixel has one colour.
-    double area_of_pixels() const { return area_off(right_); }
+    /// How much even the right picture shows in a wrong colour, in pixels: a pixel has one.
+    double area_of_pixels() const { return visible_.wrong_in(right_); }
 
     /// How many pixels differ in any of some trials, in each of which every coordinate is moved by up to one ulp.
     std::size_t unsteady_pixels() const;
@@ -48,10 +49,9 @@ public:
 private:
     class Depths;
 
-    double area_off(const Picture& picture) const;
-
     const Scene& scene_;
-    Picture right_, samples_;
+    Picture right_;
+    VisibleAreas visible_;
     std::unique_ptr<const Depths> depths_;
 };
 

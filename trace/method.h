@@ -50,6 +50,10 @@ inline constexpr std::array method_choices{
                   "the picture rule, but that of equally near faces one that looks towards the viewer comes before one "
                   "that looks away"},
                  refuses_bodies},
+    MethodChoice{
+        "clip all polygons by the outline of the nearest, look at what is inside and what is outside by itself; "
+        "its visible regions are polygons",
+        Procedure::weiler_atherton},
 };
 static_assert(method_choices.size() == method_names.size());
 
@@ -70,6 +74,8 @@ constexpr Method reference_of(Method method) {
 /// Those whose every step is a line of the course's procedures: what students are asked about.
 inline constexpr std::array course_methods{Method::warnock, Method::zbuffer};
 inline constexpr std::array course_method_names{method_names[0], method_names[1]};
+
+constexpr bool is_of_course(Method method) { return method == Method::warnock || method == Method::zbuffer; }
 
 /// Why the method does not take the scene, if it does not.
 inline std::optional<std::string> refusal_of(Method method, const Scene& scene) {

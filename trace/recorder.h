@@ -5,7 +5,8 @@
 #pragma once
 
 #include <algorithm>
-#include <iterator>
+#include <concepts>
+#include <utility>
 
 #include "event.h"
 #include "vidno/trace.h"
@@ -18,8 +19,9 @@ template <class Sink>
 struct Recording {
     Detail detail;
     Sink& sink;
-    event::Span span{};        // of the ShowLine that is running
-    event::Horizon horizon{};  // of the Horizon that is running
+    event::Span span{};                  // of the ShowLine that is running
+    event::Horizon horizon{};            // of the Horizon that is running
+    std::vector<event::Paint> paints{};  // of the region that is painted
 };
 
 template <Kernel K, class Sink>
@@ -39,7 +41,7 @@ public:
         emit<event::Call>([&] { return event::Call{at, procedure}; });
     }
     void depth(Line at, const auto& polygon, const auto& where, const auto& z) {
-        emit<event::Depth>([&] { return event::Depth{at, place(polygon), point(where), depth_value(z)}; });
+        emit<event::Depth>([&] { return event::Depth{at, place(polygon), point(where), number_or_depth(z)}; });
     }
     void fault(Line at, std::string_view reason) {
         emit<event::Fault>([&] { return event::Fault{at, std::string(reason), {}, {}}; });
@@ -281,6 +283,85 @@ public:
         emit<event::BackFace>([&] { return event::BackFace{at, place(polygon), away}; });
     }
 
+    void cut_to_area(Line at, const auto& polygon, const auto& region) {
+        emit<event::CutToArea>([&] { return event::CutToArea{at, place(polygon), loops(region)}; });
+    }
+    void facets(Line at, const auto& pieces) {
+        emit<event::Facets>([&] { return event::Facets{at, parts(pieces)}; });
+    }
+    void sorted(Line at, const auto& pieces) {
+        emit<event::Sorted>([&] { return event::Sorted{at, places(pieces)}; });
+    }
+    void push_list(Line at, const auto& pieces) {
+        emit<event::PushList>([&] { return event::PushList{at, parts(pieces)}; });
+    }
+    void pop_list(Line at, const auto& pieces) {
+        emit<event::PopList>([&] { return event::PopList{at, place(*pieces.front().polygon), int(pieces.size())}; });
+    }
+    void beside(Line at, const auto& polygon) {
+        emit<event::Beside>([&] { return event::Beside{at, place(polygon)}; });
+    }
+    void clipped(Line at, const auto& polygon, const auto& clip, const auto& inside, const auto& outside) {
+        emit<event::Clipped>([&] {
+            return event::Clipped{at, place(polygon), place(clip), loops(inside), loops(outside)};
+        });
+    }
+    void nearer_ones(Line at, const auto& pieces) {
+        emit<event::NearerOnes>([&] { return event::NearerOnes{at, places(pieces)}; });
+    }
+    void show_region(Line at, const auto& polygon, const auto& region) {
+        emit<event::Show>([&] { return event::Show{at, place(polygon), loops(region)}; });
+    }
+    void pierce(Line at, const auto& polygon, const auto& other, const auto& line) {
+        emit<event::Pierce>([&] {
+            return event::Pierce{at, place(polygon), place(other), {value(line.a), value(line.b)}, point(line.on)};
+        });
+    }
+    void split(Line at, const auto& polygon, const auto& region, const auto& other) {
+        emit<event::Split>([&] { return event::Split{at, place(polygon), loops(region), loops(other)}; });
+    }
+    void greatest_depth(Line at, const auto& polygon, const auto& z) {
+        emit<event::GreatestDepth>([&] { return event::GreatestDepth{at, place(polygon), value(z)}; });
+    }
+    void edge_piece(Line at, const auto& from, const auto& to, Lies lies) {
+        emit<event::EdgePiece>([&] { return event::EdgePiece{at, point(from), point(to), lies}; });
+    }
+    void enter(Line at, const auto& where) {
+        emit<event::Entering>([&] { return event::Entering{at, point(where)}; });
+    }
+    void leave(Line at, const auto& where) {
+        emit<event::Leaving>([&] { return event::Leaving{at, point(where)}; });
+    }
+    void behind(Line at, const auto& polygon, const auto& clip, const auto& where, const auto& z, const auto& clip_z,
+                Sign order, bool behind) {
+        emit<event::Behind>([&] {
+            return event::Behind{at,    place(polygon), place(clip), point(where), value(z), value(clip_z),
+                                 order, behind,         {}};
+        });
+    }
+    void order(Line at, const auto& polygon, const auto& other, const auto& where, const auto& z, const auto& other_z,
+               Sign order) {
+        emit<event::Order>([&] {
+            return event::Order{at, place(polygon), place(other), point(where), value(z), value(other_z), order, {}};
+        });
+    }
+    void paint(Line at, const auto& polygon, int x, int y) {
+        auto& paints = recording_->paints;
+        const auto found = std::find_if(paints.begin(), paints.end(),
+                                        [&](const auto& paint) { return paint.polygon == place(polygon); });
+        auto& runs = found != paints.end()
+                         ? found->runs
+                         : paints.emplace_back(event::Paint{at, place(polygon), polygon.color, {}}).runs;
+        if (runs.empty() || runs.back().row != y || runs.back().end != x) runs.push_back({y, x, x});
+        runs.back().end = x + 1;
+    }
+    void region_painted(Line) {
+        for (const auto& paint : std::exchange(recording_->paints, {})) emit<event::Paint>([&] { return paint; });
+    }
+    void painted(Line at) {
+        emit<event::Painted>([&] { return event::Painted{at}; });
+    }
+
     void horizons(Line at, const auto& horizons) {
         emit<event::Horizons>([&] {
             return event::Horizons{at, height_value(horizons.upper.leftmost()),
@@ -358,6 +439,14 @@ private:
             return z ? value(*z) : Value::minus_infinite();
         }
     }
+    /// The depth of a plane is a depth of the kernel or, of a region's polygon, a number.
+    static Value number_or_depth(const auto& z) {
+        if constexpr (std::same_as<std::remove_cvref_t<decltype(z)>, typename K::Depth>) {
+            return depth_value(z);
+        } else {
+            return value(z);
+        }
+    }
     static std::optional<Value> height_value(const auto& cell) {
         return cell ? std::optional(value(*cell)) : std::nullopt;
     }
@@ -365,6 +454,26 @@ private:
     /// Of a list that is empty the least is plus infinity.
     static Value next_value(int row) { return row == no_row ? Value::infinite() : Value(row); }
     static Value next_value(const std::optional<typename K::Number>& y) { return y ? value(*y) : Value::infinite(); }
+
+    static RegionLoops loops(const auto& region) {
+        RegionLoops copies;
+        for (const auto& loop : region.loops) {
+            copies.emplace_back();
+            for (const auto& corner : loop) copies.back().push_back(point(corner.at));
+        }
+        return copies;
+    }
+    static std::vector<PolygonPart> parts(const auto& pieces) {
+        std::vector<PolygonPart> copies;
+        for (const auto& piece : pieces)
+            copies.push_back({place(*piece.polygon), loops(piece.region), piece.is_ground});
+        return copies;
+    }
+    static std::vector<PolygonPlace> places(const auto& pieces) {
+        std::vector<PolygonPlace> found;
+        for (const auto& piece : pieces) found.push_back(place(*piece.polygon));
+        return found;
+    }
 
     static ValuePoint point(const auto& p) { return {value(p.x), value(p.y)}; }
     static ValueVertex vertex(const auto& v) { return {value(v.x), value(v.y), value(v.z)}; }

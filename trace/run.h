@@ -38,6 +38,13 @@ Picture run_family_filtered(const RunRequest&);
 Picture run_family_grid(const RunRequest&);  // of a snapped scene
 Picture run_family_exact(const RunRequest&);
 
+/// Weiler and Atherton's algorithm (vidno/weiler_atherton.h); the corrected edition only.
+Picture run_regions_float(const RunRequest&);
+Picture run_regions_double(const RunRequest&);
+Picture run_regions_bits(const RunRequest&);
+Picture run_regions_filtered(const RunRequest&);
+Picture run_regions_exact(const RunRequest&);
+
 struct KernelChoice {
     /// A whole number that follows the name: `bits:12`.
     struct Parameter {
@@ -53,7 +60,8 @@ struct KernelChoice {
     std::optional<Parameter> parameter{};
     bool runs_warnock = true;
     bool runs_mistakes = false;
-    RunKernel run_family = nullptr;  // none: it does not run the Warnock family
+    RunKernel run_family = nullptr;   // none: it does not run the Warnock family
+    RunKernel run_regions = nullptr;  // none: it does not run Weiler and Atherton's algorithm
 
     /// The floating horizon: it takes samples as they are, and has no depths to store.
     bool runs_curves(Edition edition) const {
@@ -63,6 +71,7 @@ struct KernelChoice {
 
     bool runs(Method method, Edition edition) const {
         const auto only = choice_of(edition).only;
+        if (method == Method::weiler_atherton) return run_regions && edition == Edition::corrected;
         if (is_family(method) && !(run_family && (edition == Edition::corrected || only == method))) return false;
         return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed) &&
                (runs_mistakes || !is_mistake(edition)) && (!only || *only == method);
@@ -73,17 +82,20 @@ inline constexpr std::array kernel_choices{
     KernelChoice{.name = "float",
                  .rule = "IEEE binary32; decisions as they fall",
                  .run = run_float,
-                 .run_family = run_family_float},
+                 .run_family = run_family_float,
+                 .run_regions = run_regions_float},
     KernelChoice{.name = "double",
                  .rule = "IEEE binary64; decisions as they fall",
                  .run = run_double,
                  .runs_mistakes = true,
-                 .run_family = run_family_double},
+                 .run_family = run_family_double,
+                 .run_regions = run_regions_double},
     KernelChoice{.name = "bits",
                  .rule = "every result rounded to P bits; decisions as they fall",
                  .run = run_bits,
                  .parameter = {{'P', fewest_bits, most_bits}},
-                 .run_family = run_family_bits},
+                 .run_family = run_family_bits,
+                 .run_regions = run_regions_bits},
     KernelChoice{"depth",
                  "binary64, and a Z-buffer of B bits; zbuffer only",
                  run_depth,
@@ -94,7 +106,8 @@ inline constexpr std::array kernel_choices{
                  .rule = "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
                  .run = run_filtered,
                  .runs_printed = false,
-                 .run_family = run_family_filtered},
+                 .run_family = run_family_filtered,
+                 .run_regions = run_regions_filtered},
     KernelChoice{
         .name = "grid",
         .rule = "x and y snapped to 1/2^K pixel, whole numbers from there: right for the snapped scene; corrected only",
@@ -106,7 +119,8 @@ inline constexpr std::array kernel_choices{
                  .rule = "exact rationals; every decision is right, the reference",
                  .run = run_exact,
                  .runs_mistakes = true,
-                 .run_family = run_family_exact},
+                 .run_family = run_family_exact,
+                 .run_regions = run_regions_exact},
 };
 
 /// A kernel as it is named: `double`, `bits:12`, `grid` for `grid:8`.
@@ -126,20 +140,32 @@ std::optional<NamedKernel> kernel_named(std::string_view name);
 /// The names that there are: "float, double, bits:P (4 <= P <= 24), ...".
 std::string kernel_names();
 
+/// A visible region of Weiler and Atherton's algorithm, in the numbers of its kernel: loops, holes the other way round; its
+/// area in square pixels.
+struct ShownRegion {
+    PolygonPlace polygon;
+    RegionLoops loops;
+    Value area;
+};
+
 struct RunRequest {
     Method method;
     NamedKernel kernel;
     Edition edition;
     const Scene& scene;
     Detail detail = Detail::windows;
-    TraceWriter* writer = nullptr;           // none: no trace
-    double smallest_window = 1;              // of Warnock's algorithm, the side; a trace does not say it
-    std::function<void()> progress = [] {};  // without a trace, called at each window or polygon; checked, at each step
+    TraceWriter* writer = nullptr;  // none: no trace
+    double smallest_window = 1;     // of Warnock's algorithm, the side; a trace does not say it
+    std::function<void()> progress = [] {
+    };  // without a trace, called at each window, polygon or list; checked, each step
+    std::vector<ShownRegion>* regions =
+        nullptr;  // where those of Weiler and Atherton's algorithm go, if they are wanted
 };
 
 inline Picture run(const RunRequest& request) {
     if (is_mistake(request.edition)) return run_mistake(request);
     const KernelChoice& kernel = *request.kernel.choice;
+    if (request.method == Method::weiler_atherton) return kernel.run_regions(request);
     return is_family(request.method) ? kernel.run_family(request) : kernel.run(request);
 }
 

@@ -163,11 +163,64 @@ void State::expect_in_area(int row, int first, int end) const {
     if (!fits) throw Impossible{"a run of pixels outside the area"};
 }
 
-void State::take(const event::Draw& e) {
-    for (const auto& run : e.runs) {
+void State::paint(const std::vector<PixelRun>& runs, const Color& color) {
+    for (const auto& run : runs) {
         expect_in_area(run.row, run.first, run.end);
-        picture_.paint(run, e.color);
+        picture_.paint(run, color);
     }
+}
+
+void State::take(const event::Draw& e) { paint(e.runs, e.color); }
+
+void State::take(const event::Paint& e) { paint(e.runs, e.color); }
+
+void State::take(const event::CutToArea& e) {
+    if (!e.region.empty()) facets_.push_back({e.polygon, e.region});
+}
+
+void State::take(const event::PopList& e) {
+    if (lists_.empty()) throw Impossible{"the stack of lists is empty"};
+    auto& top = lists_.back();
+    if (top.empty() || top.front().polygon != e.clip || int(top.size()) != e.count) {
+        throw Impossible{"not the list on top of the stack"};
+    }
+    list_in_hand_ = ListInHand{std::move(top), {}, {}};
+    lists_.pop_back();
+    clipped_ = 1;
+    behind_.clear();
+}
+
+/// Whose next piece is one of this polygon.
+State::ListInHand& State::list_in_hand(PolygonPlace polygon) {
+    if (!list_in_hand_) throw Impossible{"no list in hand"};
+    const auto& pieces = list_in_hand_->pieces;
+    if (clipped_ >= pieces.size() || pieces[clipped_].polygon != polygon) {
+        throw Impossible{"not the next polygon of the list in hand"};
+    }
+    return *list_in_hand_;
+}
+
+void State::take(const event::Beside& e) {
+    auto& [pieces, inside, outside] = list_in_hand(e.polygon);
+    outside.push_back(pieces[clipped_++]);
+}
+
+void State::take(const event::Clipped& e) {
+    if (e.at != Line::WA5) return;  // else SplitPiercing looks at what two polygons have in common
+    auto& [pieces, inside, outside] = list_in_hand(e.polygon);
+    const bool ground = pieces[clipped_++].ground;
+    if (!e.inside.empty()) inside.push_back({e.polygon, e.inside, ground});
+    if (!e.outside.empty()) outside.push_back({e.polygon, e.outside, ground});
+}
+
+void State::take(const event::NearerOnes&) {
+    if (!list_in_hand_) throw Impossible{"no list in hand"};
+    auto& inside = list_in_hand_->inside;
+    const auto grounds = std::count_if(inside.begin(), inside.end(), [](const auto& part) { return part.ground; });
+    if (inside.size() - std::size_t(grounds) != behind_.size()) throw Impossible{"not a depth for each part inside"};
+    std::size_t next = 0;
+    std::erase_if(inside, [&](const auto& part) { return part.ground || behind_[next++]; });
+    behind_.clear();
 }
 
 void State::take(const event::Clear& e) {

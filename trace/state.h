@@ -26,6 +26,11 @@ public:
     struct Clip {
         std::vector<ValueVertex> vertices, next;
     };
+    /// WA4: the list that was taken from the stack.
+    struct ListInHand {
+        std::vector<PolygonPart> pieces;           // the first is the clip polygon
+        std::vector<PolygonPart> inside, outside;  // of its outline, from level `polygons`
+    };
     struct AelEntry {
         int edge;
         Value x, z, until, dx, dz;
@@ -54,6 +59,12 @@ public:
     /// With three lists the APL, which all windows share, is the third; these are the others.
     const std::vector<Joined>& surrounding() const { return surrounding_; }
     const std::vector<Joined>& outside() const { return outside_; }
+
+    // Weiler-Atherton
+    const std::vector<std::vector<PolygonPart>>& lists() const { return lists_; }  // bottom first
+    const std::optional<ListInHand>& list_in_hand() const { return list_in_hand_; }
+    const std::vector<PolygonPart>& facets() const { return facets_; }
+    const std::vector<PolygonPart>& visible() const { return visible_; }
 
     // Z-buffer
     std::optional<int> polygon() const { return polygon_; }
@@ -132,6 +143,25 @@ private:
     void take(const event::SplitVertex&) {}
     void take(const event::EdgeDepth&) {}
     void take(const event::BackFace&) {}
+    void take(const event::CutToArea&);
+    void take(const event::Facets& e) { facets_ = e.pieces; }
+    void take(const event::Sorted&) {}
+    void take(const event::PushList& e) { lists_.push_back(e.pieces); }
+    void take(const event::PopList&);
+    void take(const event::Beside&);
+    void take(const event::Clipped&);
+    void take(const event::NearerOnes&);
+    void take(const event::Show& e) { visible_.push_back({e.polygon, e.region}); }
+    void take(const event::Pierce&) {}
+    void take(const event::Split&) {}
+    void take(const event::GreatestDepth&) {}
+    void take(const event::EdgePiece&) {}
+    void take(const event::Entering&) {}
+    void take(const event::Leaving&) {}
+    void take(const event::Behind& e) { behind_.push_back(e.behind); }
+    void take(const event::Order&) {}
+    void take(const event::Paint&);
+    void take(const event::Painted&) {}
     void take(const CurveEvent auto&) { throw Impossible{"an event of a run of curves"}; }
 
     Apl& current_apl();
@@ -139,6 +169,8 @@ private:
     void remove_from_apl(PolygonPlace polygon);
     std::vector<Joined>& list_of(Relation relation);
     Clip& clipping();
+    ListInHand& list_in_hand(PolygonPlace polygon);
+    void paint(const std::vector<PixelRun>& runs, const Color& color);
     AelEntry& active_edge(int edge);
     void expect_in_area(int row, int first, int end) const;
 
@@ -158,6 +190,12 @@ private:
     bool insider_ = false;
     std::optional<Clip> clip_;
     std::vector<Joined> surrounding_, outside_;
+
+    std::vector<std::vector<PolygonPart>> lists_;
+    std::optional<ListInHand> list_in_hand_;
+    std::size_t clipped_ = 0;   // how many of its pieces
+    std::vector<bool> behind_;  // of the parts inside that are not ground, in their order
+    std::vector<PolygonPart> facets_, visible_;
 
     std::optional<int> polygon_;
     std::vector<int> edges_;

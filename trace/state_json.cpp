@@ -18,7 +18,12 @@ public:
         out_ += ",\"warnock\":";
         has_windows ? warnock() : null();
         out_ += ",\"zbuffer\":";
-        has_windows ? null() : z_buffer();
+        const bool has_regions = state_.header().method == Method::weiler_atherton;
+        has_windows || has_regions ? null() : z_buffer();
+        if (has_regions) {
+            out_ += ",\"weilerAtherton\":";
+            weiler_atherton();
+        }
         out_ += "}\n";
         return out_.string();
     }
@@ -113,6 +118,37 @@ private:
             out_ += ",\"outside\":";
             joined(state_.outside());
         }
+        out_ += '}';
+    }
+
+    void parts(const std::vector<PolygonPart>& parts) {
+        list(parts, [this](const PolygonPart& part) {
+            out_ += '[';
+            out_ += names_[std::size_t(part.polygon.index)];
+            out_ += ',';
+            loops(part.region);
+            out_ += ',';
+            boolean(part.ground);
+            out_ += ']';
+        });
+    }
+    void weiler_atherton() {
+        out_ += "{\"lists\":";
+        list(state_.lists(), [this](const auto& pieces) { parts(pieces); });
+        out_ += ",\"list\":";
+        optional(state_.list_in_hand(), [this](const State::ListInHand& in_hand) {
+            out_ += "{\"pieces\":";
+            parts(in_hand.pieces);
+            out_ += ",\"inside\":";
+            parts(in_hand.inside);
+            out_ += ",\"outside\":";
+            parts(in_hand.outside);
+            out_ += '}';
+        });
+        out_ += ",\"facets\":";
+        parts(state_.facets());
+        out_ += ",\"visible\":";
+        parts(state_.visible());
         out_ += '}';
     }
 

@@ -30,6 +30,14 @@ protected:
     void number(const Value& value) { values_.value(out_, value); }
     void integer(int value) { append_integer(out_, value); }
 
+    void loops(const RegionLoops& region) {
+        list(region, [this](const auto& loop) {
+            list(loop, [this](const ValuePoint& p) {
+                list(std::array{p.x, p.y}, [this](const Value& coordinate) { number(coordinate); });
+            });
+        });
+    }
+
     /// The beginning of every state: `{"step":N,"calls":[...]`.
     void begin(const auto& state) {
         out_ += "{\"step\":";

@@ -148,6 +148,9 @@ private:
     void value(const json& v, Case& target, const std::string& path) const {
         target = Case(index_of(v, case_names, path));
     }
+    void value(const json& v, Lies& target, const std::string& path) const {
+        target = Lies(index_of(v, lies_names, path));
+    }
     void value(const json& v, Relation& target, const std::string& path) const {
         target = Relation(index_of(v, relation_names, path));
     }
@@ -177,6 +180,9 @@ private:
     }
     void value(const json& v, ValuePoint& t, const std::string& path) const { list(v, path, t.x, t.y); }
     void value(const json& v, ValueVertex& t, const std::string& path) const { list(v, path, t.x, t.y, t.z); }
+    void value(const json& v, PolygonPart& t, const std::string& path) const {
+        list(v, path, t.polygon, t.region, t.ground);
+    }
     void value(const json& v, Window& t, const std::string& path) const { list(v, path, t.x, t.y, t.width, t.height); }
     void value(const json& v, PixelRectangle& t, const std::string& path) const {
         list(v, path, t.x, t.y, t.width, t.height);

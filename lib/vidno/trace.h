@@ -137,9 +137,12 @@ struct NoTrace {
 
     // WeilerAtherton; a piece is a part of a polygon, with its region
     void cut_to_area(Line, const auto& /*polygon*/, const auto& /*region*/) {}
-    void pieces(Line, const auto& /*pieces*/) {}
+    void facets(Line, const auto& /*pieces*/) {}  // what SplitPiercing gives
+    void sorted(Line, const auto& /*pieces*/) {}
     void push_list(Line, const auto& /*pieces*/) {}
     void pop_list(Line, const auto& /*pieces*/) {}
+    void beside(Line, const auto& /*polygon*/) {}
+    void nearer_ones(Line, const auto& /*pieces*/) {}
     void show_region(Line, const auto& /*polygon*/, const auto& /*region*/) {}
 
     // SplitPiercing
@@ -158,10 +161,13 @@ struct NoTrace {
 
     // RemoveBehind
     void behind(Line, const auto& /*polygon*/, const auto& /*clip_polygon*/, const auto& /*point*/, const auto& /*z*/,
-                const auto& /*clip_z*/, bool /*behind*/) {}
+                const auto& /*clip_z*/, auto /*order*/, bool /*behind*/) {}
 
-    // PaintRegions
+    // PaintRegions; it tells the rows of a region as FillPolygon does
+    void order(Line, const auto& /*polygon*/, const auto& /*other_polygon*/, const auto& /*point*/, const auto& /*z*/,
+               const auto& /*other_z*/, auto /*order*/) {}
     void paint(Line, const auto& /*polygon*/, int /*x*/, int /*y*/) {}
+    void region_painted(Line) {}
     void painted(Line) {}
 };
 

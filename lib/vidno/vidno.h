@@ -11,7 +11,8 @@
 
 namespace vidno {
 
-/// Beside the two of the course, the Warnock family, each with a procedure set of its own (family/family.h).
+/// Beside the two of the course, the Warnock family, each with a procedure set of its own (family/family.h), and Weiler and
+/// Atherton's algorithm, which gives more than a picture (weiler_atherton.h).
 enum class Method : unsigned char {
     warnock,
     zbuffer,
@@ -20,11 +21,12 @@ enum class Method : unsigned char {
     warnock_angles,
     warnock_vertex,
     warnock_edges,
-    warnock_bodies
+    warnock_bodies,
+    weiler_atherton
 };
 inline constexpr auto method_names =
     std::to_array<std::string_view>({"warnock", "zbuffer", "warnock-simplest", "warnock-full", "warnock-angles",
-                                     "warnock-vertex", "warnock-edges", "warnock-bodies"});
+                                     "warnock-vertex", "warnock-edges", "warnock-bodies", "weiler-atherton"});
 
 constexpr bool is_family(Method method) {
     return Method::warnock_simplest <= method && method <= Method::warnock_bodies;
@@ -39,6 +41,7 @@ constexpr bool is_warnock(Method method) { return method == Method::warnock || i
 template <class Set = Corrected, Kernel K, class Trace = NoTrace>
 Picture render(Method method, const Scene& scene, K kernel, Trace trace = {}, double smallest_window = 1) {
     assert(!is_family(method) || !(std::same_as<Set, Corrected>));
+    assert(method != Method::weiler_atherton);
     Picture picture(scene.area, scene.background);
     try {
         Run<Set, K, Trace> run(scene, std::move(kernel), trace, picture);

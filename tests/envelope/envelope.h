@@ -5,6 +5,7 @@
 #include <CGAL/Env_surface_data_traits_3.h>
 #include <CGAL/Env_triangle_traits_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/envelope_3.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -55,6 +57,18 @@ public:
         return picture;
     }
 
+    /// By polygon, of those that show: in the faces of the map, of equal triangles the first's.
+    std::map<int, CGAL::Exact_rational> areas() const {
+        std::map<int, CGAL::Exact_rational> areas;
+        for (auto face = map_.faces_begin(); face != map_.faces_end(); ++face) {
+            if (face->is_unbounded() || face->number_of_surfaces() == 0) continue;
+            auto& area = areas[int(first_at(face))];
+            area += area_within(face->outer_ccb());
+            for (auto hole = face->holes_begin(); hole != face->holes_end(); ++hole) area += area_within(*hole);
+        }
+        return areas;
+    }
+
 private:
     using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
     using Traits = CGAL::Env_surface_data_traits_3<CGAL::Env_triangle_traits_3<Kernel>, std::size_t>;
@@ -63,12 +77,26 @@ private:
 
     /// The map gives equal triangles in any order; the first of the scene wins.
     Color color_at(const Place& place) const {
-        std::size_t first = scene_.polygons.size();
-        const auto find_first = [&](const auto& at) {
-            for (auto s = at->surfaces_begin(); s != at->surfaces_end(); ++s) first = std::min(first, s->data());
-        };
-        boost::apply_visitor(find_first, place);
+        const std::size_t first = boost::apply_visitor([&](const auto& at) { return first_at(at); }, place);
         return first < scene_.polygons.size() ? scene_.polygons[first].color : scene_.background;
+    }
+
+    std::size_t first_at(const auto& at) const {
+        std::size_t first = scene_.polygons.size();
+        for (auto s = at->surfaces_begin(); s != at->surfaces_end(); ++s) first = std::min(first, s->data());
+        return first;
+    }
+
+    /// Outlines have the face on their left, and count positive; so do holes, which then count negative.
+    static CGAL::Exact_rational area_within(Map::Ccb_halfedge_const_circulator edge) {
+        Kernel::FT doubled = 0;
+        const auto first = edge;
+        do {
+            const auto& p = edge->source()->point();
+            const auto& q = edge->target()->point();
+            doubled += p.x() * q.y() - p.y() * q.x();
+        } while (++edge != first);
+        return doubled.exact() / 2;
     }
 
     static int pixel_of(const Kernel::FT& centre) { return int(std::floor(CGAL::to_double(centre))); }

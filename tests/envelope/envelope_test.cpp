@@ -1,5 +1,6 @@
 // The picture rule before an independent judge: CGAL's envelope, the brute-force reference and both methods under
-// `exact` and `filtered` give one picture of every scene of triangles.
+// `exact` and `filtered` give one picture of every scene of triangles. The visible regions of Weiler and Atherton have the areas of
+// the envelope's faces, to the last digit.
 
 #include "envelope.h"
 
@@ -8,21 +9,61 @@
 #include "support/reference.h"
 #include "support/scenes.h"
 #include "vidno/kernels/exact.h"
-#include "vidno/kernels/filtered.h"
+#include "vidno/kernels/filtered_regions.h"
 #include "vidno/vidno.h"
+#include "vidno/weiler_atherton.h"
 
 using namespace vidno;
 using namespace vidno::test;
 
 namespace {
 
-void check_all_agree(const Scene& scene) {
+/// In the least area that holds all triangles: the envelope does not end at one.
+Scene whole(Scene scene) {
+    glm::dvec3 low(scene.area.x, scene.area.y, 0), high(scene.area.right(), scene.area.bottom(), 0);
+    for (const auto& polygon : scene.polygons) {
+        for (const auto& vertex : polygon.vertices) {
+            low = glm::min(low, glm::floor(vertex));
+            high = glm::max(high, glm::ceil(vertex));
+        }
+    }
+    scene.area = {int(low.x), int(low.y), int(high.x - low.x), int(high.y - low.y)};
+    return scene;
+}
+
+const Rational& exactly(const Rational& number) { return number; }
+Rational exactly(const Constructed& number) { return number.exactly(); }
+
+template <class K>
+void check_areas(const Scene& scene, const std::map<int, Rational>& expected) {
+    std::map<int, Rational> areas;
+    for (const auto& [polygon, outlines] : visible_regions(scene, K{}).regions) {
+        areas[polygon] += exactly(area_of(outlines));
+    }
+    CHECK(areas == expected);
+}
+
+void check_regions(const Scene& scene) {
+    const Envelope envelope(scene);
+    const Picture expected = envelope.picture();
+    CHECK(different_pixels(visible_regions(scene, Exact{}).picture, expected) == 0);
+    CHECK(different_pixels(visible_regions(scene, Filtered{}).picture, expected) == 0);
+    check_areas<Exact>(whole(scene), envelope.areas());
+    check_areas<Filtered>(whole(scene), envelope.areas());
+}
+
+void check_pictures(const Scene& scene) {
     const Picture expected = Envelope(scene).picture();
     CHECK(different_pixels(Reference(scene).picture(), expected) == 0);
     for (const Method method : {Method::warnock, Method::zbuffer}) {
         CHECK(different_pixels(render(method, scene, Exact{}), expected) == 0);
         CHECK(different_pixels(render(method, scene, Filtered{}), expected) == 0);
     }
+}
+
+void check_all_agree(const Scene& scene) {
+    check_pictures(scene);
+    check_regions(scene);
 }
 
 /// Each polygon as a fan of triangles, each with a colour of its own.
@@ -80,18 +121,23 @@ TEST_CASE("Triangles next to coincidences") {
         CAPTURE(i);
         Scene scene = triangulated(random.scene());
         REQUIRE(moved_by_ulps(scene, random));
-        check_all_agree(scene);
+        check_pictures(scene);
+        if (i % 10 == 0) check_regions(scene);
         wrong_in_double += different_pixels(render(Method::zbuffer, scene, Double{}), Envelope(scene).picture());
     }
     CHECK(wrong_in_double > 0);
 }
 
-TEST_CASE("A hundred triangles that interpenetrate") {
-    RandomScenes random(7);
+TEST_CASE("Many triangles that interpenetrate") {
     const Area area{0, 0, 64, 64};
-    SceneBuilder builder(area);
-    for (int i = 0; i < 100; ++i) builder.polygon(random.triangle(area));
-    check_all_agree(builder.build());
+    const auto triangles = [&](int count) {
+        RandomScenes random(7);
+        SceneBuilder builder(area);
+        for (int i = 0; i < count; ++i) builder.polygon(random.triangle(area));
+        return builder.build();
+    };
+    check_pictures(triangles(100));
+    check_regions(triangles(12));  // in so many pieces that more would take minutes
 }
 
 TEST_CASE("Interpenetrating triangles") {

@@ -27,6 +27,9 @@ const { instance } = await WebAssembly.instantiate(readFileSync(module), {
   vidno: {
     sha256: (at, size, to) =>
       bytes(to, 32).set(createHash('sha256').update(bytes(at, size)).digest()),
+    // There is no reader of functions here: surfaces have samples.
+    formula: () => 1,
+    height: () => NaN,
   },
 });
 const wasm = instance.exports;

@@ -15,7 +15,9 @@ using Format = std::string (*)(const std::vector<SceneChart>&, const ChartOption
 std::string as_json(const std::vector<SceneChart>& scenes, const ChartOptions&) { return chart_json(scenes); }
 std::string as_csv(const std::vector<SceneChart>& scenes, const ChartOptions&) { return chart_csv(scenes); }
 std::string as_page(const std::vector<SceneChart>& scenes, const ChartOptions&) {
-    return chart_page(chart_json(scenes));
+    std::vector<SceneChart> known;
+    for (const auto& scene : scenes) known.push_back(for_page(scene));
+    return chart_page(chart_json(known));
 }
 std::string as_figure(const std::vector<SceneChart>& scenes, const ChartOptions& options) {
     return output_of({"gnuplot"}, chart_script(scenes, place_in(names_of(cost_axes), options.cost),

@@ -23,7 +23,7 @@ struct Candidate {
     RunRequest request() const { return {method, kernel, Edition::corrected, scene}; }
 };
 
-/// Each method that paints the picture rule, under each kernel that is cheaper than exact rationals and takes the scene.
+/// Each method that paints the picture rule and nothing but paints, under each kernel that is cheaper than exact rationals and takes the scene.
 std::vector<Candidate> candidates_for(const Scene& scene) {
     const NamedKernel grid = *kernel_named("grid");
     std::optional<Scene> on_grid;
@@ -32,6 +32,7 @@ std::vector<Candidate> candidates_for(const Scene& scene) {
     for (std::size_t place = 0; place < method_names.size(); ++place) {
         const auto method = Method(place);
         if (reference_of(method) != Method::zbuffer || refusal_of(method, scene)) continue;
+        if (method == Method::weiler_atherton) continue;
         for (const std::string name : {"float", "double", "filtered"}) {
             candidates.push_back({method, *kernel_named(name), scene});
         }

@@ -168,6 +168,7 @@ figures::Figure drawn(CurveTraceReader& reader, const std::vector<std::uint64_t>
 }
 
 std::string method_in(const TraceHeader& header, const figures::FigureWords& words) {
+    if (header.method == Method::weiler_atherton) return std::string(words.weiler_atherton);
     const std::string method(is_warnock(header.method) ? words.warnock : words.z_buffer);
     return is_family(header.method) ? method + " (" + std::string(method_names[std::size_t(header.method)]) + ")"
                                     : method;

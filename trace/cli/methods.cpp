@@ -23,7 +23,7 @@ int methods() {
     for (std::size_t i = 0; i < method_choices.size(); ++i) print(method_names[i], method_choices[i]);
     print(curve_method, curve_choice);
     std::cout << "kernels    (the arithmetic; warnock-... not under depth,\n"
-                 "            floating-horizon not under depth and grid)\n";
+                 "            weiler-atherton and floating-horizon not under depth and grid)\n";
     for (const auto& kernel : kernel_choices) {
         std::string name(kernel.name);
         if (kernel.parameter) (name += ':') += kernel.parameter->letter;
@@ -36,7 +36,7 @@ int methods() {
         std::cout << '\n';
     }
     std::cout << "levels of detail (each adds events to the one before)\n"
-                 "  windows    windows, cases and fills; polygons, scanlines and painted runs\n"
+                 "  windows    windows, cases and fills; polygons, scanlines and painted runs; lists and regions\n"
                  "  polygons   relations, corner depths and clips; the active edge list and stored depths\n"
                  "  signs      every orientation test and every depth comparison\n";
     return 0;

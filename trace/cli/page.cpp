@@ -13,35 +13,46 @@ namespace {
 
 std::string base_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
-PageFile page_file_of(const std::string& file, const Scene& scene, const RunOptions& run) {
-    const std::string title = scene.name.empty() ? base_name(file) : scene.name;
-    const std::string method(method_names[std::size_t(method_of(run))]);
-    return {title, method, run.kernel, run.edition, run.detail, {}, false};
+std::string title_of(const auto& scene, const std::string& file) {
+    return scene.name.empty() ? base_name(file) : scene.name;
 }
 
-/// A scene as it was admitted, to be run with the defaults.
+std::string_view method_for(const Scene&) { return method_names[std::size_t(method_of(RunOptions{}))]; }
+std::string_view method_for(const Surface&) { return curve_method; }
+std::string text_of(const Scene& scene) { return scene_json(scene); }
+std::string text_of(const Surface& surface) { return surface_json(surface); }
+
+/// A scene as it was admitted, to be run with the defaults; of a surface its samples.
 PageFile scene_file(const std::string& file) {
-    const Scene scene = scene_from(file);
-    PageFile made = page_file_of(file, scene, RunOptions{});
-    made.is_scene = true;
-    made.bytes = scene_json(scene);
-    return made;
+    const auto made = [&](const auto& scene) -> PageFile {
+        const RunOptions run;
+        const std::string method(method_for(scene));
+        return {title_of(scene, file), method, run.kernel, run.edition, run.detail, text_of(scene), true};
+    };
+    return std::visit(made, any_scene_from(file, std::nullopt));
 }
+
+std::string_view method_in(const TraceHeader& header) { return method_names[std::size_t(header.method)]; }
+std::string_view method_in(const CurveHeader&) { return curve_method; }
 
 /// A trace, every event of which could be read.
 PageFile trace_file(const std::string& file, bool& whole) {
     Progress progress("events");
-    TraceReader reader(LineReader(file), file);
-    while (reader.next()) progress.show(reader.events());
-    progress.clear();
-    if (!is_whole(reader)) whole = false;
-    const TraceHeader& header = reader.header();
-    RunOptions run;
-    run.method = method_names[std::size_t(header.method)];
-    run.kernel = header.kernel;
-    run.edition = edition_names[std::size_t(header.edition)];
-    run.detail = detail_names[std::size_t(header.detail)];
-    PageFile made = page_file_of(file, header.scene, run);
+    const auto read = [&](auto& reader) -> PageFile {
+        while (reader.next()) progress.show(reader.events());
+        progress.clear();
+        if (!is_whole(reader)) whole = false;
+        const auto& header = reader.header();
+        return {title_of(header.scene, file),
+                std::string(method_in(header)),
+                header.kernel,
+                std::string(edition_names[std::size_t(header.edition)]),
+                std::string(detail_names[std::size_t(header.detail)]),
+                {},
+                false};
+    };
+    AnyTraceReader reader = open_trace(LineReader(file), file);
+    PageFile made = std::visit(read, reader);
     made.bytes = read_file(file);
     if (!made.bytes.starts_with("\x1f\x8b")) made.bytes = gzipped(made.bytes);
     return made;

@@ -6,10 +6,12 @@
 #include "curve_run.h"
 #include "figure/curve_parts.h"
 #include "figure/encoded.h"
+#include "figure/region_parts.h"
 #include "image.h"
 #include "method.h"
 #include "output.h"
 #include "progress.h"
+#include "region_output.h"
 #include "scene_json.h"
 #include "snapped_scene.h"
 
@@ -24,7 +26,10 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     if (is_family(method) && edition != Edition::corrected && !only) {
         throw Refused(named_method + ": only --edition corrected, and mistakes of this method alone");
     }
-    if (is_family(method) && !kernel.choice->run_family) {
+    if (method == Method::weiler_atherton && edition != Edition::corrected) {
+        throw Refused(named_method + ": only --edition corrected");
+    }
+    if (!is_of_course(method) && !kernel.choice->runs(method, Edition::corrected)) {
         throw Refused(named_method + ": not under --kernel " + kernel.name());
     }
     if (edition == Edition::printed && !kernel.choice->runs_printed) {
@@ -150,15 +155,36 @@ int trace_scene(const RunOptions& options, const Surface& surface) {
     return write_traced(CurveHeader{request.edition, request.kernel.name(), request.detail, surface}, request, options);
 }
 
+std::string paced_by(Method method) {
+    if (method == Method::weiler_atherton) return "lists";
+    return is_warnock(method) ? "windows" : "polygons";
+}
+
+/// Visible regions are polygons: JSON, or a drawing.
+bool is_of_regions(const RunOptions& options) {
+    const std::string& name = options.output;
+    return method_of(options) == Method::weiler_atherton &&
+           (name.ends_with(".json") || name.ends_with(".svg") || name.ends_with(".pdf") || name.ends_with(".tex"));
+}
+
+std::string encoded_regions(RunRequest request, const std::string& output) {
+    std::vector<ShownRegion> regions;
+    request.regions = &regions;
+    run(request);
+    if (output.ends_with(".json")) return regions_json(regions, request);
+    return figures::encoded(figures::drawn_regions(regions, request.scene), {request.scene.name}, output);
+}
+
 std::string rendered(const RunOptions& options, const Scene& given) {
-    encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
+    const bool of_regions = is_of_regions(options);
+    if (!of_regions) encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
     const NamedKernel kernel = kernel_of(options);
     const Scene scene = scene_for(kernel, given, options.scene);
     expect_admitted(method_of(options), scene, options.scene);
     RunRequest request = request_of(options, kernel, scene);
-    Progress progress(is_warnock(request.method) ? "windows" : "polygons");
+    Progress progress(paced_by(request.method));
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
-    return encode_image(run(request), options.output);
+    return of_regions ? encoded_regions(request, options.output) : encode_image(run(request), options.output);
 }
 std::string rendered(const RunOptions& options, const Surface& surface) {
     figures::format_of(options.output);  // refuses a wrong name before the work

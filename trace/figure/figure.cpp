@@ -4,6 +4,7 @@
 
 #include "curve_parts.h"
 #include "refused.h"
+#include "region_parts.h"
 #include "table.h"
 
 namespace vidno::figures {
@@ -48,7 +49,10 @@ Drawing Figure::plane(const Moment& moment, const std::optional<PixelHistory>& h
     // Outlines of very many polygons would hide the picture: they show where nothing is painted yet.
     const bool crowded = moment.scene().polygons.size() > most_outlines;
     if (crowded) draw_outlines(drawing, moment, plane, style);
-    if (options_.shows(Part::picture)) draw_picture(drawing, moment, plane, style);
+    if (options_.shows(Part::picture)) {
+        draw_picture(drawing, moment, plane, style);
+        if (!moment.is_painted()) draw_visible(drawing, moment, plane, style);
+    }
     draw_frame(drawing, plane);
     if (!crowded) draw_outlines(drawing, moment, plane, style);
     if (options_.shows(Part::windows)) {

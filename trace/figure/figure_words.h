@@ -12,9 +12,10 @@ inline constexpr std::array<std::string_view, 2> language_codes{"en", "ru"};
 
 struct FigureWords {
     std::string_view code;
-    std::string_view warnock, z_buffer, floating_horizon;
+    std::string_view warnock, z_buffer, floating_horizon, weiler_atherton;
     std::string_view step, stack, active_polygons, surrounds, nearer_at, corner_depths;
     std::string_view active_edges, edge, until;
+    std::string_view list_in_hand, vertices, behind_all, inside, outside;
     std::string_view pixel, line, what, answer, painted;
     std::string_view empty, more, earlier, yes, no;
     std::string_view computed, right, wrong;
@@ -26,6 +27,7 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .warnock = "Warnock",
         .z_buffer = "Z-buffer",
         .floating_horizon = "Floating horizon",
+        .weiler_atherton = "Weiler–Atherton",
         .step = "step",
         .stack = "on the stack",
         .active_polygons = "Active polygons (APL)",
@@ -35,6 +37,11 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .active_edges = "Active edges (AEL)",
         .edge = "edge",
         .until = "until",
+        .list_in_hand = "List L, C first",
+        .vertices = "vertices",
+        .behind_all = "behind all",
+        .inside = "inside",
+        .outside = "outside",
         .pixel = "Pixel",
         .line = "line",
         .what = "what was found",
@@ -54,6 +61,7 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .warnock = "Алгоритм Варнока",
         .z_buffer = "Z-буфер",
         .floating_horizon = "Плавающий горизонт",
+        .weiler_atherton = "Алгоритм Вейлера — Азертона",
         .step = "шаг",
         .stack = "в стеке",
         .active_polygons = "Активные многоугольники (APL)",
@@ -63,6 +71,11 @@ inline constexpr std::array<FigureWords, 2> figure_words{{
         .active_edges = "Активные рёбра (AEL)",
         .edge = "ребро",
         .until = "до",
+        .list_in_hand = "Список L, первый C",
+        .vertices = "вершины",
+        .behind_all = "сзади всех",
+        .inside = "внутри",
+        .outside = "снаружи",
         .pixel = "Пиксель",
         .line = "строка",
         .what = "что найдено",

@@ -3,13 +3,12 @@
 #include "notation.h"
 #include "parts.h"
 #include "refused.h"
+#include "region_parts.h"
 #include "table.h"
 
 namespace vidno::figures {
 
 namespace {
-
-constexpr std::size_t most_rows = 12;
 
 std::string places_of(const std::vector<Corner>& corners) {
     std::string places;
@@ -27,18 +26,6 @@ std::string corner_depths(const std::array<Value, 4>& corners) {
         text += (i == 0 ? "" : ", ") + std::string(corner_names[i]) + " " + readable(corners[i], four_on_a_line);
     }
     return text;
-}
-
-/// What has too many rows is cut around its current one.
-void shorten(Table& table, const FigureWords& words) {
-    if (table.rows.size() <= most_rows) return;
-    const std::size_t first =
-        std::min(table.current.value_or(0), table.rows.size() - most_rows);  // the current one on top, if it can be
-    const std::string others = std::string(words.more) + " " + std::to_string(table.rows.size() - most_rows);
-    table.below.insert(table.below.begin(), others);
-    table.rows.erase(table.rows.begin(), table.rows.begin() + std::ptrdiff_t(first));
-    table.rows.resize(most_rows);
-    if (table.current) *table.current -= first;
 }
 
 Table active_polygons(const Moment& moment, const Style& style) {
@@ -117,6 +104,7 @@ Drawing list_part(const Moment& moment, const Style& style, double width) {
     if (header.detail < Detail::polygons) {
         throw Refused("list: a trace of level windows tells no APL and no AEL");
     }
+    if (header.method == Method::weiler_atherton) return region_list(moment, style, width);
     Table table = is_warnock(header.method) ? active_polygons(moment, style) : active_edges(moment, style, width);
     shorten(table, words_of(style.language));
     return drawn(table, width, style.letters);

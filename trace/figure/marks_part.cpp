@@ -2,6 +2,7 @@
 
 #include "notation.h"
 #include "parts.h"
+#include "region_parts.h"
 
 namespace vidno::figures {
 
@@ -25,6 +26,11 @@ public:
         for (const auto& entry : moment_.state().ael()) {
             if (y) point(entry.x, *y, true, ink);
         }
+    }
+
+    void lists() {
+        for (const auto& [x, y] : moment_.entering()) point(x, y, true);
+        for (const auto& [x, y] : moment_.leaving()) point(x, y, false);
     }
 
     void operator()(const event::Push& e) { box(plane_.box(e.window), {2, 1.5}); }
@@ -72,6 +78,29 @@ public:
     void operator()(const event::Horizontal& e) { edge_in_hand(e.edge); }
     void operator()(const event::AelAdd& e) { edge_in_hand(e.edge); }
     void operator()(const event::AelStep& e) { edge_in_hand(e.edge); }
+    void operator()(const event::CutToArea& e) { region(e.region); }
+    void operator()(const event::PushList& e) {
+        for (const auto& piece : e.pieces) region(piece.region, dashed);
+    }
+    void operator()(const event::Clipped& e) {
+        region(e.outside, dashed);
+        region(e.inside);
+    }
+    void operator()(const event::Show& e) { region(e.region); }
+    void operator()(const event::Pierce& e) { through(e.point, e.normal); }
+    void operator()(const event::Split& e) {
+        region(e.region);
+        region(e.other);
+    }
+    void operator()(const event::EdgePiece& e) {
+        const bool inside = e.lies == Lies::inside || e.lies == Lies::same_side;
+        line({at(e.from.x, e.from.y), at(e.to.x, e.to.y)}, false, Stroke{color_, 1, inside ? solid : dashed});
+    }
+    void operator()(const event::Behind& e) { point(e.point.x, e.point.y, !e.behind); }
+    void operator()(const event::Order& e) { point(e.point.x, e.point.y, true); }
+    void operator()(const event::Paint& e) {
+        for (const auto& [row, first, end] : e.runs) pixels({first, row, end - first, 1});
+    }
     void operator()(const auto&) {}
 
 private:
@@ -90,6 +119,17 @@ private:
         Polyline points;
         for (const auto& vertex : vertices) points.push_back(at(vertex.x, vertex.y));
         line(points, closed, stroke);
+    }
+    void region(const RegionLoops& region, const Dashes& dashes = solid) {
+        for (const auto& loop : loops_of(region, plane_)) line(loop, true, Stroke{color_, 1, dashes});
+    }
+    /// As far as can be seen.
+    void through(const ValuePoint& place, const ValuePoint& normal) {
+        const double a = number_of(normal.x), b = number_of(normal.y), length = std::hypot(a, b);
+        const Point on = at(place.x, place.y);
+        const double far = 2 * (std::hypot(on.x, on.y) + plane_.shown.right() + plane_.shown.bottom());
+        const Point along{far * b / length, -far * a / length};
+        line({on + Point{-along.x, -along.y}, on + along}, false, Stroke{color_, 1});
     }
     void box(const Box& box, Dashes dashes) { line(box.corners(), true, Stroke{color_, 1, std::move(dashes)}); }
     void pixels(const PixelRectangle& p, Dashes dashes = solid) {
@@ -142,6 +182,7 @@ private:
 void draw_marks(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
     Marks marks(to, moment, plane, style);
     marks.state();
+    marks.lists();
     if (moment.event()) std::visit(marks, *moment.event());
 }
 

@@ -29,6 +29,11 @@ public:
     const std::vector<Window>& visited() const { return visited_; }
     /// At which corners of the current window a polygon was nearer than all before it, by its place in the scene.
     const std::map<int, std::vector<Corner>>& nearer_at() const { return nearer_at_; }
+    /// Where the polygon that RegionClip looks at, or looked at last, enters the other and where it leaves it.
+    const std::vector<ValuePoint>& entering() const { return entering_; }
+    const std::vector<ValuePoint>& leaving() const { return leaving_; }
+    /// Pixels were painted already.
+    bool is_painted() const { return is_painted_; }
 
 private:
     void note(const event::Pop& e) {
@@ -36,12 +41,22 @@ private:
         nearer_at_.clear();
     }
     void note(const event::Nearer& e) { nearer_at_[e.polygon.index] = e.corners; }
+    void note(const event::Call& e) {
+        if (e.of != Procedure::region_clip) return;
+        entering_.clear();
+        leaving_.clear();
+    }
+    void note(const event::Entering& e) { entering_.push_back(e.point); }
+    void note(const event::Leaving& e) { leaving_.push_back(e.point); }
+    void note(const event::Paint&) { is_painted_ = true; }
     void note(const auto&) {}
 
     State state_;
     std::optional<Event> event_;
     std::vector<Window> visited_;
     std::map<int, std::vector<Corner>> nearer_at_;
+    std::vector<ValuePoint> entering_, leaving_;
+    bool is_painted_ = false;
 };
 
 /// The place of the polygon that the step is about, or that is in hand; none if there is no such.

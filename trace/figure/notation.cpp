@@ -83,6 +83,7 @@ struct Note {
         return std::to_string(e.rect.width) + " × " + std::to_string(e.rect.height);
     }
     std::string operator()(const event::Draw& e) const { return name(e.polygon); }
+    std::string operator()(const event::Paint& e) const { return name(e.polygon); }
     std::string operator()(const event::Clear& e) const { return "z = " + readable(e.z); }
     std::string operator()(const event::Columns& e) const { return half_open(e.first, e.end); }
     std::string operator()(const event::Pixel& e) const { return compared(e.z, e.stored, e.shown); }

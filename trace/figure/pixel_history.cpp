@@ -39,12 +39,8 @@ public:
         const bool holds = x <= pixel_.x && pixel_.x < x + width && y <= pixel_.y && pixel_.y < y + height;
         return holds ? Found(paint) : std::nullopt;
     }
-    Found operator()(const event::Draw& e) {
-        const bool covers = std::any_of(e.runs.begin(), e.runs.end(), [&](const PixelRun& run) {
-            return run.row == pixel_.y && run.first <= pixel_.x && pixel_.x < run.end;
-        });
-        return covers ? Found(paint) : within(no);
-    }
+    Found operator()(const event::Draw& e) { return covers(e.runs) ? Found(paint) : within(no); }
+    Found operator()(const event::Paint& e) { return covers(e.runs) ? Found(paint) : std::nullopt; }
     Found operator()(const event::Clear&) { return paint; }
     Found operator()(const event::ShownLine& e) {
         inside_ = e.row == pixel_.y;
@@ -65,6 +61,11 @@ public:
     Found operator()(const auto&) { return std::nullopt; }
 
 private:
+    bool covers(const std::vector<PixelRun>& runs) const {
+        return std::any_of(runs.begin(), runs.end(), [&](const PixelRun& run) {
+            return run.row == pixel_.y && run.first <= pixel_.x && pixel_.x < run.end;
+        });
+    }
     Found within(Meaning meaning) const { return inside_ ? Found(meaning) : std::nullopt; }
 
     Pixel pixel_;

@@ -35,6 +35,17 @@ std::string fitted(std::string text, double width, double size, bool bold) {
     return text;
 }
 
+void shorten(Table& table, const FigureWords& words) {
+    constexpr std::size_t most_rows = 12;
+    if (table.rows.size() <= most_rows) return;
+    const std::size_t first = std::min(table.current.value_or(0), table.rows.size() - most_rows);
+    const std::string others = std::string(words.more) + " " + std::to_string(table.rows.size() - most_rows);
+    table.below.insert(table.below.begin(), others);
+    table.rows.erase(table.rows.begin(), table.rows.begin() + std::ptrdiff_t(first));
+    table.rows.resize(most_rows);
+    if (table.current) *table.current -= first;
+}
+
 Drawing drawn(const Table& table, double width, double letters) {
     Drawing drawing{width, 0};
     double y = line_height;

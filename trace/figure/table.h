@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "drawing.h"
+#include "figure_words.h"
 
 namespace vidno::figures {
 
@@ -37,6 +38,9 @@ void add_arrow(Drawing& to, double x, double base);
 
 /// Text cut to a width, with an ellipsis.
 std::string fitted(std::string text, double width, double size, bool bold = false);
+
+/// What has too many rows is cut around its current one, which is then on top if it can be.
+void shorten(Table& table, const FigureWords& words);
 
 /// So wide; the height follows from the rows. The letters are so much wider than those of Helvetica.
 Drawing drawn(const Table& table, double width, double letters);

@@ -4,6 +4,7 @@
 
 #include "notation.h"
 #include "parts.h"
+#include "region_parts.h"
 
 namespace vidno::figures {
 
@@ -85,8 +86,9 @@ void draw_chosen(Drawing& to, Pixel pixel, const Plane& plane) {
     add_rimmed(to, outlined(std::move(lines), {ink, 1}));
 }
 
-void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const Style&) {
+void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
     if (is_warnock(moment.header().method)) return draw_quadtree(to, moment, plane);
+    if (moment.header().method == Method::weiler_atherton) return draw_lists(to, moment, plane, style);
     draw_scanline(to, moment, plane);
 }
 

@@ -1,5 +1,6 @@
 #include "grade/grade.h"
 
+#include "method.h"
 #include "shrink.h"
 
 namespace vidno {
@@ -12,7 +13,7 @@ std::string nothing_to_judge(const StudentRun& run, const Scene& scene) {
         return "no trace was written: draw scene_to_draw(...), and tell a WarnockTrace or ZBufferTrace what you do";
     }
     if (!run.header) return run.unreadable;
-    if (is_family(run.header->method)) {
+    if (!is_of_course(run.header->method)) {
         return "a trace of " + std::string(method_names[std::size_t(run.header->method)]) +
                ": only warnock and zbuffer are judged";
     }

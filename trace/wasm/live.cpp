@@ -68,6 +68,7 @@ Options read_options(const JsonNode& root, Kind kind) {
     Options options;
     if (kind == Kind::polygons) {
         options.method = Method(place_of(root.at("method"), method_names));
+        if (options.method == Method::weiler_atherton) root.at("method").refuse("which this library has not");
     } else if (root.at("method").text() != curve_method) {
         root.at("method").refuse("draws no surface");
     }

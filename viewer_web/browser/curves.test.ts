@@ -1,7 +1,7 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, shown } from './page.js';
+import { goTo, launch, open, openFile, opened, sampleTrace, shown } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -88,6 +88,47 @@ describe('a run of curves', () => {
     expect(await page.locator('vidno-solid, vidno-layers').count()).toBe(0);
     expect(await page.locator('vidno-exactness h3').innerText()).toBe('The flag of Visibility');
     expect(faults).toEqual([]);
+  });
+});
+
+describe('a run of curves that lacks much', () => {
+  it.each(['windows', 'polygons'])('is shown with what it has, at level %s', async (detail) => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const file = `hills.floating-horizon.${detail}`;
+    await opened(page, `${file}.jsonl`, sampleTrace(file));
+    const { length } = await shown(page);
+    for (const step of [1, Math.floor(length / 2), length]) {
+      await goTo(page, step);
+      expect((await shown(page)).sentence).toMatch(/\.$/u);
+    }
+    await clickColumn(page, 4);
+    await page.locator('vidno-history .entries').waitFor();
+    expect(await shapes(page, 'visible')).toBe(1);
+    expect(faults).toEqual([]);
+  });
+
+  it('is shown empty, if it has no curves', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const header = JSON.parse(hills.split('\n')[0] ?? '') as { scene: object };
+    const scene = { ...header.scene, curves: [] };
+    const lines = [
+      { ...header, scene },
+      { e: 'horizons', at: 'FH1' },
+    ];
+    const end = { end: { events: 1, lines: `sha256:${'0'.repeat(64)}` } };
+    const text = [...lines, end].map((line) => `${JSON.stringify(line)}\n`).join('');
+    await opened(page, 'none.jsonl', text);
+    await page.locator('vidno-curve-picture').waitFor();
+    await page.keyboard.press('End');
+    expect((await shown(page)).step).toBe(1);
+    expect(faults).toEqual([]);
+  });
+
+  it('is refused with a sentence where it cannot have happened', async () => {
+    const { page } = await open(browser, '#lang=en');
+    const text = hills.replace('"curve","at":"FH2","curve":1', '"curve","at":"FH2","curve":7');
+    await openFile(page, 'wrong.jsonl', text);
+    await page.locator('vidno-notice', { hasText: 'the scene has no curve 7' }).waitFor();
   });
 });
 

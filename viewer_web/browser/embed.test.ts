@@ -5,7 +5,7 @@ import { pathToFileURL } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { launch, openUrl, small } from './page.js';
+import { launch, openUrl, sampleTrace, small } from './page.js';
 
 const dist = new URL('../dist/', import.meta.url).href;
 const script = `${dist}vidno-player.js`;
@@ -55,6 +55,20 @@ describe('the element', () => {
     expect(await page.locator('vidno-picture text').first().textContent()).toBe(evil);
     expect(await page.locator('img').count()).toBe(0);
     expect((await page.locator('vidno-player').boundingBox())?.height).toBe(576);
+    expect(faults).toEqual([]);
+  });
+
+  it('shows a run of curves, and asks about it', async () => {
+    const curves = sampleTrace('crossing.floating-horizon.signs');
+    const { page, faults } = await course(
+      `<vidno-player src="#curves" step="3" ask="forced"></vidno-player>
+       <script type="application/jsonl" id="curves">${curves}</script>`,
+    );
+    await page.locator('.sentence').waitFor();
+    expect(await page.locator('vidno-curve-picture').count()).toBe(1);
+    await page.locator('.play').focus();
+    await page.keyboard.press('End');
+    await page.locator('vidno-question', { hasText: 'upper horizon' }).waitFor();
     expect(faults).toEqual([]);
   });
 

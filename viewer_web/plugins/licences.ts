@@ -27,7 +27,9 @@ function packagesOf(chunks: readonly Rollup.OutputChunk[]): readonly string[] {
   const used = chunks.flatMap(({ modules }) =>
     Object.keys(modules).filter((id) => (modules[id]?.renderedLength ?? 0) > 0),
   );
-  return [...new Set(used.flatMap((id) => ofPackage.exec(id)?.[0] ?? []))].sort();
+  // What is made of a CommonJS module begins with a zero.
+  const files = used.map((id) => id.replace(/^\0/u, ''));
+  return [...new Set(files.flatMap((id) => ofPackage.exec(id)?.[0] ?? []))].sort();
 }
 
 /** Names and licences of all that the page contains, a text that several share once. */

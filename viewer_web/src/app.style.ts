@@ -81,6 +81,9 @@ export const appStyle = [
       vidno-file-drop {
         flex: 1 1 12rem;
       }
+      .own-surface {
+        flex: 1 1 12rem;
+      }
     }
     @media (max-width: 640px) {
       :host {

@@ -27,7 +27,7 @@ import { contents, reader } from './reader/beside.js';
 import type { Told } from './reader/beside.js';
 import { Reading } from './reader/reading.js';
 import { Session } from './session.js';
-import { alone, besides } from './stage.js';
+import { alone, besides, ownSurface } from './stage.js';
 import type { Shown } from './stage.js';
 import { plain } from './setting.js';
 
@@ -146,6 +146,7 @@ export class AppElement extends LitElement implements Shown, Told {
       ...compare,
       KeyE: () => edit(comparison === null ? player.side !== 'scene' : !comparison.isEdited),
       KeyN: () => {
+        if (live.editing?.sketch.curves !== null) return;
         edit(true);
         live.act({ do: 'draw' });
       },
@@ -214,6 +215,7 @@ export class AppElement extends LitElement implements Shown, Told {
           .texts=${page}
           @file=${({ detail }: CustomEvent<File>) => this.openFile(detail)}
         ></vidno-file-drop>
+        ${ownSurface(session, language, (name) => this.openSurface(name))}
       </nav>
       ${this.hasText ? reader(this) : nothing}
       <main>
@@ -229,6 +231,12 @@ export class AppElement extends LitElement implements Shown, Told {
         @with=${({ detail }: CustomEvent<With>) => rival.choose(detail)}
       ></vidno-rival-choice>
     `;
+  }
+
+  private openSurface(name: string): void {
+    this.reading.close();
+    this.session.openSurface(name);
+    this.player.side = 'scene';
   }
 
   private get name(): string {

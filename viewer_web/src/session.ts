@@ -2,6 +2,7 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { Address } from './address.js';
 import { Rival } from './compare/rival.js';
 import type { Notice } from './components/notice.js';
+import { firstSurface, isSurface, surfaceText } from './curves/surface.js';
 import { embeddedFile, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
 import { ExactPicture } from './live/exact.js';
@@ -75,6 +76,11 @@ export class Session implements ReactiveController {
     return this.lesson !== null || this.live.isRun;
   }
 
+  /** Whether scenes can be run here. */
+  get canRun(): boolean {
+    return this.maps !== null;
+  }
+
   /** Whether it is shown beside another run. */
   get isCompared(): boolean {
     return this.trace !== null && this.rival.trace !== null;
@@ -93,8 +99,18 @@ export class Session implements ReactiveController {
   }
 
   async openFile(file: File): Promise<void> {
-    if (await isScene(file)) this.openScene(await file.text(), file.name, usual, beginning);
+    if (await isScene(file)) this.openOwn(await file.text(), file.name);
     else this.open(file, file.name, null, beginning);
+  }
+
+  /** Begins with a surface, of the page's own choice, that is given by a function. */
+  openSurface(name: string): void {
+    this.openOwn(surfaceText(firstSurface(name)), name);
+  }
+
+  private openOwn(text: string, name: string): void {
+    const options: Options = isSurface(text) ? { ...usual, method: 'floating-horizon' } : usual;
+    this.openScene(text, name, options, beginning);
   }
 
   async openCarried({ run, scene }: Carried, place: Place): Promise<void> {

@@ -1,9 +1,10 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import type { Setup } from './address.js';
 import './components/comparison.js';
 import './components/player.js';
 import { texts } from './i18n/index.js';
+import type { Language } from './i18n/language.js';
 import type { Act } from './live/editor.js';
 import { needsExact } from './picture/layers.js';
 import type { Exact, Layer } from './picture/layers.js';
@@ -109,4 +110,17 @@ function noteOf({ session, setup }: Shown): string {
   if (rival.chosen?.kind === 'before') return texts[setup.language].compare.before;
   const name = rival.trace?.header.scene.name ?? '';
   return name === trace?.header.scene.name ? '' : name;
+}
+
+/** The way to a surface of one's own, if scenes can be run here. */
+export function ownSurface(
+  { canRun }: Session,
+  language: Language,
+  open: (name: string) => void,
+): TemplateResult | typeof nothing {
+  if (!canRun) return nothing;
+  const { surface } = texts[language].curves;
+  return html`<button class="own-surface" @click=${() => open(surface.name)}>
+    ${surface.own}
+  </button>`;
 }

@@ -1,5 +1,5 @@
 import type { Columns } from './curves/columns.js';
-import type { Lines } from './curves/lines.js';
+import type { Line, Lines } from './curves/lines.js';
 import { sentence, texts } from './i18n/index.js';
 import type { Language } from './i18n/language.js';
 import type { PageTexts } from './i18n/texts.js';
@@ -23,6 +23,8 @@ export interface View {
   readonly columns: Columns | null;
   /** The lines that a run of curves draws. */
   readonly lines: Lines;
+  /** Those of another run, which are to be seen where this one has none. */
+  readonly rival?: readonly Line[];
   readonly language: Language;
   readonly texts: PageTexts;
   readonly sentence: string;

@@ -11,11 +11,10 @@ namespace vidno {
 
 /// Each piece has its region on its positive side. Where several begin at one vertex a loop takes the sharpest turn to that
 /// side: so it goes round one corner of the region, and parts that only touch there get loops of their own. Where nothing else
-/// begins two pieces of one edge become one. Rounding may lose a piece; what then does not close is closed along a straight line,
-/// `close(from, to)`.
+/// begins two pieces of one edge become one. Rounding may lose a piece; what then does not close is left out, and told: `lost()`.
 template <RegionKernel K, class Number = typename K::Number>
 Region<Number> joined(const K& kernel, const std::vector<LoopVertex<Number>>& vertices,
-                      const std::vector<EdgePiece<Number>>& pieces, auto&& close) {
+                      const std::vector<EdgePiece<Number>>& pieces, auto&& lost) {
     std::vector<std::vector<int>> beginning(vertices.size());  // at each vertex, the pieces that are in no loop yet
     for (std::size_t i = 0; i < pieces.size(); ++i) beginning[pieces[i].from].push_back(int(i));
     std::vector<bool> several_begin;
@@ -49,15 +48,13 @@ Region<Number> joined(const K& kernel, const std::vector<LoopVertex<Number>>& ve
             next = *sharpest;
             choice.erase(sharpest);
         } while (next != first);
-        Loop<Number> loop;
-        const auto* before = pieces[way.back()].line;
         if (next != first) {
             std::erase(beginning[pieces[i].from], first);
-            const auto& end = vertices[pieces[way.back()].to].at;
-            const auto* closing = close(end, vertices[pieces[i].from].at);
-            loop.push_back({end, before, closing});
-            before = closing;
+            lost();
+            continue;
         }
+        Loop<Number> loop;
+        const auto* before = pieces[way.back()].line;
         for (const int piece : way) {
             const auto& [from, to, line, lies] = pieces[piece];
             if (before != line || several_begin[from]) loop.push_back({vertices[from].at, before, line});

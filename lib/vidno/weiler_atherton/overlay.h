@@ -5,7 +5,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,7 @@ namespace vidno {
 
 /// How a piece of an edge lies to the other region. On its outline the two regions are on the same side of the piece or not.
 enum class Lies : unsigned char { inside, outside, same_side, other_side };
+inline constexpr std::array<std::string_view, 4> lies_names{"inside", "outside", "same_side", "other_side"};
 
 /// Between two vertices of an overlay.
 template <class Number>

@@ -28,7 +28,7 @@ struct PaintRegions {
             const auto earlier = earlier_ones(run, piece);
             for (int y = area.y; y < area.bottom(); ++y) {
                 const auto row = row_of(shown, area, y);
-                for (const auto& [first, end] : columns_on_row(run.kernel, piece.region, y, area)) {  // PR1
+                for (const auto& [first, end] : columns_on_row(run, piece.region, y)) {
                     for (int x = first; x < end; ++x) {
                         const auto centre = run.kernel.place(x + 0.5, y + 0.5);
                         const auto* polygon = first_of_equals(run, *piece.polygon, earlier, centre);  // PR2
@@ -39,6 +39,7 @@ struct PaintRegions {
                     }
                 }
             }
+            run.trace.region_painted(PR3);
         }
     }
 
@@ -50,9 +51,11 @@ private:
 
     /// The centres of a row that a closed region holds. On the row is what is so just above it, and just below it: once the
     /// vertices on the row count as below, once as above. Each time the edges that cross it are ends of spans, in turn.
-    template <class K>
-    static std::vector<ColumnRange> columns_on_row(const K& kernel, const Region<typename K::Number>& region, int row,
-                                                   const Area& area) {
+    template <class Run>
+    static std::vector<ColumnRange> columns_on_row(Run& run, const Region<typename Run::Number>& region, int row) {
+        using enum Line;
+        const auto& kernel = run.kernel;
+        const Area& area = run.area;
         std::vector<ColumnRange> columns;
         const auto centre = kernel.place(area.x + 0.5, row + 0.5);
         for (const Sign on_row : {Sign::positive, Sign::negative}) {
@@ -60,7 +63,7 @@ private:
                 const Sign order = kernel.order_of_rows(vertex.at, centre);
                 return (order == Sign::zero ? on_row : order) == Sign::positive;
             };
-            std::vector<typename K::Number> ends;
+            std::vector<typename Run::Number> ends;
             for (const auto& loop : region.loops) {
                 bool from_below = is_below(loop.back());
                 for_each_edge(loop, [&](const auto& from, const auto& to) {
@@ -72,8 +75,10 @@ private:
             const auto left_of = [&](const auto& a, const auto& b) { return kernel.compare(a, b) == Sign::negative; };
             std::stable_sort(ends.begin(), ends.end(), left_of);
             for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
-                columns.push_back({kernel.first_centre(ends[i], area.x, area.right()),
-                                   kernel.last_centre(ends[i + 1], area.x, area.right()) + 1});
+                const int first = kernel.first_centre(ends[i], area.x, area.right());
+                const int end = kernel.last_centre(ends[i + 1], area.x, area.right()) + 1;
+                run.trace.row(PR1, row, ends[i], ends[i + 1], first, end);
+                columns.push_back({first, end});
             }
         }
         return columns;
@@ -99,11 +104,10 @@ private:
 
     static auto first_of_equals(auto& run, const auto& polygon, const auto& earlier, const auto& place) {
         using enum Line;
-        const auto z = run.depth(PR2, polygon, place);
         const auto* first = &polygon;
         for (const auto* facet : earlier) {
-            if (facet->polygon->index >= first->index || !in_box(facet->polygon->box, place)) continue;
-            if (run.kernel.compare(run.depth(PR2, *facet->polygon, place), z) != Sign::zero) continue;
+            if (facet->polygon->index >= first->index || !in_box(facet->box, place)) continue;
+            if (run.order(PR2, *facet->polygon, polygon, place) != Sign::zero) continue;
             if (holds_closed(run.kernel, facet->region, place)) first = facet->polygon;
         }
         return first;
@@ -112,7 +116,7 @@ private:
     static bool is_before(auto& run, const auto& polygon, const auto& other, const auto& place) {
         using enum Line;
         if (&polygon == &other) return false;
-        const Sign order = run.kernel.compare(run.depth(PR3, polygon, place), run.depth(PR3, other, place));
+        const Sign order = run.order(PR3, polygon, other, place);
         return order == Sign::positive || (order == Sign::zero && polygon.index < other.index);
     }
 };

@@ -46,6 +46,22 @@ void for_each_edge(const auto& loop, auto&& visit) {
     }
 }
 
+/// The least box around a region that is not empty.
+template <class Number>
+Box<Number> box_around(const Region<Number>& region) {
+    const auto& [x, y] = region.loops.front().front().at;
+    Box<Number> box{x, y, x, y};
+    for (const auto& loop : region.loops) {
+        for (const auto& [at, before, after] : loop) {
+            if (at.x < box.xmin) box.xmin = at.x;
+            if (at.y < box.ymin) box.ymin = at.y;
+            if (box.xmax < at.x) box.xmax = at.x;
+            if (box.ymax < at.y) box.ymax = at.y;
+        }
+    }
+    return box;
+}
+
 /// What RegionClip makes of a subject.
 template <class Number>
 struct ClippedRegion {

@@ -74,6 +74,7 @@ struct OnRegions : K {
         const auto [a, b] = slope_over(p, q);
         return K::sign(a) == Sign::zero && K::sign(b) == Sign::zero;
     }
+    bool parallel(const Edge& line, const Edge& other) const { return K::sign(cross(line, other)) == Sign::zero; }
     /// Its point is the one next to the given one.
     Edge line_of(const Planes& p, const Planes& q, const Place& near) const {
         const auto [a, b] = slope_over(p, q);
@@ -122,11 +123,8 @@ struct OnRegions : K {
     }
     Sign order_of_rows(const Place& p, const Place& q) const { return compare(p.y, q.y); }
 
-    /// Two lines that are not parallel meet once.
     bool same_place(const LoopVertex<Number>& v, const LoopVertex<Number>& w) const {
-        const bool same_lines = v.before != v.after && w.on(*v.before) && w.on(*v.after);
-        if (same_lines && K::sign(cross(*v.before, *v.after)) != Sign::zero) return true;
-        return order(v.at, w.at) == Sign::zero;
+        return meet_once(*this, v, w) || order(v.at, w.at) == Sign::zero;
     }
 
     Sign turn(const Place& pivot, const Place& p, const Place& q) const {
@@ -137,6 +135,12 @@ struct OnRegions : K {
         return -(plane.a * p.x + plane.b * p.y + plane.d) / plane.c;
     }
     Sign compare(const Number& v, const Number& w) const { return K::sign(v - w); }
+
+protected:
+    /// Are both where the same two lines meet, which do so once.
+    static bool meet_once(const auto& kernel, const LoopVertex<Number>& v, const LoopVertex<Number>& w) {
+        return v.before != v.after && w.on(*v.before) && w.on(*v.after) && !kernel.parallel(*v.before, *v.after);
+    }
 
 private:
     /// Of the depth of one plane over that of another.

@@ -24,7 +24,7 @@ struct RemoveBehind {
             const Sign order = run.kernel.compare(z, clip_z);
             const bool is_nearer =
                 order == Sign::positive || (order == Sign::zero && piece.polygon->index < clip.polygon->index);
-            run.trace.behind(RB3, *piece.polygon, *clip.polygon, place, z, clip_z, !is_nearer);
+            run.trace.behind(RB3, *piece.polygon, *clip.polygon, place, z, clip_z, order, !is_nearer);
             if (is_nearer) nearer.push_back(piece);
         }
         return nearer;  // RB4

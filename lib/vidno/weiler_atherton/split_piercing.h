@@ -2,7 +2,7 @@
 ///
 /// Takes   the polygons of a scene, convex.
 /// Gives   convex pieces: where two of them overlap one is everywhere at least as near as the other.
-/// Time    a clip for each pair of polygons whose boxes overlap.
+/// Time    a clip for each pair of polygons whose boxes overlap and which the line in which their planes meet passes through.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,10 @@ struct SplitPiercing {
             for (std::size_t j = 0; j < i; ++j) {
                 if (run.apart(pieces[i], pieces[j])) continue;
                 const auto* line = run.lines.of_planes(*pieces[i].polygon, *pieces[j].polygon);
-                if (!line || has_edge_on(pieces[i].region, *line) || has_edge_on(pieces[j].region, *line)) continue;
+                const auto line_splits = [&](const auto& region) {
+                    return !has_edge_on(region, *line) && is_on_both_sides(run.kernel, region, *line);
+                };
+                if (!line || !line_splits(pieces[i].region) || !line_splits(pieces[j].region)) continue;
                 const auto common = run.region_clip(SP1, pieces[i], pieces[j]).inside;
                 if (!is_on_both_sides(run.kernel, common, *line)) continue;
                 run.trace.pierce(SP2, *pieces[i].polygon, *pieces[j].polygon, *line);
@@ -30,8 +33,9 @@ struct SplitPiercing {
                     auto [one, other] = split(run, pieces[k].region, *line);
                     if (one.empty() || other.empty()) continue;  // by rounding: the line leaves no area on a side
                     run.trace.split(SP3, *pieces[k].polygon, one, other);
-                    pieces[k].region = std::move(one);
-                    pieces.push_back({pieces[k].polygon, std::move(other)});
+                    const auto* polygon = pieces[k].polygon;
+                    pieces[k] = {polygon, std::move(one)};
+                    pieces.emplace_back(polygon, std::move(other));
                 }
             }
         }
@@ -39,7 +43,7 @@ struct SplitPiercing {
     }
 
 private:
-    /// A convex region with an edge on a line is on one side of it.
+    /// A convex region with an edge on a line is on one side of it, however its vertices were rounded.
     static bool has_edge_on(const auto& region, const auto& line) {
         const auto& outline = region.loops.front();
         return std::any_of(outline.begin(), outline.end(), [&](const auto& vertex) { return vertex.after == &line; });

@@ -4,7 +4,6 @@
 /// in any numbers.
 #pragma once
 
-#include <deque>
 #include <map>
 #include <optional>
 #include <utility>
@@ -40,14 +39,9 @@ public:
         return known->second ? &*known->second : nullptr;
     }
 
-    /// One that rounding has made necessary.
-    const Line* closing(const Point<Number>& from, const Point<Number>& to) {
-        return &closing_.emplace_back(kernel_.line_through(from, to));
-    }
-
     /// Into so many parts they can divide the area, at most.
     double most_parts() const {
-        const auto lines = double(between_.size() + of_planes_.size() + closing_.size());
+        const auto lines = double(between_.size() + of_planes_.size());
         return 1 + lines * (lines + 1) / 2;
     }
 
@@ -67,7 +61,6 @@ private:
     const K& kernel_;
     std::map<Ends, Line, InOrder> between_{InOrder{kernel_}};
     std::map<std::pair<int, int>, std::optional<Line>> of_planes_;
-    std::deque<Line> closing_;
 };
 
 }  // namespace vidno

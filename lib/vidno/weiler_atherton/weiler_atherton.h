@@ -26,8 +26,8 @@ struct WeilerAtherton {
         List pieces;
         for (const auto& polygon : run.polygons) {
             if (!Set::takes_part(run, polygon)) continue;
-            auto piece = run.cut_to_area(WA1, polygon);
-            if (!piece.region.empty()) pieces.push_back(std::move(piece));
+            auto part = run.cut_to_area(WA1, polygon);
+            if (!part.empty()) pieces.emplace_back(&polygon, std::move(part));
         }
         run.facets = run.split_piercing(WA2, std::move(pieces));
 
@@ -38,22 +38,25 @@ struct WeilerAtherton {
         };
         if (!run.facets.empty()) push(WA3, run.depth_sort(WA3, run.facets));
         while (!lists.empty()) {
-            const List list = std::move(lists.back());
+            List list = std::move(lists.back());
             lists.pop_back();
-            auto clip = list.front();
             run.trace.pop_list(WA4, list);
             run.count_list(WA4);
+            auto clip = std::move(list.front());
 
             List inside, outside;
             for (std::size_t i = 1; i < list.size(); ++i) {
                 if (run.apart(list[i], clip)) {
-                    outside.push_back(list[i]);
+                    run.trace.beside(WA5, *list[i].polygon);
+                    outside.push_back(std::move(list[i]));
                     continue;
                 }
                 auto parts = run.region_clip(WA5, list[i], clip);
-                const auto& [polygon, region, is_ground] = list[i];
-                if (!parts.inside.empty()) inside.push_back({polygon, std::move(parts.inside), is_ground});
-                if (!parts.outside.empty()) outside.push_back({polygon, std::move(parts.outside), is_ground});
+                const auto put = [&](List& to, auto& region) {
+                    if (!region.empty()) to.emplace_back(list[i].polygon, std::move(region), list[i].is_ground);
+                };
+                put(inside, parts.inside);
+                put(outside, parts.outside);
             }
             if (!outside.empty()) push(WA6, std::move(outside));
             auto nearer = run.remove_behind(WA7, inside, clip);

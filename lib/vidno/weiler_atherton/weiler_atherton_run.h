@@ -26,12 +26,16 @@ struct SourcePolygon {
     vidno::Plane<Number> plane;
 };
 
-/// A part of a polygon.
+/// A part of a polygon, not empty.
 template <class Number>
 struct PolygonPiece {
     const SourcePolygon<Number>* polygon;
     Region<Number> region;
-    bool is_ground = false;  // it is known to be behind all others of its list
+    bool is_ground;  // it is known to be behind all others of its list
+    Box<Number> box;
+
+    PolygonPiece(const SourcePolygon<Number>* of, Region<Number> part, bool ground = false)
+        : polygon(of), region(std::move(part)), is_ground(ground), box(box_around(region)) {}
 };
 
 template <class ProcedureSet, RegionKernel K, class Visitor>
@@ -70,7 +74,7 @@ struct WeilerAthertonRun {
     }
 
     /// The part of a polygon, one that is not edge-on, in the area.
-    Piece cut_to_area(Line at, const SourcePolygon<Number>& polygon) {
+    Region<Number> cut_to_area(Line at, const SourcePolygon<Number>& polygon) {
         std::vector<Point<Number>> corners;
         for (const auto& [x, y, z] : polygon.vertices) {
             const Point<Number> corner{x, y};
@@ -81,15 +85,25 @@ struct WeilerAthertonRun {
             std::reverse(corners.begin(), corners.end());
         }
         trace.call(at, Procedure::region_clip);
-        Piece piece{&polygon, Set::region_clip(*this, bounded_by(corners), area_region_).inside};
-        trace.cut_to_area(at, polygon, piece.region);
-        return piece;
+        auto part = Set::region_clip(*this, bounded_by(corners), area_region_).inside;
+        trace.cut_to_area(at, polygon, part);
+        return part;
     }
 
     Number depth(Line at, const SourcePolygon<Number>& polygon, const Point<Number>& place) {
         const Number z = Set::depth(*this, polygon, place);
         trace.depth(at, polygon, place, z);
         return z;
+    }
+
+    /// How the depths of two polygons at a place compare: positive if the first is nearer.
+    Sign order(Line at, const SourcePolygon<Number>& polygon, const SourcePolygon<Number>& other,
+               const Point<Number>& place) {
+        const Number z = Set::depth(*this, polygon, place);
+        const Number other_z = Set::depth(*this, other, place);
+        const Sign order = kernel.compare(z, other_z);
+        trace.order(at, polygon, other, place, z, other_z, order);
+        return order;
     }
 
     ClippedRegion<Number> region_clip(Line at, const Piece& subject, const Piece& clip) {
@@ -101,8 +115,8 @@ struct WeilerAthertonRun {
 
     /// Where the box of one lies beside that of the other, or they are parts of one polygon: then they have no area in common.
     bool apart(const Piece& a, const Piece& b) const {
-        const auto& p = a.polygon->box;
-        const auto& q = b.polygon->box;
+        const auto& p = a.box;
+        const auto& q = b.box;
         return a.polygon == b.polygon || !(p.xmin < q.xmax) || !(q.xmin < p.xmax) || !(p.ymin < q.ymax) ||
                !(q.ymin < p.ymax);
     }
@@ -110,21 +124,21 @@ struct WeilerAthertonRun {
     std::vector<Piece> split_piercing(Line at, std::vector<Piece> pieces) {
         trace.call(at, Procedure::split_piercing);
         auto convex = Set::split_piercing(*this, std::move(pieces));
-        trace.pieces(at, convex);
+        trace.facets(at, convex);
         return convex;
     }
 
     std::vector<Piece> depth_sort(Line at, const std::vector<Piece>& pieces) {
         trace.call(at, Procedure::depth_sort);
         auto sorted = Set::depth_sort(*this, pieces);
-        trace.pieces(at, sorted);
+        trace.sorted(at, sorted);
         return sorted;
     }
 
     std::vector<Piece> remove_behind(Line at, const std::vector<Piece>& inside, const Piece& clip) {
         trace.call(at, Procedure::remove_behind);
         auto nearer = Set::remove_behind(*this, inside, clip);
-        trace.pieces(at, nearer);
+        trace.nearer_ones(at, nearer);
         return nearer;
     }
 
@@ -148,10 +162,7 @@ struct WeilerAthertonRun {
     }
 
     Region<Number> joined(Line at, const std::vector<LoopVertex<Number>>& vertices, const Pieces& pieces) {
-        return vidno::joined(kernel, vertices, pieces, [&](const auto& from, const auto& to) {
-            trace.fault(at, "an outline does not close");
-            return lines.closing(from, to);
-        });
+        return vidno::joined(kernel, vertices, pieces, [&] { trace.fault(at, "an outline does not close"); });
     }
 
 private:

@@ -1,24 +1,11 @@
-import { differenceOf } from '../picture/layers.js';
-import type { Grid } from '../state/grid.js';
 import type { Trace } from '../trace/trace.js';
 import { Counters } from './counters.js';
 import type { Counts } from './counters.js';
+import { differenceAt } from './difference.js';
 import { Pairing, common } from './pairing.js';
 import { Parting } from './parting.js';
 import type { Steps } from './parting.js';
 import { surveyOf } from './survey.js';
-
-/** The picture after a step, as it stays. */
-export function pictureAt({ timeline }: Trace, step: number): Grid<number> {
-  return timeline.seek(step).screen.picture.copy();
-}
-
-/** How many pixels of two pictures differ; null where these are not of one size. */
-export function differing(one: Grid<number>, other: Grid<number>): number | null {
-  if (one.width !== other.width || one.height !== other.height) return null;
-  const { wrong, lacking } = differenceOf(one, other);
-  return wrong + lacking;
-}
 
 /** What the counters say of both runs. */
 export type CountsOfBoth = readonly [one: Counts, other: Counts];
@@ -60,7 +47,7 @@ export class Comparison {
     if (!surveys[0].complete || !surveys[1].complete) return;
     this.pairing = new Pairing(common(surveys[0].landmarks, surveys[1].landmarks), this.lengths);
     const [last, otherLast] = this.lengths;
-    this.end = differing(pictureAt(this.one, last), pictureAt(this.other, otherLast));
+    this.end = differenceAt(this.one, last, this.other, otherLast);
   }
 
   /** The other run's step beside one of this run; null as long as that is not known. */
@@ -75,7 +62,7 @@ export class Comparison {
     return this.pairing?.byShare === true;
   }
 
-  /** How many pixels differ in the end; null as long as that is not known, or where the pictures are not of one size. */
+  /** How much differs in the end, see `differenceAt`; null as long as that is not known. */
   get differsAtEnd(): number | null {
     return this.end;
   }

@@ -16,6 +16,10 @@ export const counters = [
   'sides',
   'ael',
   'painted',
+  'curves',
+  'flags',
+  'crossings',
+  'lines',
   'wrong',
   'steps',
 ] as const;
@@ -78,6 +82,7 @@ export class Counters {
   /** Up to a step, which must have been surveyed. */
   upTo(step: number): Counts {
     const { trace, survey } = this;
+    const isOfCurves = trace.header.scene.curves !== null;
     const counts = this.tally.upTo(step);
     const named = (...names: readonly EventName[]): number | null => {
       const told = names.filter((name) => tells(trace.header, name));
@@ -97,7 +102,11 @@ export class Counters {
       regions: named('show'),
       sides: named('clip_side'),
       ael: where('ael_add', survey.ael),
-      painted: survey.painted.upTo(step),
+      painted: isOfCurves ? null : survey.painted.upTo(step),
+      curves: named('curve'),
+      flags: named('visibility'),
+      crossings: named('intersection'),
+      lines: isOfCurves ? trace.timeline.lines.upTo(step).count : null,
       wrong: survey.isChecked ? named('disagree') : null,
       steps: step,
     };

@@ -2,17 +2,25 @@ import type { Quick } from '../i18n/compare-texts.js';
 import { isPrinted, runnable } from '../live/options.js';
 import type { Options } from '../live/options.js';
 import type { Method } from '../trace/events.js';
+import { methodKindOf } from '../trace/method-kind.js';
+
+/** Curves are drawn by one method alone. */
+function otherMethods(method: Method): readonly Method[] {
+  if (methodKindOf(method) === 'curves') return [];
+  return [method === 'warnock' ? 'zbuffer' : 'warnock'];
+}
 
 /** The ways to run a scene that a run is most often held against. */
 export function quickRuns(options: Options): readonly (readonly [Quick, Options])[] {
   const { method, edition, kernel } = options;
-  const otherMethod = method === 'warnock' ? 'zbuffer' : 'warnock';
   const variants: readonly Method[] = method === 'warnock' ? ['warnock-full'] : [];
   const otherEdition = edition === 'printed' ? 'corrected' : 'printed';
   const editions = isPrinted(method) ? ([otherEdition] as const) : [];
   const kernels = (['exact', 'float'] as const).filter((each) => each !== kernel);
   return [
-    ['method', runnable({ ...options, method: otherMethod })],
+    ...otherMethods(method).map(
+      (other) => ['method', runnable({ ...options, method: other })] as const,
+    ),
     ...variants.map((each) => ['variant', runnable({ ...options, method: each })] as const),
     ...editions.map((each) => [each, runnable({ ...options, edition: each })] as const),
     ...kernels.map((each) => [each, { ...options, kernel: each }] as const),

@@ -16,6 +16,8 @@ const looked: readonly EventName[] = [
   'fill',
   'draw',
   'span',
+  'curve',
+  'visibility',
   'paint',
 ];
 const isLooked = eventNames.map((name) => looked.includes(name));
@@ -55,7 +57,7 @@ export class Survey {
   /** Whether each decision was held against exact arithmetic; null as long as none was seen. */
   isChecked: boolean | null = null;
   private seen = 0;
-  /** The window or the polygon in hand. */
+  /** The window, the polygon or the curve in hand. */
   private inHand = '';
 
   constructor(private readonly trace: Trace) {}
@@ -106,6 +108,8 @@ export class Survey {
     if (event.e === 'pop') return (this.inHand = `window ${event.window.join()}`);
     if (event.e === 'decide') return `decide ${this.inHand}`;
     if (event.e === 'polygon') return (this.inHand = `polygon ${event.polygon}`);
+    if (event.e === 'curve') return (this.inHand = `curve ${event.curve}`);
+    if (event.e === 'visibility') return `column ${event.x} ${this.inHand}`;
     return event.e === 'scanline' ? `row ${event.row} ${this.inHand}` : null;
   }
 }

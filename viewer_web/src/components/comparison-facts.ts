@@ -27,7 +27,7 @@ export class ComparisonFactsElement extends LitElement {
   @property({ attribute: false }) comparison!: Comparison;
   /** The steps that are shown. */
   @property({ attribute: false }) steps!: Steps;
-  /** How many pixels differ there; null where the pictures are not of one size. */
+  /** How many pixels or columns differ there; null where the pictures are not of one size. */
   @property({ attribute: false }) differs: number | null = null;
   @property({ attribute: false }) on: ReadonlySet<Switch> = new Set();
   @property({ type: Boolean }) editable = false;
@@ -45,10 +45,14 @@ export class ComparisonFactsElement extends LitElement {
 
   override render(): TemplateResult {
     const { say, comparison } = this;
+    const isOfCurves = comparison.one.header.scene.curves !== null;
     return html`
       <div class="row">
         <p class="parting"><span class="name">${say.parting}</span>${this.parting()}</p>
-        <p class="differ"><span class="name">${say.differ}</span>${this.difference()}</p>
+        <p class="differ">
+          <span class="name">${isOfCurves ? say.differColumns : say.differ}</span
+          >${this.difference()}
+        </p>
         <p class="switches">
           ${this.switch('mark', say.mark, 'L')}
           <span role="img" aria-label=${say.otherColor} title=${say.otherColor}

@@ -1,8 +1,10 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, queryAll, state } from 'lit/decorators.js';
-import { Comparison, differing, pictureAt } from '../compare/comparison.js';
+import { Comparison } from '../compare/comparison.js';
+import { differenceAt, pictureAt } from '../compare/difference.js';
 import type { Steps } from '../compare/parting.js';
+import type { Line } from '../curves/lines.js';
 import { historyOf } from '../history/history.js';
 import type { History } from '../history/history.js';
 import type { Editing } from '../live/editor.js';
@@ -43,6 +45,12 @@ interface Half {
   readonly against: Grid<number> | null;
 }
 
+/** What is drawn at a step of a run: pixels, or lines if these are to be marked. */
+interface Beside {
+  readonly picture: Grid<number> | null;
+  readonly lines: readonly Line[];
+}
+
 /**
  * Two runs side by side. The controls step the first one, and the other goes along. Each step of the first is told by
  * `vidno-step`, each pixel that is chosen by `vidno-pixel`, and further bookmarks by `vidno-bookmarks`; `vidno-layer` asks to
@@ -72,7 +80,7 @@ export class ComparisonElement extends StageElement {
   private comparison: Comparison | null = null;
   private halves: readonly [Half, Half] | null = null;
   private history: History | null = null;
-  /** How many pixels differ now. */
+  /** How many pixels or columns differ now. */
   private differs: number | null = null;
   private readonly pointing = new Pointing(this);
   private readonly reader = new ReadOn(this, mostPerFrame);
@@ -108,13 +116,24 @@ export class ComparisonElement extends StageElement {
   private look(trace: Trace, rival: Trace): readonly [Half, Half] {
     const { step, otherStep, pixel, language } = this;
     const choice: Choice = { language, pixel, pointed: this.pointing.at };
-    const [picture, other] = [pictureAt(trace, step), pictureAt(rival, otherStep)];
-    this.differs = differing(picture, other);
-    const [against, back] = this.differs === null ? [null, null] : [other, picture];
+    this.differs = differenceAt(trace, step, rival, otherStep);
+    const against = this.beside(rival, otherStep);
+    const back = this.beside(trace, step);
+    const [view, other] = [viewOf(trace, step, choice), viewOf(rival, otherStep, choice)];
     return [
-      { side: 'one', trace, view: viewOf(trace, step, choice), against },
-      { side: 'other', trace: rival, view: viewOf(rival, otherStep, choice), against: back },
+      { side: 'one', trace, view: { ...view, rival: against.lines }, against: against.picture },
+      { side: 'other', trace: rival, view: { ...other, rival: back.lines }, against: back.picture },
     ];
+  }
+
+  /** What a run has drawn, for the other one to be held against. */
+  private beside(run: Trace, step: number): Beside {
+    if (this.differs === null) return { picture: null, lines: [] };
+    const isOfCurves = run.header.scene.curves !== null;
+    return {
+      picture: isOfCurves ? null : pictureAt(run, step),
+      lines: isOfCurves && this.isMarked ? run.timeline.lines.at(step) : [],
+    };
   }
 
   private get isMarked(): boolean {

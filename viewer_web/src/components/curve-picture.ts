@@ -1,4 +1,4 @@
-import { css, svg } from 'lit';
+import { css, html, nothing, svg } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
 import { curvesStyle } from '../curves/curves.style.js';
@@ -14,6 +14,7 @@ import { hiddenStyle } from './hidden.style.js';
 import { marksStyle } from './marks.style.js';
 import { pictureStyle } from './picture.style.js';
 import { PlaneElement } from './plane.js';
+import './sample-handles.js';
 import { base } from './theme.js';
 
 /** The lines that were drawn so far, and over them what the procedure knows of curves and columns. */
@@ -33,6 +34,17 @@ export class CurvePictureElement extends PlaneElement {
   ];
 
   @property({ attribute: false }) layers: ReadonlySet<Layer> = allLayers;
+  /** Whether samples may be moved. */
+  @property({ type: Boolean }) edited = false;
+
+  protected override above(frame: Frame): unknown {
+    if (!this.edited) return nothing;
+    return html`<vidno-sample-handles
+      .view=${this.view}
+      .frame=${frame}
+      @follow=${({ detail }: CustomEvent<Point>) => this.follow(detail, 0)}
+    ></vidno-sample-handles>`;
+  }
 
   protected override get words(): CurveHistoryTexts {
     return texts[this.view.language].curves.history;

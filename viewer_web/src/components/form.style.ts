@@ -24,6 +24,9 @@ export const formStyle = css`
   .fields.four {
     grid-template-columns: repeat(4, minmax(0, 1fr));
   }
+  .fields .method {
+    grid-column: 1 / -1;
+  }
   .fields label > span {
     display: block;
     color: var(--soft);

@@ -9,7 +9,7 @@ import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
 import { idOf } from '../lessons.js';
 import type { Lesson, LessonTrace } from '../lessons.js';
-import { kernels, offeredNames, runnable, runs, usual } from '../live/options.js';
+import { kernels, methodNames, offeredNames, runnable, runs, usual } from '../live/options.js';
 import type { Options } from '../live/options.js';
 import type { Trace } from '../trace/trace.js';
 import { dialogStyle } from './dialog.style.js';
@@ -52,6 +52,9 @@ export class RivalChoiceElement extends LitElement {
       select {
         width: 100%;
         padding: 0 0.25rem;
+      }
+      .row > .method {
+        flex-basis: 13rem;
       }
       .row > .lesson {
         flex-basis: 18rem;
@@ -151,7 +154,7 @@ export class RivalChoiceElement extends LitElement {
         )}
       </p>
       <div class="row other">
-        ${this.select('method', methods)}
+        ${this.select('method', methodNames(methods, wanted))}
         ${this.select('edition', offeredNames(wanted.method, editions))}
         ${this.select('kernel', numbers)}
         <button name="run" @click=${() => this.choose({ kind: 'run', options: wanted })}>
@@ -164,7 +167,7 @@ export class RivalChoiceElement extends LitElement {
 
   private select(field: Field, names: Names): TemplateResult {
     const chosen = this.wanted[field];
-    return html`<label>
+    return html`<label class=${field}>
       <span>${texts[this.language].scene[field]}</span>
       <select
         name=${field}

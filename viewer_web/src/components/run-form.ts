@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { texts } from '../i18n/index.js';
-import { canCheck, kernels, offeredNames, runs } from '../live/options.js';
+import { canCheck, kernels, methodNames, offeredNames, runs } from '../live/options.js';
 import { resize } from '../live/sketch.js';
 import { details } from '../trace/events.js';
 import { FormElement } from './form.js';
@@ -26,7 +26,8 @@ export class RunFormElement extends FormElement {
       <section>
         <h3>${say.run}</h3>
         <div class="fields">
-          ${this.select('method', methods)} ${this.select('kernel', this.kernelNames())}
+          ${this.select('method', methodNames(methods, editing.options))}
+          ${this.select('kernel', this.kernelNames())}
           ${this.select('edition', offeredNames(editing.options.method, editions))}
           ${this.select('detail', levels)}
         </div>
@@ -56,7 +57,7 @@ export class RunFormElement extends FormElement {
 
   private select(field: Choice, names: Names): TemplateResult {
     const chosen = this.editing.options[field];
-    return html`<label>
+    return html`<label class=${field}>
       <span>${this.say[field]}</span>
       <select
         name=${field}
@@ -98,15 +99,20 @@ export class RunFormElement extends FormElement {
             </label>`,
         )}
       </div>
-      <label class="line">
-        <input
-          type="color"
-          .value=${background}
-          @input=${(event: Event) =>
-            this.color(event, 'background', (color) => (old) => ({ ...old, background: color }))}
-        />
-        ${say.background}
-      </label>
+      ${editing.sketch.curves === null ? this.background(background) : nothing}
     </section>`;
+  }
+
+  private background(background: string): TemplateResult {
+    const { say } = this;
+    return html`<label class="line">
+      <input
+        type="color"
+        .value=${background}
+        @input=${(event: Event) =>
+          this.color(event, 'background', (color) => (old) => ({ ...old, background: color }))}
+      />
+      ${say.background}
+    </label>`;
   }
 }

@@ -2,9 +2,9 @@ import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { download, fileName } from '../download.js';
+import { figureOfStep } from '../picture/figures.js';
 import { pngOf } from '../picture/png.js';
 import type { View } from '../view.js';
-import { showsOf } from './shows.js';
 import { base } from './theme.js';
 
 /** Pixels: enough for a slide or a column of print. */
@@ -43,7 +43,7 @@ export class SaveElement extends LitElement {
     const { header, step } = view;
     const { scene, method, kernel, edition } = header;
     const name = `${fileName(scene.name, method, kernel, edition, `step-${step}`)}.${kind}`;
-    const figure = showsOf(view).figure(view);
+    const figure = figureOfStep(view);
     const svg = new Blob([figure], { type: 'image/svg+xml' });
     download(kind === 'svg' ? svg : await pngOf(figure, width), name);
   }

@@ -1,14 +1,15 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import { texts } from '../i18n/index.js';
 import type { Act } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
 import { whyRefused } from '../live/refusal.js';
 import { ask } from './act.js';
 import { FormElement } from './form.js';
-import './polygon-form.js';
 import './run-form.js';
 import { scenePanelStyle } from './scene-panel.style.js';
+import { showsOfEdited } from './shows.js';
 import { base } from './theme.js';
 
 /** The scene as a form, with what can be done with it as a whole, and what the library says of it. */
@@ -24,18 +25,26 @@ export class ScenePanelElement extends FormElement {
       ${this.tools()} ${this.message()}
       <div class="scroll">
         <vidno-run-form .editing=${editing} .language=${language}></vidno-run-form>
-        <vidno-polygon-form .editing=${editing} .language=${language}></vidno-polygon-form>
+        ${showsOfEdited(editing).form(editing, language)}
       </div>
     `;
   }
 
   private tools(): TemplateResult {
     const { say, editing } = this;
-    const isDrawing = editing.drawn !== null;
     return html`<div class="tools" role="group">
       ${this.icon('↶', `${say.undo} (Ctrl+Z)`, !editing.canUndo, { do: 'undo' })}
       ${this.icon('↷', `${say.redo} (Ctrl+Y)`, !editing.canRedo, { do: 'redo' })}
-      <button
+      ${showsOfEdited(editing).isSolid ? this.drawing() : nothing}
+      <button title=${say.saveHint} @click=${() => ask(this, 'vidno-save')}>${say.save}</button>
+      <button title=${say.linkHint} @click=${() => ask(this, 'vidno-link')}>${say.link}</button>
+    </div>`;
+  }
+
+  private drawing(): TemplateResult {
+    const { say, editing } = this;
+    const isDrawing = editing.drawn !== null;
+    return html`<button
         class="draw"
         aria-pressed=${isDrawing ? 'true' : 'false'}
         title="${say.draw} (N)"
@@ -43,10 +52,7 @@ export class ScenePanelElement extends FormElement {
       >
         ${say.draw}
       </button>
-      <button title=${say.clearHint} @click=${() => this.act({ do: 'new' })}>${say.clear}</button>
-      <button title=${say.saveHint} @click=${() => ask(this, 'vidno-save')}>${say.save}</button>
-      <button title=${say.linkHint} @click=${() => ask(this, 'vidno-link')}>${say.link}</button>
-    </div>`;
+      <button title=${say.clearHint} @click=${() => this.act({ do: 'new' })}>${say.clear}</button>`;
   }
 
   private icon(sign: string, label: string, off: boolean, act: Act): TemplateResult {
@@ -80,6 +86,6 @@ export class ScenePanelElement extends FormElement {
     const { say, editing } = this;
     if (link !== null) return link === 'copied' ? say.linkCopied : say.linkLong;
     if (editing.drawn !== null) return say.drawing;
-    return messages === '' ? say.how : messages;
+    return messages === '' ? showsOfEdited(editing).how(texts[this.language]) : messages;
   }
 }

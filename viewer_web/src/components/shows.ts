@@ -1,24 +1,25 @@
 import { html } from 'lit';
 import type { TemplateResult } from 'lit';
-import { curveFigureOf } from '../curves/figure.js';
 import type { Layer as CurveLayer } from '../curves/layers.js';
 import { texts } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
 import type { HistoryTexts, Texts } from '../i18n/texts.js';
 import type { Editing } from '../live/editor.js';
-import { figureOf } from '../picture/figure.js';
 import { layersOf } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
+import type { Method } from '../trace/events.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
 import type { RegionLayer } from '../regions/layers.js';
-import { regionFigureOf } from '../regions/figure.js';
 import type { View } from '../view.js';
 import './curve-layers.js';
 import './curve-picture.js';
 import './horizon-panel.js';
 import './layers.js';
 import './picture.js';
+import './polygon-form.js';
+import './surface-form.js';
 import './region-layers.js';
 import './region-picture.js';
 import './regions-panel.js';
@@ -48,11 +49,13 @@ export interface Shows {
   readonly state: (view: View) => TemplateResult;
   /** The picture, and the choice of what it shows; their classes are `drawing` and `layers`. */
   readonly picture: (pictured: Pictured) => TemplateResult;
-  /** The picture as an SVG document. */
-  readonly figure: (view: View) => string;
   /** What is said of a place that is chosen in the picture: a pixel, or a column. */
   readonly places: (texts: Texts) => HistoryTexts;
-  /** Whether there is a scene in 3D. */
+  /** The form of the scene that is run. */
+  readonly form: (editing: Editing, language: Language) => TemplateResult;
+  /** What can be done with the scene, in words. */
+  readonly how: (texts: Texts) => string;
+  /** Whether the scene has polygons, which may be drawn, and shown in 3D. */
   readonly isSolid: boolean;
 }
 
@@ -74,8 +77,10 @@ const ofPolygons: Omit<Shows, 'state'> = {
       ></vidno-picture>
       <vidno-layers class="layers" .view=${view} .layer=${layer} .exact=${exact}></vidno-layers>`;
   },
-  figure: figureOf,
   places: ({ history }) => history,
+  form: (editing, language) =>
+    html`<vidno-polygon-form .editing=${editing} .language=${language}></vidno-polygon-form>`,
+  how: ({ scene }) => scene.how,
   isSolid: true,
 };
 
@@ -92,6 +97,7 @@ const shows: Readonly<Record<MethodKind, Shows>> = {
           class="drawing"
           .view=${of.view}
           .layers=${of.curveLayers}
+          ?edited=${of.editing !== null}
           @pixel=${({ detail }: CustomEvent<Pixel>) => of.choose(detail)}
         ></vidno-curve-picture>
         <vidno-curve-layers
@@ -100,8 +106,10 @@ const shows: Readonly<Record<MethodKind, Shows>> = {
           .layers=${of.curveLayers}
           @layers=${({ detail }: CustomEvent<ReadonlySet<CurveLayer>>) => (of.curveLayers = detail)}
         ></vidno-curve-layers>`,
-    figure: curveFigureOf,
     places: ({ history, curves }) => ({ ...history, ...curves.history }),
+    form: (editing, language) =>
+      html`<vidno-surface-form .editing=${editing} .language=${language}></vidno-surface-form>`,
+    how: ({ curves }) => curves.surface.how,
     isSolid: false,
   },
   regions: {
@@ -127,11 +135,15 @@ const shows: Readonly<Record<MethodKind, Shows>> = {
         ></vidno-region-layers>
         <vidno-layers class="layers" .view=${view} .layer=${layer} .exact=${exact}></vidno-layers>`;
     },
-    figure: regionFigureOf,
   },
 };
 
-export const showsOf = ({ header }: View): Shows => shows[methodKindOf(header.method)];
+const showsOfMethod = (method: Method): Shows => shows[methodKindOf(method)];
+
+export const showsOf = ({ header }: Pick<View, 'header'>): Shows => showsOfMethod(header.method);
+
+/** The same of a scene that is edited. */
+export const showsOfEdited = ({ options }: Editing): Shows => showsOfMethod(options.method);
 
 /** What is said of places in the picture of a view, in its language. */
 export const placesOf = (view: View): HistoryTexts => showsOf(view).places(texts[view.language]);

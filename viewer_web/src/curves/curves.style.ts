@@ -9,6 +9,10 @@ export const curvesStyle = css`
     stroke: #10131c;
     stroke-width: 1.75;
   }
+  .rival {
+    stroke: var(--mark);
+    stroke-width: 1.25;
+  }
   .in-hand {
     stroke: #8a93a3;
     stroke-width: 1.5;

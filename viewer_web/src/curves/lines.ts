@@ -8,6 +8,8 @@ export interface Line {
   readonly curve: number;
   readonly from: Pair;
   readonly to: Pair;
+  /** The first and the last column that it is over; none between, if the last is less. */
+  readonly columns: readonly [first: number, last: number];
 }
 
 /** What a run has told, step by step. */
@@ -78,7 +80,7 @@ export class Lines {
     const { curve } = this;
     const last = this.entries.at(-1);
     const made = { step, segment: segment.join(), fromColumns, toColumns };
-    const line: Line = { curve, from, to };
+    const line: Line = { curve, from, to, columns: [fromColumns[1], toColumns[0]] };
     const goesOn =
       last?.line.curve === curve &&
       isOn(fromColumns) &&
@@ -88,7 +90,8 @@ export class Lines {
     else if (isPoint(last)) this.put({ ...made, line, index: last.index });
     else if (last.segment === made.segment) {
       const { line: begun, index, fromColumns: begin } = last;
-      this.put({ ...made, fromColumns: begin, line: { ...begun, to }, index });
+      const whole: Line = { ...begun, to, columns: [begun.columns[0], toColumns[0]] };
+      this.put({ ...made, fromColumns: begin, line: whole, index });
     } else if (!isPoint(made)) this.put({ ...made, line, index: this.final.length });
   }
 

@@ -226,6 +226,7 @@ export function curveShapes(view: View, frame: Frame, shown: ReadonlySet<Layer>)
   const chosen = pixel === null ? [] : [columnShape('chosen-column', pixel[0], area)];
   return [
     areaShape(area),
+    { look: 'rival', d: (view.rival ?? []).map(lineData).join('') },
     ...above.filter((layer) => shown.has(layer)).flatMap((layer) => layers[layer](view, frame)),
     ...(event === null ? [] : stepShapes(event, view, frame)),
     ...pointedShapes(view),

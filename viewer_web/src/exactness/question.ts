@@ -1,5 +1,5 @@
 import { toNumber } from '../i18n/words.js';
-import { cornerOf } from '../picture/marks.js';
+import { cornerOf } from '../picture/mark.js';
 import { numberOf } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';

@@ -31,6 +31,7 @@ export interface CompareTexts {
   readonly searching: string;
   readonly otherMethods: string;
   readonly differ: string;
+  readonly differColumns: string;
   readonly differNow: (n: string) => string;
   readonly differAtEnd: (n: string) => string;
   readonly otherArea: string;

@@ -23,6 +23,29 @@ export interface CurveTexts {
   readonly layersName: string;
   readonly around: (column: number) => string;
   readonly history: CurveHistoryTexts;
+  readonly surface: SurfaceTexts;
+}
+
+/** What is said where a surface is made. */
+export interface SurfaceTexts {
+  readonly own: string;
+  readonly name: string;
+  readonly how: string;
+  readonly title: string;
+  readonly function: string;
+  readonly language: string;
+  readonly sampled: (curves: number, samples: number) => string;
+  readonly give: string;
+  readonly ends: Readonly<Record<'x' | 'z', readonly [string, string]>>;
+  readonly curves: string;
+  readonly samples: string;
+  readonly tolerance: string;
+  readonly toleranceHint: string;
+  readonly up: string;
+  readonly ways: Readonly<Record<'origin' | 'across' | 'back', string>>;
+  /** Of a way on the screen. */
+  readonly place: readonly [string, string];
+  readonly sample: (curve: number, x: number, y: number) => string;
 }
 
 /** What is said of a column and of all that happened over it. */

@@ -30,6 +30,9 @@ export interface PredictTexts {
   readonly becomes: Readonly<Record<Becomes, string>>;
   readonly edge: (edge: string) => string;
   readonly column: (column: string) => string;
+  readonly horizons: Readonly<Record<'upper' | 'lower', string>>;
+  readonly between: string;
+  readonly overColumn: (column: string) => string;
   readonly check: string;
   readonly giveUp: string;
   readonly again: string;

@@ -42,6 +42,12 @@ describe('the C++ of a run', () => {
     expect(paths.slice(-2)).toEqual(['corrected.h', 'mistakes/one_list.h']);
     const list = sourcesOf({ method: 'warnock', edition: 'one-list' }).at(-1);
     expect(list?.lines.map(({ text }) => text)).toContain('return list;');
+    const ofFamily = sourcesOf({ method: 'warnock-full', edition: 'line-for-edge' });
+    expect(ofFamily.slice(-3).map(({ path }) => path)).toEqual([
+      'family/family.h',
+      'corrected.h',
+      'mistakes/line_for_edge.h',
+    ]);
     const files = (edition: 'boundary-outside' | 'depth-sign-reversed') =>
       sourcesOf({ method: 'warnock', edition }).map(({ path }) => path);
     expect(files('boundary-outside')).not.toContain('warnock/surround_test.h'); // it has its own

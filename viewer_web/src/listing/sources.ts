@@ -48,10 +48,10 @@ const linesOf = (text: string): readonly SourceLine[] =>
 const mistakePath = (mistake: Mistake): string => `mistakes/${mistake.replaceAll('-', '_')}.h`;
 
 /** The rules of an edition: those that are as usual, and the mistake. */
-const rulesOf = (method: Method, edition: Edition): readonly string[] => {
-  if (isFamily(method)) return ['family/family.h', 'corrected.h'];
-  return isMistake(edition) ? ['corrected.h', mistakePath(edition)] : [`${edition}.h`];
-};
+const rulesOf = (method: Method, edition: Edition): readonly string[] => [
+  ...(isFamily(method) ? ['family/family.h'] : []),
+  ...(isMistake(edition) ? ['corrected.h', mistakePath(edition)] : [`${edition}.h`]),
+];
 
 /** Whether a mistake has a procedure of its own, which does not ask for the usual one. */
 function replaces(edition: Edition, procedure: string): boolean {

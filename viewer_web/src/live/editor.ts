@@ -1,3 +1,5 @@
+import { formulaOf } from '../curves/surface.js';
+import type { Formula } from '../curves/surface.js';
 import { isMistake } from '../trace/editions.js';
 import type { Header, Scene } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
@@ -59,7 +61,7 @@ export class Editor {
   private drawn: readonly Vertex[] | null = null;
   private said: Pick<Editing, 'messages' | 'refused'> = { messages: '', refused: false };
   /** A scene file came in, to be run so: the sketch is to be what the library makes of it. */
-  private adopts: Options | null = null;
+  private adopts: { readonly file: string; readonly options: Options } | null = null;
   private readonly tracer: Tracer;
   /** The frame in which a change is told at the latest. */
   private telling = 0;
@@ -82,15 +84,9 @@ export class Editor {
     this.begin(sketchOf(scene), options, isMistake(edition));
   }
 
-  /** What runs is of no use any more. */
-  forget(): void {
-    this.adopts = null;
-    this.tracer.forget();
-  }
-
   /** Runs the text of a scene file, as it is; one that is refused changes nothing. */
   load(file: string, options: Options): void {
-    this.adopts = options;
+    this.adopts = { file, options };
     this.tracer.run(file, options);
   }
 
@@ -199,13 +195,16 @@ export class Editor {
       followers.refused(messages);
       return;
     }
-    if (trace !== null && adopts !== null) this.begin(sketchOf(trace.header.scene), adopts);
+    if (trace !== null && adopts !== null) {
+      this.begin(sketchOf(trace.header.scene, formulaOf(adopts.file)), adopts.options);
+    }
     this.said = { messages, refused: trace === null };
     if (trace !== null) followers.traced(trace);
     this.tell();
   }
 }
 
-function sketchOf({ name, area, background, polygons }: Scene): Sketch {
-  return { name, area, background, polygons };
+function sketchOf({ name, area, background, polygons, curves }: Scene, formula?: Formula): Sketch {
+  const sketch = { name, area, background, polygons, curves };
+  return formula === undefined ? sketch : { ...sketch, formula };
 }

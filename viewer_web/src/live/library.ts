@@ -1,5 +1,7 @@
 import { sha256 } from '@noble/hashes/sha2';
 import { numberOf } from '../trace/events.js';
+import { FormulaRefused, heightFunction } from './height-function.js';
+import type { HeightFunction } from './height-function.js';
 import type { EventName } from '../trace/events.js';
 
 /** What vidno.wasm gives; `trace/wasm/live.cpp` documents it. */
@@ -40,6 +42,7 @@ const nothing = (): number => 0;
 /** The library compiled to WebAssembly: makes traces, with the same bytes as the program, and sign maps. */
 export class Library {
   private readonly exports: Exports;
+  private height: HeightFunction = () => NaN;
   /** For the library's numbers of events' names those of the page. */
   private readonly numbers: Uint8Array;
 
@@ -95,7 +98,21 @@ export class Library {
     }
     const hash = (at: number, size: number, to: number): void =>
       this.bytes(to, 32).set(sha256(this.bytes(at, size)));
-    return { ...imports, vidno: { sha256: hash } };
+    const formula = (at: number, size: number, to: number, room: number): number =>
+      this.take(this.text(at, size), this.bytes(to, room));
+    const height = (x: number, z: number): number => this.height(x, z);
+    return { ...imports, vidno: { sha256: hash, formula, height } };
+  }
+
+  /** Takes a function for the next surface, or writes why not; gives how many bytes that are. */
+  private take(text: string, reason: Uint8Array): number {
+    try {
+      this.height = heightFunction(text);
+      return 0;
+    } catch (error) {
+      if (!(error instanceof FormulaRefused)) throw error;
+      return new TextEncoder().encodeInto(error.message, reason).written;
+    }
   }
 
   private text(at: number, size: number): string {

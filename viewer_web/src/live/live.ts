@@ -41,15 +41,7 @@ export class Live {
   /** Goes on from the scene of a trace that was opened. */
   open(header: Header): void {
     this.isRun = false;
-    if (header.scene.curves === null) this.editor?.open(header);
-    else this.leave();
-  }
-
-  /** There is no scene here that could be edited. */
-  private leave(): void {
-    this.editor?.forget();
-    this.editing = null;
-    this.followers.changed();
+    this.editor?.open(header);
   }
 
   /** Runs a scene file; false if the page was built without the library. */

@@ -47,9 +47,20 @@ export function offeredNames(
   return isPrinted(method) ? { corrected, printed } : { corrected };
 }
 
+/** Of the methods' names those that draw a scene of polygons, or one of curves; but one that the page's library has not only if it is chosen. */
+export function methodNames(
+  names: Readonly<Record<Method, string>>,
+  { method }: Pick<Options, 'method'>,
+): Record<string, string> {
+  const { 'floating-horizon': curves, 'weiler-atherton': regions, ...polygons } = names;
+  if (method === 'floating-horizon') return { [method]: curves };
+  return method === 'weiler-atherton' ? { ...polygons, [method]: regions } : polygons;
+}
+
 /** Whether a method and an edition run under a kernel. */
 export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'check'>): boolean {
   if (kernel.startsWith('depth:')) return method === 'zbuffer';
+  if (kernel.startsWith('grid:') && method === 'floating-horizon') return false;
   if (isMistake(edition)) return false;
   if (method === 'weiler-atherton' && kernel.startsWith('grid:')) return false;
   if (!isPrinted(method)) return edition === 'corrected';

@@ -1,7 +1,14 @@
+import { surfaceText } from '../curves/surface.js';
+import type { Formula } from '../curves/surface.js';
 import type { Area, Polygon, Scene } from '../trace/header.js';
 
-/** A scene that is being drawn. Each change gives another; what did not change is shared. */
-export type Sketch = Omit<Scene, 'byId' | 'curves'>;
+/**
+ * A scene that is being drawn. Each change gives another; what did not change is shared. Curves may be given by a function:
+ * then what stands for them here is from before it was changed.
+ */
+export interface Sketch extends Omit<Scene, 'byId'> {
+  readonly formula?: Formula;
+}
 
 export type Vertex = Polygon['vertices'][number];
 
@@ -19,15 +26,19 @@ export const emptySketch: Sketch = {
   area: { x: 0, y: 0, width: 16, height: 16 },
   background: '#ffffff',
   polygons: [],
+  curves: null,
 };
 
-/** The file of the scene, `vidno-scene/1`, on one line. */
-export function sceneText({ name, area, background, polygons }: Sketch): string {
+/** The file of the scene, `vidno-scene/1` or `vidno-surface/1`, on one line. */
+export function sceneText(sketch: Sketch): string {
+  if (sketch.curves !== null) return surfaceText(sketch);
+  const { name, area, background, polygons } = sketch;
   return JSON.stringify({ format: 'vidno-scene/1', name, window: area, background, polygons });
 }
 
-/** The same for people: a polygon a line. */
+/** The same for people: a polygon a line, or a curve. */
 export function sceneFile(sketch: Sketch): string {
+  if (sketch.curves !== null) return `${surfaceText(sketch).replaceAll(']],[[', ']],\n [[')}\n`;
   const { polygons, ...rest } = JSON.parse(sceneText(sketch)) as { polygons: unknown[] };
   const lines = polygons.map((polygon) => `  ${JSON.stringify(polygon)}`).join(',\n');
   return `${JSON.stringify(rest).slice(0, -1)},\n "polygons": [\n${lines}\n ]}\n`;

@@ -3,8 +3,8 @@ import type { Event } from '../trace/events.js';
 import type { Polygon, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
 import type { View } from '../view.js';
-import { edgeOf, note, path, point } from './marks.js';
-import type { Mark, Spot } from './marks.js';
+import { edgeOf, note, path, point } from './mark.js';
+import type { Mark, Spot } from './mark.js';
 
 /** How far from a window the numbers of its octants stand, by its sides. */
 const outward = 0.4;
@@ -20,7 +20,7 @@ export function containmentMarks(warnock: Warnock | null, scene: Scene): readonl
     ? [
         ...rayMarks(window, scene),
         ...inHand,
-        ...contained.flatMap((each) => crossing(each, polygon, window)),
+        ...contained.flatMap((each) => crossing(each, polygon, window, scene)),
       ]
     : [
         ...octantMarks(window, scene),
@@ -60,14 +60,20 @@ function rayMarks(window: Box, { area, polygons }: Scene): readonly Mark[] {
 
 type Contained = Warnock['contained'][number];
 
-/** Where an edge meets the line of the ray, and how often that counts. */
-function crossing(event: Contained, polygon: Polygon | undefined, window: Box): readonly Mark[] {
+/** Where an edge meets the line of the ray, and how often that counts: told at the side of the area if that is beyond. */
+function crossing(
+  event: Contained,
+  polygon: Polygon | undefined,
+  window: Box,
+  { area }: Scene,
+): readonly Mark[] {
   const ends = endsOf(polygon, event.edge);
   if (event.e !== 'ray' || ends === null) return [];
   const [[x1, y1], [x2, y2]] = ends;
   const [, y] = centreOf(window);
-  const at: Spot = event.at === 'CR3' ? [x1, y1] : [x1 + ((y - y1) / (y2 - y1)) * (x2 - x1), y];
-  return [point(event.counts > 0 ? 'yes' : 'no', at), note(at, String(event.counts))];
+  const x = event.at === 'CR3' ? x1 : x1 + ((y - y1) / (y2 - y1)) * (x2 - x1);
+  const within = Math.max(area.x, Math.min(x, area.x + area.width));
+  return [point(event.counts > 0 ? 'yes' : 'no', [x, y]), note([within, y], String(event.counts))];
 }
 
 /** The lines of the window's sides, which part the plane around it into octants, and their numbers. */

@@ -1,5 +1,5 @@
 import type { Box } from '../trace/values.js';
-import type { Mark } from './marks.js';
+import type { Mark } from './mark.js';
 import type { Pixel } from './pixel.js';
 
 const dot = 5;

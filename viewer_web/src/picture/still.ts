@@ -1,7 +1,7 @@
 import { polygonThing } from '../pointed.js';
 import type { Polygon, Scene } from '../trace/header.js';
 import type { Frame } from './frame.js';
-import type { Mark } from './marks.js';
+import type { Mark } from './mark.js';
 import { nearestIn } from './pixel.js';
 import type { Pixel } from './pixel.js';
 import { boxData, pathData } from './shapes.js';

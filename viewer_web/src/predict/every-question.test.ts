@@ -4,6 +4,7 @@ import { gunzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { answers, everyQuestion } from '../testing/questions.js';
 import { textOf, traceNames, traceOf } from '../testing/traces.js';
+import { toNumber } from '../i18n/words.js';
 import type { Values } from '../state/state.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
@@ -150,7 +151,43 @@ const agrees: Readonly<Record<Kind, (seen: Seen) => void>> = {
       expect(right['shown']?.includes(value)).toBe(isOther);
     }
   },
+  flags: ({ trace, question, right }) => {
+    const { timeline, header } = trace;
+    for (const { value } of question.parts[0]?.options ?? []) {
+      const flags = timeline.seek(question.until).columns?.flags.row(0);
+      const flag = flags?.[Number(value) - header.scene.area.x];
+      expect(right['above']?.includes(value)).toBe(flag === 1 || flag === 2);
+      expect(right['below']?.includes(value)).toBe(flag === -1 || flag === 2);
+    }
+  },
+  horizons: ({ trace, question, right }) => {
+    const { step, until, parts } = question;
+    for (const { value } of parts[0]?.options ?? []) {
+      const changes = (which: 'upper' | 'lower'): boolean =>
+        over(trace, step, value, which) !== over(trace, until, value, which);
+      expect(right['raised']?.includes(value)).toBe(changes('upper'));
+      expect(right['lowered']?.includes(value)).toBe(changes('lower'));
+    }
+  },
+  meeting: ({ trace, question, right }) => {
+    // Where the segment, which is straight, is as high as the straight horizon that it was compared with.
+    const [from, to] = question.parts[1]?.options.map(({ value }) => value).filter(Number) ?? [];
+    const event = trace.timeline.event(question.until);
+    if (event?.e !== 'intersection' || from === undefined || to === undefined) return;
+    const [x, y] = event.point.map(toNumber);
+    const which = right['meets']?.[0] === 'upper' ? 'upper' : 'lower';
+    const { columns } = trace.timeline.seek(question.step);
+    const height = (at: number): number =>
+      toNumber(columns?.before[which].row(0)[at - trace.header.scene.area.x] ?? 'nan');
+    const [left, next] = event.columns;
+    const part = left === next ? 0 : (x ?? NaN) - left;
+    expect(height(left) + (height(next) - height(left)) * part).toBeCloseTo(y ?? NaN, 9);
+  },
 };
+
+/** What the state has over the columns: the page’s own reading of the events between, whatever the question read. */
+const over = (trace: Trace, step: number, x: string, which: 'upper' | 'lower'): unknown =>
+  trace.timeline.seek(step).columns?.horizons[which].row(0)[Number(x) - trace.header.scene.area.x];
 
 describe.each(all)('every question of %s', (_name, content) => {
   it('has the answer that the state has after it', async () => {

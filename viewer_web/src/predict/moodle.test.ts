@@ -48,11 +48,9 @@ function valuesOf({ asks, options }: Part, chosen: readonly number[]): readonly 
   return options.filter((_, i) => chosen[i] === 0).map((option) => option.value);
 }
 
-/** Scanlines or lists alone, and curves, give nothing to ask about. */
+/** Less detailed ones of these tell nothing to ask about. */
 const byTrace = traceNames.filter(
-  (name) =>
-    !/^(small\.zbuffer|wedge\.weiler-atherton)\.windows/.test(name) &&
-    !name.includes('floating-horizon'),
+  (name) => !/zbuffer\.windows|horizon\.(windows|polygons)|atherton\.windows/u.test(name),
 );
 
 describe.each(byTrace)('the questions of %s for Moodle', (name) => {

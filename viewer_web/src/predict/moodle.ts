@@ -1,6 +1,6 @@
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
-import { figureOf } from '../picture/figure.js';
+import { figureOfStep } from '../picture/figures.js';
 import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
@@ -44,7 +44,7 @@ function questionXml(trace: Trace, question: Question, language: Language): stri
   const { step, kind } = question;
   const view = viewOf(trace, step, { language, pixel: null, pointed: null });
   const file = `step-${step}.svg`;
-  const picture = toBase64(new TextEncoder().encode(figureOf(view)));
+  const picture = toBase64(new TextEncoder().encode(figureOfStep(view)));
   const asked =
     text(questionText(view, question, file)) +
     element('file', Object.entries({ name: file, path: '/', encoding: 'base64' }), picture);

@@ -12,6 +12,9 @@ export const kinds = [
   'clip',
   'ael',
   'pixels',
+  'flags',
+  'horizons',
+  'meeting',
   'behind',
 ] as const;
 export type Kind = (typeof kinds)[number];
@@ -34,6 +37,8 @@ export type Of =
   | 'edge'
   | 'depth'
   | 'column'
+  | 'horizon'
+  | 'spot'
   | 'next';
 
 /** The parts that questions have, and how each is answered. */
@@ -60,6 +65,12 @@ export const parts = {
   crossings: ['one', 'number'],
   halved: ['some', 'edge'],
   sum: ['one', 'number'],
+  above: ['some', 'column'],
+  below: ['some', 'column'],
+  raised: ['some', 'column'],
+  lowered: ['some', 'column'],
+  meets: ['one', 'horizon'],
+  where: ['one', 'spot'],
   hidden: ['some', 'polygon'],
   partDepth: ['one', 'relation'],
   next: ['one', 'next'],
@@ -101,6 +112,9 @@ export interface Abouts {
   /** The scanline in hand; null before the first one. */
   readonly ael: { readonly polygon: string; readonly row: number | null };
   readonly pixels: { readonly polygon: string; readonly row: number };
+  readonly flags: { readonly curve: number };
+  readonly horizons: { readonly curve: number };
+  readonly meeting: { readonly curve: number };
   readonly behind: { readonly clip: string };
 }
 

@@ -1,3 +1,4 @@
+import { flags, horizons, meeting } from '../curves/ask.js';
 import { only } from '../history/entry.js';
 import { details } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
@@ -28,6 +29,9 @@ const askers: { readonly [K in Kind]: Asker<K> } = {
   clip,
   ael,
   pixels,
+  flags,
+  horizons,
+  meeting,
   behind,
 };
 

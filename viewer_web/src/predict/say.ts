@@ -1,3 +1,4 @@
+import { between } from '../curves/ask.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
 import type { Case } from '../time/course.js';
@@ -29,6 +30,9 @@ const words: Readonly<Record<Of, Say>> = {
   edge: (value, language) => texts[language].predict.edge(value),
   depth: itself,
   column: (value, language) => texts[language].predict.column(value),
+  horizon: (value, language) => texts[language].predict.horizons[value as 'upper' | 'lower'],
+  spot: (value, language) =>
+    value === between ? texts[language].predict.between : texts[language].predict.overColumn(value),
   next: (value, language) => texts[language].predict.becomes[value as Becomes],
 };
 

@@ -1,4 +1,4 @@
-import { cornerOf } from '../picture/marks.js';
+import { cornerOf } from '../picture/mark.js';
 import { corners } from '../trace/values.js';
 import type { Corner, N } from '../trace/values.js';
 import type { View } from '../view.js';

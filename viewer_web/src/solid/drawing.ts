@@ -1,4 +1,4 @@
-import type { Role } from '../picture/marks.js';
+import type { Role } from '../picture/mark.js';
 import type { Box } from '../trace/values.js';
 import { around } from './plane.js';
 import type { Space, Spot } from './space.js';

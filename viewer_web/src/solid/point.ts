@@ -1,5 +1,5 @@
 import { shownIn } from '../state/lists.js';
-import type { Role } from '../picture/marks.js';
+import type { Role } from '../picture/mark.js';
 import type { N } from '../trace/values.js';
 import type { View } from '../view.js';
 import { holds, planeOf } from './plane.js';

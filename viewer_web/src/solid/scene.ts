@@ -1,5 +1,6 @@
 import { Frame } from '../picture/frame.js';
-import { cornerOf, polygonInHand } from '../picture/marks.js';
+import { cornerOf } from '../picture/mark.js';
+import { polygonInHand } from '../picture/marks.js';
 import { labelsOf, many } from '../picture/still.js';
 import { polygonThing, thingOf } from '../pointed.js';
 import type { Area, Polygon, Scene } from '../trace/header.js';

@@ -109,4 +109,30 @@ export const curves: CurveTexts = {
     painted: (step) => `Last drawn over at step ${step}`,
     unpainted: 'No curve is drawn over it.',
   },
+  surface: {
+    own: 'A surface y = f(x, z)…',
+    name: 'Surface',
+    how: 'Drag a sample of the curve in hand up or down; with the keyboard, by the arrow keys up and down. Or change the function.',
+    title: 'Surface',
+    function: 'y as a function of x and z',
+    language:
+      'x, z, pi; + − * / ^, comparisons, ? :; sin, cos, tan, asin, acos, atan, atan2, sinh …, exp, ln, log2, log10, sqrt, abs, sign, min, max, sum, avg.',
+    sampled: (curves, samples) =>
+      `${curves} curves with ${samples} samples, as numbers. Moved samples take the place of a function.`,
+    give: 'Give a function instead',
+    ends: { x: ['x, left', 'x, right'], z: ['z, nearest', 'z, farthest'] },
+    curves: 'curves',
+    samples: 'samples',
+    tolerance: 'tolerance',
+    toleranceHint:
+      'Pixels: where a curve is farther than that from the line between two samples, one more stands halfway. Empty: none',
+    up: 'pixels up',
+    ways: {
+      origin: 'Left end of the nearest curve, at y = 0',
+      across: 'From a curve’s left end to its right one',
+      back: 'From a curve to the next',
+    },
+    place: ['columns', 'rows'],
+    sample: (curve, x, y) => `Curve ${curve}, column ${x}: height ${y}`,
+  },
 };

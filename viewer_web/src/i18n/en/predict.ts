@@ -23,6 +23,9 @@ export const predict: PredictTexts = {
     clip: 'clipping by a side',
     ael: 'the active edge list',
     pixels: 'pixels of a row',
+    flags: 'flags of columns',
+    horizons: 'the new horizons',
+    meeting: 'where a horizon is met',
     behind: 'what is behind',
   },
   intro: {
@@ -48,6 +51,12 @@ export const predict: PredictTexts = {
       `RemoveBehind: the parts inside ${clip}, each by its box. Depth is compared at the mean of a part’s vertices.`,
     pixels: ({ polygon, row }) =>
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
+    flags: ({ curve }) =>
+      `Visibility: curve ${curve} over the next columns. Beside each stand its height, which grows downward, and the horizons.`,
+    horizons: ({ curve }) =>
+      `Horizon: a segment of curve ${curve} over two columns. Beside each stand its height, which grows downward, and the horizons.`,
+    meeting: ({ curve }) =>
+      `Intersection: a segment of curve ${curve} between two columns. Beside each stand its height, which grows downward, and the horizons.`,
   },
   asks: {
     case: 'Which case is it?',
@@ -75,6 +84,12 @@ export const predict: PredictTexts = {
     next: 'And then?',
     sum: 'What is the sum, in octants?',
     pixelDepths: 'Its depth there against the stored one:',
+    above: 'Over which of these columns is it on the upper horizon or above it?',
+    below: 'Over which is it on the lower horizon or below it?',
+    raised: 'Over which of these columns does the upper horizon rise?',
+    lowered: 'Over which does the lower horizon fall?',
+    meets: 'Which horizon does it meet?',
+    where: 'Where?',
   },
   rows: {
     signs: 'a sign an edge, such as + 0 −',
@@ -104,6 +119,9 @@ export const predict: PredictTexts = {
   },
   edge: (edge) => `edge ${edge}`,
   column: (column) => `column ${column}`,
+  horizons: { upper: 'the upper one', lower: 'the lower one' },
+  between: 'between the columns',
+  overColumn: (column) => `over column ${column}`,
   check: 'Check',
   giveUp: 'Give up',
   again: 'Try again',

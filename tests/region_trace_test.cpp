@@ -1,0 +1,204 @@
+// Weiler and Atherton's algorithm as a method of the program: its trace is sufficient, its check finds what is wrong, its regions are
+// a file.
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "check.h"
+#include "output.h"
+#include "recorder.h"
+#include "region_output.h"
+#include "state.h"
+#include "support/scenes.h"
+#include "trace_reader.h"
+#include "vidno/kernels/filtered_regions.h"
+#include "vidno/weiler_atherton.h"
+
+using namespace vidno;
+using namespace vidno::test;
+
+namespace {
+
+struct ToState {
+    State& state;
+    template <class E>
+    void operator()(const E& event) {
+        state.apply(Event(event));
+    }
+};
+
+/// The state rebuilt from a run's events.
+struct Rebuilt {
+    explicit Rebuilt(const TraceHeader& header) : state(header), sink{state}, recording{header.detail, sink} {}
+    State state;
+    ToState sink;
+    Recording<ToState> recording;
+    int compared = 0, different = 0;
+};
+
+/// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
+template <class K>
+class Compare : public Recorder<K, ToState> {
+    using Base = Recorder<K, ToState>;
+
+public:
+    explicit Compare(Rebuilt& rebuilt) : Base(rebuilt.recording), rebuilt_(&rebuilt) {}
+
+    void facets(Line at, const auto& pieces) {
+        Base::facets(at, pieces);
+        compare(pieces, rebuilt_->state.facets());
+    }
+    void push_list(Line at, const auto& pieces) {
+        // What is outside is pushed before what is inside is looked at; it has been told piece by piece.
+        if (at == Line::WA6) compare(pieces, rebuilt_->state.list_in_hand()->outside);
+        Base::push_list(at, pieces);
+        compare(pieces, rebuilt_->state.lists().back());
+    }
+    void pop_list(Line at, const auto& pieces) {
+        Base::pop_list(at, pieces);
+        compare(pieces, rebuilt_->state.list_in_hand()->pieces);
+    }
+    void nearer_ones(Line at, const auto& pieces) {
+        Base::nearer_ones(at, pieces);
+        compare(pieces, rebuilt_->state.list_in_hand()->inside);
+    }
+
+private:
+    void compare(const auto& own, const std::vector<PolygonPart>& rebuilt) {
+        ++rebuilt_->compared;
+        std::vector<PolygonPart> parts;
+        for (const auto& piece : own) {
+            auto& part = parts.emplace_back(PolygonPart{{piece.polygon->index}, {}, piece.is_ground});
+            for (const auto& loop : piece.region.loops) {
+                part.region.emplace_back();
+                for (const auto& v : loop) part.region.back().push_back({as_value<K>(v.at.x), as_value<K>(v.at.y)});
+            }
+        }
+        rebuilt_->different += parts == rebuilt ? 0 : 1;
+    }
+
+    Rebuilt* rebuilt_;
+};
+
+RunRequest request_of(const Scene& scene, const std::string& kernel, Detail detail = Detail::windows) {
+    return {Method::weiler_atherton, *kernel_named(kernel), Edition::corrected, scene, detail};
+}
+
+std::string traced(const Scene& scene, const std::string& kernel, Detail detail, bool checked = false) {
+    std::string text;
+    TraceWriter writer(TraceHeader{Method::weiler_atherton, Edition::corrected, kernel, detail, scene},
+                       [&](std::string_view part) { text += part; });
+    write_trace(request_of(scene, kernel, detail), writer, checked);
+    return text;
+}
+
+/// Three bars, each over the next.
+Scene cycle() {
+    return SceneBuilder(area_16)
+        .quad(1, 2, 15, 5, .5)
+        .polygon({{11, 1, .90625}, {14, 1, .90625}, {14, 15, -.40625}, {11, 15, -.40625}})
+        .polygon({{2, 0, 0}, {4, 0, 0}, {16, 12, .75}, {14, 12, .75}})
+        .build();
+}
+
+Scene near_before_far() { return SceneBuilder(area_16).polygon(far_quad).quad(6, 6, 10, 10, .5).build(); }
+
+}  // namespace
+
+// Under `filtered` a number may be known better when it is told once more.
+TEST_CASE_TEMPLATE("Regions: lists, facets and what is visible, rebuilt from the events, are the run's own", K, Float,
+                   Double, Exact) {
+    RandomScenes random(41);
+    int compared = 0;
+    for (int i = 0; i < 40; ++i) {
+        CAPTURE(i);
+        const Scene scene = i == 0 ? cycle() : random.scene();
+        Rebuilt rebuilt({Method::weiler_atherton, Edition::corrected, std::string(K::name), Detail::polygons, scene});
+        const auto visible = visible_regions(scene, K{}, Compare<K>(rebuilt));
+        CHECK(rebuilt.different == 0);
+        CHECK(rebuilt.state.picture() == visible.picture);
+        REQUIRE(rebuilt.state.visible().size() == visible.regions.size());
+        for (std::size_t k = 0; k < visible.regions.size(); ++k) {
+            CHECK(rebuilt.state.visible()[k].polygon.index == visible.regions[k].polygon);
+        }
+        compared += rebuilt.compared;
+    }
+    CHECK(compared > 200);
+}
+
+TEST_CASE("Regions: the worked example of FORMAT.md is what the program writes") {
+    std::ifstream file(VIDNO_ROOT "/trace/FORMAT.md");
+    std::stringstream format;
+    format << file.rdbuf();
+    const std::string heading = "## An example of regions", opening = "```jsonl\n";
+    const auto begin = format.str().find(opening, format.str().find(heading)) + opening.size();
+    const auto end = format.str().find("```", begin);
+    REQUIRE(end != std::string::npos);
+    const std::string example = format.str().substr(begin, end - begin);
+    const TraceReader reader(LineReader::of_text(example), "FORMAT.md");
+    CHECK(traced(reader.header().scene, reader.header().kernel, reader.header().detail) == example);
+}
+
+TEST_CASE("Regions: what no run tells is refused") {
+    const std::string text = traced(near_before_far(), "double", Detail::polygons);
+    const auto refused = [&](const std::string& part, const std::string& instead) {
+        std::string changed = text;
+        changed.replace(changed.find(part), part.size(), instead);
+        TraceReader reader(LineReader::of_text(changed), "trace");
+        State state(reader.header());
+        try {
+            while (const auto event = reader.next()) state.apply(*event);
+        } catch (const Refused& error) {
+            return std::string(error.what());
+        } catch (const Impossible& impossible) {
+            return impossible.reason;
+        }
+        return std::string();
+    };
+    CHECK(refused(R"("e":"pop_list","at":"WA4","clip":"B")", R"("e":"pop_list","at":"WA4","clip":"A")") ==
+          "not the list on top of the stack");
+    CHECK(refused(R"("e":"clipped","at":"WA5","polygon":"A")", R"("e":"clipped","at":"WA5","polygon":"B")") ==
+          "not the next polygon of the list in hand");
+    CHECK(refused(R"(,false]])", R"(,0]])").find("not true or false") != std::string::npos);
+}
+
+TEST_CASE("Regions: under filtered and exact a check finds nothing, and under double what rounding spoils") {
+    RandomScenes random(42);
+    std::uint64_t wrong_in_double = 0;
+    for (int i = 0; i < 60; ++i) {
+        CAPTURE(i);
+        const Scene scene = random.scene();
+        const Picture right = right_picture(scene);
+        for (const std::string kernel : {"filtered", "exact"}) {
+            const CheckReport report = check_run(request_of(scene, kernel), right);
+            CHECK_FALSE(report.found_something());
+            CHECK((report.procedures.empty() || report.procedures.front().decisions > 0));
+        }
+        const CheckReport in_double = check_run(request_of(scene, "double"), right);
+        CHECK((in_double.wrong_pixels == 0 || in_double.any_wrong()));
+        wrong_in_double += in_double.any_wrong() ? 1 : 0;
+    }
+    CHECK(wrong_in_double > 0);
+}
+
+TEST_CASE("Regions as a file: polygons with their areas, exact under exact") {
+    const Scene scene = near_before_far();
+    std::vector<ShownRegion> regions;
+    RunRequest request = request_of(scene, "exact");
+    request.regions = &regions;
+    run(request);
+    const auto read = nlohmann::json::parse(regions_json(regions, request));
+    CHECK(read["format"] == "vidno-regions/1");
+    CHECK(read["kernel"] == "exact");
+    REQUIRE(read["regions"].size() == 2);
+    // The nearest is found first: 4 x 4 = 16; of the quad over the area 16 x 16 - 16 = 240 are left, around a hole.
+    CHECK(read["regions"][0]["polygon"] == "B");
+    CHECK(read["regions"][0]["area"] == "16/1");
+    CHECK(read["regions"][0]["loops"].size() == 1);
+    CHECK(read["regions"][1]["area"] == "240/1");
+    CHECK(read["regions"][1]["loops"].size() == 2);
+    CHECK(read["regions"][0]["loops"][0].size() == 4);
+}

@@ -1,0 +1,99 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { edit, rerun, run } from './live.js';
+import { goTo, launch, open, openFile, opened, sampleTrace } from './page.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+const events = (name: string): readonly string[] =>
+  sampleTrace(name).trim().split('\n').slice(1, -1);
+
+/** The page at the step after the first event that looks like that. */
+async function openAt(name: string, event: RegExp, hash = '#lang=en'): Promise<Page> {
+  const { page } = await open(browser, hash);
+  await opened(page, name, Buffer.from(sampleTrace(name)));
+  const step = events(name).findIndex((line) => event.test(line)) + 1;
+  expect(step).toBeGreaterThan(0);
+  await goTo(page, step);
+  return page;
+}
+
+const said = (page: Page): Promise<string> => page.locator('.dock .sentence').innerText();
+
+describe('a variant of the algorithm', () => {
+  it('keeps three lists, which the panel shows', async () => {
+    const page = await openAt('small.warnock-full.signs', /"e":"join".*"A".*"level":1/u);
+    const list = (name: string) => page.locator(`vidno-warnock .list[aria-label="${name}"]`);
+    expect((await list('Third').innerText()).trim()).toBe('B');
+    expect((await list('Surrounding').innerText()).split(/\s+/u)).toEqual(['A', '1']);
+    expect(await list('Outside').innerText()).toBe('empty');
+  });
+
+  it('draws the ray and says what it crosses', async () => {
+    const page = await openAt('small.warnock-full.signs', /"e":"ray".*"counts":1/u);
+    expect(await said(page)).toMatch(/crosses the ray: 1 so far\.$/u);
+    expect(await page.locator('vidno-picture text.label').allTextContents()).toContain('1');
+  });
+
+  it('numbers the octants, and says what an edge turns by and the sum', async () => {
+    const page = await openAt(
+      'small.warnock-angles.signs',
+      /"e":"octants","at":"OA4"/u,
+      '#lang=ru',
+    );
+    expect(await said(page)).toContain('сумма +6');
+    const notes = await page.locator('vidno-picture text.label').allTextContents();
+    expect(notes).toEqual(expect.arrayContaining(['+4', '+2']));
+  });
+
+  it('is accessible, in both themes', async () => {
+    for (const colorScheme of ['light', 'dark'] as const) {
+      const { page } = await open(browser, '#lang=en', { colorScheme });
+      const name = 'small.warnock-vertex.signs';
+      await opened(page, name, Buffer.from(sampleTrace(name)));
+      await goTo(page, events(name).length >> 1);
+      expect(await violations(page)).toEqual([]);
+    }
+  });
+});
+
+describe('the library in the page', () => {
+  it.each(['simplest', 'full', 'angles', 'vertex'])(
+    'writes of a variant what the program wrote: %s',
+    async (variant) => {
+      const name = `small.warnock-${variant}.signs`;
+      const { page, faults } = await open(browser, '#lang=en');
+      await opened(page, name, Buffer.from(sampleTrace(name)));
+      await edit(page);
+      const detail = page.locator('vidno-run-form select[name=detail]');
+      await rerun(page, () => detail.selectOption('windows'));
+      const again = await rerun(page, () => detail.selectOption('signs'));
+      expect(again.lines).toEqual(events(name));
+      expect(faults).toEqual([]);
+    },
+  );
+
+  it('offers each method with its rule, and refuses a scene that it does not take with a sentence', async () => {
+    const { page } = await open(browser, '#lang=ru');
+    await openFile(page, 'small.jsonl', sampleTrace('small.warnock.signs'));
+    await edit(page);
+    const method = page.locator('vidno-run-form select[name=method]');
+    await rerun(page, () => method.selectOption('warnock-simplest'));
+    expect((await run(page)).method).toBe('warnock-simplest');
+    await method.selectOption('warnock-bodies');
+    await page.locator('vidno-scene-panel .message.refused').waitFor();
+    expect(await page.locator('vidno-scene-panel .message.refused').innerText()).toMatch(
+      /^A: у него есть ребро/u,
+    );
+    expect(await page.locator('vidno-run-form .rule').innerText()).toMatch(
+      /^Замкнутые выпуклые тела/u,
+    );
+  });
+});

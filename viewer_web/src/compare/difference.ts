@@ -1,0 +1,46 @@
+import type { Line } from '../curves/lines.js';
+import { differenceOf } from '../picture/layers.js';
+import type { Grid } from '../state/grid.js';
+import type { Trace } from '../trace/trace.js';
+
+/** The picture after a step, as it stays. */
+export function pictureAt({ timeline }: Trace, step: number): Grid<number> {
+  return timeline.seek(step).screen.picture.copy();
+}
+
+/** How many pixels of two pictures differ; null where these are not of one size. */
+export function differing(one: Grid<number>, other: Grid<number>): number | null {
+  if (one.width !== other.width || one.height !== other.height) return null;
+  const { wrong, lacking } = differenceOf(one, other);
+  return wrong + lacking;
+}
+
+/** Each curve with each column over which it is drawn. */
+function drawnOver(lines: readonly Line[]): ReadonlySet<string> {
+  const drawn = new Set<string>();
+  for (const { curve, columns } of lines) {
+    for (let x = columns[0]; x <= columns[1]; x++) drawn.add(`${curve} ${x}`);
+  }
+  return drawn;
+}
+
+/** Over how many columns of all curves one of two runs has a line, and the other has none. */
+export function differingColumns(one: readonly Line[], other: readonly Line[]): number {
+  const [drawn, drawnThere] = [drawnOver(one), drawnOver(other)];
+  const both = [...drawn].filter((each) => drawnThere.has(each)).length;
+  return drawn.size + drawnThere.size - 2 * both;
+}
+
+/** How much two runs differ after these steps, in pixels or in columns; null where they cannot be held against each other. */
+export function differenceAt(
+  one: Trace,
+  step: number,
+  other: Trace,
+  otherStep: number,
+): number | null {
+  const [curves, curvesThere] = [one.header.scene.curves, other.header.scene.curves];
+  if ((curves === null) !== (curvesThere === null)) return null;
+  return curves === null
+    ? differing(pictureAt(one, step), pictureAt(other, otherStep))
+    : differingColumns(one.timeline.lines.at(step), other.timeline.lines.at(otherStep));
+}
