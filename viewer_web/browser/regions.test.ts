@@ -2,6 +2,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { goTo, launch, open, opened, sampleTrace, shown } from './page.js';
+import { asked } from './predict.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -80,9 +81,10 @@ describe('a run of Weiler and Atherton’s algorithm', () => {
     await goTo(page, stepOf(/"call","at":"WA7"/) - 1);
     await page.locator('.dock input[type=number]').blur();
     await page.keyboard.press('q');
-    const question = page.locator('vidno-question');
-    await question.waitFor();
-    expect(await question.innerText()).toContain('RemoveBehind: the parts inside C');
+    await asked(page, stepOf(/"call","at":"WA7"/));
+    expect(await page.locator('vidno-question h3').innerText()).toContain(
+      'RemoveBehind: the parts inside C',
+    );
   });
 
   it.each([

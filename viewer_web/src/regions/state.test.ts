@@ -100,7 +100,7 @@ describe('the state of Weiler and Atherton’s algorithm', () => {
     ['notNextPiece', [push, pop, { e: 'beside', at: 'WA5', polygon: 'B' }]],
     ['behindCount', [push, pop, call, clipped, remove, nearerOnes]],
   ] as const)('refuses what cannot happen: %s', async (reason, events) => {
-    const text = textWith(header, events as readonly Event[]);
+    const text = textWith(header, events);
     const refused = await traceOf(text).catch((error: unknown) => error);
     expect(refused).toBeInstanceOf(Unreadable);
     expect((refused as Unreadable).refusal.reason).toBe(reason);
