@@ -8,7 +8,8 @@ import { polygonThing } from '../pointed.js';
 
 /** A shape as the page shows it. */
 export function drawn({ look, d, color, fill, thing }: Shape): SVGTemplateResult {
-  return svg`<path class=${look} d=${d} stroke=${color ?? nothing} style=${fill === undefined ? nothing : `fill: ${fill}`} data-thing=${thing ?? nothing} />`;
+  if (fill !== undefined) return svg`<path class=${look} d=${d} .style=${`fill: ${fill}`} />`;
+  return svg`<path class=${look} d=${d} stroke=${color ?? nothing} data-thing=${thing ?? nothing} />`;
 }
 
 /** Labels as text of one size wherever one zooms; polygons are pointed at by their names. */

@@ -61,7 +61,8 @@ export class PictureElement extends PlaneElement {
     return cellsOf(this.layer, this.view.screen, this.exact);
   }
 
-  /** What lies over the pixels, and under all marks. */
+  /** What lies over the pixels and under the polygons' outlines, and what over these and under the marks. */
+  protected under?(frame: Frame): unknown;
   protected over?(frame: Frame): unknown;
 
   protected override get words(): HistoryTexts {
@@ -77,9 +78,10 @@ export class PictureElement extends PlaneElement {
     const { scale } = frame;
     const marks = marksOf(this.view, frame.sight);
     return svg`${this.printing.now && this.cells !== null ? this.pixels() : nothing}
-      ${this.over?.(frame)}
+      ${this.under?.(frame)}
       ${guard([frame], () => gridShapes(frame).map(drawn))}
       ${guard([header], () => this.outlines())}
+      ${this.over?.(frame)}
       ${marks.flatMap((mark) => shapesOf(mark, scale).map(drawn))}
       ${guard([header, scale], () => labels(labelsOf(header.scene, frame), frame, true))}
       ${labels(notesOf(marks, frame), frame)}`;

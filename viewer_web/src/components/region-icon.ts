@@ -22,6 +22,6 @@ export const isRegionEntry = (entry: LegendEntry): entry is RegionLegendEntry =>
 export function regionIcon(entry: RegionLegendEntry): SVGTemplateResult {
   const [look, d] = icons[entry];
   return entry === 'shown'
-    ? svg`<path class=${look} d=${d} style="fill: #d08a00" />`
+    ? svg`<path class=${look} d=${d} .style=${'fill: #d08a00'} />`
     : svg`<path class=${look} d=${d} />`;
 }

@@ -4,7 +4,7 @@ import type { Cells } from '../picture/paint.js';
 import { allLayers } from '../regions/layers.js';
 import type { RegionLayer } from '../regions/layers.js';
 import { regionsStyle } from '../regions/regions.style.js';
-import { regionShapes } from '../regions/shapes.js';
+import { regionShapes, visibleShapes } from '../regions/shapes.js';
 import { drawn } from './drawn.js';
 import { PictureElement } from './picture.js';
 
@@ -17,6 +17,10 @@ export class RegionPictureElement extends PictureElement {
 
   protected override get cells(): Cells | null {
     return this.shown.has('pixels') ? super.cells : null;
+  }
+
+  protected override under(): unknown {
+    return visibleShapes(this.view, this.shown).map(drawn);
   }
 
   protected override over(frame: Frame): unknown {

@@ -61,7 +61,7 @@ export class RegionsPanel extends LitElement {
           now.inHand?.pieces !== old.inHand?.pieces,
         )}
         ${value(say.lists, now.lists.length, now.lists.length !== old.lists.length)}
-        ${value(say.visible, now.visible.length, now.visible !== old.visible)}
+        ${value(say.shown, now.visible.length, now.visible !== old.visible)}
       </dl>
     </section>`;
   }
@@ -96,7 +96,7 @@ export class RegionsPanel extends LitElement {
     return html`<div>
       <h4>${title}</h4>
       ${this.list(title, 'short', now, (piece, i) =>
-        this.row(piece, isInside ? this.orderOf(now, i) : '', i === fresh),
+        this.row(piece, isInside ? this.orderOf(now, i) : '', i === fresh, true),
       )}
     </div>`;
   }
@@ -139,15 +139,22 @@ export class RegionsPanel extends LitElement {
     </div>`;
   }
 
-  private row([id, region, ground]: Piece, said: string, changed: boolean): TemplateResult {
+  /** In a narrow list what is known of a piece stands in place of its size. */
+  private row(
+    [id, region, ground]: Piece,
+    known: string,
+    changed: boolean,
+    isNarrow = false,
+  ): TemplateResult {
     const { say } = this;
     const thing = polygonThing(id);
     const pointed = thing === this.view.pointed;
+    const said = ground ? say.ground : known;
     const size = `${verticesOf(region)} ${say.vertices}${region.length > 1 ? `, ${say.loops(region.length)}` : ''}`;
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ changed })}>${polygonName(id, this.view)}</td>
-      <td class="said" title=${size}>${size}</td>
-      <td class="said">${ground ? say.ground : said}</td>
+      ${isNarrow && said !== '' ? nothing : html`<td class="said" title=${size}>${size}</td>`}
+      ${isNarrow && said === '' ? nothing : html`<td class="said">${said}</td>`}
     </tr>`;
   }
 

@@ -13,6 +13,8 @@ export interface RegionTexts {
   readonly behind: string;
   readonly nearer: string;
   readonly visible: string;
+  /** How many of these there are. */
+  readonly shown: string;
   readonly area: string;
   readonly vertices: string;
   readonly pieces: string;

@@ -43,11 +43,17 @@ function label({ text, at: [x, y] }: Label, { whole, scale }: Frame): string {
 export const figureFrame = ({ header }: View): Frame =>
   new Frame(header.scene.area, { width: side, height: side });
 
+/** What is drawn besides: under the polygons' outlines, and over these. */
+interface Layers {
+  readonly under: readonly Shape[];
+  readonly over: readonly Shape[];
+}
+
 /**
  * The picture at a step, with its marks and names, as an SVG document of its own, which looks as on the page wherever it
- * is opened: vectors alone, looks as attributes, on white. The same view gives the same bytes. `over` lies over the pixels.
+ * is opened: vectors alone, looks as attributes, on white. The same view gives the same bytes.
  */
-export function figureOf(view: View, over: readonly Shape[] = []): string {
+export function figureOf(view: View, { under, over }: Layers = { under: [], over: [] }): string {
   const { scene } = view.header;
   const frame = figureFrame(view);
   const { scale } = frame;
@@ -58,8 +64,8 @@ export function figureOf(view: View, over: readonly Shape[] = []): string {
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
   const marked = marksOf({ ...view, pointed: null, asked: [] }, frame.sight);
   const marks = marked.flatMap((mark) => shapesOf(mark, scale));
-  const shapes = [...gridShapes(frame), ...over, ...outlineShapes(scene), ...marks].map((shape) =>
-    pathOf(shape, scale),
+  const shapes = [...gridShapes(frame), ...under, ...outlineShapes(scene), ...over, ...marks].map(
+    (shape) => pathOf(shape, scale),
   );
   const names = [...labelsOf(scene, frame), ...notesOf(marked, frame)].map((each) =>
     label(each, frame),

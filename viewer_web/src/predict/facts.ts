@@ -50,10 +50,22 @@ const vertices = (polygon: Polygon | undefined): string =>
     .join(' ')
     .replaceAll('-', '−');
 
-function polygonFacts({ after, header, texts: page }: View, { about }: Question): readonly Fact[] {
-  const listed = after.warnock?.apl?.entries.map(([id]) => id) ?? [];
-  const ids = 'polygon' in about ? [about.polygon] : listed;
-  return ids.map((id) => [page.things.polygon(id), vertices(header.scene.byId.get(id))]);
+/** The polygons that a question is about. */
+function idsOf({ after }: View, { about, parts }: Question): readonly string[] {
+  if ('clip' in about) {
+    const hidden = parts.find(({ asks }) => asks === 'hidden');
+    return [about.clip, ...(hidden?.options ?? []).map(({ value }) => value)];
+  }
+  if ('polygon' in about) return [about.polygon];
+  return after.warnock?.apl?.entries.map(([id]) => id) ?? [];
+}
+
+function polygonFacts(view: View, question: Question): readonly Fact[] {
+  const { header, texts: page } = view;
+  return idsOf(view, question).map((id) => [
+    page.things.polygon(id),
+    vertices(header.scene.byId.get(id)),
+  ]);
 }
 
 /** What must be known at its step to answer a question, beside its own words and options. */

@@ -63,3 +63,6 @@ export const weilerAtherton = {
   paint: kind(oneOf('PR3'), 'w', { polygon: id, color, runs }),
   painted: kind(oneOf('WA10'), 'p', {}),
 } as const;
+
+/** Lines at which loops are closed: a fault there is one of rounding, and the run goes on. */
+export const isOpenOutline = (label: string): boolean => ['RC4', 'RC5', 'SP3'].includes(label);

@@ -93,7 +93,7 @@ export function hatchData(
   const first = Math.max(Math.min(...within), Math.min(...seen.map(across)));
   const last = Math.min(Math.max(...within), Math.max(...seen.map(across)));
   let d = '';
-  for (let i = Math.ceil(first / apart); i * apart < last; i++) {
+  for (let i = Math.floor(first / apart) + 1; i * apart < last; i++) {
     const met = meetings(loops, across, i * apart);
     for (let k = 0; k + 1 < met.length; k += 2) {
       d += `M${met[k]?.join(' ')}L${met[k + 1]?.join(' ')}`;

@@ -74,13 +74,7 @@ function partShapes(
 
 type Draw = (view: View, frame: Frame) => readonly Shape[];
 
-const layers: Readonly<Record<Exclude<RegionLayer, 'pixels'>, Draw>> = {
-  visible: ({ after, header: { scene } }) =>
-    (after.regions ?? emptyRegions).visible.map(([id, region]) => ({
-      look: 'shown',
-      d: regionData(region),
-      fill: colorOf(scene, id),
-    })),
+const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>> = {
   list: (view) => {
     const regions = view.after.regions ?? emptyRegions;
     const { inHand, facets } = regions;
@@ -111,16 +105,19 @@ const layers: Readonly<Record<Exclude<RegionLayer, 'pixels'>, Draw>> = {
   },
 };
 
-/** A line through the whole area. */
-function lineThrough(at: Pair, normal: Pair, { width, height }: Area): string {
-  const [x, y] = spotOf(at);
+/** A line as far as it lies in the area. */
+function lineThrough(at: Pair, normal: Pair, { x, y, width, height }: Area): string {
+  const [px, py] = spotOf(at);
   const [a, b] = spotOf(normal);
-  const far = (2 * (width + height)) / Math.hypot(a, b);
-  const ends: readonly Spot[] = [
-    [x - b * far, y + a * far],
-    [x + b * far, y - a * far],
-  ];
-  return ends.flat().every(Number.isFinite) ? pathData(ends, false) : '';
+  const way: Spot = [-b, a];
+  const sides = [
+    [(x - px) / way[0], (x + width - px) / way[0]],
+    [(y - py) / way[1], (y + height - py) / way[1]],
+  ].filter((ends) => ends.every(Number.isFinite));
+  const from = Math.max(...sides.map((ends) => Math.min(...ends)));
+  const to = Math.min(...sides.map((ends) => Math.max(...ends)));
+  const ends = [from, to].map((t): Spot => [px + t * way[0], py + t * way[1]]);
+  return from < to && ends.flat().every(Number.isFinite) ? pathData(ends, false) : '';
 }
 
 type OfEvent<K extends EventName> = (event: Event<K>, view: View) => readonly Shape[];
@@ -141,9 +138,22 @@ function stepShapes(event: Event, view: View): readonly Shape[] {
   return draw?.(event, view) ?? [];
 }
 
-const order: readonly (keyof typeof layers)[] = ['visible', 'list', 'parts', 'crossings'];
+/** What is visible so far, each region in its polygon's colour. */
+export function visibleShapes(
+  { after, header: { scene } }: View,
+  shown: ReadonlySet<RegionLayer>,
+): readonly Shape[] {
+  if (!shown.has('visible')) return [];
+  return (after.regions ?? emptyRegions).visible.map(([id, region]) => ({
+    look: 'shown',
+    d: regionData(region),
+    fill: colorOf(scene, id),
+  }));
+}
 
-/** All that is shown of regions at a step, those above later. */
+const order: readonly (keyof typeof layers)[] = ['parts', 'list', 'crossings'];
+
+/** What else is shown of regions at a step, those above later. */
 export function regionShapes(
   view: View,
   frame: Frame,

@@ -13,6 +13,7 @@ export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   fault: [
     { e: 'fault', at: 'L6', reason: 'a write outside the area', x: 16, y: 3 },
     { e: 'fault', at: 'S2', reason: 'the list of edges ends' },
+    { e: 'fault', at: 'RC4', reason: 'an outline is open' },
   ],
   disagree: [
     { e: 'disagree', at: 'S3', of: 'orientation', taken: -1, exact: 0, cause: 'rounded' },

@@ -18,20 +18,8 @@ import { bodies, lists } from './family-events.js';
 import { kind } from './kind.js';
 import type { AnyKind } from './kind.js';
 import { row } from './row-event.js';
-import {
-  answer,
-  box,
-  color,
-  corner,
-  id,
-  num,
-  pair,
-  pixels,
-  rowRuns,
-  runs,
-  sign,
-  triple,
-} from './values.js';
+import { zbuffer } from './zbuffer-events.js';
+import { answer, box, color, corner, id, num, pair, pixels, runs, sign, triple } from './values.js';
 
 /**
  * The events of `vidno-trace/1` as one table: the types of the events and the check of a line are both
@@ -47,7 +35,6 @@ const anyLine = matching(
   /^(?:W|PW|PC|D|S|PL|I|F|Z|L|WS|WF|RE|TF|CR|OA|HP|VS|ED|BF|FH|SE|V|H|IN|WA|SP|DS|RC|RB|PR)[1-9]\d?$/,
   'label',
 );
-const edges = list(count);
 
 export const procedures = [
   'ProcessWindow',
@@ -159,38 +146,6 @@ export const warnock = {
   clip_result: kind(oneOf('W12', 'WF8'), 'p', { polygon: id, vertices: list(triple) }),
   row,
   draw: kind(oneOf('W11', 'W12', 'WF7', 'WF8'), 'w', { polygon: id, color, runs }),
-} as const;
-
-export const zbuffer = {
-  clear: kind(oneOf('Z1'), 'w', { color, z: num }),
-  polygon: kind(oneOf('Z2'), 'w', { polygon: id, color }),
-  edge: kind(oneOf('Z3'), 'p', {
-    edge: count,
-    from: triple,
-    to: triple,
-    rows: optional(tuple(whole, whole)),
-  }),
-  extent: kind(oneOf('Z4'), 'p', { ymin: num, ymax: num }),
-  scanline: kind(oneOf('Z6'), 'w', { y: num, row: whole }),
-  ael_add: kind(oneOf('Z8'), 'p', { edge: count, x: num, z: num, until: num, dx: num, dz: num }),
-  horizontal: kind(oneOf('Z9'), 'p', { edge: count }),
-  leave: kind(oneOf('Z10'), 'p', { edges, next: num }),
-  ael_sort: kind(oneOf('Z12'), 'p', { edges, next: num }),
-  line: kind(oneOf('L1'), 'p', { row: whole, from: pair, to: pair }),
-  miss: kind(oneOf('L1', 'L2'), 'p', {}),
-  slope: kind(oneOf('L3'), 's', { dz: num }),
-  columns: kind(oneOf('L4'), 's', { first: whole, end: whole, z: num, ...told }),
-  pixel: kind(oneOf('L6'), 's', {
-    x: whole,
-    y: whole,
-    z: num,
-    stored: num,
-    shown: bool,
-    ...told,
-  }),
-  span: kind(oneOf('Z9', 'Z14'), 'w', { row: whole, runs: rowRuns, depths: optional(list(num)) }),
-  ael_drop: kind(oneOf('Z16'), 'p', { edges, next: num }),
-  ael_step: kind(oneOf('Z17'), 'p', { edge: count, x: num, z: num }),
 } as const;
 
 const threeLists = { ...warnock, ...lists } as const;

@@ -48,7 +48,7 @@ export const predict: PredictTexts = {
         ? `What is the AEL of ${polygon} on its first scanline?`
         : `Row ${row} of ${polygon} is done. What is the AEL on the next scanline?`,
     behind: ({ clip }) =>
-      `RemoveBehind: the parts inside ${clip}, each by its box. Depth is compared at the mean of a part’s vertices.`,
+      `RemoveBehind: the parts inside ${clip}. Depth is compared at the mean of a part’s vertices.`,
     pixels: ({ polygon, row }) =>
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
     flags: ({ curve }) =>

@@ -4,6 +4,7 @@ import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
 import { family } from './family.js';
+import { isOpenOutline } from '../../regions/events.js';
 import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
 
@@ -42,10 +43,14 @@ export const sentences: Sentences = {
   call: ({ of }) => `${of} begins: ${purposes[of]}`,
   depth: ({ at: line, polygon, point: at, z }, words) =>
     `At the ${place(at, words)} ${line === 'PC3' ? polygon : `the plane of ${polygon}`} has depth ${short(z)}.`,
-  fault: ({ reason, x, y }) =>
-    x === undefined || y === undefined
+  fault: ({ at, reason, x, y }) => {
+    if (isOpenOutline(at)) {
+      return 'An outline does not close here, by rounding: what cannot be closed is left out, and the run goes on.';
+    }
+    return x === undefined || y === undefined
       ? `The printed text fails here: ${reason}. The run ends.`
-      : `The printed text fails here: ${reason}, pixel (${x}, ${y}).`,
+      : `The printed text fails here: ${reason}, pixel (${x}, ${y}).`;
+  },
   disagree: ({ of, taken, exact, cause }) =>
     `Wrong, ${decided[of]}: ${answer(taken)} here, ${answer(exact)} exactly. ${causes[cause]}`,
 

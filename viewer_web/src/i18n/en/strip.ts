@@ -31,7 +31,7 @@ export const strip: StripTexts = {
     ael: 'Where AEL changes',
     calls: 'How deep the calls are nested',
     wrong: 'A wrong decision, in a trace made with --check',
-    fault: 'The printed text fails',
+    fault: 'The printed text fails, or rounding leaves an outline open',
     bookmark: 'A bookmark',
     now: 'The step that is shown',
   },

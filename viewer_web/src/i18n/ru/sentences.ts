@@ -4,6 +4,7 @@ import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
 import { family } from './family.js';
+import { isOpenOutline } from '../../regions/events.js';
 import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
 
@@ -49,10 +50,14 @@ export const sentences: Sentences = {
   call: ({ of }) => `Начинается ${of}: ${purposes[of]}`,
   depth: ({ at: line, polygon, point: at, z }, words) =>
     `${capital(where(at, words))} глубина ${line === 'PC3' ? '' : 'плоскости '}${polygon} равна ${short(z)}.`,
-  fault: ({ reason, x, y }) =>
-    x === undefined || y === undefined
+  fault: ({ at, reason, x, y }) => {
+    if (isOpenOutline(at)) {
+      return 'Из-за округления контур здесь не замыкается: незамкнутое отбрасывается, и алгоритм идёт дальше.';
+    }
+    return x === undefined || y === undefined
       ? `Напечатанный текст здесь ошибается: ${reason}. Прогон окончен.`
-      : `Напечатанный текст здесь ошибается: ${reason}, пиксель (${x}, ${y}).`,
+      : `Напечатанный текст здесь ошибается: ${reason}, пиксель (${x}, ${y}).`;
+  },
   disagree: ({ of, taken, exact, cause }) =>
     `Неверно, ${decided[of]}: здесь ${answer(taken)}, точно ${answer(exact)}. ${causes[cause]}`,
 

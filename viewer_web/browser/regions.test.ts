@@ -1,0 +1,98 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { goTo, launch, open, opened, sampleTrace, shown } from './page.js';
+import { asked } from './predict.js';
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+});
+
+const wedge = sampleTrace('wedge.weiler-atherton.signs');
+
+async function openWedge(
+  hash = '#lang=en',
+  options: Parameters<typeof open>[2] = {},
+): Promise<{ page: Page; faults: readonly string[] }> {
+  const { page, faults } = await open(browser, hash, options);
+  await opened(page, 'wedge.jsonl', wedge);
+  return { page, faults };
+}
+
+/** The first step from one on whose line in the file matches. */
+const stepOf = (pattern: RegExp, from = 1): number =>
+  wedge.split('\n').findIndex((line, i) => i >= from && pattern.test(line));
+
+const shapes = (page: Page, look: string): Promise<number> =>
+  page.locator(`vidno-region-picture > svg > path.${look}`).count();
+
+/** A clip that leaves something inside and something outside. */
+const clip = stepOf(/"clipped","at":"WA5","polygon":"C","clip":"B"/);
+
+describe('a run of Weiler and Atherton’s algorithm', () => {
+  it('is replayed in its own words, with the listing', async () => {
+    const { page, faults } = await openWedge();
+    await goTo(page, stepOf(/"behind"/));
+    // A has depth 1/4 everywhere, C has (x - 7) / 8, which is 1/2 at x = 11.
+    expect(await shown(page)).toMatchObject({
+      line: 'RB3',
+      sentence: expect.stringContaining('A has depth 1/4, C 1/2: less, so A is behind') as string,
+    });
+    await page.getByRole('button', { name: 'C++' }).click();
+    expect(await page.locator('vidno-cpp').getByText('run.trace.behind(RB3').count()).toBe(1);
+    await page.getByRole('button', { name: 'C++' }).click();
+    await page.keyboard.press('End');
+    expect((await shown(page)).line).toBe('WA10');
+    expect(faults).toEqual([]);
+  });
+
+  it('shows the clip polygon, the parts inside and outside, and where the outline crosses', async () => {
+    const { page } = await openWedge();
+    await goTo(page, clip);
+    expect(await shapes(page, 'clip-region')).toBe(2); // with its casing
+    expect(await shapes(page, 'inside-part')).toBe(2); // hatch and outline
+    expect(await shapes(page, 'outside-part')).toBe(2);
+    expect(await shapes(page, 'enters')).toBe(1);
+    expect(await shapes(page, 'shown')).toBe(1);
+    await page.getByRole('checkbox', { name: 'inside, outside' }).click();
+    expect(await shapes(page, 'inside-part')).toBe(0);
+    await page.getByRole('checkbox', { name: 'visible' }).click();
+    expect(await shapes(page, 'shown')).toBe(0);
+  });
+
+  it('lists what is in hand, and the areas of what is visible', async () => {
+    const { page } = await openWedge();
+    await goTo(page, clip);
+    const panel = page.locator('vidno-regions');
+    expect(await panel.getByRole('region', { name: 'Inside' }).locator('tr').count()).toBe(1);
+    expect(await panel.getByRole('region', { name: 'Outside' }).locator('tr').count()).toBe(2);
+    // Of C the part from x = 9 to 15 and y = 5 to 11.
+    expect(await panel.getByRole('region', { name: 'Visible regions' }).innerText()).toContain(
+      'area 36',
+    );
+  });
+
+  it('asks what is behind', async () => {
+    const { page } = await openWedge();
+    await goTo(page, stepOf(/"call","at":"WA7"/) - 1);
+    await page.locator('.dock input[type=number]').blur();
+    await page.keyboard.press('q');
+    await asked(page, stepOf(/"call","at":"WA7"/));
+    expect(await page.locator('vidno-question h3').innerText()).toContain(
+      'RemoveBehind: the parts inside C',
+    );
+  });
+
+  it.each([
+    ['light', 'en', { width: 1280, height: 800 }],
+    ['dark', 'ru', { width: 390, height: 844 }],
+  ] as const)('is accessible: %s, %s', async (colorScheme, language, viewport) => {
+    const { page } = await openWedge(`#lang=${language}`, { colorScheme, viewport });
+    await goTo(page, clip);
+    expect(await violations(page)).toEqual([]);
+  });
+});
