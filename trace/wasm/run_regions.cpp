@@ -13,7 +13,7 @@ namespace vidno {
 
 namespace {
 
-template <RegionKernel K>
+template <Kernel K>
 Picture told(const RunRequest& request, const K& kernel) {
     Recording<TraceWriter> recording{request.detail, *request.writer};
     return visible_regions(request.scene, kernel, Recorder<K, TraceWriter>(recording)).picture;

@@ -47,14 +47,13 @@ export function offeredNames(
   return isPrinted(method) ? { corrected, printed } : { corrected };
 }
 
-/** Of the methods' names those that draw a scene of polygons, or one of curves; but one that the page's library has not only if it is chosen. */
+/** Of the methods' names those that draw a scene of polygons, or one of curves. */
 export function methodNames(
   names: Readonly<Record<Method, string>>,
   { method }: Pick<Options, 'method'>,
 ): Record<string, string> {
-  const { 'floating-horizon': curves, 'weiler-atherton': regions, ...polygons } = names;
-  if (method === 'floating-horizon') return { [method]: curves };
-  return method === 'weiler-atherton' ? { ...polygons, [method]: regions } : polygons;
+  const { 'floating-horizon': curves, ...polygons } = names;
+  return method === 'floating-horizon' ? { [method]: curves } : polygons;
 }
 
 /** Whether a method and an edition run under a kernel. */

@@ -52,9 +52,9 @@ export const regionSentences: RegionSentences = {
   },
   pop_list: ({ clip, count }, words) =>
     `The list of ${words.counted(count, pieces)} comes off the stack: its first, a piece of ${clip}, is the clip polygon.`,
-  beside: ({ polygon }, { before }) => {
-    const { pieces: all = [], seen = 0 } = before.regions?.inHand ?? {};
-    const [piece, clip] = [all[seen], all[0]];
+  beside: ({ polygon }, { after }) => {
+    const { pieces: all = [], seen = 0 } = after.regions?.inHand ?? {};
+    const [piece, clip] = [all[seen - 1], all[0]];
     if (piece === undefined || clip === undefined) return `${polygon} lies outside.`;
     return `The box of ${polygon}, ${boxOf(piece[1])}, lies beside that of ${clip[0]}, ${boxOf(clip[1])}: all of the piece is outside.`;
   },

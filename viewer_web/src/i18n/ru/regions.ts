@@ -55,9 +55,9 @@ export const regionSentences: RegionSentences = {
   },
   pop_list: ({ clip, count }, words) =>
     `Из стека взят список из ${words.counted(count, ofPieces)}: первая из них, от ${clip}, — отсекающий многоугольник.`,
-  beside: ({ polygon }, { before }) => {
-    const { pieces: all = [], seen = 0 } = before.regions?.inHand ?? {};
-    const [piece, clip] = [all[seen], all[0]];
+  beside: ({ polygon }, { after }) => {
+    const { pieces: all = [], seen = 0 } = after.regions?.inHand ?? {};
+    const [piece, clip] = [all[seen - 1], all[0]];
     if (piece === undefined || clip === undefined) return `${polygon} лежит снаружи.`;
     return `Габариты ${polygon}, ${boxOf(piece[1])}, лежат в стороне от габаритов ${clip[0]}, ${boxOf(clip[1])}: вся часть снаружи.`;
   },
