@@ -14,7 +14,6 @@ it.each([
   ['scene: /window/width: not from 1 to 16384', '/window/width', 'not from 1 to 16384'],
   ['scene: line 2, column 3: not valid JSON', null, 'line 2, column 3: not valid JSON'],
   ['scene: /polygons/7: twice', '/polygons/7', 'twice'],
-  ['request: /method: which this library has not', null, 'which this library has not'],
   ['scene: polygon my face has no area', 'my face', 'has no area'],
   [
     'scene: polygon A has a vertex of polygon B before it: its body is not convex, or it goes round the other way',

@@ -22,8 +22,7 @@ export function refusalOf(message: string, { polygons }: Sketch): SceneRefusal {
   const [, place = '', reason = line] = /^(\/\S*): (.*)$/su.exec(line) ?? [];
   const [, number] = /^\/polygons\/(\d+)/u.exec(place) ?? [];
   const polygon = number === undefined ? undefined : polygons[Number(number)];
-  const isAtPlace = place !== '' && place !== '/method';
-  return { polygon: polygon?.id ?? (isAtPlace ? place : null), reason };
+  return { polygon: polygon?.id ?? (place === '' ? null : place), reason };
 }
 
 /** The same as a sentence. */

@@ -45,7 +45,6 @@ export const scene: SceneTexts = {
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
   stands: 'You still see the run before.',
   reasons: {
-    'which this library has not': 'not in the library of this page: choose another method',
     'has an edge that no other one shares':
       'has an edge that no other one shares: this method takes closed convex bodies',
     'goes along an edge the way another one does':

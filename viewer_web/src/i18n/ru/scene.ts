@@ -45,7 +45,6 @@ export const scene: SceneTexts = {
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
   stands: 'Показан прежний прогон.',
   reasons: {
-    'which this library has not': 'такого метода в библиотеке страницы нет: выберите другой',
     'not finite': 'не конечное число',
     'fewer than three vertices': 'меньше трёх вершин',
     'z outside -1 to 1': 'глубина не от −1 до 1',
