@@ -41,6 +41,7 @@ private:
     json value(Sign v) const { return int(v); }
     json value(Relation v) const { return relation_names[std::size_t(v)]; }
     json value(VisibilityFlag v) const { return int(v); }
+    json value(Lies v) const { return lies_names[std::size_t(v)]; }
     json value(Corner v) const { return corner_names[std::size_t(v)]; }
     json value(Case v) const { return case_names[std::size_t(v)]; }
     json value(Procedure v) const { return procedure_names[std::size_t(v)]; }
@@ -53,6 +54,7 @@ private:
     json value(const Truth& v) const { return v.answer ? value(*v.answer) : json(); }
     json value(const ValuePoint& v) const { return list(v.x, v.y); }
     json value(const ValueVertex& v) const { return list(v.x, v.y, v.z); }
+    json value(const PolygonPart& v) const { return list(v.polygon, v.region, v.ground); }
     json value(const Window& v) const { return list(v.x, v.y, v.width, v.height); }
     json value(const PixelRectangle& v) const { return list(v.x, v.y, v.width, v.height); }
     json value(const PixelRun& v) const { return list(v.row, v.first, v.end); }
