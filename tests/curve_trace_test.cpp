@@ -257,7 +257,7 @@ TEST_CASE("Curves: the example of FORMAT.md is what the program writes") {
     std::stringstream format;
     format << file.rdbuf();
     const std::string opening = "```jsonl\n";
-    const auto begin = format.str().rfind(opening) + opening.size();  // the last one
+    const auto begin = format.str().find(opening, format.str().find("## An example of curves")) + opening.size();
     const std::string example = format.str().substr(begin, format.str().find("```", begin) - begin);
     const CurveHeader header = reader_of(example).header();
     CHECK(traced(header.scene, {header.kernel, header.edition}, header.detail).text == example);

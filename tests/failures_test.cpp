@@ -359,7 +359,10 @@ struct BelowLost : Corrected {  // X-H1
 struct EdgeLost : Corrected {  // X-H1
     static bool no_edge_yet(const std::optional<Sample>& edge) { return Printed::no_edge_yet(edge); }
 };
-struct WrongHorizonMet : Corrected {  // X-H2
+struct StepsOfSamples : Corrected {  // X-H5
+    static int next_column(const Segment& segment, int x) { return Printed::next_column(segment, x); }
+};
+struct WrongHorizonMet : StepsOfSamples {  // X-H2; where steps are of a column, no column is lost by it, but a part of one
     static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) { return Printed::horizon_met(was, is); }
 };
 
@@ -383,6 +386,7 @@ TEST_CASE("Failures: what the printed floating horizon has wrong shows by each o
     CHECK(shows_alone<EdgeLost>("x-h1-edge"));
     CHECK(shows_alone<WrongHorizonMet>("x-h2"));
     for (const auto* name : {"x-h1", "x-h1-edge", "x-h2"}) CHECK_FALSE(shows_alone<Corrected>(name));
+    CHECK_FALSE(shows_alone<StepsOfSamples>("x-h2"));
 }
 
 TEST_CASE("Failures: a peak narrower than the step hides nothing, and denser samples find it") {
