@@ -87,7 +87,8 @@ Plot plot_of(const SceneChart& scene, std::size_t cost, std::size_t error, const
     for (const auto& series : all_series) {
         plot.marks.push_back(marks([&](const ChartRun& run) { return series.has(run.way); }));
         // The kernels of the corrected text stand by their points.
-        const bool named = !series.knob && series.edition == Edition::corrected;
+        // The variants of Warnock's algorithm lie so close that their kernels' names would cover one another.
+        const bool named = !series.knob && series.edition == Edition::corrected && !is_family(series.method);
         if (named) plot.labels.push_back({plot.marks.back(), is_warnock(series.method)});
     }
     plot.front = marks([&](const ChartRun& run) { return run.on_front[cost][error]; });
