@@ -362,7 +362,8 @@ struct EdgeLost : Corrected {  // X-H1
 struct StepsOfSamples : Corrected {  // X-H5
     static int next_column(const Segment& segment, int x) { return Printed::next_column(segment, x); }
 };
-struct WrongHorizonMet : StepsOfSamples {  // X-H2; where steps are of a column, no column is lost by it, but a part of one
+struct WrongHorizonMet
+    : StepsOfSamples {  // X-H2; where steps are of a column, no column is lost by it, but a part of one
     static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) { return Printed::horizon_met(was, is); }
 };
 
