@@ -350,7 +350,9 @@ Surface crossing_lines() {
 TEST_CASE("Every step of a run can be pinned") {
     const std::vector<std::pair<std::string, AnyScene>> runs{
         {"warnock", quads()}, {"zbuffer", quads()}, {"floating-horizon", crossing_lines()}};
-    for (const auto& [method, scene] : runs) {
+    for (const auto& method_and_scene : runs) {
+        const std::string& method = method_and_scene.first;
+        const AnyScene& scene = method_and_scene.second;
         CAPTURE(method);
         LessonRun run;
         run.method = method;

@@ -54,7 +54,7 @@ struct OnRegions<Checked<Machine>> : OnRegions<CheckedNumbers<Machine>> {
     }
 
     Place meet(const Edge& line, const Edge& other) const {
-        const Place found = Base::meet(line, other);
+        Place found = Base::meet(line, other);
         Base::survey(found);
         return found;
     }

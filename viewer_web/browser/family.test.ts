@@ -82,7 +82,7 @@ describe('the library in the page', () => {
 
   it('offers each method with its rule, and refuses a scene that it does not take with a sentence', async () => {
     const { page } = await open(browser, '#lang=ru');
-    await openFile(page, 'small.jsonl', sampleTrace('small.warnock.signs'));
+    await opened(page, 'small.jsonl', sampleTrace('small.warnock.signs'));
     await edit(page);
     const method = page.locator('vidno-run-form select[name=method]');
     await rerun(page, () => method.selectOption('warnock-simplest'));

@@ -140,6 +140,8 @@ export interface PageTexts extends FileTexts {
   readonly shortened: Readonly<Record<Shortened['why'], (line: number) => string>>;
   readonly methods: Readonly<Record<Method, string>>;
   readonly editions: Readonly<Record<Edition, string>>;
+  /** Of a run: its decisions were held against exact arithmetic. */
+  readonly checked: string;
   readonly kernel: string;
   readonly detail: string;
   readonly start: string;

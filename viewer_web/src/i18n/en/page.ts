@@ -26,6 +26,7 @@ export const page: PageTexts = {
     'floating-horizon': 'Floating horizon',
     'weiler-atherton': 'Weiler–Atherton',
   },
+  checked: 'checked',
   editions: {
     corrected: 'corrected',
     printed: 'as printed',

@@ -27,6 +27,7 @@ export const page: PageTexts = {
     'floating-horizon': 'Плавающий горизонт',
     'weiler-atherton': 'Вейлер–Азертон',
   },
+  checked: 'с проверкой',
   editions: {
     corrected: 'исправленный текст',
     printed: 'как напечатано',
