@@ -2,7 +2,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { edit, rerun, run } from './live.js';
-import { goTo, launch, open, openFile, opened, sampleTrace } from './page.js';
+import { goTo, launch, open, opened, sampleTrace } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
