@@ -19,7 +19,9 @@ it('a trace with a usual mistake opens under its name; a changed scene is run by
   await edit(page);
   const form = page.locator('vidno-run-form');
   expect(await form.locator('[name=edition]').inputValue()).toBe('corrected');
-  expect(await form.locator('section > p:not(.rule)').textContent()).toContain('made with a usual mistake');
+  expect(await form.locator('section > p:not(.rule)').textContent()).toContain(
+    'made with a usual mistake',
+  );
   await rerun(page, () => form.locator('select[name=kernel]').selectOption('exact'));
   await whole(page);
   expect(await title.textContent()).toContain('corrected');
