@@ -9,9 +9,8 @@
 
 #include "check.h"
 #include "output.h"
-#include "recorder.h"
 #include "region_output.h"
-#include "state.h"
+#include "support/rebuilt.h"
 #include "support/scenes.h"
 #include "trace_reader.h"
 #include "vidno/kernels/filtered_regions.h"
@@ -21,23 +20,6 @@ using namespace vidno;
 using namespace vidno::test;
 
 namespace {
-
-struct ToState {
-    State& state;
-    template <class E>
-    void operator()(const E& event) {
-        state.apply(Event(event));
-    }
-};
-
-/// The state rebuilt from a run's events.
-struct Rebuilt {
-    explicit Rebuilt(const TraceHeader& header) : state(header), sink{state}, recording{header.detail, sink} {}
-    State state;
-    ToState sink;
-    Recording<ToState> recording;
-    int compared = 0, different = 0;
-};
 
 /// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
 template <class K>

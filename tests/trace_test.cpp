@@ -10,10 +10,9 @@
 
 #include "event_json.h"
 #include "output.h"
-#include "recorder.h"
 #include "run.h"
-#include "state.h"
 #include "support/editions.h"
+#include "support/rebuilt.h"
 #include "support/scenes.h"
 #include "support/stage.h"
 #include "trace_reader.h"
@@ -102,23 +101,6 @@ Value value_of(const typename K::Number& number) {
         return Value(K::fraction(number));
     }
 }
-
-struct ToState {
-    State& state;
-    template <class E>
-    void operator()(const E& event) {
-        state.apply(Event(event));
-    }
-};
-
-/// The state rebuilt from a run's events, and how often it was held against the run's own lists.
-struct Rebuilt {
-    explicit Rebuilt(const TraceHeader& header) : state(header), sink{state}, recording{header.detail, sink} {}
-    State state;
-    ToState sink;
-    Recording<ToState> recording;
-    int compared = 0, different = 0;
-};
 
 /// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
 template <class K>
