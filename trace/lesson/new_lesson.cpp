@@ -28,16 +28,6 @@ It looks at [COUNT windows](#windows). TODO: why so many, or so few.
 ## Row by row
 
 The Z-buffer begins with [the first row of the first polygon](#row). TODO: what there is to see.
-
-## Questions
-
-1. TODO: a question to think about.
-
-   > TODO: its answer.
-
-2. TODO: another one.
-
-   > TODO: its answer.
 )";
 
 constexpr std::string_view russian = R"(# TODO: название
@@ -53,16 +43,6 @@ TODO: что здесь можно увидеть, в двух-трёх пред
 ## Строка за строкой
 
 Z-буфер начинает с [первой строки первого многоугольника](#row). TODO: что здесь видно.
-
-## Вопросы
-
-1. TODO: вопрос для размышления.
-
-   > TODO: ответ на него.
-
-2. TODO: ещё один.
-
-   > TODO: ответ на него.
 )";
 
 constexpr std::string_view english_of_curves = R"(# TODO: the title
@@ -74,16 +54,6 @@ TODO: what there is to see, in two or three sentences.
 The floating horizon takes [COUNT curves](#curves), the nearest first. TODO: of what surface.
 
 Of the first one [all is visible](#first). TODO: what the others come to.
-
-## Questions
-
-1. TODO: a question to think about.
-
-   > TODO: its answer.
-
-2. TODO: another one.
-
-   > TODO: its answer.
 )";
 
 constexpr std::string_view russian_of_curves = R"(# TODO: название
@@ -95,7 +65,21 @@ TODO: что здесь можно увидеть, в двух-трёх пред
 Плавающий горизонт берёт [кривых: COUNT](#curves), начиная с ближайшей. TODO: какой поверхности.
 
 Первая [видна вся](#first). TODO: что будет с остальными.
+)";
 
+constexpr std::string_view questions_in_english = R"(
+## Questions
+
+1. TODO: a question to think about.
+
+   > TODO: its answer.
+
+2. TODO: another one.
+
+   > TODO: its answer.
+)";
+
+constexpr std::string_view questions_in_russian = R"(
 ## Вопросы
 
 1. TODO: вопрос для размышления.
@@ -184,8 +168,8 @@ Files files_of(const std::vector<std::string>& runs, const std::vector<std::stri
     const std::string lesson = "{\"format\": \"vidno-lesson/1\",\n \"runs\": [" + lines_of(runs) + "],\n \"pins\": {" +
                                lines_of(pins) + "}}\n";
     return {{"lesson.json", lesson},
-            {"story.en.md", with_count(in_english, count)},
-            {"story.ru.md", with_count(in_russian, count)}};
+            {"story.en.md", with_count(in_english, count).append(questions_in_english)},
+            {"story.ru.md", with_count(in_russian, count).append(questions_in_russian)}};
 }
 
 Files lesson_on(const Scene& scene) {
