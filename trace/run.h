@@ -155,11 +155,12 @@ struct RunRequest {
     const Scene& scene;
     Detail detail = Detail::windows;
     TraceWriter* writer = nullptr;  // none: no trace
-    double smallest_window = 1;     // of Warnock's algorithm, the side; a trace does not say it
-    std::function<void()> progress = [] {
-    };  // without a trace, called at each window, polygon or list; checked, each step
-    std::vector<ShownRegion>* regions =
-        nullptr;  // where those of Weiler and Atherton's algorithm go, if they are wanted
+    /// Of Warnock's algorithm, the side; a trace does not say it.
+    double smallest_window = 1;
+    /// Called at each window, polygon or list of a run without a trace, and at each step of one that is checked.
+    std::function<void()> progress = [] {};
+    /// Where those of Weiler and Atherton's algorithm go, if they are wanted.
+    std::vector<ShownRegion>* regions = nullptr;
 };
 
 inline Picture run(const RunRequest& request) {

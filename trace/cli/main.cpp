@@ -64,9 +64,7 @@ CLI::App& add_render(CLI::App& app, RunOptions& options) {
     command
         .add_option("-o", options.output,
                     "The picture, .png or .ppm, of a surface its lines, .svg, .pdf, .png or .tex, of weiler-atherton "
-                    "also its regions, "
-                    ".json, .svg, .pdf or .tex; - writes PPM or SVG to "
-                    "standard output")
+                    "also its regions, .json, .svg, .pdf or .tex; - writes PPM or SVG to standard output")
         ->required();
     command.footer("Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png");
     return command;
@@ -365,9 +363,7 @@ CLI::App& add_figure(CLI::App& app, FigureOptions& options) {
     command
         .add_option("--show", options.show,
                     "Of picture, windows (of Z-buffer the scanline, of curves the horizons, of weiler-atherton the "
-                    "lists), list (APL "
-                    "or AEL, or its list), listing, "
-                    "history")
+                    "lists), list (APL or AEL, or its list), listing, history")
         ->capture_default_str();
     command.add_option("--pixel", options.pixel, "X,Y: whose history is shown");
     command.add_option("--language", options.language, "Of the words in it")
