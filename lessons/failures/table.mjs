@@ -13,7 +13,8 @@ const words = {
   en: {
     file: 'README.md',
     title: '# How these methods fail',
-    introduction: `An entry is a file: the smallest scene that we know, the run that fails on it, the run that does not, and what is to be seen.
+    introduction: `An entry is a file: the smallest scene that we know, the run that fails on it, the run that does not (perhaps of
+the same surface with other samples), and what is to be seen.
 \`tests/failures_test.cpp\` holds each to it. The step is that of a trace of level \`signs\`: the first wrong decision, or the
 step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
@@ -31,8 +32,8 @@ step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
   ru: {
     file: 'README.ru.md',
     title: '# Как ошибаются эти методы',
-    introduction: `Запись это файл: наименьшая известная нам сцена, прогон, который на ней ошибается, прогон, который не ошибается, и что при этом
-видно. \`tests/failures_test.cpp\` проверяет каждую. Шаг это шаг трассы уровня \`signs\`: первое неверное решение или
+    introduction: `Запись это файл: наименьшая известная нам сцена, прогон, который на ней ошибается, прогон, который не ошибается (бывает, той же
+поверхности с другими отсчётами), и что при этом видно. \`tests/failures_test.cpp\` проверяет каждую. Шаг это шаг трассы уровня \`signs\`: первое неверное решение или
 шаг, на котором ошибка видна. Таблицы пишет \`table.mjs\`.`,
     head: ['ошибка', 'как', 'видна при', 'на шаге', 'там', 'средство'],
     wrong: ({ of, taken, exact }) => `${of}: ${taken}, точно ${exact}`,
@@ -51,6 +52,13 @@ step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
 function vidno(...args) {
   const { status, stderr } = spawnSync(program, args);
   if (status === 2) throw new Error(String(stderr));
+}
+
+/** The file of a scene, for the program. */
+function written(scene, name) {
+  const file = join(work, name);
+  writeFileSync(file, JSON.stringify(scene));
+  return file;
 }
 
 function trace(name, scene, { method, kernel, edition }, ...more) {
@@ -106,10 +114,9 @@ function drawing(events, [curve, x]) {
 
 /** Where the failure is seen. */
 function seen({ scene, fails, holds, shows }) {
-  const file = join(work, 'scene.json');
-  writeFileSync(file, JSON.stringify(scene));
+  const file = written(scene, 'scene.json');
   const failing = trace('fails', file, fails);
-  const holding = trace('holds', file, holds);
+  const holding = trace('holds', holds.scene ? written(holds.scene, 'holds.json') : file, holds);
   if (shows.fault) {
     const step = failing.findIndex(({ e, at }) => e === 'fault' && at === shows.fault);
     return step < 0 ? { there: 'endless' } : { step: step + 1, there: 'fault', value: failing[step].reason };
