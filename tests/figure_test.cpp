@@ -157,6 +157,48 @@ TEST_CASE("windows: those visited, those on the stack dashed, the current one he
     CHECK(paths[2].stroke->width > paths[3].stroke->width);  // its light rim
 }
 
+/// Beside the upper left quarter of the area, with its top on the row of the quarter's centre.
+const TraceHeader a_triangle =
+    header_of(test::SceneBuilder(test::area_16).polygon("T", test::red, {{12, 4, 0}, {14, 10, 0}, {10, 10, 0}}).build(),
+              Method::warnock_full);
+
+Moment beside_a_triangle(const Event& event) {
+    const std::vector<AplEntry> only{{{0}, false}};
+    return after(a_triangle, {pushed(upper_left, only), event::Pop{Line::W5, upper_left}, event});
+}
+
+bool has_line(const Drawing& drawing, const Polyline& line) {
+    const auto paths = all<Path>(drawing);
+    return std::any_of(paths.begin(), paths.end(), [&](const Path& path) {
+        return std::find(path.lines.begin(), path.lines.end(), line) != path.lines.end();
+    });
+}
+
+TEST_CASE(
+    "ray crossings: the ray to the right from the window's centre, and how often the place counts that it meets") {
+    Drawing drawing{80, 80};
+    draw_marks(drawing, beside_a_triangle(event::Ray{Line::CR3, {0}, 0, 2}), plane_80, {});
+    CHECK_MESSAGE(has_line(drawing, {{20, 20}, {80, 20}}), "from (4, 4) to the side");
+    CHECK_MESSAGE(has_line(drawing, {{60, 20}, {70, 50}}), "edge 0, from (12, 4) to (14, 10)");
+    const auto labels = all<Label>(drawing);
+    REQUIRE(labels.size() == 1);
+    CHECK(labels[0].text == "2");
+    CHECK(labels[0].at.x == 60);
+    CHECK(labels[0].at.y < 20);
+}
+
+TEST_CASE("octant angles: the octants around the window, and by how many an edge turns, at its middle") {
+    Drawing drawing{80, 80};
+    draw_marks(drawing, beside_a_triangle(event::Octants{Line::OA3, {0}, 0, 3, 4, -1}), plane_80, {});
+    // Of the octants around (0, 0) 8 x 8 those that are on the drawing: right, below, and both; and the turn.
+    CHECK(texts_of(drawing) == std::vector<std::string>{"3", "4", "5", "\u22121"});
+    const auto labels = all<Label>(drawing);
+    CHECK(labels[1].at.x > 40);
+    CHECK(labels[1].at.y > 40);
+    CHECK_MESSAGE(labels.back().at.x == 65, "between x = 12 and 14");
+    CHECK_MESSAGE(has_line(drawing, {{40, 0}, {40, 80}}), "the line of the window's right side");
+}
+
 TEST_CASE("the list of a window: its polygons, what is known of each, and the one at hand") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();

@@ -1,30 +1,27 @@
 #include <cmath>
 
-#include "notation.h"
-#include "parts.h"
-#include "region_parts.h"
+#include "containment_part.h"
+#include "marker.h"
 
 namespace vidno::figures {
 
 namespace {
 
-constexpr Color mark_color{0xc2, 0x00, 0x6b};
-
-/// What the step is about stands out by its colour, and without colours by its form: full points say yes, hollow ones no.
-class Marks {
+/// What the step itself is about.
+class Marks : Marker {
 public:
     Marks(Drawing& to, const Moment& moment, const Plane& plane, const Style& style)
-        : to_(to), moment_(moment), plane_(plane), color_(style.greyscale ? ink : mark_color) {}
+        : Marker(to, plane, style), moment_(moment) {}
 
     void state() {
         if (const auto& clip = moment_.state().clip()) {
             outline(clip->vertices, true, Stroke{ink, 0.8, {3, 1.5}});
-            outline(clip->next, false, Stroke{color_, 1});
+            outline(clip->next, false);
             for (const auto& vertex : clip->next) point(vertex.x, vertex.y, true);
         }
         const auto& y = moment_.state().y();
         for (const auto& entry : moment_.state().ael()) {
-            if (y) point(entry.x, *y, true, ink);
+            if (y) point(at(entry.x, *y), true, ink);
         }
     }
 
@@ -33,8 +30,8 @@ public:
         for (const auto& [x, y] : moment_.leaving()) point(x, y, false);
     }
 
-    void operator()(const event::Push& e) { box(plane_.box(e.window), {2, 1.5}); }
-    void operator()(const event::Skip& e) { box(plane_.box(e.window), {0.5, 1.5}); }
+    void operator()(const event::Push& e) { box(plane().box(e.window), {2, 1.5}); }
+    void operator()(const event::Skip& e) { box(plane().box(e.window), {0.5, 1.5}); }
     void operator()(const event::Fill& e) { pixels(e.rect); }
     void operator()(const event::Draw& e) {
         for (const auto& [row, first, end] : e.runs) pixels({first, row, end - first, 1});
@@ -56,14 +53,12 @@ public:
     void operator()(const event::Nearer& e) {
         for (const Corner each : e.corners) corner(each, true);
     }
-    void operator()(const event::ClipSide& e) {
-        line({at(e.from.x, e.from.y), at(e.to.x, e.to.y)}, false, Stroke{color_, 1});
-    }
+    void operator()(const event::ClipSide& e) { line({at(e.from.x, e.from.y), at(e.to.x, e.to.y)}, false); }
     void operator()(const event::ClipSign& e) { point(e.vertex.x, e.vertex.y, e.sign != Sign::positive); }
     void operator()(const event::ClipCross& e) { point(e.vertex.x, e.vertex.y, true); }
     void operator()(const event::ClipKeep& e) { point(e.vertex.x, e.vertex.y, true); }
     void operator()(const event::ClipDrop& e) { point(e.vertex.x, e.vertex.y, false); }
-    void operator()(const event::ClipResult& e) { outline(e.vertices, true, Stroke{color_, 1}); }
+    void operator()(const event::ClipResult& e) { outline(e.vertices, true); }
     void operator()(const event::Row& e) {
         on_row(e.row, e.left, e.right);
         pixels({e.first, e.row, e.end - e.first, 1}, dashed);
@@ -72,9 +67,7 @@ public:
     void operator()(const event::Columns& e) {
         pixels({e.first, moment_.state().row().value_or(0), e.end - e.first, 1}, dashed);
     }
-    void operator()(const event::Edge& e) {
-        line({at(e.from.x, e.from.y), at(e.to.x, e.to.y)}, false, Stroke{color_, 1});
-    }
+    void operator()(const event::Edge& e) { line({at(e.from.x, e.from.y), at(e.to.x, e.to.y)}, false); }
     void operator()(const event::Horizontal& e) { edge_in_hand(e.edge); }
     void operator()(const event::AelAdd& e) { edge_in_hand(e.edge); }
     void operator()(const event::AelStep& e) { edge_in_hand(e.edge); }
@@ -94,7 +87,7 @@ public:
     }
     void operator()(const event::EdgePiece& e) {
         const bool inside = e.lies == Lies::inside || e.lies == Lies::same_side;
-        line({at(e.from.x, e.from.y), at(e.to.x, e.to.y)}, false, Stroke{color_, 1, inside ? solid : dashed});
+        line({at(e.from.x, e.from.y), at(e.to.x, e.to.y)}, false, inside ? solid : dashed);
     }
     void operator()(const event::Behind& e) { point(e.point.x, e.point.y, !e.behind); }
     void operator()(const event::Order& e) { point(e.point.x, e.point.y, true); }
@@ -104,44 +97,21 @@ public:
     void operator()(const auto&) {}
 
 private:
-    using Dashes = std::vector<double>;
-    inline static const Dashes solid{}, dashed{2, 1.5};
-
-    Point at(const Value& x, const Value& y) const { return plane_.at(number_of(x), number_of(y)); }
-
-    /// What is not finite is nowhere.
-    void line(const Polyline& points, bool closed, const Stroke& stroke) {
-        const auto nowhere = [](Point p) { return !std::isfinite(p.x) || !std::isfinite(p.y); };
-        if (std::any_of(points.begin(), points.end(), nowhere)) return;
-        add_rimmed(to_, Path{clipped(points, closed, plane_.shown), false, {}, stroke});
-    }
-    void outline(const std::vector<ValueVertex>& vertices, bool closed, const Stroke& stroke) {
+    void outline(const std::vector<ValueVertex>& vertices, bool closed, const auto&... stroke) {
         Polyline points;
         for (const auto& vertex : vertices) points.push_back(at(vertex.x, vertex.y));
-        line(points, closed, stroke);
-    }
-    void region(const RegionLoops& region, const Dashes& dashes = solid) {
-        for (const auto& loop : loops_of(region, plane_)) line(loop, true, Stroke{color_, 1, dashes});
+        line(points, closed, stroke...);
     }
     /// As far as can be seen.
     void through(const ValuePoint& place, const ValuePoint& normal) {
         const double a = number_of(normal.x), b = number_of(normal.y), length = std::hypot(a, b);
         const Point on = at(place.x, place.y);
-        const double far = 2 * (std::hypot(on.x, on.y) + plane_.shown.right() + plane_.shown.bottom());
+        const double far = 2 * (std::hypot(on.x, on.y) + plane().shown.right() + plane().shown.bottom());
         const Point along{far * b / length, -far * a / length};
-        line({on + Point{-along.x, -along.y}, on + along}, false, Stroke{color_, 1});
-    }
-    void box(const Box& box, Dashes dashes) { line(box.corners(), true, Stroke{color_, 1, std::move(dashes)}); }
-    void pixels(const PixelRectangle& p, Dashes dashes = solid) {
-        if (p.width > 0 && p.height > 0) box(plane_.box(p.x, p.y, p.width, p.height), std::move(dashes));
+        line({on + Point{-along.x, -along.y}, on + along}, false);
     }
     void on_row(int row, const Value& left, const Value& right) {
-        line({at(left, row + 0.5), at(right, row + 0.5)}, false, Stroke{color_, 1});
-    }
-    void edge(const ScenePolygon& polygon, int number) {
-        const auto& a = polygon.vertices[std::size_t(number) % polygon.vertices.size()];
-        const auto& b = polygon.vertices[(std::size_t(number) + 1) % polygon.vertices.size()];
-        line({plane_.at(a.x, a.y), plane_.at(b.x, b.y)}, false, Stroke{color_, 1});
+        line({at(left, row + 0.5), at(right, row + 0.5)}, false);
     }
     void edge_in_hand(int number) {
         const auto polygon = moment_.state().polygon();
@@ -155,26 +125,8 @@ private:
         const bool lower = corner == Corner::left_top || corner == Corner::right_top;
         point(right ? window.right() : window.x, lower ? window.bottom() : window.y, yes);
     }
-    void point(const Value& x, const Value& y, bool yes) { point(x, y, yes, color_); }
-    void point(const Value& x, const Value& y, bool yes, const Color& color) {
-        constexpr int sides = 24;
-        constexpr double radius = 0.7;
-        const Point center = at(x, y);
-        if (!std::isfinite(center.x) || !plane_.shown.holds({center.x, center.y, 0, 0})) return;
-        Polyline circle;
-        for (int i = 0; i < sides; ++i) {
-            const double turn = 2 * pi * i / sides;
-            circle.push_back(center + Point{radius * std::cos(turn), radius * std::sin(turn)});
-        }
-        to_.add(Path{{circle}, true, paper, Stroke{paper, 1.5}});
-        to_.add(Path{{circle}, true, yes ? color : paper, Stroke{color, 0.75}});
-    }
-    static constexpr double pi = 3.14159265358979323846;
 
-    Drawing& to_;
     const Moment& moment_;
-    const Plane& plane_;
-    Color color_;
 };
 
 }  // namespace
@@ -183,6 +135,7 @@ void draw_marks(Drawing& to, const Moment& moment, const Plane& plane, const Sty
     Marks marks(to, moment, plane, style);
     marks.state();
     marks.lists();
+    draw_containment(to, moment, plane, style);
     if (moment.event()) std::visit(marks, *moment.event());
 }
 

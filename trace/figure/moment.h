@@ -32,6 +32,9 @@ public:
     /// Where the polygon that RegionClip looks at, or looked at last, enters the other and where it leaves it.
     const std::vector<ValuePoint>& entering() const { return entering_; }
     const std::vector<ValuePoint>& leaving() const { return leaving_; }
+    /// What the edges of the outline that is gone round, or was last, count so far: by ray crossings, or by octants.
+    const std::vector<event::Ray>& rays() const { return rays_; }
+    const std::vector<event::Octants>& octants() const { return octants_; }
     /// Pixels were painted already.
     bool is_painted() const { return is_painted_; }
 
@@ -39,6 +42,7 @@ private:
     void note(const event::Pop& e) {
         visited_.push_back(e.window);
         nearer_at_.clear();
+        forget_outline();
     }
     void note(const event::Nearer& e) { nearer_at_[e.polygon.index] = e.corners; }
     void note(const event::Call& e) {
@@ -48,14 +52,24 @@ private:
     }
     void note(const event::Entering& e) { entering_.push_back(e.point); }
     void note(const event::Leaving& e) { leaving_.push_back(e.point); }
+    void note(const event::Meets&) { forget_outline(); }
+    void note(const event::RelationFound&) { forget_outline(); }
+    void note(const event::Ray& e) { rays_.push_back(e); }
+    void note(const event::Octants& e) { octants_.push_back(e); }
     void note(const event::Paint&) { is_painted_ = true; }
     void note(const auto&) {}
+    void forget_outline() {
+        rays_.clear();
+        octants_.clear();
+    }
 
     State state_;
     std::optional<Event> event_;
     std::vector<Window> visited_;
     std::map<int, std::vector<Corner>> nearer_at_;
     std::vector<ValuePoint> entering_, leaving_;
+    std::vector<event::Ray> rays_;
+    std::vector<event::Octants> octants_;
     bool is_painted_ = false;
 };
 
