@@ -5,11 +5,11 @@
 ///         the algorithm finds out, and looks once more.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "insertion_sort.h"
 #include "weiler_atherton_run.h"
 
 namespace vidno {
@@ -27,7 +27,7 @@ struct DepthSort {
             entries.push_back({greatest_depth(run, piece), entries.size()});
             run.trace.greatest_depth(DS1, *piece.polygon, entries.back().greatest_z);
         }
-        std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+        insertion_sort(entries, [&](const Entry& a, const Entry& b) {
             return run.kernel.compare(a.greatest_z, b.greatest_z) == Sign::positive;
         });
         std::vector<typename Run::Piece> sorted;

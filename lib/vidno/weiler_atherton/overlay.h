@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "insertion_sort.h"
 #include "region_kernel.h"
 
 namespace vidno {
@@ -156,7 +157,7 @@ private:
             for (auto& edge : loop) {
                 auto& cuts = edge.cuts;
                 const Sign way = order(edge.from, edge.to);
-                std::stable_sort(cuts.begin(), cuts.end(), [&](int v, int w) { return order(v, w) == way; });
+                insertion_sort(cuts, [&](int v, int w) { return order(v, w) == way; });
                 cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
                 cuts.push_back(edge.to);
                 int from = edge.from;

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "insertion_sort.h"
 #include "weiler_atherton_run.h"
 
 namespace vidno {
@@ -73,7 +74,7 @@ private:
                 });
             }
             const auto left_of = [&](const auto& a, const auto& b) { return kernel.compare(a, b) == Sign::negative; };
-            std::stable_sort(ends.begin(), ends.end(), left_of);
+            insertion_sort(ends, left_of);
             for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
                 const int first = kernel.first_centre(ends[i], area.x, area.right());
                 const int end = kernel.last_centre(ends[i + 1], area.x, area.right()) + 1;
