@@ -16,17 +16,20 @@ struct Pacer : NoTrace {
 };
 
 template <class Set, Kernel K>
-Picture run_set(const RunRequest& request, K kernel) {
-    const auto told_to = [&](auto trace) {
-        return render<Set>(request.method, request.scene, kernel, trace, request.smallest_window);
-    };
-    if (!request.writer) return told_to(Pacer{{}, request.progress});
+Picture traced_set(const RunRequest& request, const K& kernel) {
     Recording<TraceWriter> recording{request.detail, *request.writer};
-    return told_to(Recorder<K, TraceWriter>(recording));
+    const Recorder<K, TraceWriter> recorder(recording);
+    return render<Set>(request.method, request.scene, kernel, recorder, request.smallest_window);
+}
+
+template <class Set, Kernel K>
+Picture run_set(const RunRequest& request, const K& kernel) {
+    if (request.writer) return traced_set<Set>(request, kernel);
+    return render<Set>(request.method, request.scene, kernel, Pacer{{}, request.progress}, request.smallest_window);
 }
 
 template <Kernel K>
-Picture run_kernel(const RunRequest& request, K kernel) {
+Picture run_kernel(const RunRequest& request, const K& kernel) {
     if constexpr (PrintedKernel<K>) {
         if (request.edition == Edition::printed) return run_set<Printed>(request, kernel);
     }

@@ -29,15 +29,22 @@ struct RegionPacer : NoTrace {
 };
 
 template <Kernel K>
-Picture run_regions(const RunRequest& request, const K& kernel) {
-    const auto told_to = [&](auto trace) {
-        const auto visible = visible_regions(request.scene, kernel, trace);
-        if (request.regions) *request.regions = shown<K>(visible);
-        return visible.picture;
-    };
-    if (!request.writer) return told_to(RegionPacer{{}, request.progress});
+Picture told_regions(const RunRequest& request, const K& kernel, const auto& trace) {
+    const auto visible = visible_regions(request.scene, kernel, trace);
+    if (request.regions) *request.regions = shown<K>(visible);
+    return visible.picture;
+}
+
+template <Kernel K>
+Picture traced_regions(const RunRequest& request, const K& kernel) {
     Recording<TraceWriter> recording{request.detail, *request.writer};
-    return told_to(Recorder<K, TraceWriter>(recording));
+    return told_regions(request, kernel, Recorder<K, TraceWriter>(recording));
+}
+
+template <Kernel K>
+Picture run_regions(const RunRequest& request, const K& kernel) {
+    if (request.writer) return traced_regions(request, kernel);
+    return told_regions(request, kernel, RegionPacer{{}, request.progress});
 }
 
 }  // namespace vidno

@@ -80,9 +80,6 @@ Options read_options(const JsonNode& root, Kind kind) {
     if (!runs) root.at("kernel").refuse("does not run this method and edition");
     options.detail = Detail(place_of(root.at("detail"), detail_names));
     options.check = root.at("check").truth();
-    const bool checks = options.method == Method::warnock || options.method == Method::zbuffer;
-    if (options.check && !checks && kind == Kind::polygons)
-        root.at("check").refuse("a method whose decisions this library cannot check");
     options.most_events = std::uint64_t(root.at("most_events").whole_number(0, std::numeric_limits<int>::max()));
     return options;
 }

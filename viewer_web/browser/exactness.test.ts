@@ -58,6 +58,22 @@ describe('what is right', () => {
       await panel(page, 'h3').getByText('(4.5, 6.5)').waitFor();
     }
   });
+
+  // The steps of the tables in lessons/failures.
+  it.each([
+    ['far-vertices-by-ray', 'warnock-full', 9],
+    ['vertex-touch', 'weiler-atherton', 28],
+  ])('of a variant, too: %s', async (name, method, step) => {
+    const page = await failing(name);
+    await edit(page);
+    await rerun(page, () => page.locator('vidno-run-form [name=method]').selectOption(method));
+    await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
+    expect((await wrongOnes(page))[0]).toBe(step + 1); // the decision's own step is before it
+    await goTo(page, step);
+    await page.locator('h1').click();
+    await page.keyboard.press('x');
+    await panel(page, '.wrong').waitFor();
+  });
 });
 
 describe('the lens', () => {

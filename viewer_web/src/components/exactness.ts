@@ -11,7 +11,6 @@ import type { ExactTexts } from '../i18n/exact-texts.js';
 import { texts } from '../i18n/index.js';
 import { point } from '../i18n/words.js';
 import type { SignMaps } from '../live/sign-maps.js';
-import { canCheck } from '../live/options.js';
 import type { Answer } from '../trace/values.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
@@ -123,7 +122,7 @@ export class ExactnessElement extends LitElement {
     if (verdict.exact === undefined) {
       if (isCertain(this.trace.header.kernel)) return html`<p class="verdict">${say.certain}</p>`;
       return html`<p class="verdict">${say.unchecked}</p>
-        ${this.editable && canCheck(this.trace.header.method) ? this.offer() : nothing}`;
+        ${this.editable ? this.offer() : nothing}`;
     }
     if (!isWrong(verdict)) return html`<p class="verdict right">✓ ${say.right}</p>`;
     const cause = verdict.cause === undefined ? '' : say.causes[verdict.cause];

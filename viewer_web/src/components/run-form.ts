@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { texts } from '../i18n/index.js';
-import { canCheck, kernels, methodNames, offeredNames, runs } from '../live/options.js';
+import { kernels, methodNames, offeredNames, runs } from '../live/options.js';
 import { resize } from '../live/sketch.js';
 import { details } from '../trace/events.js';
 import { FormElement } from './form.js';
@@ -36,7 +36,6 @@ export class RunFormElement extends FormElement {
           <input
             type="checkbox"
             name="check"
-            ?disabled=${!canCheck(editing.options.method)}
             .checked=${editing.options.check}
             @change=${(event: Event) =>
               this.choose({ check: (event.target as HTMLInputElement).checked })}

@@ -18,13 +18,13 @@ it('runs no usual mistake: the corrected text is run instead', () => {
   expect(runnable({ ...exact, edition: 'one-list' })).toEqual(exact);
 });
 
-it('runs a variant of the corrected text alone, unchecked', () => {
+it('runs a variant of the corrected text alone', () => {
   expect(count({ method: 'warnock-full' })).toBe(8); // no depth:8, depth:16
   expect(count({ method: 'warnock-full', edition: 'printed' })).toBe(0);
   const asked = { ...usual, method: 'warnock-full', edition: 'printed', check: true } as const;
   expect(runnable({ ...asked, kernel: 'exact' })).toEqual({
-    ...usual,
-    method: 'warnock-full',
+    ...asked,
+    edition: 'corrected',
     kernel: 'exact',
   });
   expect(runnable({ ...asked, kernel: 'depth:8' }).kernel).toBe('double');

@@ -66,18 +66,13 @@ export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'chec
   return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);
 }
 
-/** Whether the page's library can hold the decisions of a method against exact arithmetic. */
-export const canCheck = (method: Method): boolean => isPrinted(method);
-
-/** The nearest to some options that can be run: the corrected text, the usual kernel, no check where there is no other. */
+/** The nearest to some options that can be run: the corrected text, the usual kernel. */
 export function runnable(options: Options): Options {
-  const { method, check } = options;
-  if (check && !canCheck(method)) return runnable({ ...options, check: false });
   if (runs(options)) return options;
-  const isTold = !isMistake(options.edition) && isPrinted(method);
+  const isTold = !isMistake(options.edition) && isPrinted(options.method);
   return isTold
     ? { ...options, kernel: usual.kernel }
-    : runnable({ ...options, edition: usual.edition, kernel: kernelOf(options) });
+    : { ...options, edition: usual.edition, kernel: kernelOf(options) };
 }
 
 /** A kernel under which the corrected text of the method runs. */
