@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 #include <vector>
@@ -192,6 +193,25 @@ TEST_CASE_TEMPLATE("A polygon is cut to the area", K, VIDNO_REGION_KERNELS) {
     CHECK_MESSAGE(stage.part_in_area(2).empty(), "its edge passes through the corner (16, 16)");
     CHECK_MESSAGE(area_in_doubles(stage.part_in_area(3)) == 64, "its edge passes through (16, 0)");
     CHECK_MESSAGE(stage.part_in_area(4).empty(), "beside");
+}
+
+TEST_CASE("InsertionSort: in order and stable; what is no number stays where it stands") {
+    std::vector<std::pair<int, char>> items{{2, 'a'}, {1, 'a'}, {2, 'b'}, {1, 'b'}};
+    insertion_sort(items, [](const auto& a, const auto& b) { return a.first < b.first; });
+    CHECK(items == std::vector<std::pair<int, char>>{{1, 'a'}, {1, 'b'}, {2, 'a'}, {2, 'b'}});
+
+    // Nothing is before NaN, and it before nothing: 1 does not pass it, nor 2 the 1 behind it.
+    std::vector<double> numbers{3, std::nan(""), 1, 2};
+    std::vector<double> asked;
+    insertion_sort(numbers, [&](double a, double b) {
+        asked.push_back(b);
+        return a < b;
+    });
+    CHECK(numbers[0] == 3);
+    CHECK(std::isnan(numbers[1]));
+    CHECK(numbers[2] == 1);
+    CHECK(numbers[3] == 2);
+    CHECK_MESSAGE(asked.size() == 3, "each with the one before it");
 }
 
 TEST_CASE_TEMPLATE("DepthSort: by the greatest depth, equal ones in the order of the scene", K, VIDNO_REGION_KERNELS) {
