@@ -20,10 +20,7 @@ const CostAxes<CurveChartRun, 3> curve_cost_axes{{
 const ErrorAxes<CurveChartRun, 3> curve_error_axes{{
     {"wrongColumns", [](const CurveChartRun& run) { return double(run.found.wrong_columns); }},
     {"height", [](const CurveChartRun& run) { return run.found.height; }},
-    {"wrongDecisions",
-     [](const CurveChartRun& run) {
-         return run.found.decisions == 0 ? 0 : double(run.found.wrong_decisions) / double(run.found.decisions);
-     }},
+    wrong_decisions_axis<CurveChartRun>,
 }};
 
 namespace {

@@ -58,7 +58,7 @@ struct CurveChartRun {
 };
 
 extern const CostAxes<CurveChartRun, 3> curve_cost_axes;
-extern const ErrorAxes<CurveChartRun, 3> curve_error_axes;  // of decisions the share
+extern const ErrorAxes<CurveChartRun, 3> curve_error_axes;
 
 struct SurfaceChart {
     std::string name;
