@@ -128,6 +128,7 @@ std::size_t turns_of(const Function& function) { return ways_to_draw(function.su
 SurfaceChart chart_of(const Function& function, const std::function<void()>& progress) {
     const FunctionExaminer examiner(function);
     SurfaceChart chart{function.name, examiner.dense().curves.size(), column_count(examiner.dense())};
+    chart.surface = function.file;
     const auto ways = ways_to_draw(function.surface);
     std::vector<CurveScene> scenes;
     for (const CurveWay& way : ways) scenes.push_back({function.area, sampled(turned(function.surface, way))});
