@@ -127,6 +127,7 @@ TEST_CASE("Chart of a surface: JSON, CSV, and JSON read again") {
     const json& surface = told["surfaces"][0];
     CHECK(surface["name"] == "Peak");
     CHECK(surface["columns"] == 99);
+    CHECK(surface["surface"] == json::parse(peak));
     const json& first = surface["runs"][0];
     CHECK(first["kernel"] == "float");
     CHECK(first["knob"].is_null());

@@ -2,7 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "support/workplace.h"
+
+using nlohmann::json;
 
 namespace {
 
@@ -184,12 +188,46 @@ TEST_CASE("surfaces: a chart turns the sampling of a function; the name decides 
     CHECK(refusal(sampled, "c.json") == "vidno: " + sampled + ": no function, which could be sampled in other ways\n");
     CHECK(refusal(function + " " + polygons, "c.json") ==
           "vidno: " + polygons + ": a chart is of scenes or of surfaces, not of both\n");
-    CHECK(refusal(function, "c.html") ==
-          "vidno: " + work.file("c.html") + ": of surfaces a chart is .json, .csv or .svg\n");
     CHECK(refusal(function + " --error area", "c.svg") ==
           "vidno: --error area: this chart has wrongColumns, height, wrongDecisions\n");
     CHECK(refusal(polygons + " --cost samples", "c.svg") ==
           "vidno: --cost samples: this chart has time, operations, bits\n");
+}
+
+TEST_CASE("surfaces: the page of a chart is the built one with the chart in it, its surface, and the page of traces") {
+    const Workplace work;
+    // The page that the program finds beside its own folder.
+    const std::string chart_block = R"(<script type="application/json" id="vidno-chart">)";
+    const std::string replay_block = R"(<script type="application/json" id="vidno-replay">)";
+    work.write("share/vidno/chart.html",
+               "<html>" + chart_block + "null</script>" + replay_block + "\"index.html\"</script></html>");
+    const std::string traces = work.write("share/vidno/index.html", "");
+    std::filesystem::create_directories(work.directory / "bin");
+    std::filesystem::copy_file(VIDNO_FILE, work.directory / "bin/vidno");
+    const std::string surface = work.write(
+        "f.json", R"({"format":"vidno-surface/1","name":"</script>","window":{"x":0,"y":0,"width":9,"height":16},)"
+                  R"("function":"sin(x) + z","x":[0,6],"z":[1,0],"curves":2,"samples":3,"tolerance":0.5,)"
+                  R"("view":{"origin":[0,8],"across":[8,0],"back":[0,-1],"up":2}})");
+    REQUIRE(program("chart " + surface + " -o " + work.file("a.html"), work.file("bin/vidno")).status == 0);
+
+    const std::string page = work.read("a.html");
+    const std::string begin = "<html>" + chart_block;
+    const std::string end =
+        "</script>" + replay_block + "\"file://" + std::filesystem::canonical(traces).string() + "\"</script></html>";
+    REQUIRE(page.starts_with(begin));
+    REQUIRE(page.ends_with(end));
+    const std::string block = page.substr(begin.size(), page.size() - begin.size() - end.size());
+    CHECK_MESSAGE(!has(block, "<"), "no name ends the block");
+    const json chart = json::parse(block);
+    CHECK(chart["format"] == "vidno-chart/1");
+    CHECK(chart["surfaces"][0]["name"] == "</script>");
+    CHECK_MESSAGE(chart["surfaces"][0]["surface"] == json::parse(work.read("f.json")), "the page links its runs");
+
+    std::filesystem::remove(work.file("share/vidno/chart.html"));
+    const auto unbuilt = program("chart " + surface + " -o " + work.file("b.html"), work.file("bin/vidno"));
+    CHECK(unbuilt.status == 2);
+    CHECK(has(unbuilt.text, "chart.html: not there; ./dev demo builds the page"));
+    CHECK_FALSE(work.has("b.html"));
 }
 
 TEST_CASE("surfaces: methods names domain and rule") {

@@ -22,6 +22,13 @@ struct ErrorAxis {
     double (*of)(const Run&);
 };
 
+/// Of the decisions of which the truth is known the share that is wrong: not every run takes as many. 0 if there are none.
+template <class Run>
+inline constexpr ErrorAxis<Run> wrong_decisions_axis{
+    "wrongDecisions", [](const Run& run) {
+        return run.found.decisions == 0 ? 0 : double(run.found.wrong_decisions) / double(run.found.decisions);
+    }};
+
 template <class Run, std::size_t count>
 using CostAxes = std::array<CostAxis<Run>, count>;
 template <class Run, std::size_t count>

@@ -23,10 +23,7 @@ const CostAxes<ChartRun, 3> cost_axes{{
 const ErrorAxes<ChartRun, 4> error_axes{{
     {"wrongPixels", [](const ChartRun& run) { return double(run.found.wrong_pixels); }},
     {"area", [](const ChartRun& run) { return run.found.area; }},
-    {"wrongDecisions",
-     [](const ChartRun& run) {
-         return run.found.decisions == 0 ? 0 : double(run.found.wrong_decisions) / double(run.found.decisions);
-     }},
+    wrong_decisions_axis<ChartRun>,
     {"depthUlps", [](const ChartRun& run) { return run.found.depth_ulps; }},
 }};
 

@@ -44,7 +44,7 @@ struct ChartRun {
 };
 
 extern const CostAxes<ChartRun, 3> cost_axes;
-extern const ErrorAxes<ChartRun, 4> error_axes;  // of decisions the share: not every run takes as many
+extern const ErrorAxes<ChartRun, 4> error_axes;
 
 struct SceneChart {
     std::string name;

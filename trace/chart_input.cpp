@@ -108,7 +108,7 @@ SceneChart scene_of(const JsonNode& node) {
 }
 
 SurfaceChart surface_of(const JsonNode& node) {
-    node.require_keys({"name", "curves", "columns", "runs"});
+    node.require_keys({"name", "curves", "columns", "runs"}, {"surface"});
     return {node.at("name").text(), count_of(node.at("curves")), count_of(node.at("columns")),
             all_of(node.at("runs"), curve_run_of)};
 }

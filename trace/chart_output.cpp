@@ -161,8 +161,9 @@ std::string chart_json(const std::vector<SceneChart>& scenes) {
     });
 }
 std::string chart_json(const std::vector<SurfaceChart>& surfaces) {
-    return file_of("surfaces", surfaces,
-                   [](const SurfaceChart& surface) { return with(head_of(surface).dump(), "runs", runs_of(surface)); });
+    return file_of("surfaces", surfaces, [](const SurfaceChart& surface) {
+        return with(with(head_of(surface).dump(), "surface", surface.surface), "runs", runs_of(surface));
+    });
 }
 
 std::string chart_csv(const std::vector<SceneChart>& scenes) { return rows_of("scene", scenes); }

@@ -20,10 +20,7 @@ const CostAxes<CurveChartRun, 3> curve_cost_axes{{
 const ErrorAxes<CurveChartRun, 3> curve_error_axes{{
     {"wrongColumns", [](const CurveChartRun& run) { return double(run.found.wrong_columns); }},
     {"height", [](const CurveChartRun& run) { return run.found.height; }},
-    {"wrongDecisions",
-     [](const CurveChartRun& run) {
-         return run.found.decisions == 0 ? 0 : double(run.found.wrong_decisions) / double(run.found.decisions);
-     }},
+    wrong_decisions_axis<CurveChartRun>,
 }};
 
 namespace {
@@ -131,6 +128,7 @@ std::size_t turns_of(const Function& function) { return ways_to_draw(function.su
 SurfaceChart chart_of(const Function& function, const std::function<void()>& progress) {
     const FunctionExaminer examiner(function);
     SurfaceChart chart{function.name, examiner.dense().curves.size(), column_count(examiner.dense())};
+    chart.surface = function.file;
     const auto ways = ways_to_draw(function.surface);
     std::vector<CurveScene> scenes;
     for (const CurveWay& way : ways) scenes.push_back({function.area, sampled(turned(function.surface, way))});

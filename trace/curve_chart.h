@@ -58,12 +58,13 @@ struct CurveChartRun {
 };
 
 extern const CostAxes<CurveChartRun, 3> curve_cost_axes;
-extern const ErrorAxes<CurveChartRun, 3> curve_error_axes;  // of decisions the share
+extern const ErrorAxes<CurveChartRun, 3> curve_error_axes;
 
 struct SurfaceChart {
     std::string name;
     std::size_t curves = 0, columns = 0;  // of all curves together
     std::vector<CurveChartRun> runs{};
+    std::string surface{};  // its file, as it samples it
 };
 
 /// The sampling of the file and both knobs at each place, under each kernel that runs curves, in each edition that it runs.

@@ -174,6 +174,7 @@ Function read_function(std::string_view text, const std::string& file) {
         if (root.has("name")) function.name = root.at("name").text();
         function.area = root.at("window").window();
         function.surface = read_function_surface(root, function.area);
+        function.file = root.object().dump();
         samples_of(on_each_column(function.surface), root);
         return function;
     });

@@ -35,6 +35,7 @@ struct Function {
     std::string name;
     Area area;
     FunctionSurface surface;
+    std::string file{};  // what it was read from, on one line
 };
 
 /// The same of a file. Throws Refused, also where there is no function, or it is not finite over some column.

@@ -40,25 +40,16 @@ void expect_format(const ChartOptions& options, bool of_surfaces) {
         }
     } else if (!output.ends_with(".html")) {
         throw Refused(output + ": not .json, .csv, .svg or .html");
-    } else if (of_surfaces) {
-        throw Refused(output + ": of surfaces a chart is .json, .csv or .svg");
     } else {
         chart_page("null");
     }
 }
 
-/// What charts of either kind can be.
-std::string text_of(const auto& charts, const ChartOptions& options) {
+std::string written(const auto& charts, const ChartOptions& options) {
+    if (options.output.ends_with(".html")) return chart_page(chart_json(charts));
     if (options.output.ends_with(".csv")) return chart_csv(charts);
     if (!options.output.ends_with(".svg")) return chart_json(charts);
     return output_of({"gnuplot"}, script_of(charts, options.axes));
-}
-
-std::string written(const std::vector<SceneChart>& scenes, const ChartOptions& options) {
-    return options.output.ends_with(".html") ? chart_page(chart_json(scenes)) : text_of(scenes, options);
-}
-std::string written(const std::vector<SurfaceChart>& surfaces, const ChartOptions& options) {
-    return text_of(surfaces, options);
 }
 
 void expect_size(const Scene& scene, const std::string& file) {

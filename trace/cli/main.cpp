@@ -167,7 +167,10 @@ CLI::App& add_chart(CLI::App& app, ChartOptions& options) {
         "Knobs: bits of arithmetic, bits of the Z-buffer, bits of the grid, smallest window; of surfaces samples a\n"
         "curve, and tolerance. Times are medians of five interleaved runs, relative to the fastest; operations repeat\n"
         "exactly.\n"
-        "Example: vidno chart lessons/charts/*.json -o chart.html");
+        "The page has all costs and errors to choose from, says which run is needed and why, and leads from each to\n"
+        "its replay.\n"
+        "Examples: vidno chart lessons/charts/*.json -o chart.html\n"
+        "          vidno chart lessons/surfaces/*.json -o surfaces.html");
     return command;
 }
 

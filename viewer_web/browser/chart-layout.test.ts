@@ -1,7 +1,7 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { openChart, sampleText } from './chart.js';
+import { openChart, sampleText, surfaceText } from './chart.js';
 import { launch } from './page.js';
 
 let browser: Browser;
@@ -13,16 +13,33 @@ afterAll(async () => {
 });
 
 describe('the layout of the chart', () => {
-  const sizes = [390, 1280, 1920].flatMap((width) =>
-    (['en', 'ru'] as const).map((language) => ({ width, language })),
+  const charts = [
+    {
+      of: 'scenes',
+      json: sampleText,
+      views: ['ordinary', 'ordinary/Two walls', 'degenerate/Slivers'],
+      errors: ['wrongPixels', 'area', 'wrongDecisions', 'depthUlps'],
+    },
+    {
+      of: 'surfaces',
+      json: surfaceText,
+      views: ['surfaces', 'surfaces/A peak between two samples'],
+      errors: ['wrongColumns', 'height', 'wrongDecisions'],
+    },
+  ] as const;
+  const sizes = charts.flatMap((chart) =>
+    [390, 1280, 1920].flatMap((width) =>
+      (['en', 'ru'] as const).map((language) => ({ ...chart, width, language })),
+    ),
   );
 
-  it.each(sizes)('at $width px in $language is never too wide', async ({ width, language }) => {
+  it.each(sizes)('of $of at $width px in $language is never too wide', async (size) => {
+    const { json, views, errors, width, language } = size;
     const viewport = { width, height: width < 500 ? 800 : 1080 };
-    const { page, faults } = await openChart(browser, `lang=${language}`, sampleText, { viewport });
-    for (const view of ['ordinary', 'ordinary/Two walls', 'degenerate/Slivers']) {
+    const { page, faults } = await openChart(browser, `lang=${language}`, json, { viewport });
+    for (const view of views) {
       await page.locator('select').selectOption(view);
-      for (const error of ['wrongPixels', 'area', 'wrongDecisions', 'depthUlps']) {
+      for (const error of errors) {
         await page.locator(`input[value=${error}]`).check();
         expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
         expect(await outside(page)).toEqual([]);
@@ -50,11 +67,13 @@ describe('everyone', () => {
   it.each([
     ['light', sampleText],
     ['dark', sampleText],
+    ['light', surfaceText],
+    ['dark', surfaceText],
     ['light', 'null'],
     ['dark', '{}'],
   ] as const)('can use the chart (WCAG 2.2 AA, %s, %#)', async (colorScheme, json) => {
     const { page } = await openChart(browser, 'lang=ru', json, { colorScheme });
-    if (json === sampleText) await page.locator('vidno-front button').first().focus();
+    if (json.includes('"runs"')) await page.locator('vidno-front button').first().focus();
     expect(await violations(page)).toEqual([]);
   });
 });

@@ -1,11 +1,11 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import type { Browser, Page } from 'playwright-core';
+import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import type { Chart, Run, Scene } from '../src/chart/format.js';
+import type { Scene, SceneChart, SceneRun } from '../src/chart/scene-format.js';
 import { chartTexts } from '../src/i18n/chart.js';
-import { openChart, plot, rows, sample, sampleText, template } from './chart.js';
+import { openChart, plot, rows, sample, sampleText, tabTo, template } from './chart.js';
 import { launch, openFile, openUrl } from './page.js';
 
 let browser: Browser;
@@ -21,27 +21,13 @@ const { methods } = chartTexts.en;
 /** The front as the file has it. */
 function expected(scene: Scene | undefined): readonly (readonly [string, string])[] {
   const on = (scene?.runs ?? []).filter(({ front }) => front.operations.includes('area'));
-  const sorted = [...on].sort((a: Run, b: Run) => a.operations - b.operations || a.area - b.area);
+  const sorted = [...on].sort(
+    (a: SceneRun, b: SceneRun) => a.operations - b.operations || a.area - b.area,
+  );
   return sorted.map(({ method, kernel, operations }) => [
     `${methods[method]} ${kernel}`,
     operations.toLocaleString('en'),
   ]);
-}
-
-const focused = (page: Page): Promise<string> =>
-  page.evaluate(() => {
-    let element = document.activeElement;
-    while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
-    const input = element as Partial<HTMLInputElement> | null;
-    return [element?.localName, input?.name, input?.value].filter(Boolean).join(' ');
-  });
-
-async function tabTo(page: Page, what: string | RegExp): Promise<void> {
-  for (let i = 0; i < 60; i++) {
-    await page.keyboard.press('Tab');
-    if ((await focused(page)).match(what)) return;
-  }
-  throw new Error(`Tab never comes to ${String(what)}.`);
 }
 
 /** What the program itself wrote, if it was asked to. */
@@ -51,7 +37,7 @@ describe.runIf(existsSync(written))('a page that the program wrote', () => {
   it('has tables that agree with the data in it', async () => {
     const html = readFileSync(written, 'utf8');
     const [, json] = /id="vidno-chart">(.*?)<\/script>/s.exec(html) ?? [];
-    const { scenes } = JSON.parse(json ?? '') as Chart;
+    const { scenes } = JSON.parse(json ?? '') as SceneChart;
     const { page, faults } = await openUrl(browser, `${pathToFileURL(written).href}#lang=en`);
     for (const scene of scenes) {
       await page.locator('select').selectOption(`${scene.kind}/${scene.name}`);

@@ -3,7 +3,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import type { Chart } from '../src/chart/format.js';
+import type { SceneChart } from '../src/chart/scene-format.js';
+import type { SurfaceChart } from '../src/chart/surface-format.js';
 import { openUrl } from './page.js';
 import type { Opened } from './page.js';
 
@@ -12,11 +13,13 @@ export const template = readFileSync(
   fileURLToPath(new URL('../dist/chart.html', import.meta.url)),
   'utf8',
 );
-export const sampleText = readFileSync(
-  fileURLToPath(new URL('../test-data/chart.json', import.meta.url)),
-  'utf8',
-);
-export const sample = JSON.parse(sampleText) as Chart;
+const textOf = (name: string): string =>
+  readFileSync(fileURLToPath(new URL(`../test-data/${name}`, import.meta.url)), 'utf8');
+
+export const sampleText = textOf('chart.json');
+export const sample = JSON.parse(sampleText) as SceneChart;
+export const surfaceText = textOf('surface-chart.json');
+export const surfaceSample = JSON.parse(surfaceText) as SurfaceChart;
 
 /** As the program writes it. */
 function filled(page: string, id: string, json: string): string {
@@ -61,3 +64,20 @@ export const rows = (page: Page): Promise<readonly (readonly string[])[]> =>
         ),
       ]),
     );
+
+const focused = (page: Page): Promise<string> =>
+  page.evaluate(() => {
+    let element = document.activeElement;
+    while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+    const input = element as Partial<HTMLInputElement> | null;
+    return [element?.localName, input?.name, input?.value].filter(Boolean).join(' ');
+  });
+
+/** By keyboard, to an element by its name, or to an input by its value too. */
+export async function tabTo(page: Page, what: string | RegExp): Promise<void> {
+  for (let i = 0; i < 60; i++) {
+    await page.keyboard.press('Tab');
+    if ((await focused(page)).match(what)) return;
+  }
+  throw new Error(`Tab never comes to ${String(what)}.`);
+}

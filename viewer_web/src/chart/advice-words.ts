@@ -1,26 +1,41 @@
-import { mostly } from './advice.js';
-import type { Advice } from './advice.js';
-import { percent, ratio, whole } from './numbers.js';
+import { isSampling, mostly } from './advice.js';
+import type { Advice, Losses, Means } from './advice.js';
+import { number, percent, ratio, whole } from './numbers.js';
 import type { Point } from './points.js';
 import type { Shown } from './shown.js';
 import { costAmount, runName } from './words.js';
 
 /** A run by its name, and how many times as dear it is as the cheapest right one. */
-function compared(point: Point, cheapest: Point, { texts, language }: Shown): string {
+function compared(point: Point, cheapest: Point, shown: Shown): string {
+  const { texts, language } = shown;
   const times = ratio(point.cost / cheapest.cost, language);
   const most = point.run && mostly(point.run);
   const spent = most === null ? null : texts.operations[most[0]](percent(most[1], language));
   const details = spent === null ? times : `${times}; ${spent}`;
-  return `${runName(point.setting, texts)} (${details})`;
+  return `${runName(point.setting, shown)} (${details})`;
+}
+
+/** Why samples count: what is lost between them, and whether anything is by arithmetic. */
+function lossText({ height, decisions }: Losses, { texts, language }: Shown): string {
+  const { losses, units } = texts;
+  const kernels = [...decisions].map(
+    ([kernel, share]) => `${kernel} (${percent(share, language)})`,
+  );
+  return [
+    height === 0 ? losses.nothing : losses.height(units.height(number(height, language))),
+    kernels.length === 0 ? losses.noDecision : losses.decisions(kernels.join(', ')),
+  ].join(' ');
 }
 
 /** Which run is needed, and why: a paragraph. */
 export function adviceText(advice: Advice | null, shown: Shown): string {
-  const { texts, cost, language } = shown;
-  const { advice: say } = texts;
+  const { texts, subjectTexts, cost, language } = shown;
+  const { advice: say } = subjectTexts;
   if (advice === null) return say.none;
-  const { cheapest, cheaper, safe, others, neverRight } = advice;
-  const name = (point: Point): string => runName(point.setting, texts);
+  const { cheapest, cheaper, safe, others, neverRight, losses } = advice;
+  const name = (point: Point): string => runName(point.setting, shown);
+  const nameOf = (means: Means): string =>
+    isSampling(means) ? texts.samplings[means] : texts.methods[means];
   const [amount] = costAmount(cheapest, shown);
   const sentences = [say.cheapest(name(cheapest), texts.costs[cost].name.toLowerCase(), amount)];
   const [leastWrong] = cheaper;
@@ -28,6 +43,7 @@ export function adviceText(advice: Advice | null, shown: Shown): string {
     const wrong = percent(leastWrong.error, language);
     sentences.push(say.cheaper(whole(cheaper.length, language), name(leastWrong), wrong));
   }
+  if (losses !== null) sentences.push(lossText(losses, shown));
   if (safe === cheapest) sentences.push(say.safe);
   else if (safe !== null) {
     sentences.push(say.safer(name(safe), ratio(safe.cost / cheapest.cost, language)));
@@ -36,7 +52,7 @@ export function adviceText(advice: Advice | null, shown: Shown): string {
     sentences.push(say.others(others.map((point) => compared(point, cheapest, shown)).join(', ')));
   }
   if (neverRight.length > 0) {
-    sentences.push(say.neverRight(neverRight.map((method) => texts.methods[method]).join(', ')));
+    sentences.push(say.neverRight(neverRight.map(nameOf).join(', ')));
   }
   return sentences.join(' ');
 }

@@ -4,7 +4,7 @@ import { runOf, sample, sceneOf } from '../testing/charts.js';
 import { adviceText } from './advice-words.js';
 import { adviceOf, mostly } from './advice.js';
 import { parseChoice } from './choice.js';
-import { costs } from './format.js';
+import { sceneCosts } from './scene-format.js';
 import { shownOf } from './shown.js';
 
 const wrongZBuffer = runOf({ kernel: 'float', time: 1, wrongPixels: 4 });
@@ -79,11 +79,11 @@ describe.each(languages)('the paragraph in %s', (language) => {
     expect(saidOf([safeZBuffer]).split('.').length).toBeLessThan(5);
   });
 
-  it.each(costs)('has words for %s of every scene', (cost) => {
+  it.each(sceneCosts)('has words for %s of every scene', (cost) => {
     for (const view of [null, 'ordinary/Two walls', 'degenerate/Slivers']) {
       const shown = shownOf(sample, { ...parseChoice(''), view, cost }, language);
       if (shown === null) throw new Error('nothing is shown');
-      const said = adviceText(adviceOf(shown.view.scenes, cost), shown);
+      const said = adviceText(adviceOf(shown.view.subjects, cost), shown);
       expect(said).not.toMatch(/undefined|null|NaN|\[object|\$\{/u);
       expect(said).toMatch(/\.$/u);
     }

@@ -22,12 +22,11 @@ import './components/plot.js';
 import './components/replay.js';
 import './components/series.js';
 import type { Chart } from './format.js';
-import { whole } from './numbers.js';
 import type { Point } from './points.js';
 import { embeddedChart, embeddedReplay, readChart } from './read.js';
 import { shownOf } from './shown.js';
 import type { Shown } from './shown.js';
-import { explanation, missingText } from './words.js';
+import { explanation, missingText, sizeText } from './words.js';
 
 /** A file that could not be shown. */
 interface Failure {
@@ -146,9 +145,9 @@ export class ChartElement extends LitElement {
     `;
   }
 
-  /** Where the page of traces is not known, or the chart does not hold its scenes, nothing. */
+  /** Where the page of traces is not known, or the chart does not hold what was run, nothing. */
   private picking(shown: Shown): TemplateResult | typeof nothing {
-    if (this.replay === null || !shown.hasScenes) return nothing;
+    if (this.replay === null || !shown.hasFiles) return nothing;
     return html`<vidno-replay
       class="panel"
       .shown=${shown}
@@ -193,20 +192,15 @@ export class ChartElement extends LitElement {
 }
 
 function about(shown: Shown): TemplateResult {
-  const { view, texts, language } = shown;
-  const [scene] = view.scenes;
-  const counts = [scene?.pixels, scene?.polygons, scene?.unsteady] as const;
-  const [pixels, polygons, unsteady] = counts.map((n) => whole(n ?? 0, language));
-  const missing = missingText(shown);
+  const { view, texts, cost } = shown;
+  const paragraphs = [
+    adviceText(adviceOf(view.subjects, cost), shown),
+    explanation(shown),
+    missingText(shown),
+    sizeText(shown),
+  ];
   return html`
-    <h2>${texts.advice.title}</h2>
-    <p>${adviceText(adviceOf(view.scenes, shown.cost), shown)}</p>
-    <p>${explanation(shown)}</p>
-    ${missing === null ? nothing : html`<p>${missing}</p>`}
-    ${
-      view.name === null
-        ? nothing
-        : html`<p>${texts.aboutScene(pixels ?? '', polygons ?? '', unsteady ?? '')}</p>`
-    }
+    <h2>${texts.whichRun}</h2>
+    ${paragraphs.map((text) => (text === null ? nothing : html`<p>${text}</p>`))}
   `;
 }

@@ -101,11 +101,10 @@ describe('labels', () => {
     expect(placeLabels([label], [], { ...bounds, width: 80 })).toEqual([]);
   });
 
-  it('of one point are one', () => {
+  it('of one point are one, with each text once', () => {
     const at = (text: string): { text: string; x: number; y: number } => ({ text, x: 1, y: 2 });
-    expect(joined([at('a'), at('b'), { ...at('c'), x: 9 }]).map(({ text }) => text)).toEqual([
-      'a, b',
-      'c',
-    ]);
+    expect(
+      joined([at('a'), at('b'), at('a'), { ...at('c'), x: 9 }]).map(({ text }) => text),
+    ).toEqual(['a, b', 'c']);
   });
 });

@@ -7,10 +7,10 @@ import { allSeries, printed } from './series.js';
 /** What the page's address holds behind `#`: all that was chosen. */
 export interface Choice {
   readonly language: Language | null;
-  /** Of a scene or of all of a kind; one that there is not means the first that there is. */
+  /** Of a subject or of all of a kind; one that there is not means the first that there is, as of the axes. */
   readonly view: string | null;
-  readonly cost: Cost;
-  readonly error: ErrorMeasure;
+  readonly cost: Cost | null;
+  readonly error: ErrorMeasure | null;
   readonly hidden: ReadonlySet<string>;
 }
 
@@ -23,8 +23,8 @@ export function parseChoice(hash: string): Choice {
   return {
     language: isLanguage(language) ? language : null,
     view: fields.get('view'),
-    cost: costs.find((cost) => cost === fields.get('cost')) ?? 'time',
-    error: errors.find((error) => error === fields.get('error')) ?? 'wrongPixels',
+    cost: costs.find((cost) => cost === fields.get('cost')) ?? null,
+    error: errors.find((error) => error === fields.get('error')) ?? null,
     hidden: new Set(toggles.filter((id) => hidden.includes(id))),
   };
 }
@@ -33,8 +33,8 @@ export function formatChoice({ language, view, cost, error, hidden }: Choice): s
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (view !== null) fields.set('view', view);
-  fields.set('cost', cost);
-  fields.set('error', error);
+  if (cost !== null) fields.set('cost', cost);
+  if (error !== null) fields.set('error', error);
   if (hidden.size > 0) fields.set('hide', toggles.filter((id) => hidden.has(id)).join(' '));
   return `#${fields.toString()}`;
 }

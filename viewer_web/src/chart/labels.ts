@@ -68,16 +68,16 @@ function spots(
   ];
 }
 
-/** Points that cannot be told apart have one label with all their texts. */
+/** Points that cannot be told apart have one label with all their texts, each once. */
 export function joined(labels: readonly Label[]): readonly Label[] {
-  const found = new Map<string, Label>();
+  const found = new Map<string, { readonly first: Label; readonly texts: Set<string> }>();
   for (const label of labels) {
     const place = `${Math.round(label.x)} ${Math.round(label.y)}`;
-    const other = found.get(place);
-    const text = other === undefined ? label.text : `${other.text}, ${label.text}`;
-    found.set(place, { ...(other ?? label), text });
+    const at = found.get(place) ?? { first: label, texts: new Set() };
+    found.set(place, at);
+    at.texts.add(label.text);
   }
-  return [...found.values()];
+  return [...found.values()].map(({ first, texts }) => ({ ...first, text: [...texts].join(', ') }));
 }
 
 /**

@@ -1,14 +1,16 @@
 import { ErrorAxis, costDomain } from './axes.js';
 import type { Tick } from './axes.js';
-import type { Run } from './format.js';
 import { joined, placeLabels, widthOf } from './labels.js';
 import type { Label, Placed } from './labels.js';
 import { number, percent, ratio } from './numbers.js';
 import { linesOf } from './points.js';
 import type { Point } from './points.js';
-import { seriesId } from './series.js';
+import { printed, seriesId } from './series.js';
+import type { Setting } from './series.js';
 import type { Shown } from './shown.js';
+import { isDistance } from './subject.js';
 import { logTicks } from './ticks.js';
+import { knobValue } from './words.js';
 
 /** Where everything of the plot stands; inside the axes from the top left, in pixels. */
 export interface Layout {
@@ -34,15 +36,15 @@ export function costTick(value: number, { cost, view, language }: Shown): string
 }
 
 export function errorTick(value: number, { error, language }: Shown): string {
-  const counted = error === 'depthUlps' || value === 0 || value === Infinity;
+  const counted = isDistance(error) || value === 0 || value === Infinity;
   return counted ? number(value, language) : percent(value, language);
 }
 
 type Place = (point: Point) => Omit<Label, 'text'>;
 
 /** Beside points: kernels by name, and how far a knob was turned, at both ends and on the front. */
-function labelsOf({ visible, texts }: Shown, place: Place): readonly Label[] {
-  const named = (edition: Run['edition']): readonly Label[] =>
+function labelsOf({ visible, texts, language }: Shown, place: Place): readonly Label[] {
+  const named = (edition: Setting['edition']): readonly Label[] =>
     joined(
       visible
         .filter(({ setting }) => setting.knob === null && setting.edition === edition)
@@ -53,8 +55,10 @@ function labelsOf({ visible, texts }: Shown, place: Place): readonly Label[] {
   );
   return [
     ...named('corrected'),
-    ...named('printed').map((label) => ({ ...label, text: texts.printedLabel(label.text) })),
-    ...joined(turned.map((point) => ({ text: String(point.setting.value), ...place(point) }))).map(
+    ...named(printed).map((label) => ({ ...label, text: texts.printedLabel(label.text) })),
+    ...joined(
+      turned.map((point) => ({ text: knobValue(point.setting, language), ...place(point) })),
+    ).map(
       (label) => ({ ...label, text: label.text.replace(/, .* /u, '–') }), // all from the first to the last
     ),
   ];

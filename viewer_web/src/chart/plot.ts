@@ -18,17 +18,16 @@ import { costTick, errorTick } from './layout.js';
 import type { Layout } from './layout.js';
 import { linesOf } from './points.js';
 import type { Point } from './points.js';
-import { printed, seriesId, shape } from './series.js';
+import { look, printed, seriesId } from './series.js';
 import type { Shown } from './shown.js';
 import { pointLines } from './words.js';
 
-const color = ({ setting }: Point): string => `var(--${seriesId(setting)})`;
+const color = ({ setting }: Point): string => look(setting).color;
 const isPrinted = ({ setting }: Point): boolean => setting.edition === printed;
 const cost = (point: Point): number => point.cost;
 
-/** Warnock's symbols are filled, those of the Z-buffer and of variants are hollow. */
 const fill = (point: Point): string =>
-  point.setting.method === 'warnock' ? color(point) : 'var(--panel)';
+  look(point.setting).isFilled ? color(point) : 'var(--panel)';
 
 function bands({ axis, costs }: Layout): readonly Markish[] {
   const [x1, x2] = costs;
@@ -103,9 +102,9 @@ function marks(shown: Shown, layout: Layout): readonly Markish[] {
     dot(visible, {
       x: cost,
       y,
-      r,
-      symbol: (point: Point) => (isPrinted(point) ? 'times' : shape(point.setting)),
-      rotate: ({ setting }: Point) => (shape(setting) === 'triangle2' ? 180 : 0),
+      r: { value: ({ setting }: Point) => look(setting).scale * r, scale: null },
+      symbol: (point: Point) => (isPrinted(point) ? 'times' : look(point.setting).shape),
+      rotate: ({ setting }: Point) => (look(setting).shape === 'triangle2' ? 180 : 0),
       stroke: color,
       strokeWidth: 2,
       fill,

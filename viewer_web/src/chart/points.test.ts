@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { runOf, sample, sceneOf } from '../testing/charts.js';
-import { costs, errors } from './format.js';
+import { curveRunOf, runOf, sample, sceneOf, surfaceOf, surfaceSample } from '../testing/charts.js';
+import { sceneCosts, sceneErrors } from './scene-format.js';
 import { frontOf } from './front.js';
 import { areaOfRight, linesOf, pointsOf } from './points.js';
+import { curveCosts, curveErrors } from './surface-format.js';
 import { viewsOf } from './views.js';
 
 describe('the front', () => {
@@ -25,10 +26,21 @@ describe('the front', () => {
   });
 
   it.each(
-    sample.scenes.flatMap((scene) => costs.map((cost) => [scene.name, cost, scene] as const)),
+    sample.scenes.flatMap((scene) => sceneCosts.map((cost) => [scene.name, cost, scene] as const)),
   )('of %s by %s is what the file says', (_name, cost, scene) => {
-    for (const error of errors) {
+    for (const error of sceneErrors) {
       const { points } = pointsOf([scene], cost, error);
+      expect(frontOf(points)).toEqual(new Set(points.filter(({ front: on }) => on)));
+    }
+  });
+
+  it.each(
+    surfaceSample.surfaces.flatMap((surface) =>
+      curveCosts.map((cost) => [surface.name, cost, surface] as const),
+    ),
+  )('of %s by %s is what the file says', (_name, cost, surface) => {
+    for (const error of curveErrors) {
+      const { points } = pointsOf([surface], cost, error);
       expect(frontOf(points)).toEqual(new Set(points.filter(({ front: on }) => on)));
     }
   });
@@ -73,7 +85,9 @@ describe('scenes together', () => {
     { pixels: 300 },
   );
 
-  const found = (...args: readonly [(typeof costs)[number], (typeof errors)[number]]): unknown[] =>
+  const found = (
+    ...args: readonly [(typeof sceneCosts)[number], (typeof sceneErrors)[number]]
+  ): unknown[] =>
     pointsOf([one, other], ...args).points.map(({ setting, cost, error, front }) => [
       setting.kernel,
       Number(cost.toFixed(9)),
@@ -122,6 +136,34 @@ describe('scenes together', () => {
   });
 });
 
+describe('a surface', () => {
+  const run = curveRunOf({ wrongColumns: 5, height: 1.5, decisions: 8, wrongDecisions: 2 });
+
+  it.each([
+    ['wrongColumns', 0.1],
+    ['height', 1.5],
+    ['wrongDecisions', 0.25],
+  ] as const)('has %s as a share, heights in pixels', (error, share) => {
+    const { points } = pointsOf([surfaceOf([run])], 'samples', error);
+    expect(points).toMatchObject([{ cost: 6, error: share, complete: true, run }]);
+  });
+
+  it('is sampled alike in several where the knob is turned as far', () => {
+    const turned = (value: number, height: number): ReturnType<typeof curveRunOf> =>
+      curveRunOf({ knob: 'samples', value, samples: 2 * value, height });
+    const surfaces = [
+      surfaceOf([turned(3, 1), turned(9, 0)]),
+      surfaceOf([turned(2, 9), turned(3, 4), turned(5, 2)], { columns: 10 }),
+    ];
+    const { points, missing } = pointsOf(surfaces, 'samples', 'height');
+    // Of the first 3 samples a curve are the fewest, of the second 2: 1 and 3 / 2 times as many.
+    expect(points.map(({ setting, error }) => [setting.value, error])).toEqual([[3, 4]]);
+    expect(points[0]?.cost).toBeCloseTo(Math.sqrt(1.5));
+    expect(missing.map(({ value }) => value)).toEqual([9, 2, 5]);
+    expect(areaOfRight(surfaces, 'height')).toBeNull();
+  });
+});
+
 describe('views', () => {
   it('are all of a kind where there are two, and each scene', () => {
     expect(viewsOf(sample).map(({ id }) => id)).toEqual([
@@ -129,6 +171,14 @@ describe('views', () => {
       'ordinary/Two walls',
       'ordinary/Roofs <and> hills',
       'degenerate/Slivers',
+    ]);
+  });
+
+  it('of surfaces have no kinds', () => {
+    expect(viewsOf(surfaceSample).map(({ id }) => id)).toEqual([
+      'surfaces',
+      'surfaces/A peak between two samples',
+      'surfaces/Ramp <up> & down',
     ]);
   });
 

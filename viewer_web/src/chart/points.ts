@@ -1,44 +1,52 @@
-import type { Cost, ErrorMeasure, Run, Scene } from './format.js';
+import type { Cost, ErrorMeasure, Run, Subject } from './format.js';
 import { frontOf } from './front.js';
 import { seriesId, settingId } from './series.js';
 import type { Setting } from './series.js';
+import {
+  costOf,
+  errorOf,
+  isComplete,
+  isDistance,
+  isOnFront,
+  isSurface,
+  sizeOf,
+} from './subject.js';
 
 /** A run in the plot: what it cost and how wrong it was. */
 export interface Point {
   readonly setting: Setting;
-  /** As the program counted, or in several scenes together a ratio to the least. */
+  /** As the program counted, or in several subjects together a ratio to the least. */
   readonly cost: number;
-  /** A share of all pixels or decisions; ulps of a depth. */
+  /** A share of all pixels, columns or decisions; ulps of a depth, pixels of a height. */
   readonly error: number;
   /** Not ended by a fault. */
   readonly complete: boolean;
   readonly front: boolean;
-  /** Of a single scene: what was counted. */
+  /** Of a single subject: what was counted. */
   readonly run: Run | null;
 }
 
 export interface Points {
   readonly points: readonly Point[];
-  /** What has no number for this cost, or did not run in every one of the scenes. */
+  /** What has no number for this cost, or did not run in every one of the subjects. */
   readonly missing: readonly Setting[];
 }
 
-/** The run's error, made such that scenes of any size can be compared. */
-export function relativeError(run: Run, { pixels }: Scene, error: ErrorMeasure): number {
-  switch (error) {
-    case 'wrongPixels':
-    case 'area':
-      return run[error] / pixels;
-    case 'wrongDecisions':
-      return run.decisions === 0 ? 0 : run.wrongDecisions / run.decisions;
-    case 'depthUlps':
-      return run.depthUlps;
-  }
+/** Of how much an error is a share: of the decisions, or of the whole picture. */
+export function wholeOf(run: Run, subject: Subject, error: ErrorMeasure): number {
+  return error === 'wrongDecisions' ? run.decisions : sizeOf(subject);
+}
+
+/** The run's error, made such that subjects of any size can be compared. */
+function relativeError(run: Run, subject: Subject, error: ErrorMeasure): number {
+  const found = errorOf(run, error);
+  return isDistance(error) || found === 0 ? found : found / wholeOf(run, subject, error);
 }
 
 /** By how much the right picture itself differs, where that is what is shown. */
-export function areaOfRight(scenes: readonly Scene[], error: ErrorMeasure): number | null {
-  return error === 'area' ? mean(scenes.map(({ area, pixels }) => area / pixels)) : null;
+export function areaOfRight(subjects: readonly Subject[], error: ErrorMeasure): number | null {
+  if (error !== 'area') return null;
+  return mean(subjects.map((subject) => (isSurface(subject) ? 0 : subject.area / subject.pixels)));
 }
 
 function mean(values: readonly number[]): number {
@@ -53,19 +61,18 @@ function geometricMean(values: readonly number[]): number {
 const hasPlace = (cost: number | null): cost is number =>
   cost !== null && cost > 0 && Number.isFinite(cost);
 
-function ofScene(scene: Scene, cost: Cost, error: ErrorMeasure): Points {
+function ofOne(subject: Subject, cost: Cost, error: ErrorMeasure): Points {
   const points: Point[] = [];
   const missing: Setting[] = [];
-  for (const run of scene.runs) {
-    const found = run[cost];
+  for (const run of subject.runs) {
+    const found = costOf(run, cost);
     if (hasPlace(found)) {
-      const front = run.front[cost].includes(error);
       points.push({
         setting: run,
         cost: found,
-        error: relativeError(run, scene, error),
-        complete: run.complete,
-        front,
+        error: relativeError(run, subject, error),
+        complete: isComplete(run),
+        front: isOnFront(run, cost, error),
         run,
       });
     } else missing.push(run);
@@ -73,10 +80,10 @@ function ofScene(scene: Scene, cost: Cost, error: ErrorMeasure): Points {
   return { points, missing };
 }
 
-/** Costs as ratios to the scene's least, by setting; the program has done so for the time. */
-function ratios({ runs }: Scene, cost: Cost): ReadonlyMap<string, number> {
-  const known = runs.flatMap((run) => {
-    const found = run[cost];
+/** Costs as ratios to the subject's least, by setting; the program has done so for the time. */
+function ratios({ runs }: Subject, cost: Cost): ReadonlyMap<string, number> {
+  const known = runs.flatMap((run: Run) => {
+    const found = costOf(run, cost);
     return hasPlace(found) ? [[settingId(run), found] as const] : [];
   });
   const least =
@@ -84,17 +91,15 @@ function ratios({ runs }: Scene, cost: Cost): ReadonlyMap<string, number> {
   return new Map(known.map(([id, found]) => [id, found / least]));
 }
 
-function together(scenes: readonly Scene[], cost: Cost, error: ErrorMeasure): Points {
-  const costs = scenes.map((scene) => ratios(scene, cost));
-  const wrong = scenes.map(
-    (scene) => new Map(scene.runs.map((run) => [settingId(run), relativeError(run, scene, error)])),
+function together(subjects: readonly Subject[], cost: Cost, error: ErrorMeasure): Points {
+  const costs = subjects.map((subject) => ratios(subject, cost));
+  const wrong = subjects.map(
+    (subject) =>
+      new Map(subject.runs.map((run) => [settingId(run), relativeError(run, subject, error)])),
   );
-  const settings = new Map(
-    scenes.flatMap(({ runs }) => runs.map((run): [string, Setting] => [settingId(run), run])),
-  );
-  const broken = new Set(
-    scenes.flatMap(({ runs }) => runs.filter(({ complete }) => !complete).map(settingId)),
-  );
+  const runs: readonly Run[] = subjects.flatMap((subject): readonly Run[] => subject.runs);
+  const settings = new Map(runs.map((run): [string, Setting] => [settingId(run), run]));
+  const broken = new Set(runs.filter((run) => !isComplete(run)).map(settingId));
   const points: Omit<Point, 'front'>[] = [];
   const missing: Setting[] = [];
   for (const [id, setting] of settings) {
@@ -102,7 +107,7 @@ function together(scenes: readonly Scene[], cost: Cost, error: ErrorMeasure): Po
     const total = geometricMean(paid);
     if (hasPlace(total)) {
       const errors = wrong.map((each) => each.get(id) ?? NaN);
-      const joint = error === 'depthUlps' ? Math.max(...errors) : mean(errors);
+      const joint = isDistance(error) ? Math.max(...errors) : mean(errors);
       points.push({ setting, cost: total, error: joint, complete: !broken.has(id), run: null });
     } else missing.push(setting);
   }
@@ -110,11 +115,11 @@ function together(scenes: readonly Scene[], cost: Cost, error: ErrorMeasure): Po
   return { points: points.map((point) => ({ ...point, front: front.has(point) })), missing };
 }
 
-/** The runs of one scene, or each way to run over several: means, but the farthest of depths. */
-export function pointsOf(scenes: readonly Scene[], cost: Cost, error: ErrorMeasure): Points {
-  const [first, ...others] = scenes;
-  if (first === undefined || others.length > 0) return together(scenes, cost, error);
-  return ofScene(first, cost, error);
+/** The runs of one subject, or each way to run over several: means, but the farthest of depths and heights. */
+export function pointsOf(subjects: readonly Subject[], cost: Cost, error: ErrorMeasure): Points {
+  const [first, ...others] = subjects;
+  if (first === undefined || others.length > 0) return together(subjects, cost, error);
+  return ofOne(first, cost, error);
 }
 
 /** Points of one knob, method and edition, in the order of the knob's value. */

@@ -5,8 +5,9 @@ import { describe, expect, it } from 'vitest';
 import { sample, sampleText } from '../testing/charts.js';
 import { isRefusal } from '../trace/refusal.js';
 import type { Reason } from '../trace/refusal.js';
-import { costs, errors, kinds, knobs } from './format.js';
+import { sceneCosts, sceneErrors, sceneKinds, sceneKnobs } from './scene-format.js';
 import { readChart } from './read.js';
+import { fileOf, subjectsOf } from './subject.js';
 
 async function refused(content: BlobPart): Promise<readonly [string, Reason]> {
   const error: unknown = await readChart(new Blob([content])).then(
@@ -24,7 +25,7 @@ describe('a chart', () => {
     const withScene = (value: unknown): string =>
       JSON.stringify({ ...sample, scenes: [{ ...first, scene: value }] });
     const chart = await readChart(new Blob([withScene(scene)]));
-    expect(chart.scenes[0]?.scene).toEqual(scene);
+    expect(subjectsOf(chart).map(fileOf)[0]).toEqual(scene);
     expect(await refused(withScene('Two'))).toEqual(['scenes[0].scene', 'object']);
   });
 
@@ -38,12 +39,12 @@ describe('a chart', () => {
 
   it('of the tests has everything that may stand in one', () => {
     const runs = sample.scenes.flatMap((scene) => scene.runs);
-    expect(new Set(sample.scenes.map(({ kind }) => kind))).toEqual(new Set(kinds));
-    expect(new Set(runs.map(({ knob }) => knob))).toEqual(new Set([...knobs, null]));
+    expect(new Set(sample.scenes.map(({ kind }) => kind))).toEqual(new Set(sceneKinds));
+    expect(new Set(runs.map(({ knob }) => knob))).toEqual(new Set([...sceneKnobs, null]));
     expect(runs.some(({ bits }) => bits === null)).toBe(true);
     expect(runs.some(({ depthUlps }) => depthUlps === Infinity)).toBe(true);
-    for (const cost of costs) {
-      for (const error of errors) {
+    for (const cost of sceneCosts) {
+      for (const error of sceneErrors) {
         expect(runs.some(({ front }) => front[cost].includes(error))).toBe(true);
       }
     }

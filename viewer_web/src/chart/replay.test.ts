@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { parseAddress } from '../address.js';
 import { optionsOf, unpacked } from '../live/packed.js';
-import { runOf } from '../testing/charts.js';
-import { linksOf } from './replay.js';
+import { curveRunOf, runOf, surfaceSample } from '../testing/charts.js';
+import { fileOfRun, linksOf } from './replay.js';
 
 const page = new URL('file:///share/vidno/index.html');
 const file = '{"format":"vidno-scene/1","name":"здесь & там"}';
@@ -37,5 +37,30 @@ describe('a run on the chart', () => {
     // Digits of squares do not pack well: 100,000 of them are more than 12,000 bytes.
     const digits = Array.from({ length: 20000 }, (_, i) => (i * i * 7919) % 99991).join('');
     expect(await links({}, digits)).toBe('large');
+  });
+});
+
+describe('a run of a surface', () => {
+  const given = { format: 'vidno-surface/1', function: 'x * z', samples: 9, tolerance: 0.5 };
+
+  it.each([
+    [curveRunOf({}), given],
+    [curveRunOf({ knob: 'samples', value: 5 }), { ...given, samples: 5, tolerance: undefined }],
+    [curveRunOf({ knob: 'tolerance', value: 2 }), { ...given, samples: 2, tolerance: 2 }],
+  ])('is of the surface as it was sampled (%#)', (run, file) => {
+    expect(fileOfRun(given, run)).toBe(JSON.stringify(file));
+  });
+
+  it('is linked to its replay, and to that beside the exact one', async () => {
+    const [surface] = surfaceSample.surfaces;
+    const run = curveRunOf({ kernel: 'float', edition: 'printed', knob: 'samples', value: 3 });
+    const text = fileOfRun(surface?.surface ?? {}, run);
+    const found = await linksOf(run, text, page, 'en');
+    if (typeof found === 'string') throw new Error(found);
+    const { live, rival } = parseAddress(new URL(found.compare ?? '').hash);
+    expect(await unpacked(live?.scene ?? '')).toBe(text);
+    expect(JSON.parse(text)).toMatchObject({ samples: 3, window: { width: 33 } });
+    expect(live?.run).toBe('floating-horizon.printed.float.signs');
+    expect(rival).toBe('floating-horizon.corrected.exact.signs');
   });
 });

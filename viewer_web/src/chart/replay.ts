@@ -4,6 +4,13 @@ import type { Options } from '../live/options.js';
 import { packed, wordOf } from '../live/packed.js';
 import type { Setting } from './series.js';
 
+/** What a run was of: a surface as the run samples it. */
+export function fileOfRun(file: object, { knob, value }: Setting): string {
+  if (knob === 'samples') return JSON.stringify({ ...file, samples: value, tolerance: undefined });
+  if (knob === 'tolerance') return JSON.stringify({ ...file, samples: 2, tolerance: value });
+  return JSON.stringify(file);
+}
+
 /** The ways from a run on the chart to the page of traces. */
 export interface Links {
   readonly replay: string;
@@ -11,7 +18,7 @@ export interface Links {
   readonly compare: string | null;
 }
 
-/** Why there is none: the page has no such run, or the scene is too large for an address. */
+/** Why there is none: the page has no such run, or the file is too large for an address. */
 export type Unlinked = 'window' | 'large';
 
 function linkTo(page: URL, fields: Readonly<Record<string, string>>): string {
@@ -22,12 +29,12 @@ function linkTo(page: URL, fields: Readonly<Record<string, string>>): string {
 
 /** How the page of traces finds a run of a scene file. */
 export async function linksOf(
-  { method, kernel, edition, window }: Setting,
+  { method, kernel, edition, knob }: Setting,
   file: string,
   page: URL,
   lang: Language,
 ): Promise<Links | Unlinked> {
-  if (window > 1) return 'window';
+  if (knob === 'window') return 'window';
   const scene = await packed(file);
   if (scene === null) return 'large';
   const options: Options = { ...usual, method, kernel, edition };

@@ -1,5 +1,5 @@
 import { chartTexts } from '../i18n/chart.js';
-import type { ChartTexts } from '../i18n/chart.js';
+import type { ChartTexts, SubjectTexts } from '../i18n/chart.js';
 import type { Language } from '../i18n/language.js';
 import type { Choice } from './choice.js';
 import type { Chart, Cost, ErrorMeasure } from './format.js';
@@ -8,6 +8,8 @@ import { areaOfRight, pointsOf } from './points.js';
 import type { Point } from './points.js';
 import { isHidden, printed, seriesOf } from './series.js';
 import type { Series, Setting } from './series.js';
+import { axesOf, fileOf } from './subject.js';
+import type { Axes } from './subject.js';
 import { viewsOf } from './views.js';
 import type { View } from './views.js';
 
@@ -15,6 +17,7 @@ import type { View } from './views.js';
 export interface Shown {
   readonly views: readonly View[];
   readonly view: View;
+  readonly axes: Axes;
   readonly cost: Cost;
   readonly error: ErrorMeasure;
   readonly rounds: number;
@@ -27,23 +30,35 @@ export interface Shown {
   readonly areaOfRight: number | null;
   readonly series: readonly Series[];
   readonly hasPrinted: boolean;
-  /** Whether the chart holds its scenes. */
-  readonly hasScenes: boolean;
+  /** Whether the chart holds the files of what it is of. */
+  readonly hasFiles: boolean;
   readonly hidden: ReadonlySet<string>;
   readonly language: Language;
   readonly texts: ChartTexts;
+  /** Those in which scenes and surfaces differ. */
+  readonly subjectTexts: SubjectTexts;
+}
+
+/** The one that was chosen if there is one like it, else the first. */
+function chosenOf<T>([first, ...others]: readonly [T, ...T[]], chosen: T | null): T {
+  return others.find((each) => each === chosen) ?? first;
 }
 
 export function shownOf(chart: Chart, choice: Choice, language: Language): Shown | null {
-  const { cost, error, hidden } = choice;
+  const { hidden } = choice;
   const views = viewsOf(chart);
   const view = views.find(({ id }) => id === choice.view) ?? views[0];
   if (view === undefined) return null;
-  const { points, missing } = pointsOf(view.scenes, cost, error);
+  const { subjects } = view;
+  const axes = axesOf(subjects);
+  const cost = chosenOf(axes.costs, choice.cost);
+  const error = chosenOf(axes.errors, choice.error);
+  const { points, missing } = pointsOf(subjects, cost, error);
   const settings = [...points.map(({ setting }) => setting), ...missing];
   return {
     views,
     view,
+    axes,
     cost,
     error,
     rounds: chart.rounds,
@@ -51,12 +66,13 @@ export function shownOf(chart: Chart, choice: Choice, language: Language): Shown
     visible: points.filter(({ setting }) => !isHidden(setting, hidden)),
     front: points.filter(({ front }) => front).sort(byCost),
     missing,
-    areaOfRight: areaOfRight(view.scenes, error),
+    areaOfRight: areaOfRight(subjects, error),
     series: seriesOf(settings),
-    hasScenes: chart.scenes.some(({ scene }) => scene !== undefined),
+    hasFiles: subjects.some((subject) => fileOf(subject) !== undefined),
     hasPrinted: settings.some(({ edition }) => edition === printed),
     hidden,
     language,
     texts: chartTexts[language],
+    subjectTexts: chartTexts[language].subjects[view.kind === 'surfaces' ? 'surfaces' : 'scenes'],
   };
 }

@@ -1,35 +1,37 @@
 import { kinds } from './format.js';
-import type { Chart, Kind, Scene } from './format.js';
+import type { Chart, Kind, Subject } from './format.js';
+import { kindOf, subjectsOf } from './subject.js';
 
-/** What may be looked at: one scene, or all of a kind together. */
+/** What may be looked at: one subject, or all of a kind together. */
 export interface View {
   /** Its name in the page's address. */
   readonly id: string;
   readonly kind: Kind;
-  /** The scene's; null for all of the kind. */
+  /** The subject's; null for all of the kind. */
   readonly name: string | null;
-  readonly scenes: readonly Scene[];
+  readonly subjects: readonly Subject[];
 }
 
-/** Scenes may have one name: the second is its `(2)`. */
-function named(scenes: readonly Scene[]): readonly (readonly [string, Scene])[] {
+/** Subjects may have one name: the second is its `(2)`. */
+function named(subjects: readonly Subject[]): readonly (readonly [string, Subject])[] {
   const seen = new Map<string, number>();
-  return scenes.map((scene) => {
-    const times = (seen.get(scene.name) ?? 0) + 1;
-    seen.set(scene.name, times);
-    return [times === 1 ? scene.name : `${scene.name} (${times})`, scene];
+  return subjects.map((subject) => {
+    const { name } = subject;
+    const times = (seen.get(name) ?? 0) + 1;
+    seen.set(name, times);
+    return [times === 1 ? name : `${name} (${times})`, subject];
   });
 }
 
 export function viewsOf(chart: Chart): readonly View[] {
   return kinds.flatMap((kind): readonly View[] => {
-    const scenes = chart.scenes.filter((scene) => scene.kind === kind);
-    const single = named(scenes).map(([name, scene]) => ({
+    const subjects = subjectsOf(chart).filter((subject) => kindOf(subject) === kind);
+    const single = named(subjects).map(([name, subject]) => ({
       id: `${kind}/${name}`,
       kind,
       name,
-      scenes: [scene],
+      subjects: [subject],
     }));
-    return scenes.length < 2 ? single : [{ id: kind, kind, name: null, scenes }, ...single];
+    return subjects.length < 2 ? single : [{ id: kind, kind, name: null, subjects }, ...single];
   });
 }

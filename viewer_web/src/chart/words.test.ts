@@ -4,9 +4,9 @@ import { languages } from '../i18n/language.js';
 import { runOf, sample, sceneOf } from '../testing/charts.js';
 import { Refusal } from '../trace/refusal.js';
 import { formatChoice, parseChoice } from './choice.js';
-import { costs, errors } from './format.js';
+import { sceneCosts, sceneErrors } from './scene-format.js';
 import { duration, number, percent, whole } from './numbers.js';
-import { allSeries, isVariant, shape } from './series.js';
+import { allSeries, isVariant, look, lookOf } from './series.js';
 import { shownOf } from './shown.js';
 import { explanation, missingText, pointLines, runName } from './words.js';
 
@@ -56,8 +56,8 @@ describe('the address', () => {
       expect(parseChoice(hash)).toEqual({
         language: null,
         view: null,
-        cost: 'time',
-        error: 'wrongPixels',
+        cost: null,
+        error: null,
         hidden: new Set(),
       });
     },
@@ -65,7 +65,7 @@ describe('the address', () => {
 });
 
 describe.each(languages)('in %s', (language) => {
-  const all = costs.flatMap((cost) => errors.map((error) => ({ cost, error })));
+  const all = sceneCosts.flatMap((cost) => sceneErrors.map((error) => ({ cost, error })));
 
   it.each(all)('everything can be said of $cost and $error', ({ cost, error }) => {
     for (const view of [null, 'ordinary/Two walls', 'degenerate/Slivers']) {
@@ -99,8 +99,10 @@ describe('a variant of an algorithm', () => {
   };
 
   it('is named with its kernel', () => {
-    expect(runName(variant, chartTexts.en)).toBe('Warnock: closed bodies, exact');
-    expect(runName(runOf({}), chartTexts.ru)).toBe('Z-буфер double');
+    const inEnglish = shownOf(chart, parseChoice(''), 'en');
+    const inRussian = shownOf(chart, parseChoice(''), 'ru');
+    expect(inEnglish && runName(variant, inEnglish)).toBe('Warnock: closed bodies, exact');
+    expect(inRussian && runName(runOf({}), inRussian)).toBe('Z-буфер double');
   });
 
   it('that does not take each scene is named where it is missing', () => {
@@ -111,9 +113,10 @@ describe('a variant of an algorithm', () => {
   });
 
   it('has a symbol of its own', () => {
-    const shapes = allSeries.filter(({ method }) => isVariant(method)).map(shape);
+    const variants = allSeries.filter(({ group }) => isVariant(group));
+    const shapes = variants.map((series) => lookOf(series).shape);
     expect(new Set(shapes).size).toBe(6);
-    expect(shapes).not.toContain(shape({ method: 'warnock', knob: null }));
+    expect(shapes).not.toContain(look(runOf({ method: 'warnock' })).shape);
   });
 });
 

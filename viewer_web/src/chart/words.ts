@@ -1,21 +1,47 @@
-import type { ChartTexts } from '../i18n/chart.js';
-import type { Run } from './format.js';
+import type { Language } from '../i18n/language.js';
 import { duration, number, percent, ratio, whole } from './numbers.js';
+import { wholeOf } from './points.js';
 import type { Point } from './points.js';
-import { isVariant } from './series.js';
+import { isOfCurves, isVariant } from './series.js';
 import type { Setting } from './series.js';
 import type { Shown } from './shown.js';
+import { errorOf, isDistance, isSurface } from './subject.js';
 
-export function runName({ method, kernel }: Setting, texts: ChartTexts): string {
-  return `${texts.methods[method]}${isVariant(method) ? ',' : ''} ${kernel}`;
+type Worded = Pick<Shown, 'texts' | 'subjectTexts' | 'language'>;
+
+/** How far a knob was turned: a count with all its digits. */
+export function knobValue({ value }: Setting, language: Language): string {
+  const found = value ?? 0;
+  return Number.isInteger(found) ? whole(found, language) : number(found, language);
 }
 
-/** What was turned, and which text was run. */
-export function runDetails({ setting, complete }: Point, texts: ChartTexts): string {
-  const { knob, value, edition } = setting;
-  const turned = knob === null ? [] : [texts.turned[knob](String(value))];
-  const fault = complete ? [] : [texts.fault];
-  return [...turned, texts.editions[edition], ...fault].join(' · ');
+/** What was turned; null if nothing was. */
+function turned(setting: Setting, { texts, language }: Worded): string | null {
+  const { knob } = setting;
+  return knob === null ? null : texts.turned[knob](knobValue(setting, language));
+}
+
+/** Runs of curves differ by their samples first. */
+function samplingName(setting: Setting, worded: Worded): string {
+  return turned(setting, worded) ?? worded.subjectTexts.fixed;
+}
+
+export function runName(setting: Setting, worded: Worded): string {
+  const { kernel } = setting;
+  if (isOfCurves(setting)) return `${kernel}, ${samplingName(setting, worded)}`;
+  const { method } = setting;
+  return `${worded.texts.methods[method]}${isVariant(method) ? ',' : ''} ${kernel}`;
+}
+
+/** What was turned if the name does not say so, and which text was run. */
+export function runDetails({ setting, complete }: Point, worded: Worded): string {
+  const { texts } = worded;
+  const details = [
+    isOfCurves(setting) ? null : turned(setting, worded),
+    texts.editions[setting.edition],
+    complete ? null : texts.fault,
+  ];
+  return details.filter((each) => each !== null).join(' · ');
 }
 
 /** A number that is shown, and what was counted where it is a ratio. */
@@ -27,19 +53,15 @@ export function costAmount({ cost, run }: Point, { language, ...shown }: Shown):
   return [ratio(cost, language), duration(run.seconds, language)];
 }
 
-/** What was counted, and of how many. */
-function counts(run: Run, { error, view }: Shown): readonly [number, number] {
-  if (error === 'wrongDecisions') return [run.wrongDecisions, run.decisions];
-  return [error === 'area' ? run.area : run.wrongPixels, view.scenes[0]?.pixels ?? 0];
-}
-
 export function errorAmount({ error, run }: Point, shown: Shown): Amount {
-  const { texts, language } = shown;
-  if (shown.error === 'depthUlps') return [texts.ulps(number(error, language)), null];
-  if (run === null) return [percent(error, language), null];
-  const [part, all] = counts(run, shown);
+  const { texts, language, view } = shown;
+  if (isDistance(shown.error)) return [texts.units[shown.error](number(error, language)), null];
+  const [subject] = view.subjects;
+  if (run === null || subject === undefined) return [percent(error, language), null];
+  const part = errorOf(run, shown.error);
   const counted = Number.isInteger(part) ? whole(part, language) : number(part, language);
-  return [percent(error, language), texts.counted(counted, whole(all, language))];
+  const all = whole(wholeOf(run, subject, shown.error), language);
+  return [percent(error, language), texts.counted(counted, all)];
 }
 
 function inLine([shown, counted]: Amount): string {
@@ -51,8 +73,8 @@ export function pointLines(point: Point, shown: Shown): readonly string[] {
   const { texts, cost, error } = shown;
   const { setting } = point;
   return [
-    runName(setting, texts),
-    runDetails(point, texts),
+    runName(setting, shown),
+    runDetails(point, shown),
     `${texts.costs[cost].name}: ${inLine(costAmount(point, shown))}`,
     `${texts.errors[error].name}: ${inLine(errorAmount(point, shown))}`,
   ];
@@ -68,14 +90,27 @@ export function explanation({ view, cost, error, rounds, texts, language }: Show
   return [...sentences, texts.reading].join(' ');
 }
 
+/** How large the one subject is that is shown; null if there are several. */
+export function sizeText({ view, texts, language }: Shown): string | null {
+  const [subject] = view.subjects;
+  if (view.name === null || subject === undefined) return null;
+  const said = (n: number): string => whole(n, language);
+  if (isSurface(subject)) return texts.aboutSurface(said(subject.curves), said(subject.columns));
+  const { pixels, polygons, unsteady } = subject;
+  return texts.aboutScene(said(pixels), said(polygons), said(unsteady));
+}
+
 /** Which runs have no place in the plot, and why; null if all have. A variant that does not take each scene is named once. */
-export function missingText({ missing, points, view, texts }: Shown): string | null {
+export function missingText(shown: Shown): string | null {
+  const { missing, points, view, texts, subjectTexts } = shown;
   if (missing.length === 0) return null;
   const most = 8;
   const plotted = new Set(points.map(({ setting }) => setting.method));
-  const nameOf = ({ method, kernel }: Setting): string =>
-    plotted.has(method) ? kernel : texts.methods[method];
-  const kernels = [...new Set(missing.map(nameOf))];
-  const listed = [...kernels.slice(0, most), ...(kernels.length > most ? ['…'] : [])].join(', ');
-  return view.name === null ? texts.missingSomewhere(listed) : texts.missing(listed);
+  const nameOf = (setting: Setting): string => {
+    if (isOfCurves(setting)) return samplingName(setting, shown);
+    return plotted.has(setting.method) ? setting.kernel : texts.methods[setting.method];
+  };
+  const names = [...new Set(missing.map(nameOf))];
+  const listed = [...names.slice(0, most), ...(names.length > most ? ['…'] : [])].join(', ');
+  return view.name === null ? subjectTexts.missingSomewhere(listed) : texts.missing(listed);
 }

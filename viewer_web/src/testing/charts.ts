@@ -1,13 +1,20 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { parseChart } from '../chart/format.js';
-import type { Chart, Run, Scene } from '../chart/format.js';
+import { sceneChart } from '../chart/scene-format.js';
+import type { Scene, SceneRun } from '../chart/scene-format.js';
+import { surfaceChart } from '../chart/surface-format.js';
+import type { CurveRun, Surface } from '../chart/surface-format.js';
 
-const file = fileURLToPath(new URL('../../test-data/chart.json', import.meta.url));
+const textOf = (name: string): string =>
+  readFileSync(fileURLToPath(new URL(`../../test-data/${name}`, import.meta.url)), 'utf8');
 
 /** Two ordinary scenes and a degenerate one, run in every way that there is. */
-export const sampleText = readFileSync(file, 'utf8');
-export const sample: Chart = parseChart(JSON.parse(sampleText));
+export const sampleText = textOf('chart.json');
+export const sample = sceneChart(JSON.parse(sampleText), '');
+
+/** The lesson's peak between two samples, and a slope, run in every way that there is. */
+export const surfaceText = textOf('surface-chart.json');
+export const surfaceSample = surfaceChart(JSON.parse(surfaceText), '');
 
 const nowhere = { time: [], operations: [], bits: [] };
 const counts = {
@@ -21,7 +28,7 @@ const counts = {
   edges: 0,
 };
 
-export function runOf(fields: Partial<Run>): Run {
+export function runOf(fields: Partial<SceneRun>): SceneRun {
   return {
     method: 'zbuffer',
     kernel: 'double',
@@ -45,7 +52,7 @@ export function runOf(fields: Partial<Run>): Run {
   };
 }
 
-export function sceneOf(runs: readonly Run[], fields: Partial<Scene> = {}): Scene {
+export function sceneOf(runs: readonly SceneRun[], fields: Partial<Scene> = {}): Scene {
   return {
     name: 'Square',
     kind: 'ordinary',
@@ -56,4 +63,29 @@ export function sceneOf(runs: readonly Run[], fields: Partial<Scene> = {}): Scen
     runs,
     ...fields,
   };
+}
+
+export function curveRunOf(fields: Partial<CurveRun>): CurveRun {
+  return {
+    method: 'floating-horizon',
+    kernel: 'double',
+    edition: 'corrected',
+    knob: null,
+    value: null,
+    seconds: 0.001,
+    time: 1,
+    operations: 10,
+    samples: 6,
+    counts: { visibilities: 8, horizons: 2, steps: 0, crossings: 0 },
+    wrongColumns: 0,
+    height: 0,
+    decisions: 10,
+    wrongDecisions: 0,
+    front: { time: [], operations: [], samples: [] },
+    ...fields,
+  };
+}
+
+export function surfaceOf(runs: readonly CurveRun[], fields: Partial<Surface> = {}): Surface {
+  return { name: 'Hill', curves: 2, columns: 50, runs, ...fields };
 }

@@ -2,7 +2,7 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../../components/theme.js';
-import { costs, errors, kinds } from '../format.js';
+import { kinds } from '../format.js';
 import type { Kind } from '../format.js';
 import { whole } from '../numbers.js';
 import type { Shown } from '../shown.js';
@@ -97,12 +97,12 @@ export class ChoicesElement extends LitElement {
   @property({ attribute: false }) shown!: Shown;
 
   override render(): TemplateResult {
-    const { texts, cost, error } = this.shown;
-    const costTexts = costs.map((id) => [id, texts.costs[id].name] as const);
-    const errorTexts = errors.map((id) => [id, texts.errors[id].name] as const);
+    const { texts, subjectTexts, axes, cost, error } = this.shown;
+    const costTexts = axes.costs.map((id) => [id, texts.costs[id].name] as const);
+    const errorTexts = axes.errors.map((id) => [id, texts.errors[id].name] as const);
     return html`
       <label class="scene">
-        <span>${texts.show}</span>
+        <span>${subjectTexts.show}</span>
         <select @change=${this.onScene}>
           ${kinds.map((kind) => this.kind(kind))}
         </select>
@@ -120,10 +120,10 @@ export class ChoicesElement extends LitElement {
     </optgroup>`;
   }
 
-  private option({ id, name, kind, scenes }: View): TemplateResult {
+  private option({ id, name, kind, subjects }: View): TemplateResult {
     const { texts, view, language } = this.shown;
     return html`<option value=${id} .selected=${id === view.id}>
-      ${name ?? texts.allOf[kind](whole(scenes.length, language))}
+      ${name ?? texts.allOf[kind](whole(subjects.length, language))}
     </option>`;
   }
 

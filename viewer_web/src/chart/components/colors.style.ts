@@ -2,7 +2,7 @@ import { css } from 'lit';
 
 /**
  * Colours of the series after Okabe and Ito, a little darker on white: cool ones for Warnock's algorithm, warm ones for
- * the Z-buffer.
+ * the Z-buffer; of curves one a kernel.
  */
 export const colors = css`
   :host {
@@ -25,6 +25,10 @@ export const colors = css`
     --warnock-vertex-fixed: #00745a;
     --warnock-edges-fixed: #b34700;
     --warnock-bodies-fixed: #5a3fc0;
+    --float: #0072b2;
+    --double: #d55e00;
+    --filtered: #00825f;
+    --exact: var(--ink);
   }
   @media (prefers-color-scheme: dark) {
     :host {
@@ -45,6 +49,9 @@ export const colors = css`
       --warnock-vertex-fixed: #35d0a4;
       --warnock-edges-fixed: #ff9a55;
       --warnock-bodies-fixed: #b3a2ff;
+      --float: #3d9be0;
+      --double: #f07a22;
+      --filtered: #19b98c;
     }
   }
 `;

@@ -88,14 +88,13 @@ export class FrontElement extends LitElement {
   }
 
   private row(point: Point): TemplateResult {
-    const { texts } = this.shown;
     const { setting } = point;
     return html`<tr aria-current=${point === this.chosen ? 'true' : 'false'}>
       <th scope="row">
         <button @click=${() => this.choose(point)} @focus=${() => this.choose(point)}>
-          ${runName(setting, texts)}
+          ${runName(setting, this.shown)}
         </button>
-        <small>${runDetails(point, texts)}</small>
+        <small>${runDetails(point, this.shown)}</small>
       </th>
       ${amount(costAmount(point, this.shown))} ${amount(errorAmount(point, this.shown))}
     </tr>`;

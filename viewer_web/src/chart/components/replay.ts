@@ -3,9 +3,10 @@ import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { base } from '../../components/theme.js';
 import type { Point } from '../points.js';
-import { linksOf } from '../replay.js';
+import { fileOfRun, linksOf } from '../replay.js';
 import type { Links, Unlinked } from '../replay.js';
 import type { Shown } from '../shown.js';
+import { fileOf } from '../subject.js';
 import { runDetails, runName } from '../words.js';
 
 /** The run that was chosen last, and the ways to its replay. */
@@ -16,6 +17,7 @@ export class ReplayElement extends LitElement {
     css`
       :host {
         display: block;
+        flex: none;
         min-height: 4.6em;
       }
       h2 {
@@ -47,31 +49,32 @@ export class ReplayElement extends LitElement {
     if (changed.has('point') || changed.has('shown')) void this.find();
   }
 
-  /** That of the one scene that is shown. */
-  private get file(): string | null {
-    const { name, scenes } = this.shown.view;
-    const scene = name === null ? undefined : scenes[0]?.scene;
-    return scene === undefined ? null : JSON.stringify(scene);
+  /** That of the one subject that is shown. */
+  private get file(): object | null {
+    const { name, subjects } = this.shown.view;
+    const [only] = subjects;
+    return (name === null || only === undefined ? null : fileOf(only)) ?? null;
   }
 
   private async find(): Promise<void> {
     const { point, page, file } = this;
     this.links = null;
     if (point === null || file === null) return;
-    const links = await linksOf(point.setting, file, page, this.shown.language);
+    const { setting } = point;
+    const links = await linksOf(setting, fileOfRun(file, setting), page, this.shown.language);
     if (point === this.point) this.links = links;
   }
 
   override render(): TemplateResult {
     const { point, file } = this;
-    const { texts } = this.shown;
-    const { title, hint, oneScene } = texts.replay;
+    const { texts, subjectTexts } = this.shown;
+    const { title, hint } = texts.replay;
     if (point === null || file === null) {
       return html`<h2>${title}</h2>
-        <p class="why">${file === null ? oneScene : hint}</p>`;
+        <p class="why">${file === null ? subjectTexts.showOne : hint}</p>`;
     }
     return html`<h2>${title}</h2>
-      <p>${runName(point.setting, texts)} <small>${runDetails(point, texts)}</small></p>
+      <p>${runName(point.setting, this.shown)} <small>${runDetails(point, this.shown)}</small></p>
       <p class="links" aria-live="polite">${this.ways()}</p>`;
   }
 

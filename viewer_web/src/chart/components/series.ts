@@ -2,11 +2,13 @@ import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../../components/theme.js';
-import { isVariant, printed, shape } from '../series.js';
-import type { Series, Shape } from '../series.js';
+import { groups, isKernel, isVariant, lookOf, printed } from '../series.js';
+import type { Look, Series } from '../series.js';
 import type { Shown } from '../shown.js';
-import { methods } from '../format.js';
 import { symbol } from './symbol.js';
+
+/** Of runs of the printed text, whatever their series. */
+const ofPrinted: Look = { color: 'currentColor', shape: 'times', isFilled: false, scale: 1 };
 
 /** What the symbols mean; each may be hidden. */
 @customElement('vidno-series')
@@ -67,6 +69,7 @@ export class SeriesElement extends LitElement {
         flex: none;
         width: 2em;
         height: 1.3em;
+        overflow: visible;
       }
       p {
         padding-left: 1.6em;
@@ -86,18 +89,13 @@ export class SeriesElement extends LitElement {
     const front = svg`<path class="front" d="M1 2V9H8M20 9H27M8 9a6 6 0 1 0 12 0a6 6 0 1 0 -12 0" />`;
     return html`<fieldset class="all">
       <legend>${texts.series}</legend>
-      ${methods.map((method) => {
-        const own = series.filter((each) => each.method === method);
-        return own.length === 0 || isVariant(method)
+      ${groups.map((group) => {
+        const own = series.filter((each) => each.group === group);
+        return own.length === 0 || isVariant(group)
           ? nothing
-          : this.method(texts.methods[method], own);
+          : this.group(isKernel(group) ? group : texts.methods[group], own);
       })}
-      ${this.variants()}
-      ${
-        hasPrinted
-          ? this.toggle(printed, texts.printed, 'times', ['currentColor', 'none'])
-          : nothing
-      }
+      ${this.variants()} ${hasPrinted ? this.toggle(printed, texts.printed, ofPrinted) : nothing}
       <p><svg viewBox="0 0 28 18" aria-hidden="true">${front}</svg>${texts.frontMark}</p>
     </fieldset>`;
   }
@@ -105,13 +103,13 @@ export class SeriesElement extends LitElement {
   /** Each is a series, by its own name. */
   private variants(): TemplateResult | typeof nothing {
     const { series, texts } = this.shown;
-    const own = series.filter(({ method }) => isVariant(method));
+    const own = series.filter(({ group }) => isVariant(group));
     return own.length === 0
       ? nothing
-      : html`<div class="variants">${this.method(texts.variants, own)}</div>`;
+      : html`<div class="variants">${this.group(texts.variants, own)}</div>`;
   }
 
-  private method(name: string, series: readonly Series[]): TemplateResult {
+  private group(name: string, series: readonly Series[]): TemplateResult {
     return html`<fieldset>
       <legend>${name}</legend>
       ${series.map((each) => this.series(each))}
@@ -119,21 +117,14 @@ export class SeriesElement extends LitElement {
   }
 
   private series(series: Series): TemplateResult {
-    const color = `var(--${series.id})`;
-    const fill = series.method === 'warnock' ? color : 'var(--panel)';
-    const { knobs, fixed, variantNames } = this.shown.texts;
-    const ofMethod = isVariant(series.method) ? variantNames[series.method] : fixed;
-    const name = series.knob === null ? ofMethod : knobs[series.knob];
-    return this.toggle(series.id, name, shape(series), [color, fill], series.knob !== null);
+    const { texts, subjectTexts } = this.shown;
+    const { group, knob } = series;
+    const untouched = isVariant(group) ? texts.variantNames[group] : subjectTexts.fixed;
+    const name = knob === null ? untouched : texts.knobs[knob];
+    return this.toggle(series.id, name, lookOf(series), knob !== null);
   }
 
-  private toggle(
-    id: string,
-    name: string,
-    form: Shape,
-    [color, fill]: readonly [string, string],
-    hasLine = true,
-  ): TemplateResult {
+  private toggle(id: string, name: string, look: Look, hasLine = true): TemplateResult {
     return html`<label>
       <input
         type="checkbox"
@@ -141,7 +132,7 @@ export class SeriesElement extends LitElement {
         .checked=${!this.shown.hidden.has(id)}
         @change=${() => this.flip(id)}
       />
-      <svg viewBox="0 0 28 18" aria-hidden="true">${symbol(form, color, fill, hasLine)}</svg>
+      <svg viewBox="0 0 28 18" aria-hidden="true">${symbol(look, hasLine)}</svg>
       <span>${name}</span>
     </label>`;
   }

@@ -1,6 +1,6 @@
 import { svg } from 'lit';
 import type { SVGTemplateResult } from 'lit';
-import type { Shape } from '../series.js';
+import type { Look, Shape } from '../series.js';
 
 /** As Plot draws them, about 0 0. */
 const outlines: Readonly<Record<Shape, string>> = {
@@ -20,14 +20,13 @@ const outlines: Readonly<Record<Shape, string>> = {
 
 /** A series' symbol, 28 x 18, and the line that it has if a knob is turned, or text printed. */
 export function symbol(
-  shape: Shape,
-  color: string,
-  fill: string,
+  { color, shape, isFilled, scale }: Look,
   hasLine: boolean,
 ): SVGTemplateResult {
   const dashes = shape === 'times' ? '5 4' : 'none';
+  const fill = isFilled ? color : 'var(--panel)';
   return svg`<g transform="translate(14 9)" stroke=${color} stroke-width="2" fill=${fill}>
     ${hasLine ? svg`<path d="M-14 0H14" stroke-dasharray=${dashes} />` : ''}
-    <path d=${outlines[shape]} />
+    <path d=${outlines[shape]} transform="scale(${scale})" stroke-width=${2 / scale} />
   </g>`;
 }

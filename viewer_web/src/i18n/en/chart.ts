@@ -1,4 +1,6 @@
 import type { ChartTexts } from '../chart.js';
+import { costs, errors } from './chart-axes.js';
+import { subjects } from './chart-subjects.js';
 import { family } from './family.js';
 
 export const chart: ChartTexts = {
@@ -6,14 +8,17 @@ export const chart: ChartTexts = {
   ownFile: 'Your own chart',
   openFile: 'Open a file…',
   dropHere: 'or drop it here: .json',
-  show: 'Scene',
-  kinds: { ordinary: 'Ordinary', degenerate: 'Degenerate' },
+  subjects,
+  kinds: { ordinary: 'Ordinary', degenerate: 'Degenerate', surfaces: 'Surfaces' },
   allOf: {
     ordinary: (count) => `All ordinary scenes (${count})`,
     degenerate: (count) => `All degenerate scenes (${count})`,
+    surfaces: (count) => `All surfaces (${count})`,
   },
   aboutScene: (pixels, polygons, unsteady) =>
     `pixels: ${pixels} · polygons: ${polygons} · pixels that an ulp may change: ${unsteady}`,
+  aboutSurface: (curves, columns) =>
+    `curves: ${curves} · columns of all of them: ${columns} · what it costs to sample is not counted, only to draw`,
   cost: 'Cost',
   error: 'Error',
   series: 'Shown',
@@ -25,99 +30,52 @@ export const chart: ChartTexts = {
   },
   variants: 'Variants of Warnock',
   variantNames: family.names,
-  knobs: { bits: 'bits', depth: 'depth bits', grid: 'grid', window: 'window' },
+  knobs: {
+    bits: 'bits',
+    depth: 'depth bits',
+    grid: 'grid',
+    window: 'window',
+    samples: 'samples',
+    tolerance: 'tolerance',
+  },
   turned: {
     bits: (value) => `arithmetic of ${value} bits`,
     depth: (value) => `Z-buffer of ${value} bits`,
     grid: (value) => `sub-pixel grid of ${value} bits`,
     window: (value) => `smallest window: ${value} px`,
+    samples: (value) => `${value} samples a curve`,
+    tolerance: (value) => `tolerance ${value} px`,
   },
-  fixed: 'float, double…',
+  samplings: {
+    samples: 'samples evenly apart',
+    tolerance: 'samples by a tolerance',
+    fixed: 'samples as the file has them',
+  },
   editions: { corrected: 'corrected', printed: 'as printed' },
   fault: 'ended by a fault',
   printed: 'text as printed',
   printedLabel: (kernel) => `${kernel}, printed`,
-  costs: {
-    time: {
-      name: 'Time',
-      axis: 'time, relative to the fastest run',
-      ratioAxis: 'time, relative to the fastest run',
-      sentence: (rounds) =>
-        `Time is that of a picture without a trace, the median of ${rounds} rounds, relative to the scene’s fastest run.`,
-      ratioSentence:
-        'Time is relative to the fastest run of each scene: the geometric mean over the scenes.',
-    },
-    operations: {
-      name: 'Operations',
-      axis: 'operations',
-      ratioAxis: 'operations, relative to the fewest',
-      sentence: () => 'Operations are the elementary steps of the listings.',
-      ratioSentence:
-        'Operations are relative to the fewest of each scene: the geometric mean over the scenes.',
-    },
-    bits: {
-      name: 'Bits',
-      axis: 'operations × bits',
-      ratioAxis: 'operations × bits, relative to the fewest',
-      sentence: () =>
-        'Bits are the operations times the bits of the numbers that they are made on.',
-      ratioSentence:
-        'Bits, operations times the bits of their numbers, are relative to the fewest of each scene: the geometric mean over the scenes.',
-    },
-  },
-  errors: {
-    wrongPixels: {
-      name: 'Wrong pixels',
-      axis: 'wrong pixels, of all',
-      sentence: 'Wrong pixels differ from the picture rule.',
-      meanSentence: 'Wrong pixels differ from the picture rule: the mean share over the scenes.',
-    },
-    area: {
-      name: 'Area',
-      axis: 'area of difference, of all',
-      sentence: 'The area is that by which the picture differs from the visible regions.',
-      meanSentence:
-        'The area is that by which the picture differs from the visible regions: the mean share over the scenes.',
-    },
-    wrongDecisions: {
-      name: 'Wrong decisions',
-      axis: 'wrong decisions, of all',
-      sentence: 'Wrong decisions differ from exact arithmetic.',
-      meanSentence: 'Wrong decisions differ from exact arithmetic: the mean share over the scenes.',
-    },
-    depthUlps: {
-      name: 'Depth',
-      axis: 'farthest depth, ulps',
-      sentence: 'Depth is how far a computed one is from the polygon’s plane at most, in ulps.',
-      meanSentence:
-        'Depth is how far a computed one is from the polygon’s plane at most, in ulps: the farthest in any of the scenes.',
-    },
-  },
+  costs,
+  errors,
   counted: (part, all) => `${part} of ${all}`,
-  ulps: (count) => `${count} ulps`,
+  units: { depthUlps: (count) => `${count} ulps`, height: (count) => `${count} px` },
   reading:
     'Farther left is cheaper, farther down is better. In the bands marked 0 and ∞ all are equally right or wrong: there the series only stand apart.',
   missing: (kernels) => `Not shown, for their numbers have no one width: ${kernels}.`,
-  missingSomewhere: (kernels) =>
-    `Not shown, for not every scene has a number for them: ${kernels}.`,
   rightPicture: (share) => `the right picture itself: ${share}`,
   plot: (cost, error) => `${error} against ${cost}`,
   keys: 'Keys: ← → by cost, ↑ ↓ by error, Home, End; Esc closes.',
   front: 'The front: no other run is as cheap and as right',
   frontMark: 'the front',
   run: 'Run',
-  advice: {
-    title: 'Which run is needed',
-    none: 'No run gets every pixel right.',
-    cheapest: (run, cost, amount) =>
-      `${run} is the cheapest of those that get every pixel right (${cost} ${amount}).`,
-    cheaper: (count, leastWrong, share) =>
-      `Runs that are cheaper: ${count}, all of them wrong; the least wrong is ${leastWrong}, in ${share} of the pixels.`,
-    safe: 'It decides as exact arithmetic would: it is right in every scene.',
-    safer: (run, times) =>
-      `Its arithmetic rounds: what is right here may be wrong elsewhere. Right in every scene, and the cheapest of that kind, is ${run}, at ${times} the cost.`,
-    others: (runs) => `The cheapest right runs of the other methods, beside it: ${runs}.`,
-    neverRight: (methods) => `Right under no kernel: ${methods}.`,
+  whichRun: 'Which run is needed',
+  losses: {
+    nothing: 'Its curves miss nothing of the function over any column.',
+    height: (pixels) => `Its curves are ${pixels} from the function at most.`,
+    noDecision:
+      'No run of the corrected text decides anything wrongly: what is lost is lost between the samples.',
+    decisions: (kernels) =>
+      `What is lost is lost between the samples, and to arithmetic; so many decisions of a run of the corrected text are wrong at most: ${kernels}.`,
   },
   operations: {
     windows: (share) => `${share} of its operations take a window from the stack`,
@@ -128,16 +86,19 @@ export const chart: ChartTexts = {
     intersections: (share) => `${share} of its operations are intersections`,
     rows: (share) => `${share} of its operations look for the ends of rows`,
     edges: (share) => `${share} of its operations are steps of edges`,
+    visibilities: (share) => `${share} of its operations hold a curve against the horizons`,
+    horizons: (share) => `${share} of its operations set a horizon`,
+    steps: (share) => `${share} of its operations look for a crossing`,
+    crossings: (share) => `${share} of its operations compute a crossing`,
   },
   replay: {
     title: 'The chosen run',
     hint: 'Click a point, or choose one by keyboard.',
-    oneScene: 'Show a single scene to replay one of its runs.',
     replay: 'Replay this run',
     compare: 'Compare with the exact run',
     unlinked: {
       window: 'The page has no run that stops at larger windows.',
-      large: 'The scene is too large for a link: open its file on the page.',
+      large: 'The file is too large for a link: open it on the page.',
     },
   },
   empty: 'No chart is open.',

@@ -1,0 +1,32 @@
+import { between, finite, list, oneOf, optional, plainObject } from '../trace/check.js';
+import type { Check } from '../trace/check.js';
+import { Refusal, describe } from '../trace/refusal.js';
+
+/** What charts of scenes and of surfaces are made of. */
+
+export const format = oneOf('vidno-chart/1');
+export const editions = ['corrected', 'printed'] as const;
+
+export const size: Check<number> = (value, path) => {
+  const number = finite(value, path);
+  if (number >= 0) return number;
+  throw new Refusal(path, 'notNegative', describe(value));
+};
+
+export const count = between(0, Number.MAX_SAFE_INTEGER);
+
+export function orNull<T>(check: Check<T>): Check<T | null> {
+  return (value, path) => (value === null ? null : check(value, path));
+}
+
+export function some<T>(item: Check<T>): Check<readonly T[]> {
+  const all = list(item);
+  return (value, path) => {
+    const found = all(value, path);
+    if (found.length === 0) throw new Refusal(path, 'empty');
+    return found;
+  };
+}
+
+/** What a chart is of need not be told itself, as its file has it. */
+export const file = optional(plainObject);

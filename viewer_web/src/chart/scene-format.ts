@@ -1,0 +1,86 @@
+import { between, bool, list, oneOf, part, text } from '../trace/check.js';
+import type { Check, Checked } from '../trace/check.js';
+import { count, editions, file, format, orNull, size, some } from './checks.js';
+
+/** Those of the course, and the variants that are compared with them. */
+const courseMethods = ['warnock', 'zbuffer', 'weiler-atherton'] as const;
+export const variants = [
+  'warnock-simplest',
+  'warnock-full',
+  'warnock-angles',
+  'warnock-vertex',
+  'warnock-edges',
+  'warnock-bodies',
+] as const;
+export const methods = [...courseMethods, ...variants] as const;
+export const sceneKinds = ['ordinary', 'degenerate'] as const;
+export const sceneKnobs = ['bits', 'depth', 'grid', 'window'] as const;
+export const sceneCosts = ['time', 'operations', 'bits'] as const;
+export const sceneErrors = ['wrongPixels', 'area', 'wrongDecisions', 'depthUlps'] as const;
+
+export type Method = (typeof methods)[number];
+
+/** JSON has no infinity: a depth that was no number is written as a word. */
+const ulps: Check<number> = (value, path) => (value === 'inf' ? Infinity : size(value, path));
+
+const counts = part({
+  windows: count,
+  boxes: count,
+  depths: count,
+  orientations: count,
+  comparisons: count,
+  intersections: count,
+  rows: count,
+  edges: count,
+});
+
+const front = list(oneOf(...sceneErrors));
+
+const runFields = part({
+  method: oneOf(...methods),
+  kernel: text,
+  edition: oneOf(...editions),
+  window: count,
+  knob: orNull(oneOf(...sceneKnobs)),
+  value: orNull(count),
+  complete: bool,
+  seconds: size,
+  time: size,
+  operations: count,
+  bits: orNull(count),
+  counts,
+  wrongPixels: count,
+  area: size,
+  decisions: count,
+  wrongDecisions: count,
+  depthUlps: ulps,
+  front: part({ time: front, operations: front, bits: front }),
+});
+
+/** A knob that was turned was turned somewhere. */
+const run: Check<SceneRun> = (value, path) => {
+  const found = runFields(value, path);
+  if (found.knob !== null) count(found.value, `${path}.value`);
+  return found;
+};
+
+const scene = part({
+  name: text,
+  kind: oneOf(...sceneKinds),
+  unsteady: count,
+  pixels: between(1, Number.MAX_SAFE_INTEGER),
+  polygons: count,
+  area: size,
+  runs: some(run),
+  scene: file,
+});
+
+export const sceneChart = part({
+  format,
+  rounds: count,
+  scenes: some(scene),
+});
+
+export type SceneRun = Checked<typeof runFields>;
+export type Scene = SceneChart['scenes'][number];
+export type SceneChart = Checked<typeof sceneChart>;

@@ -1,0 +1,59 @@
+import { between, list, oneOf, part, text } from '../trace/check.js';
+import type { Check, Checked } from '../trace/check.js';
+import { count, editions, file, format, orNull, size, some } from './checks.js';
+
+/** Those that run curves: each has a colour of its own. */
+export const curveKernels = ['float', 'double', 'filtered', 'exact'] as const;
+export const curveKnobs = ['samples', 'tolerance'] as const;
+export const curveCosts = ['time', 'operations', 'samples'] as const;
+export const curveErrors = ['wrongColumns', 'height', 'wrongDecisions'] as const;
+
+export type CurveKernel = (typeof curveKernels)[number];
+export type CurveKnob = (typeof curveKnobs)[number];
+
+const counts = part({ visibilities: count, horizons: count, steps: count, crossings: count });
+
+const front = list(oneOf(...curveErrors));
+
+const runFields = part({
+  method: oneOf('floating-horizon'),
+  kernel: oneOf(...curveKernels),
+  edition: oneOf(...editions),
+  knob: orNull(oneOf(...curveKnobs)),
+  value: orNull(size),
+  seconds: size,
+  time: size,
+  operations: count,
+  samples: count,
+  counts,
+  wrongColumns: count,
+  height: size,
+  decisions: count,
+  wrongDecisions: count,
+  front: part({ time: front, operations: front, samples: front }),
+});
+
+/** A knob that was turned was turned somewhere. */
+const run: Check<CurveRun> = (value, path) => {
+  const found = runFields(value, path);
+  if (found.knob !== null) size(found.value, `${path}.value`);
+  return found;
+};
+
+const surface = part({
+  name: text,
+  curves: count,
+  columns: between(1, Number.MAX_SAFE_INTEGER),
+  runs: some(run),
+  surface: file,
+});
+
+export const surfaceChart = part({
+  format,
+  rounds: count,
+  surfaces: some(surface),
+});
+
+export type CurveRun = Checked<typeof runFields>;
+export type Surface = SurfaceChart['surfaces'][number];
+export type SurfaceChart = Checked<typeof surfaceChart>;
