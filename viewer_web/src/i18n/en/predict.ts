@@ -58,7 +58,7 @@ export const predict: PredictTexts = {
     sort: ({ pieces }) =>
       `DepthSort: ${pieces} pieces, by the greatest depth that each has at its vertices. Those of equal depth stay in their order.`,
     parted: ({ clip, pieces }) =>
-      `${clip} is the clip polygon of a list of ${pieces} pieces. Its outline cuts each of the others.`,
+      `${clip} is the clip polygon of a list of ${pieces} pieces. The others are clipped by its outline.`,
     entering: ({ polygon, clip }) =>
       `RegionClip: the outline of ${polygon} and the clip polygon ${clip}. The points are those of the outline, in the order in which one walks along it.`,
     walk: ({ polygon, clip, from }) =>
@@ -66,7 +66,7 @@ export const predict: PredictTexts = {
     behind: ({ clip }) =>
       `RemoveBehind: the parts inside ${clip}. Depth is compared at the mean of a part’s vertices.`,
     stack: ({ clip, nearer }) =>
-      `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than it.` : `Inside ${clip}, nearer than it: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
+      `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than it.` : `Nearer than ${clip} inside its outline: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
     pixels: ({ polygon, row }) =>
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
     flags: ({ curve }) =>
