@@ -17,7 +17,7 @@ export interface PredictTexts {
   readonly intro: { readonly [K in Kind]: (about: Abouts[K]) => string };
   readonly asks: Readonly<Record<Asks, string>>;
   /** How a row is typed. */
-  readonly rows: Readonly<Record<'signs' | 'list' | 'order', string>>;
+  readonly rows: Readonly<Record<'signs' | 'list' | 'order' | 'walked', string>>;
   /** What fills the places after the end of a row. */
   readonly ends: PredictTexts['rows'];
   readonly crossing: string;

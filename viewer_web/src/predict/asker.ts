@@ -1,4 +1,4 @@
-import { point } from '../i18n/words.js';
+import { point, short, toNumber } from '../i18n/words.js';
 import type { Detail, EventName, Method } from '../trace/events.js';
 import type { Header, Polygon } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
@@ -22,6 +22,13 @@ export const mostOptions = 8;
 
 export const optionsOf = (values: readonly string[]): readonly Option[] =>
   values.map((value) => ({ value }));
+
+/** Depths from the farthest to the nearest, in full where they would look alike. */
+export function depthOptions(depths: readonly N[]): readonly Option[] {
+  const all = [...new Set(depths)].sort((a, b) => toNumber(a) - toNumber(b));
+  const areShort = new Set(all.map(short)).size === all.length;
+  return all.map((z) => ({ value: String(z), note: areShort ? short(z) : String(z) }));
+}
 
 export type Relation = '>' | '=' | '<';
 const relations: readonly Relation[] = ['>', '=', '<'];

@@ -2,10 +2,10 @@ import { point, toNumber } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import { boundsOf } from '../regions/geometry.js';
 import type { Piece } from '../regions/events.js';
-import { methodKindOf } from '../trace/method-kind.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import { mostOptions, optionsOf, relationOptions } from './asker.js';
 import type { Asker, Relation } from './asker.js';
+import { hasRegions } from './pieces.js';
 import type { Option, Part } from './question.js';
 
 /** What comes of the clip polygon: it is visible, or its list is looked at once more. */
@@ -22,7 +22,7 @@ function optionOf([id, region]: Piece): Option {
 
 /** Which parts inside does the clip polygon hide, and is it visible then? */
 export const behind: Asker<'behind'> = {
-  isOf: (method) => methodKindOf(method) === 'regions',
+  isOf: hasRegions,
   from: 'polygons',
   at: ['call'],
   ask(trace, step) {

@@ -2,7 +2,9 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { gunzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
-import { answers, everyQuestion } from '../testing/questions.js';
+import { answers, everyQuestion, sorted } from '../testing/questions.js';
+import type { Agrees } from '../testing/questions.js';
+import { regionsAgree } from '../testing/region-answers.js';
 import { textOf, traceNames, traceOf } from '../testing/traces.js';
 import { toNumber } from '../i18n/words.js';
 import type { Values } from '../state/state.js';
@@ -14,7 +16,7 @@ import { parts as forms } from './question.js';
 import type { Abouts, Kind, Question } from './question.js';
 
 /** The lessons' traces too, where they were made. */
-const folder = process.env['VIDNO_TRACES'] ?? '';
+const folder = process.env['VIDNO_TRACES'] ?? '../build/lessons';
 const lessons = existsSync(folder)
   ? readdirSync(folder).filter((name) => name.endsWith('.jsonl.gz'))
   : [];
@@ -38,18 +40,6 @@ const possible = ({ parts }: Question): number =>
 
 type About = Abouts['ray'];
 
-interface Seen {
-  readonly trace: Trace;
-  readonly question: Question;
-  readonly before: Values;
-  readonly after: Values;
-  /** The right answers. */
-  readonly right: Readonly<Record<string, readonly string[]>>;
-}
-
-const sorted = (values: readonly (string | number)[] = []): readonly string[] =>
-  values.map(String).sort();
-
 /** On which side of an edge a point lies, worked out from the scene. */
 function side({ vertices }: Polygon, edge: number, [x = 0, y = 0]: readonly number[]): number {
   const [x1 = 0, y1 = 0] = vertices[edge] ?? [];
@@ -57,11 +47,16 @@ function side({ vertices }: Polygon, edge: number, [x = 0, y = 0]: readonly numb
   return (x2 - x1) * (y - y1) - (y2 - y1) * (x - x1);
 }
 
-/** Whether the centre of a window that no edge meets lies in the polygon. */
-function surrounds({ header }: Trace, { polygon: id, window }: About): boolean {
+/**
+ * Whether the centre of a window that no edge meets lies in the polygon; null where the run cannot be held to it: a usual mistake, or
+ * numbers so large that doubles lose what decides, are what its lesson is about.
+ */
+function surrounds({ header }: Trace, { polygon: id, window }: About): boolean | null {
   const [x, y, width, height] = window;
   const polygon = header.scene.byId.get(id);
   if (polygon === undefined) throw new Error(id);
+  const isFar = polygon.vertices.flat().some((value) => Math.abs(value) > 2 ** 20);
+  if (header.edition !== 'corrected' || isFar) return null;
   const signs = polygon.vertices.map((_, edge) =>
     Math.sign(side(polygon, edge, [x + width / 2, y + height / 2])),
   );
@@ -69,7 +64,8 @@ function surrounds({ header }: Trace, { polygon: id, window }: About): boolean {
 }
 
 /** What the state says after the question's steps, whatever their events were read as. */
-const agrees: Readonly<Record<Kind, (seen: Seen) => void>> = {
+const agrees: Readonly<Record<Kind, Agrees>> = {
+  ...regionsAgree,
   window: ({ trace, after, right }) => {
     const { warnock } = after;
     const isSummed = right['stay'] !== undefined && !hasThreeLists(trace.header.method);
@@ -88,11 +84,12 @@ const agrees: Readonly<Record<Kind, (seen: Seen) => void>> = {
   ray: ({ trace, question, right }) => {
     if (question.kind !== 'ray') return;
     const isOdd = Number(right['crossings']?.[0]) % 2 === 1;
-    expect(isOdd).toBe(surrounds(trace, question.about));
+    expect(surrounds(trace, question.about) ?? isOdd).toBe(isOdd);
   },
   octants: ({ trace, question, right }) => {
     if (question.kind !== 'octants') return;
-    expect(right['sum']?.[0] !== '0').toBe(surrounds(trace, question.about));
+    const isRound = right['sum']?.[0] !== '0';
+    expect(surrounds(trace, question.about) ?? isRound).toBe(isRound);
   },
   corners: ({ before, after, right }) => {
     const changed = places.filter(
@@ -118,8 +115,9 @@ const agrees: Readonly<Record<Kind, (seen: Seen) => void>> = {
     expect(right['covers']).toContain(winner);
   },
   clip: ({ before, after, right }) => {
-    const old = before.warnock?.clip?.vertices ?? [];
-    const left = after.warnock?.clip?.vertices ?? [];
+    const listOf = ({ warnock }: Values): readonly (readonly number[])[] =>
+      (warnock?.clip?.vertices ?? []).map((vertex) => vertex.map(toNumber));
+    const [old, left] = [listOf(before), listOf(after)];
     expect(left).toHaveLength(right['list']?.length ?? -1);
     right['list']?.forEach((value, i) => {
       if (value !== 'x') expect(left[i]).toEqual(old[Number(value) - 1]);
@@ -131,15 +129,6 @@ const agrees: Readonly<Record<Kind, (seen: Seen) => void>> = {
     expect(right['order']).toEqual(is);
     expect(sorted(right['leave'])).toEqual(sorted(was.filter((edge) => !is.includes(edge))));
     expect(sorted(right['enter'])).toEqual(sorted(is.filter((edge) => !was.includes(edge))));
-  },
-  behind: ({ trace, question, before, after, right }) => {
-    const inside = before.regions?.inHand?.inside.filter(([, , ground]) => !ground) ?? [];
-    const left = after.regions?.inHand?.inside.map(([id]) => id) ?? [];
-    const gone = inside.map(([id]) => id).filter((id) => !left.includes(id));
-    expect(sorted(right['hidden'])).toEqual(sorted(gone));
-    // A clip polygon that nothing inside hides is visible at the next step.
-    const isShown = trace.timeline.event(question.until + 1)?.e === 'show';
-    expect(right['next']).toEqual([isShown ? 'visible' : 'again']);
   },
   pixels: ({ trace, question, right }) => {
     if (question.kind !== 'pixels') return;
@@ -189,7 +178,7 @@ const agrees: Readonly<Record<Kind, (seen: Seen) => void>> = {
 const over = (trace: Trace, step: number, x: string, which: 'upper' | 'lower'): unknown =>
   trace.timeline.seek(step).columns?.horizons[which].row(0)[Number(x) - trace.header.scene.area.x];
 
-describe.each(all)('every question of %s', (_name, content) => {
+describe.each(all)('every question of %s', { timeout: 60_000 }, (_name, content) => {
   it('has the answer that the state has after it', async () => {
     const trace = await traceOf(content());
     for (const question of everyQuestion(trace)) {

@@ -1,11 +1,14 @@
-import { short, windowText } from '../i18n/words.js';
+import { point, short, windowText } from '../i18n/words.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
+import type { Piece } from '../regions/events.js';
+import type { Regions } from '../regions/state.js';
 import type { Joined, Warnock } from '../state/warnock.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import type { View } from '../view.js';
 import { mostOptions } from './asker.js';
+import { ownersOf } from './pieces.js';
 import type { Question } from './question.js';
 
 /** Something that is known at a step, under its name. */
@@ -43,6 +46,26 @@ function scanlineFacts({ after }: View): readonly Fact[] {
   return y == null ? [] : [['yₜ', short(y)]];
 }
 
+/** The list in hand; before there is one, what will be sorted. */
+const piecesOf = ({ inHand, facets }: Regions): readonly Piece[] => inHand?.pieces ?? facets;
+
+/** The pieces with their outlines as one walks along them, and the polygons of the other lists, the top one first. */
+function regionFacts({ after: { regions }, texts: page, language }: View): readonly Fact[] {
+  if (regions === null) return [];
+  const say = texts[language].regions;
+  const pieces = piecesOf(regions);
+  const listed = pieces.slice(0, mostOptions).map(([id, region, ground]) => {
+    const loops = region.map((loop) => loop.map(point).join(' ')).join(' / ');
+    return `${id}${ground ? ` (${say.ground})` : ''}: ${loops}`;
+  });
+  const others = pieces.length > mostOptions ? [page.more(pieces.length - mostOptions)] : [];
+  const lists = [...regions.lists].reverse().map((list) => list.map(([id]) => id).join(', '));
+  return [
+    [regions.inHand === null ? say.pieces : say.list, [...listed, ...others].join('; ')],
+    [say.lists, lists.join('; ') || '∅'],
+  ];
+}
+
 /** In full, to be worked with. */
 const vertices = (polygon: Polygon | undefined): string =>
   (polygon?.vertices ?? [])
@@ -51,11 +74,8 @@ const vertices = (polygon: Polygon | undefined): string =>
     .replaceAll('-', '−');
 
 /** The polygons that a question is about. */
-function idsOf({ after }: View, { about, parts }: Question): readonly string[] {
-  if ('clip' in about) {
-    const hidden = parts.find(({ asks }) => asks === 'hidden');
-    return [about.clip, ...(hidden?.options ?? []).map(({ value }) => value)];
-  }
+function idsOf({ after }: View, { about }: Question): readonly string[] {
+  if (after.regions !== null) return ownersOf(piecesOf(after.regions));
   if ('polygon' in about) return [about.polygon];
   return after.warnock?.apl?.entries.map(([id]) => id) ?? [];
 }
@@ -75,6 +95,7 @@ export function factsOf(view: View, question: Question): readonly Fact[] {
     [texts[view.language].predict.area, windowText([area.x, area.y, area.width, area.height])],
     ...windowFacts(view),
     ...scanlineFacts(view),
+    ...regionFacts(view),
     ...polygonFacts(view, question),
   ];
 }

@@ -129,6 +129,23 @@ describe('a question for Moodle', () => {
     ]);
   });
 
+  it('has with it the outlines along which one walks, and the lists that wait', async () => {
+    const lines = linesOf(await xmlOf(textOf('wall.weiler-atherton.signs.jsonl')), /the walk/);
+    expect(lines.slice(0, 11)).toEqual([
+      'RegionClip: walk round the part of Q inside W, from point 3, where the outline of Q enters. The points of that outline come first, then the other vertices of W, each in the order of the walk.',
+      'Area: (0, 0) 16 × 16',
+      'List in hand: W: (2, 12) (2, 2) (14, 2) (14, 12); Q: (4, 14) (4, 6) (8, 6) (8, 14); S: (0, 16) (0, 0) (16, 0) (16, 16)',
+      'Stack of lists: ∅',
+      'Polygon W: (2, 2, 0.125) (14, 2, 0.875) (14, 12, 0.875) (2, 12, 0.125)',
+      'Polygon Q: (4, 6, 0.75) (8, 6, 0.75) (8, 14, 0.75) (4, 14, 0.75)',
+      'Polygon S: (0, 0, −0.5) (16, 0, −0.5) (16, 16, −0.5) (0, 16, −0.5)',
+      'Which points follow, until the walk is back where it began? 1: (8, 14); 2: (4, 14); 3: (4, 12); 4: (4, 6); 5: (8, 6); 6: (8, 12); 7: (2, 12); 8: (2, 2); 9: (14, 2); 10: (14, 12)',
+      '1.',
+      '2.',
+      '3.',
+    ]);
+  });
+
   it('shows the picture of its step, and says why its answer is right', async () => {
     const [first] = questionsOf(await xmlOf(textOf('small.warnock.signs.jsonl')));
     expect(first?.files.map(({ name }) => name)).toEqual(['step-4.svg']);

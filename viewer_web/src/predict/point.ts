@@ -1,20 +1,10 @@
-import { short, toNumber } from '../i18n/words.js';
 import { shownIn } from '../state/lists.js';
 import { windowThing } from '../pointed.js';
-import type { N } from '../trace/values.js';
 import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
-import { mostOptions, optionsOf } from './asker.js';
+import { depthOptions, mostOptions, optionsOf } from './asker.js';
 import type { Asker } from './asker.js';
 import { none } from './question.js';
-import type { Option } from './question.js';
-
-/** Depths from the farthest to the nearest, in full where they would look alike. */
-function depthOptions(depths: readonly N[]): readonly Option[] {
-  const all = [...new Set(depths)].sort((a, b) => toNumber(a) - toNumber(b));
-  const areShort = new Set(all.map(short)).size === all.length;
-  return all.map((z) => ({ value: String(z), note: areShort ? short(z) : String(z) }));
-}
 
 /** Which polygon is seen at this point, and by which depth? */
 export const point: Asker<'point'> = {

@@ -15,7 +15,13 @@ export const kinds = [
   'flags',
   'horizons',
   'meeting',
+  'piercing',
+  'sort',
+  'parted',
+  'entering',
+  'walk',
   'behind',
+  'stack',
 ] as const;
 export type Kind = (typeof kinds)[number];
 
@@ -34,6 +40,7 @@ export type Of =
   | 'number'
   | 'sign'
   | 'vertex'
+  | 'point'
   | 'edge'
   | 'depth'
   | 'column'
@@ -71,9 +78,20 @@ export const parts = {
   lowered: ['some', 'column'],
   meets: ['one', 'horizon'],
   where: ['one', 'spot'],
+  pierced: ['some', 'polygon'],
+  pieces: ['one', 'number'],
+  first: ['one', 'polygon'],
+  within: ['some', 'polygon'],
+  beyond: ['some', 'polygon'],
+  outlines: ['one', 'number'],
+  enters: ['some', 'point'],
+  leaves: ['some', 'point'],
+  walked: ['row', 'vertex'],
   hidden: ['some', 'polygon'],
   partDepth: ['one', 'relation'],
   next: ['one', 'next'],
+  clips: ['one', 'polygon'],
+  listed: ['some', 'polygon'],
 } as const satisfies Readonly<Record<string, readonly [Form, Of]>>;
 export type Asks = keyof typeof parts;
 
@@ -115,7 +133,14 @@ export interface Abouts {
   readonly flags: { readonly curve: number };
   readonly horizons: { readonly curve: number };
   readonly meeting: { readonly curve: number };
+  readonly piercing: { readonly polygons: readonly string[] };
+  readonly sort: { readonly pieces: number };
+  readonly parted: { readonly clip: string; readonly pieces: number };
+  readonly entering: { readonly polygon: string; readonly clip: string };
+  /** The number of the point at which the walk begins. */
+  readonly walk: { readonly polygon: string; readonly clip: string; readonly from: string };
   readonly behind: { readonly clip: string };
+  readonly stack: { readonly clip: string; readonly nearer: readonly string[] };
 }
 
 interface Asked<K extends Kind> {

@@ -140,16 +140,21 @@ describe('a row of pixels', () => {
     expect(question.things).toEqual(['pixel 3 1']);
   });
 
-  it('is not asked for where a check says that the run errs', async () => {
-    const wrong: Event = {
-      e: 'disagree',
-      at: 'L6',
-      of: 'nearer',
-      taken: true,
-      exact: false,
-      cause: 'rounded',
-    };
-    expect(nextQuestion(await row(wrong), 1, new Set(kinds), [])).toBeNull();
+  const wrong: Event = {
+    e: 'disagree',
+    at: 'L6',
+    of: 'nearer',
+    taken: true,
+    exact: false,
+    cause: 'rounded',
+  };
+  const fault: Event = { e: 'fault', at: 'L6', reason: 'outside the area', x: 5, y: 1 };
+
+  it.each([
+    ['a check says that the run errs', wrong],
+    ['the run fails', fault],
+  ])('is not asked for where %s', async (_name, event) => {
+    expect(nextQuestion(await row(event), 1, new Set(kinds), [])).toBeNull();
   });
 });
 
@@ -158,6 +163,8 @@ describe('the next question', () => {
     expect(kindsOf((await small('warnock.windows')).header)).toEqual(['window']);
     expect(kindsOf((await small('warnock.polygons')).header)).not.toContain('inside');
     expect(kindsOf((await small('zbuffer.signs')).header)).toEqual(['ael', 'pixels']);
+    const wedge = await traceOf(textOf('wedge.weiler-atherton.polygons.jsonl'));
+    expect(kindsOf(wedge.header)).toEqual(['piercing', 'sort', 'parted', 'behind', 'stack']);
     expect(kindsOf((await small('zbuffer.windows')).header)).toEqual([]);
   });
 

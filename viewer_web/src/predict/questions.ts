@@ -10,12 +10,18 @@ import type { Asker } from './asker.js';
 import { clip } from './clip.js';
 import { octants, ray } from './contained.js';
 import { corners } from './corners.js';
+import { entering } from './entering.js';
 import { inside } from './inside.js';
+import { parted } from './parted.js';
+import { piercing } from './piercing.js';
 import { pixels } from './pixels.js';
 import { point } from './point.js';
 import { kinds } from './question.js';
 import type { Kind, Question } from './question.js';
 import { relation } from './relation.js';
+import { sort } from './sort.js';
+import { stack } from './stack.js';
+import { walk } from './walk.js';
 import { window } from './window.js';
 
 const askers: { readonly [K in Kind]: Asker<K> } = {
@@ -32,7 +38,13 @@ const askers: { readonly [K in Kind]: Asker<K> } = {
   flags,
   horizons,
   meeting,
+  piercing,
+  sort,
+  parted,
+  entering,
+  walk,
   behind,
+  stack,
 };
 
 /** The kinds of question that a trace of this method and detail can answer. */
@@ -53,9 +65,10 @@ function rests(kind: Kind, step: number, asked: readonly Question[]): boolean {
   return before.some((question) => question.step <= step && step < question.until + rest);
 }
 
-/** Nobody can be asked to predict what a check has found wrong. */
-function isDecidedWrongly(trace: Trace, { step, until }: Question): boolean {
-  return stepsOf(trace, step, until, 'disagree').length > 0;
+/** Nobody can be asked to predict what a check has found wrong, nor at what a run fails. */
+function goesWrong(trace: Trace, { step, until }: Question): boolean {
+  const wrong = ['disagree', 'fault'] as const;
+  return wrong.some((name) => stepsOf(trace, step, until, name).length > 0);
 }
 
 /** The next question at a step or after it, of some kinds; those that were asked vary what is asked next. */
@@ -73,7 +86,7 @@ export function nextQuestion(
     for (const { kind, starts } of chosen) {
       if (starts[names[step - 1] ?? 0] !== true || rests(kind, step, asked)) continue;
       const question = askers[kind].ask(trace, step);
-      if (question !== null && !isDecidedWrongly(trace, question)) return question;
+      if (question !== null && !goesWrong(trace, question)) return question;
     }
   }
   return null;

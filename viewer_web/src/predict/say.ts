@@ -27,6 +27,7 @@ const words: Readonly<Record<Of, Say>> = {
   number: itself,
   sign: itself,
   vertex: itself,
+  point: (value) => value,
   edge: (value, language) => texts[language].predict.edge(value),
   depth: itself,
   column: (value, language) => texts[language].predict.column(value),

@@ -1,6 +1,7 @@
 import { kinds } from '../predict/question.js';
 import type { Kind, Part, Question } from '../predict/question.js';
 import { nextQuestion } from '../predict/questions.js';
+import type { Values } from '../state/state.js';
 import type { Trace } from '../trace/trace.js';
 
 /** The first question of a kind from a step on. */
@@ -22,6 +23,22 @@ export function everyQuestion(trace: Trace): readonly Question[] {
     return found;
   });
 }
+
+/** A question, and what is known at its step and once the run has answered it. */
+export interface Seen {
+  readonly trace: Trace;
+  readonly question: Question;
+  readonly before: Values;
+  readonly after: Values;
+  /** The right answers. */
+  readonly right: Readonly<Record<string, readonly string[]>>;
+}
+
+/** Whether what the state says after a question's steps is what the question has for right. */
+export type Agrees = (seen: Seen) => void;
+
+export const sorted = (values: readonly (string | number)[] = []): readonly string[] =>
+  values.map(String).sort();
 
 /** What each part asks, and the right answer. */
 export const answers = ({ parts }: Question): Readonly<Record<string, readonly string[]>> =>

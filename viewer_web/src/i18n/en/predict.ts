@@ -26,7 +26,13 @@ export const predict: PredictTexts = {
     flags: 'flags of columns',
     horizons: 'the new horizons',
     meeting: 'where a horizon is met',
+    piercing: 'what pierces',
+    sort: 'the depth sort',
+    parted: 'inside and outside',
+    entering: 'entering and leaving',
+    walk: 'the walk along outlines',
     behind: 'what is behind',
+    stack: 'the next list',
   },
   intro: {
     window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
@@ -35,7 +41,7 @@ export const predict: PredictTexts = {
     ray: ({ polygon, window }) =>
       `RayCrossings: ${polygon} and the ray from the centre of the window ${windowText(window)} to the right.`,
     octants: ({ polygon, window }) =>
-      `OctantAngles: ${polygon} about the window ${windowText(window)}. Octants are counted from the upper left, 0, to the right and on.`,
+      `OctantAngles: ${polygon} about the window ${windowText(window)}. The octants are numbered as a clock goes, the upper left one is 0.`,
     corners: ({ polygon }) =>
       `The depths of ${polygon} at the corners are known; behind each stands the nearest so far.`,
     inside: ({ polygon, point: at, corner }) =>
@@ -47,8 +53,20 @@ export const predict: PredictTexts = {
       row === null
         ? `What is the AEL of ${polygon} on its first scanline?`
         : `Row ${row} of ${polygon} is done. What is the AEL on the next scanline?`,
+    piercing: ({ polygons }) =>
+      `SplitPiercing: ${polygons.join(', ')}. Those that pierce each other are split along the line in which their planes meet.`,
+    sort: ({ pieces }) =>
+      `DepthSort: ${pieces} pieces, by the greatest depth that each has at its vertices. Those of equal depth stay in their order.`,
+    parted: ({ clip, pieces }) =>
+      `${clip} is the clip polygon of a list of ${pieces} pieces. The others are clipped by its outline.`,
+    entering: ({ polygon, clip }) =>
+      `RegionClip: the outline of ${polygon} and the clip polygon ${clip}. The points are those of the outline, in the order in which one walks along it.`,
+    walk: ({ polygon, clip, from }) =>
+      `RegionClip: walk round the part of ${polygon} inside ${clip}, from point ${from}, where the outline of ${polygon} enters. The points of that outline come first, then the other vertices of ${clip}, each in the order of the walk.`,
     behind: ({ clip }) =>
       `RemoveBehind: the parts inside ${clip}. Depth is compared at the mean of a part’s vertices.`,
+    stack: ({ clip, nearer }) =>
+      `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than it.` : `Nearer than ${clip} inside its outline: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
     pixels: ({ polygon, row }) =>
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
     flags: ({ curve }) =>
@@ -79,9 +97,20 @@ export const predict: PredictTexts = {
     crossed: 'Which edges are counted?',
     crossings: 'How many crossings are there in all?',
     halved: 'Which edges go to the opposite octant and must be split?',
+    pierced: 'Which polygons are split?',
+    pieces: 'How many pieces are there then in all?',
+    first: 'A piece of which polygon is the first?',
+    within: 'Which of them have a part inside?',
+    beyond: 'Which have a part outside?',
+    outlines: 'How many outlines has its part outside? A hole has one, too.',
+    enters: 'Where does it enter the clip polygon?',
+    leaves: 'Where does it leave it?',
+    walked: 'Which points follow, until the walk is back where it began?',
     hidden: 'Which of them are behind?',
     partDepth: 'Its depth there against that of the clip polygon:',
     next: 'And then?',
+    clips: 'Which polygon clips then?',
+    listed: 'Of which polygons has the list pieces?',
     sum: 'What is the sum, in octants?',
     pixelDepths: 'Its depth there against the stored one:',
     above: 'Over which of these columns is it on the upper horizon or above it?',
@@ -95,8 +124,9 @@ export const predict: PredictTexts = {
     signs: 'a sign an edge, such as + 0 −',
     list: 'numbers of vertices that stay, x for a crossing, such as 2 x x; − for none',
     order: 'numbers of edges, such as 3 1; − for none',
+    walked: 'numbers of points, such as 4 5 9',
   },
-  ends: { signs: 'no longer needed', list: 'no more', order: 'no more' },
+  ends: { signs: 'no longer needed', list: 'no more', order: 'no more', walked: 'no more' },
   crossing: 'a crossing',
   area: 'Area',
   noPolygon: { hides: 'none', wins: 'the background' },

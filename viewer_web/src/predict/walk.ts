@@ -1,0 +1,63 @@
+import { point } from '../i18n/words.js';
+import { polygonThing } from '../pointed.js';
+import { inOrder, stepsOf } from './ahead.js';
+import { optionsOf } from './asker.js';
+import type { Asker } from './asker.js';
+import { clippingAt, hasRegions } from './pieces.js';
+
+/** Of more points one would lose sight. */
+const mostPoints = 12;
+
+/** The other points of a loop, in order, from the one after this; null if it is not once on one loop. */
+function afterStart(
+  loops: readonly (readonly string[])[],
+  start: string,
+): readonly string[] | null {
+  const [loop = [], ...others] = loops.filter((each) => each.includes(start));
+  const at = loop.indexOf(start);
+  if (at < 0 || others.length > 0 || loop.lastIndexOf(start) !== at) return null;
+  return [...loop.slice(at + 1), ...loop.slice(0, at)];
+}
+
+/** Which way do the outlines lead round what is inside the clip polygon? */
+export const walk: Asker<'walk'> = {
+  isOf: hasRegions,
+  from: 'signs',
+  at: ['call'],
+  ask(trace, step) {
+    const clipping = clippingAt(trace, step);
+    if (clipping === null) return null;
+    const { clip, outline, result } = clipping;
+    const until = result.step;
+    const enters = stepsOf(trace, step, until, 'entering');
+    const leaves = stepsOf(trace, step, until, 'leaving');
+    const [start] = enters.map(({ event }) => point(event.point));
+    const own = outline.map(({ from }) => point(from));
+    const points = [...new Set([...own, ...clip[1].flat().map(point)])];
+    const { polygon, inside } = result.event;
+    if (start === undefined || points.length > mostPoints) return null;
+    const way = afterStart(
+      inside.map((loop) => loop.map(point)),
+      start,
+    );
+    const numberOf = (at: string): string => String(points.indexOf(at) + 1);
+    if (way?.every((at) => points.includes(at)) !== true) return null;
+    const numbers = points.map(numberOf);
+    return {
+      kind: 'walk',
+      step,
+      until,
+      about: { polygon, clip: clip[0], from: numberOf(start) },
+      parts: [
+        {
+          asks: 'walked',
+          options: optionsOf(numbers),
+          right: way.map(numberOf),
+          given: points.map((at) => ({ value: numberOf(at), of: 'vertex', note: at })),
+        },
+      ],
+      because: inOrder(enters, leaves, [result]),
+      things: [polygon, clip[0]].map(polygonThing),
+    };
+  },
+};
