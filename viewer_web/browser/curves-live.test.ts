@@ -101,7 +101,7 @@ describe('a surface that the page runs', () => {
     await field.fill('rint(x)');
     await field.press('Enter');
     await page
-      .locator('vidno-scene-panel .refused', { hasText: 'no function rint is known' })
+      .locator('vidno-scene-panel .refused', { hasText: 'rint: no such function' })
       .waitFor();
     await field.fill('0 * x');
     await field.press('Enter');

@@ -57,4 +57,19 @@ describe('a formula', () => {
   ])('%s is refused', (text) => {
     expect(() => heightFunction(text)).toThrow(FormulaRefused);
   });
+
+  it.each([
+    ['rint(x)', 'rint: no such function'],
+    ['sin(x, z)', 'sin: takes another number of arguments'],
+    ['x + y', 'y: not known; there are x, z and pi'],
+    ['2 x', 'a product is written with *'],
+    ['x % 2', 'empty, or with signs that no formula has'],
+    ['x !', '!: not taken here'],
+    ['x = 3', 'this is more than a formula'],
+    ['x +', 'it ends too early'],
+    ['(x', 'it ends too early'],
+    ['x + ) + z', ') + z: not understood'],
+  ])('%s is refused with a reason', (text, reason) => {
+    expect(() => heightFunction(text)).toThrow(reason);
+  });
 });

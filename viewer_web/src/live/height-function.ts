@@ -19,7 +19,7 @@ import type { ConstantNode, FunctionNode, MathNode, OperatorNode, SymbolNode } f
 /** y of x and z. */
 export type HeightFunction = (x: number, z: number) => number;
 
-/** Why a formula is not taken. */
+/** Why a formula is not taken: a reason, or what it is about, a colon, and a reason. */
 export class FormulaRefused extends Error {}
 
 const reader = create(
@@ -80,19 +80,19 @@ const takes: Readonly<Record<string, (node: MathNode) => void>> = {
   ConditionalNode: () => undefined,
   ConstantNode: (node) => {
     const { value } = node as ConstantNode;
-    if (typeof value !== 'number') throw new FormulaRefused(`${String(value)} is no number`);
+    if (typeof value !== 'number') throw new FormulaRefused(`${String(value)}: no number`);
   },
   SymbolNode: (node) => {
     const { name } = node as SymbolNode;
     if (name !== 'x' && name !== 'z' && !Object.hasOwn(constants, name)) {
-      throw new FormulaRefused(`${name} is not known: there are x, z and pi`);
+      throw new FormulaRefused(`${name}: not known; there are x, z and pi`);
     }
   },
   OperatorNode: (node) => {
     const { op, args, implicit } = node as Pick<OperatorNode, 'args' | 'implicit'> & Operator;
     if (implicit) throw new FormulaRefused('a product is written with *');
     if (!operators.includes(op) || (args.length === 1 && op !== '-')) {
-      throw new FormulaRefused(`${op} is not taken here`);
+      throw new FormulaRefused(`${op}: not taken here`);
     }
   },
   FunctionNode: (node) => {
@@ -101,10 +101,10 @@ const takes: Readonly<Record<string, (node: MathNode) => void>> = {
     const [count] = Object.hasOwn(known, name) ? (known[name] ?? []) : [];
     const isOfMany = Object.hasOwn(ofMany, name) && args.length > 0;
     if (count === undefined && !Object.hasOwn(ofMany, name)) {
-      throw new FormulaRefused(`no function ${name} is known`);
+      throw new FormulaRefused(`${name}: no such function`);
     }
     if (count !== args.length && !isOfMany) {
-      throw new FormulaRefused(`${name} takes another number of arguments`);
+      throw new FormulaRefused(`${name}: takes another number of arguments`);
     }
   },
 };
@@ -125,7 +125,9 @@ function parsed(text: string): MathNode {
   try {
     return reader.parse(text);
   } catch (error) {
-    throw new FormulaRefused(error instanceof Error ? error.message : String(error));
+    const at = (error as { readonly char?: number }).char ?? 0;
+    const unread = text.slice(Math.max(at - 1, 0)).trim();
+    throw new FormulaRefused(unread === '' ? 'it ends too early' : `${unread}: not understood`);
   }
 }
 

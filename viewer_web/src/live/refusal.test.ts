@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest';
-import { refusalOf } from './refusal.js';
+import { texts } from '../i18n/index.js';
+import { refusalOf, whyRefused } from './refusal.js';
 import { addPolygon, emptySketch } from './sketch.js';
 
 const drawn = addPolygon(emptySketch, [
@@ -22,4 +23,9 @@ it.each([
   ],
 ])('%s', (message, polygon, reason) => {
   expect(refusalOf(message, drawn)).toEqual({ polygon, reason });
+});
+
+it('is said in the language of the page, with what it is about', () => {
+  const said = whyRefused('scene: /function: rint: no such function', drawn, texts.ru.scene);
+  expect(said).toContain('rint: такой функции нет');
 });

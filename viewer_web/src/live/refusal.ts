@@ -28,5 +28,12 @@ export function refusalOf(message: string, { polygons }: Sketch): SceneRefusal {
 /** The same as a sentence. */
 export function whyRefused(message: string, sketch: Sketch, say: SceneTexts): string {
   const { polygon, reason } = refusalOf(message, sketch);
-  return say.refused(polygon, say.reasons[reason] ?? reason);
+  return say.refused(polygon, inWords(reason, say));
+}
+
+/** A reason may say first what it is about: "rint: no such function". */
+function inWords(reason: string, { reasons }: SceneTexts): string {
+  const [, about = '', rest = ''] = /^(.*): (.*)$/su.exec(reason) ?? [];
+  const known = reasons[rest];
+  return reasons[reason] ?? (known === undefined ? reason : `${about}: ${known}`);
 }

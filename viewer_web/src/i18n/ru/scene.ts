@@ -58,6 +58,16 @@ export const scene: SceneTexts = {
     'is not planar to the last digit': 'не плоский до последнего знака',
     'has a vertex of another one before it: its body is not convex, or it goes round the other way':
       'перед ним лежит вершина другого: его тело не выпукло, или обход обратный',
+    'no number': 'не число',
+    'not known; there are x, z and pi': 'неизвестно; есть x, z и pi',
+    'a product is written with *': 'произведение пишется со знаком *',
+    'not taken here': 'здесь не принимается',
+    'no such function': 'такой функции нет',
+    'takes another number of arguments': 'число аргументов другое',
+    'this is more than a formula': 'это больше, чем формула',
+    'empty, or with signs that no formula has': 'пусто, или есть знаки, которых в формулах нет',
+    'it ends too early': 'обрывается',
+    'not understood': 'непонятно',
   },
   more: (n) => `и ещё ${n}; показаны первые`,
 };
