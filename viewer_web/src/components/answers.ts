@@ -16,11 +16,15 @@ function thingOf(of: Of, value: string): string | typeof nothing {
 
 /** An option as it stands beside its box, or what a part is about. */
 export function valueName(of: Of, { value, note }: Option, view: View): TemplateResult {
+  return html`${nameOf(of, value, view)}
+  ${note === undefined ? nothing : html`<span class="note number">${note}</span>`}`;
+}
+
+/** A depth is its note. */
+function nameOf(of: Of, value: string, view: View): TemplateResult {
   if (of === 'polygon') return polygonName(value, view);
   const said = of === 'depth' ? nothing : sayValue(of, value, view.language);
-  return html`<span data-thing=${thingOf(of, value)}>${said}</span> ${
-      note === undefined ? nothing : html`<span class="note number">${note}</span>`
-    }`;
+  return html`<span data-thing=${thingOf(of, value)}>${said}</span>`;
 }
 
 /** An option of a part; where it is no polygon at all, what that means there. */
