@@ -52,7 +52,7 @@ export class RegionsPanel extends LitElement {
     const clipOf = ({ inHand }: Regions): string | undefined => inHand?.pieces[0]?.[0];
     const clip = clipOf(now);
     return html`<section>
-      <dl class="values">
+      <dl class="values found">
         ${value(
           `C, ${say.clip}`,
           clip === undefined ? page.none : polygonName(clip, this.view),
@@ -134,7 +134,7 @@ export class RegionsPanel extends LitElement {
     const size = `${verticesOf(region)} ${say.vertices}${region.length > 1 ? `, ${say.loops(region.length)}` : ''}`;
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ changed })}>${polygonName(id, this.view)}</td>
-      ${isNarrow && said !== '' ? nothing : html`<td class="said" title=${size}>${size}</td>`}
+      ${isNarrow && said !== '' ? nothing : html`<td class="said">${size}</td>`}
       ${isNarrow && said === '' ? nothing : html`<td class="said">${said}</td>`}
     </tr>`;
   }
