@@ -2,12 +2,13 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
-import { texts } from '../i18n/index.js';
+import { countedIn, texts } from '../i18n/index.js';
+import { sized } from '../i18n/region-texts.js';
 import type { RegionTexts } from '../i18n/region-texts.js';
 import { short } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import type { Piece } from '../regions/events.js';
-import { areaOf, verticesOf } from '../regions/geometry.js';
+import { areaOf } from '../regions/geometry.js';
 import { emptyRegions } from '../regions/state.js';
 import type { List, Regions } from '../regions/state.js';
 import type { View } from '../view.js';
@@ -131,7 +132,8 @@ export class RegionsPanel extends LitElement {
     const thing = polygonThing(id);
     const pointed = thing === this.view.pointed;
     const said = ground ? say.ground : known;
-    const size = `${verticesOf(region)} ${say.vertices}${region.length > 1 ? `, ${say.loops(region.length)}` : ''}`;
+    const { language } = this.view;
+    const size = sized(region, say, (n, forms) => countedIn(language, n, forms));
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ changed })}>${polygonName(id, this.view)}</td>
       ${isNarrow && said !== '' ? nothing : html`<td class="said">${size}</td>`}
