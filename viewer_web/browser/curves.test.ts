@@ -2,6 +2,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import {
+  cutOff,
   goTo,
   launch,
   open,
@@ -186,6 +187,7 @@ describe('with a run of curves', () => {
         await placesOf(page, 'vidno-horizon section, .dock, .listing, vidno-curve-picture'),
       );
       expect(await widthOf(page)).toBe(width);
+      expect(await cutOff(page, 'vidno-horizon :is(dt, th, td:nth-child(2))')).toEqual([]);
     }
     expect([...places]).toHaveLength(1);
   });

@@ -154,6 +154,15 @@ export function placesOf(page: Page, parts: string): Promise<string> {
 export const widthOf = (page: Page): Promise<number> =>
   page.evaluate(() => document.documentElement.scrollWidth);
 
+/** The words of parts of the page that have less room than they take. */
+export function cutOff(page: Page, parts: string): Promise<readonly string[]> {
+  return page
+    .locator(parts)
+    .evaluateAll((all) =>
+      all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.textContent),
+    );
+}
+
 /** The canonical states of steps `from` up to, not including, `end`, or down if `end` is less. */
 export function states(page: Page, from: number, end: number): Promise<readonly string[]> {
   return page.evaluate(

@@ -1,7 +1,7 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, shown, whole, widthOf } from './page.js';
+import { cutOff, goTo, launch, open, opened, sampleTrace, shown, whole, widthOf } from './page.js';
 import { asked } from './predict.js';
 
 let browser: Browser;
@@ -108,13 +108,7 @@ describe('a run of Weiler and Atherton’s algorithm', () => {
         await page.setViewportSize({ width, height: 1080 });
         for (const part of [0.3, 0.5, 1]) {
           await goTo(page, Math.floor(part * length));
-          const cut = await page
-            .locator('vidno-regions :is(dt, .list)')
-            .evaluateAll((all) =>
-              all
-                .filter((each) => each.scrollWidth > each.clientWidth)
-                .map((each) => each.textContent),
-            );
+          const cut = await cutOff(page, 'vidno-regions :is(dt, .list)');
           expect([width, cut]).toEqual([width, []]);
         }
         expect(await widthOf(page)).toBe(width);
