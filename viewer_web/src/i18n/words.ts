@@ -30,6 +30,9 @@ export function short(value: N): string {
   return plain(value).replace('-', '−');
 }
 
+/** A whole number that is added. */
+export const signed = (n: number): string => (n > 0 ? `+${n}` : short(n));
+
 /** Two numbers that are compared: in full where they are not the same and would look so. */
 export function shortApart(a: N, b: N): readonly [string, string] {
   const looks = [short(a), short(b)] as const;
