@@ -2,7 +2,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { openChart, sampleText, surfaceText } from './chart.js';
-import { launch } from './page.js';
+import { launch, widthOf } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -41,7 +41,7 @@ describe('the layout of the chart', () => {
       await page.locator('select').selectOption(view);
       for (const error of errors) {
         await page.locator(`input[value=${error}]`).check();
-        expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+        expect(await widthOf(page)).toBe(width);
         expect(await outside(page)).toEqual([]);
       }
     }

@@ -2,7 +2,7 @@ import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { compared, comparing, stepsOf } from './compare.js';
-import { goTo, launch, open } from './page.js';
+import { goTo, launch, open, placesOf, widthOf } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -29,16 +29,10 @@ describe('a comparison', () => {
     for (const step of [0, 18, 500, 5337]) {
       await goTo(page, step);
       await stepsOf(page);
-      const parts = page.locator('vidno-compared-run :is(.picture, .listing, .sentence), .dock');
       places.add(
-        await parts.evaluateAll((all) =>
-          all
-            .map((part) => part.getBoundingClientRect())
-            .map(({ x, y, width: w, height }) => [x, y + scrollY, w, height].map(Math.round))
-            .join(' '),
-        ),
+        await placesOf(page, 'vidno-compared-run :is(.picture, .listing, .sentence), .dock'),
       );
-      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+      expect(await widthOf(page)).toBe(width);
     }
     expect([...places]).toHaveLength(1);
     expect(faults).toEqual([]);

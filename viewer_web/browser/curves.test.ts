@@ -1,7 +1,18 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, openFile, opened, sampleTrace, shown } from './page.js';
+import {
+  cutOff,
+  goTo,
+  launch,
+  open,
+  openFile,
+  opened,
+  placesOf,
+  sampleTrace,
+  shown,
+  widthOf,
+} from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -172,15 +183,11 @@ describe('with a run of curves', () => {
     const places = new Set<string>();
     for (const step of [0, 1, 60, 200, 373]) {
       await goTo(page, step);
-      const parts = page.locator('vidno-horizon section, .dock, .listing, vidno-curve-picture');
-      const boxes = await parts.evaluateAll((all) =>
-        all.map((part) => {
-          const { x, y, width: wide, height } = part.getBoundingClientRect();
-          return [x, y + scrollY, wide, height].map(Math.round).join();
-        }),
+      places.add(
+        await placesOf(page, 'vidno-horizon section, .dock, .listing, vidno-curve-picture'),
       );
-      places.add(boxes.join(' '));
-      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+      expect(await widthOf(page)).toBe(width);
+      expect(await cutOff(page, 'vidno-horizon :is(dt, th, td:nth-child(2))')).toEqual([]);
     }
     expect([...places]).toHaveLength(1);
   });

@@ -2,7 +2,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { edit, rerun, run } from './live.js';
-import { goTo, launch, open, opened, sampleTrace } from './page.js';
+import { cutOff, goTo, launch, open, opened, sampleTrace } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -51,6 +51,14 @@ describe('a variant of the algorithm', () => {
     expect(await said(page)).toContain('сумма +6');
     const notes = await page.locator('vidno-picture text.label').allTextContents();
     expect(notes).toEqual(expect.arrayContaining(['+4', '+2']));
+  });
+
+  it.each(['en', 'ru'])('names its three lists in full: %s', async (language) => {
+    const page = await openAt('small.warnock-full.signs', /"e":"ray"/u, `#lang=${language}`);
+    for (const width of [390, 1280, 1920]) {
+      await page.setViewportSize({ width, height: 1080 });
+      expect([width, await cutOff(page, 'vidno-warnock h4')]).toEqual([width, []]);
+    }
   });
 
   it('is accessible, in both themes', async () => {

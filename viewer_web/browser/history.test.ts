@@ -8,10 +8,12 @@ import {
   open,
   openLesson,
   opened,
+  placesOf,
   sampleTrace,
   shown,
   small,
   whole,
+  widthOf,
 } from './page.js';
 
 let browser: Browser;
@@ -170,15 +172,10 @@ describe('with the history of a pixel', () => {
     const places = new Set<string>();
     for (const step of [0, 1, 60, 900, 1400]) {
       await goTo(page, step);
-      const parts = page.locator('vidno-history .head, vidno-history .entries, .dock, .listing');
-      const boxes = await parts.evaluateAll((all) =>
-        all.map((part) => {
-          const { x, y, width: wide, height } = part.getBoundingClientRect();
-          return [x, y + scrollY, wide, height].map(Math.round).join();
-        }),
+      places.add(
+        await placesOf(page, 'vidno-history .head, vidno-history .entries, .dock, .listing'),
       );
-      places.add(boxes.join(' '));
-      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+      expect(await widthOf(page)).toBe(width);
       const wide = await page
         .locator('vidno-history .entries')
         .evaluate((list) => list.scrollWidth - list.clientWidth);

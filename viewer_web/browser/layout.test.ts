@@ -1,7 +1,7 @@
-import type { Browser, Page } from 'playwright-core';
+import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, small } from './page.js';
+import { goTo, launch, open, opened, placesOf, small, widthOf } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -25,26 +25,14 @@ describe('the layout', () => {
       const places = new Set<string>();
       for (const step of [0, 1, 10, 60, 200, 500, 900]) {
         await goTo(page, step);
-        places.add(await frames(page));
-        expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+        places.add(await placesOf(page, 'vidno-player :is(.picture, .listing, .dock, .sentence)'));
+        expect(await widthOf(page)).toBe(width);
       }
       expect([...places]).toHaveLength(1);
       expect(faults).toEqual([]);
     },
   );
 });
-
-/** Where the parts of the player stand. */
-const frames = (page: Page): Promise<string> =>
-  page.evaluate(async () => {
-    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
-    await player?.updateComplete;
-    const parts = player?.shadowRoot?.querySelectorAll('.picture, .listing, .dock, .sentence');
-    return [...(parts ?? [])]
-      .map((part) => part.getBoundingClientRect())
-      .map(({ x, y, width, height }) => [x, y + scrollY, width, height].map(Math.round).join())
-      .join(' ');
-  });
 
 describe('everyone', () => {
   it.each(['light', 'dark'] as const)('can use it (WCAG 2.2 AA, %s)', async (colorScheme) => {

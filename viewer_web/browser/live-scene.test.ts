@@ -3,7 +3,7 @@ import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { edit, editing, rerun, run, scene, title, triangle } from './live.js';
-import { goTo, launch, open, openFile, shown } from './page.js';
+import { goTo, launch, open, openFile, shown, widthOf } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -99,8 +99,7 @@ describe('everyone', () => {
     await page.locator(title, { hasText: /./u }).waitFor();
     await edit(page);
     await page.locator('vidno-polygon-form .corners').first().click();
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    expect(wide).toBeLessThanOrEqual(width);
+    expect(await widthOf(page)).toBeLessThanOrEqual(width);
     const cut = await page
       .locator('vidno-scene-panel :is(button, input, select), vidno-scene-panel .message')
       .evaluateAll(

@@ -140,6 +140,29 @@ export async function goTo(page: Page, step: number): Promise<void> {
   await field.press('Enter');
 }
 
+/** Where parts of the page stand, and how large they are; the same if nothing has moved. */
+export function placesOf(page: Page, parts: string): Promise<string> {
+  return page.locator(parts).evaluateAll((all) =>
+    all
+      .map((part) => part.getBoundingClientRect())
+      .map(({ x, y, width, height }) => [x, y + scrollY, width, height].map(Math.round).join())
+      .join(' '),
+  );
+}
+
+/** How wide the page is: as its window, if nothing sticks out. */
+export const widthOf = (page: Page): Promise<number> =>
+  page.evaluate(() => document.documentElement.scrollWidth);
+
+/** The words of parts of the page that have less room than they take. */
+export function cutOff(page: Page, parts: string): Promise<readonly string[]> {
+  return page
+    .locator(parts)
+    .evaluateAll((all) =>
+      all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.textContent),
+    );
+}
+
 /** The canonical states of steps `from` up to, not including, `end`, or down if `end` is less. */
 export function states(page: Page, from: number, end: number): Promise<readonly string[]> {
   return page.evaluate(

@@ -1,7 +1,7 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, shown } from './page.js';
+import { cutOff, goTo, launch, open, opened, sampleTrace, shown, whole, widthOf } from './page.js';
 import { asked } from './predict.js';
 
 let browser: Browser;
@@ -95,4 +95,24 @@ describe('a run of Weiler and Atherton’s algorithm', () => {
     await goTo(page, clip);
     expect(await violations(page)).toEqual([]);
   });
+
+  it.each(['en', 'ru'])(
+    'lists everything in full, in a window of any width: %s',
+    async (language) => {
+      const trace = '14-weiler-atherton.cycle.weiler-atherton.exact.corrected.polygons';
+      const { page } = await open(browser, `#lang=${language}&trace=${trace}`);
+      await page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`).waitFor();
+      await whole(page);
+      const { length } = await shown(page);
+      for (const width of [360, 390, 768, 961, 1024, 1280, 1500, 1920]) {
+        await page.setViewportSize({ width, height: 1080 });
+        for (const part of [0.3, 0.5, 1]) {
+          await goTo(page, Math.floor(part * length));
+          const cut = await cutOff(page, 'vidno-regions :is(dt, .list)');
+          expect([width, cut]).toEqual([width, []]);
+        }
+        expect(await widthOf(page)).toBe(width);
+      }
+    },
+  );
 });

@@ -13,9 +13,9 @@ import type { Frame } from '../picture/frame.js';
 import { pathData } from '../picture/shapes.js';
 import type { Polygon } from '../trace/header.js';
 import { act } from './act.js';
+import { Dragging } from './dragging.js';
 import { handlesStyle } from './handles.style.js';
 import { hiddenStyle } from './hidden.style.js';
-import { pointIn } from './own-size.js';
 import { base } from './theme.js';
 
 const mostHandles = 400;
@@ -35,7 +35,7 @@ export class HandlesElement extends LitElement {
   /** Where the next corner would be set. */
   @state() private pen: Place = [0, 0];
 
-  private drags = 0;
+  private readonly dragging = new Dragging(this);
   /** The corner that the keyboard has moved since it was shown last. */
   private keyed: Spot | null = null;
 
@@ -128,25 +128,12 @@ export class HandlesElement extends LitElement {
     `;
   }
 
-  /** Where a pointer is on the plane. */
-  private planeAt(event: PointerEvent): Place {
-    return this.frame.at(...pointIn(this, event));
-  }
-
-  /** The place for a corner that is nearest to a pointer, or to what it holds so far from itself. */
-  private placeOf(event: PointerEvent, offset: Place = [0, 0]): Place {
-    const [x, y] = this.planeAt(event);
-    return snapped([x + offset[0], y + offset[1]], event);
-  }
-
   private dragVertex(event: PointerEvent, spot: Spot): void {
     const vertex = this.editing.sketch.polygons[spot.polygon]?.vertices[spot.vertex];
     if (vertex === undefined) return;
     this.act({ do: 'choose', spot });
-    this.drag(event, [vertex[0], vertex[1]], ([x, y]) => ({
-      do: 'edit',
-      edit: (old) => sketch.moveVertex(old, spot, x, y),
-    }));
+    const [x, y] = vertex;
+    this.dragging.start(event, [x, y], (to, old) => sketch.moveVertex(old, spot, ...to));
   }
 
   private dragPolygon(event: PointerEvent, polygon: number): void {
@@ -154,35 +141,10 @@ export class HandlesElement extends LitElement {
     const first = from.polygons[polygon]?.vertices[0];
     if (first === undefined) return;
     this.act({ do: 'choose', spot: { polygon, vertex: 0 } });
-    this.drag(event, [first[0], first[1]], ([x, y]) => ({
-      do: 'edit',
-      edit: () => sketch.movePolygon(from, polygon, x - first[0], y - first[1]),
-    }));
-  }
-
-  /** Follows the pointer until it is let go, with something that was at a place when it was taken. */
-  private drag(event: PointerEvent, start: Place, move: (to: Place) => Act): void {
-    if (event.button !== 0) return;
-    event.preventDefault();
-    const target = event.currentTarget as SVGElement;
-    target.setPointerCapture(event.pointerId);
-    target.focus();
-    const [x, y] = this.planeAt(event);
-    const offset: Place = [start[0] - x, start[1] - y];
-    const name = `drag ${++this.drags}`;
-    let last = start;
-    const follow = (moved: PointerEvent): void => {
-      const to = this.placeOf(moved, offset);
-      if (to[0] === last[0] && to[1] === last[1]) return;
-      last = to;
-      this.act({ ...move(to), name } as Act);
-    };
-    const end = (): void => {
-      target.removeEventListener('pointermove', follow);
-      this.act({ do: 'settle' });
-    };
-    target.addEventListener('pointermove', follow);
-    target.addEventListener('lostpointercapture', end, { once: true });
+    const [left, top] = first;
+    this.dragging.start(event, [left, top], ([x, y]) =>
+      sketch.movePolygon(from, polygon, x - left, y - top),
+    );
   }
 
   private onKey(event: KeyboardEvent, spot: Spot): void {
@@ -215,13 +177,13 @@ export class HandlesElement extends LitElement {
   }
 
   private readonly movePen = (event: PointerEvent): void => {
-    this.pen = this.placeOf(event);
+    this.pen = this.dragging.placeOf(event);
   };
 
   private readonly setPoint = (event: PointerEvent): void => {
     if (event.button !== 0) return;
     event.preventDefault();
-    this.point(this.placeOf(event));
+    this.point(this.dragging.placeOf(event));
   };
 
   private point(at: Place): void {

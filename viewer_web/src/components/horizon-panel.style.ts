@@ -8,7 +8,10 @@ export const horizonPanelStyle = css`
     table-layout: fixed;
   }
   .rows th:first-child {
-    width: 3.2rem;
+    width: 3.8rem;
+  }
+  .rows th:nth-child(2) {
+    width: 5.2rem;
   }
   .rows th[scope='row'] {
     font-size: 0.8125rem;

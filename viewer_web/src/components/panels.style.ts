@@ -86,7 +86,7 @@ export const panelsStyle = css`
   }
   .lists {
     display: grid;
-    grid-template-columns: minmax(0, 1fr) minmax(0, 1.2fr) minmax(0, 1fr);
+    grid-template-columns: minmax(0, 0.85fr) minmax(0, 1.5fr) minmax(0, 0.85fr);
     gap: 0 0.6rem;
   }
   h4 {

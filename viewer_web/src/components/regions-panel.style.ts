@@ -1,6 +1,17 @@
 import { css } from 'lit';
 
 export const regionsPanelStyle = css`
+  .values.found {
+    grid-template-columns: minmax(min-content, 1.45fr) minmax(min-content, 1.25fr) minmax(
+        min-content,
+        0.85fr
+      );
+    gap: 0.35rem 0.6rem;
+    align-items: end;
+  }
+  .found dt {
+    white-space: normal;
+  }
   .lists.two {
     grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
   }
@@ -14,10 +25,10 @@ export const regionsPanelStyle = css`
     height: 8.2rem;
   }
   .rows td.said {
-    overflow: hidden;
     font-size: 0.75rem;
+    line-height: 1.3;
     color: var(--soft);
-    text-overflow: ellipsis;
+    white-space: normal;
   }
   .rows td.number {
     text-align: right;

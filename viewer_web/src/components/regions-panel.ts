@@ -2,22 +2,21 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
-import { texts } from '../i18n/index.js';
+import { countedIn, texts } from '../i18n/index.js';
+import { sized } from '../i18n/region-texts.js';
 import type { RegionTexts } from '../i18n/region-texts.js';
 import { short } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import type { Piece } from '../regions/events.js';
-import { areaOf, verticesOf } from '../regions/geometry.js';
+import { areaOf } from '../regions/geometry.js';
 import { emptyRegions } from '../regions/state.js';
 import type { List, Regions } from '../regions/state.js';
 import type { View } from '../view.js';
+import { chipsCell, listOf, rowsOf } from './lists.js';
 import { panelsStyle } from './panels.style.js';
 import { polygonName, value } from './parts.js';
 import { regionsPanelStyle } from './regions-panel.style.js';
 import { base } from './theme.js';
-
-const mostRows = 200;
-const chips = 12;
 
 /** The state of Weiler and Atherton's algorithm: the list in hand and its parts, what is visible, and the stack of lists. */
 @customElement('vidno-regions')
@@ -54,7 +53,7 @@ export class RegionsPanel extends LitElement {
     const clipOf = ({ inHand }: Regions): string | undefined => inHand?.pieces[0]?.[0];
     const clip = clipOf(now);
     return html`<section>
-      <dl class="values">
+      <dl class="values found">
         ${value(
           `C, ${say.clip}`,
           clip === undefined ? page.none : polygonName(clip, this.view),
@@ -73,12 +72,11 @@ export class RegionsPanel extends LitElement {
     const title = inHand === null ? say.pieces : say.list;
     const pieces = inHand?.pieces ?? facets;
     const isOther = inHand?.seen !== old.inHand?.seen;
+    const row = (piece: Piece, i: number): TemplateResult =>
+      this.row(piece, this.roleOf(i), isOther && i + 1 === inHand?.seen);
     return html`<section>
       <h3>${title}</h3>
-      ${this.list(title, 'hand', pieces, (piece, i) => {
-        const isLast = inHand !== null && i === inHand.seen - 1;
-        return this.row(piece, this.roleOf(i), isLast && isOther);
-      })}
+      ${listOf(title, 'hand', pieces, row, this.view)}
     </section>`;
   }
 
@@ -93,11 +91,11 @@ export class RegionsPanel extends LitElement {
 
   private parts(title: string, now: List, old: List, isInside: boolean): TemplateResult {
     const fresh = now.length > old.length ? now.length - 1 : -1;
+    const row = (piece: Piece, i: number): TemplateResult =>
+      this.row(piece, isInside ? this.orderOf(now, i) : '', i === fresh, true);
     return html`<div>
       <h4>${title}</h4>
-      ${this.list(title, 'short', now, (piece, i) =>
-        this.row(piece, isInside ? this.orderOf(now, i) : '', i === fresh, true),
-      )}
+      ${listOf(title, 'short', now, row, this.view)}
     </div>`;
   }
 
@@ -115,28 +113,12 @@ export class RegionsPanel extends LitElement {
     const { say, now, old } = this;
     const shown = [...now.visible].reverse();
     const isFresh = now.visible !== old.visible;
+    const row = (piece: Piece, i: number): TemplateResult =>
+      this.row(piece, `${say.area} ${short(areaOf(piece[1]))}`, i === 0 && isFresh);
     return html`<section>
       <h3>${say.visible}</h3>
-      ${this.list(say.visible, 'visible', shown, (piece, i) =>
-        this.row(piece, `${say.area} ${short(areaOf(piece[1]))}`, i === 0 && isFresh),
-      )}
+      ${listOf(say.visible, 'visible', shown, row, this.view)}
     </section>`;
-  }
-
-  private list(
-    label: string,
-    look: string,
-    pieces: List,
-    row: (piece: Piece, index: number) => TemplateResult,
-  ): TemplateResult {
-    return html`<div class="list ${look}" tabindex="0" role="region" aria-label=${label}>
-      <table class="rows">
-        <tbody>
-          ${pieces.slice(0, mostRows).map(row)}
-        </tbody>
-      </table>
-      ${this.emptyOrMore(pieces.length)}
-    </div>`;
   }
 
   /** In a narrow list what is known of a piece stands in place of its size. */
@@ -150,10 +132,11 @@ export class RegionsPanel extends LitElement {
     const thing = polygonThing(id);
     const pointed = thing === this.view.pointed;
     const said = ground ? say.ground : known;
-    const size = `${verticesOf(region)} ${say.vertices}${region.length > 1 ? `, ${say.loops(region.length)}` : ''}`;
+    const { language } = this.view;
+    const size = sized(region, say, (n, forms) => countedIn(language, n, forms));
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ changed })}>${polygonName(id, this.view)}</td>
-      ${isNarrow && said !== '' ? nothing : html`<td class="said" title=${size}>${size}</td>`}
+      ${isNarrow && said !== '' ? nothing : html`<td class="said">${size}</td>`}
       ${isNarrow && said === '' ? nothing : html`<td class="said">${said}</td>`}
     </tr>`;
   }
@@ -161,32 +144,18 @@ export class RegionsPanel extends LitElement {
   private stack(): TemplateResult {
     const { say, now, old } = this;
     const fresh = now.lists.length > old.lists.length;
-    const shown = [...now.lists].reverse().slice(0, mostRows);
+    const shown = [...now.lists].reverse();
     return html`<section class="stack">
       <h3>${say.lists}</h3>
-      <table class="rows">
-        <tbody>
-          ${shown.map((list, i) => this.stacked(list, i === 0 && fresh))}
-        </tbody>
-      </table>
-      ${this.emptyOrMore(now.lists.length)}
+      ${rowsOf(shown, (list, i) => this.stacked(list, i === 0 && fresh), this.view)}
     </section>`;
   }
 
   private stacked(list: List, changed: boolean): TemplateResult {
+    const ids = list.map(([id]) => id);
     return html`<tr>
       <td class=${classMap({ number: true, changed })}>${list.length}</td>
-      <td class="chips">
-        ${list
-          .slice(0, chips)
-          .map(([id]) => html`<span class="chip">${polygonName(id, this.view)}</span>`)}
-      </td>
+      ${chipsCell(ids, this.view)}
     </tr>`;
-  }
-
-  private emptyOrMore(length: number): TemplateResult | typeof nothing {
-    const { texts: page } = this.view;
-    if (length === 0) return html`<p class="empty">${page.empty}</p>`;
-    return length > mostRows ? html`<p class="empty">${page.more(length - mostRows)}</p>` : nothing;
   }
 }

@@ -4,14 +4,15 @@ import { customElement, property } from 'lit/decorators.js';
 import { moveSample } from '../curves/surface.js';
 import type { SampleSpot } from '../curves/surface.js';
 import { texts } from '../i18n/index.js';
-import { led, snapped } from '../live/corner-keys.js';
+import { led } from '../live/corner-keys.js';
 import type { Place } from '../live/corner-keys.js';
+import type { Sketch } from '../live/sketch.js';
 import type { Frame } from '../picture/frame.js';
 import type { Sample } from '../trace/values.js';
 import type { View } from '../view.js';
 import { act } from './act.js';
+import { Dragging } from './dragging.js';
 import { handlesStyle } from './handles.style.js';
-import { pointIn } from './own-size.js';
 import { base } from './theme.js';
 
 /** CSS pixels: of knobs, and of what takes the pointer around them. */
@@ -27,7 +28,7 @@ export class SampleHandlesElement extends LitElement {
   /** How the plane lies in the picture. */
   @property({ attribute: false }) frame!: Frame;
 
-  private drags = 0;
+  private readonly dragging = new Dragging(this);
   private keyed: SampleSpot | null = null;
 
   /** That in hand, or the first. */
@@ -75,42 +76,25 @@ export class SampleHandlesElement extends LitElement {
     </g>`;
   }
 
-  private move(spot: SampleSpot, to: (at: Sample) => number, name: string): void {
-    const shown = this.view.header.scene.curves ?? [];
-    act(this, { do: 'edit', edit: (old) => moveSample(old, shown, spot, to), name });
+  private moved(old: Sketch, spot: SampleSpot, to: (at: Sample) => number): Sketch {
+    return moveSample(old, this.view.header.scene.curves ?? [], spot, to);
   }
 
-  /** Follows the pointer until it is let go. */
   private drag(event: PointerEvent, spot: SampleSpot): void {
     const sample = this.sampleAt(spot);
-    if (event.button !== 0 || sample === undefined) return;
-    event.preventDefault();
-    const target = event.currentTarget as SVGElement;
-    target.setPointerCapture(event.pointerId);
-    target.focus();
-    const offset = sample[1] - this.frame.at(...pointIn(this, event))[1];
-    const name = `drag ${++this.drags}`;
-    const follow = (moved: PointerEvent): void => {
-      const [x, y] = this.frame.at(...pointIn(this, moved));
-      this.move(spot, () => snapped([x, y + offset], moved)[1], name);
-    };
-    const end = (): void => {
-      target.removeEventListener('pointermove', follow);
-      act(this, { do: 'settle' });
-    };
-    target.addEventListener('pointermove', follow);
-    target.addEventListener('lostpointercapture', end, { once: true });
+    if (sample === undefined) return;
+    this.dragging.start(event, sample, ([, y], old) => this.moved(old, spot, () => y));
   }
 
   private onKey(event: KeyboardEvent, spot: SampleSpot): void {
-    const sample = this.sampleAt(spot);
-    if (event.ctrlKey || event.metaKey || sample === undefined) return;
+    if (event.ctrlKey || event.metaKey || this.sampleAt(spot) === undefined) return;
     const isUpOrDown = event.key === 'ArrowUp' || event.key === 'ArrowDown';
     if (!isUpOrDown) return;
     event.preventDefault();
     // From wherever keys before it, still to be shown, have led.
     const to = (at: Sample): number => (led(at, event) ?? at)[1];
-    this.move(spot, to, `${event.key} ${spot.curve} ${spot.sample}`);
+    const edit = (old: Sketch): Sketch => this.moved(old, spot, to);
+    act(this, { do: 'edit', edit, name: `${event.key} ${spot.curve} ${spot.sample}` });
     this.keyed = spot;
   }
 

@@ -8,10 +8,10 @@ import type { Editing } from '../live/editor.js';
 import { layersOf } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
+import type { RegionLayer } from '../regions/layers.js';
 import type { Method } from '../trace/events.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
-import type { RegionLayer } from '../regions/layers.js';
 import type { View } from '../view.js';
 import './curve-layers.js';
 import './curve-picture.js';
@@ -19,10 +19,10 @@ import './horizon-panel.js';
 import './layers.js';
 import './picture.js';
 import './polygon-form.js';
-import './surface-form.js';
 import './region-layers.js';
 import './region-picture.js';
 import './regions-panel.js';
+import './surface-form.js';
 import './warnock-panel.js';
 import './zbuffer-panel.js';
 
@@ -63,19 +63,27 @@ export interface Shows {
 const layerOf = ({ view, exact, layer }: Pictured): Layer =>
   layersOf(view.header, exact).includes(layer) ? layer : 'picture';
 
+/** The choice of what the pixels show. */
+const pixelLayers = (of: Pictured): TemplateResult =>
+  html`<vidno-layers
+    class="layers"
+    .view=${of.view}
+    .layer=${layerOf(of)}
+    .exact=${of.exact}
+  ></vidno-layers>`;
+
 const ofPolygons: Omit<Shows, 'state'> = {
   picture: (of) => {
     const { view, editing, exact } = of;
-    const layer = layerOf(of);
     return html`<vidno-picture
         class="drawing"
         .view=${view}
         .editing=${editing}
-        .layer=${layer}
+        .layer=${layerOf(of)}
         .exact=${exact}
         @pixel=${({ detail }: CustomEvent<Pixel>) => of.choose(detail)}
       ></vidno-picture>
-      <vidno-layers class="layers" .view=${view} .layer=${layer} .exact=${exact}></vidno-layers>`;
+      ${pixelLayers(of)}`;
   },
   places: ({ history }) => history,
   form: (editing, language) =>
@@ -117,12 +125,11 @@ const shows: Readonly<Record<MethodKind, Shows>> = {
     state: (view) => html`<vidno-regions .view=${view}></vidno-regions>`,
     picture: (of) => {
       const { view, editing, exact, regionLayers } = of;
-      const layer = layerOf(of);
       return html`<vidno-region-picture
           class="drawing"
           .view=${view}
           .editing=${editing}
-          .layer=${layer}
+          .layer=${layerOf(of)}
           .exact=${exact}
           .shown=${regionLayers}
           @pixel=${({ detail }: CustomEvent<Pixel>) => of.choose(detail)}
@@ -133,7 +140,7 @@ const shows: Readonly<Record<MethodKind, Shows>> = {
           .layers=${regionLayers}
           @layers=${({ detail }: CustomEvent<ReadonlySet<RegionLayer>>) => (of.regionLayers = detail)}
         ></vidno-region-layers>
-        <vidno-layers class="layers" .view=${view} .layer=${layer} .exact=${exact}></vidno-layers>`;
+        ${pixelLayers(of)}`;
     },
   },
 };

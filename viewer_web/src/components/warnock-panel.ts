@@ -11,13 +11,11 @@ import type { Entry, Joined, StackedWindow, Warnock } from '../state/warnock.js'
 import { hasThreeLists } from '../trace/events.js';
 import type { Corner } from '../trace/values.js';
 import type { View } from '../view.js';
+import { listValues } from './list-values.js';
+import { chipsCell, listOf, rowsOf } from './lists.js';
 import { panelsStyle } from './panels.style.js';
 import { polygonName, swatch, value } from './parts.js';
 import { base } from './theme.js';
-import { listValues } from './list-values.js';
-
-const mostRows = 200;
-const chips = 12;
 
 /** The state of Warnock's algorithm: the window in hand, its list, its corners, and the stack. */
 @customElement('vidno-warnock')
@@ -135,7 +133,7 @@ export class WarnockPanel extends LitElement {
     const entries = this.now.apl?.entries ?? [];
     return html`<section>
       <h3>${apl}</h3>
-      ${this.list(apl, entries, (entry) => this.entry(entry))}
+      ${listOf(apl, 'apl', entries, (entry) => this.entry(entry), this.view)}
     </section>`;
   }
 
@@ -146,31 +144,16 @@ export class WarnockPanel extends LitElement {
       const fresh = list.length > old.joined[name].length ? list[0] : undefined;
       return html`<div>
         <h4>${say[name]}</h4>
-        ${this.list(say[name], list, (each) => this.joinedEntry(each, each === fresh))}
+        ${listOf(say[name], 'apl', list, (each) => this.joinedEntry(each, each === fresh), this.view)}
       </div>`;
     };
     return html`<section class="lists">
       <div>
         <h4>${say.third}</h4>
-        ${this.list(say.third, now.apl?.entries ?? [], (entry) => this.entry(entry))}
+        ${listOf(say.third, 'apl', now.apl?.entries ?? [], (entry) => this.entry(entry), this.view)}
       </div>
       ${joined('surrounding')} ${joined('outside')}
     </section>`;
-  }
-
-  private list<T>(
-    label: string,
-    entries: readonly T[],
-    row: (entry: T) => TemplateResult,
-  ): TemplateResult {
-    return html`<div class="list apl" tabindex="0" role="region" aria-label=${label}>
-      <table class="rows">
-        <tbody>
-          ${entries.slice(0, mostRows).map(row)}
-        </tbody>
-      </table>
-      ${this.emptyOrMore(entries.length)}
-    </div>`;
   }
 
   private entry([id, surrounds]: Entry): TemplateResult {
@@ -203,15 +186,10 @@ export class WarnockPanel extends LitElement {
   private stack(): TemplateResult {
     const { stack } = this.now;
     const fresh = stack.length > this.old.stack.length;
-    const shown = [...stack].reverse().slice(0, mostRows);
+    const shown = [...stack].reverse();
     return html`<section class="stack">
       <h3>${this.view.texts.stack}</h3>
-      <table class="rows windows">
-        <tbody>
-          ${shown.map((each, i) => this.stacked(each, i === 0 && fresh))}
-        </tbody>
-      </table>
-      ${this.emptyOrMore(stack.length)}
+      ${rowsOf(shown, (each, i) => this.stacked(each, i === 0 && fresh), this.view, 'windows')}
     </section>`;
   }
 
@@ -219,20 +197,11 @@ export class WarnockPanel extends LitElement {
     const { entries } = apl;
     const thing = windowThing(window);
     const pointed = thing === this.view.pointed;
+    const ids = entries.map(([id]) => id);
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ number: true, changed })}>${windowText(window)}</td>
       <td class="number">${entries.length}</td>
-      <td class="chips">
-        ${entries
-          .slice(0, chips)
-          .map(([id]) => html`<span class="chip">${polygonName(id, this.view)}</span>`)}
-      </td>
+      ${chipsCell(ids, this.view)}
     </tr>`;
-  }
-
-  private emptyOrMore(length: number): TemplateResult | typeof nothing {
-    const { texts: page } = this.view;
-    if (length === 0) return html`<p class="empty">${page.empty}</p>`;
-    return length > mostRows ? html`<p class="empty">${page.more(length - mostRows)}</p>` : nothing;
   }
 }

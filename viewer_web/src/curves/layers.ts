@@ -5,7 +5,3 @@ export type Layer = (typeof curveLayers)[number];
 /** All of it, or the lines alone. */
 export const allLayers: ReadonlySet<Layer> = new Set(curveLayers);
 export const linesAlone: ReadonlySet<Layer> = new Set<Layer>(['lines']);
-
-export function switched(shown: ReadonlySet<Layer>, layer: Layer): ReadonlySet<Layer> {
-  return new Set(curveLayers.filter((each) => shown.has(each) !== (each === layer)));
-}

@@ -3,7 +3,6 @@ import type { CurveEvents } from '../trace/events.js';
 import type { N } from '../trace/values.js';
 
 const height = (y: N | undefined): string => (y === undefined ? '∅' : short(y));
-const signed = (flag: number): string => String(flag).replace('-', '−');
 
 /** What the events of curves say in the notation of the listing. */
 export const curveNotes: {
@@ -12,7 +11,7 @@ export const curveNotes: {
   horizons: ({ upper, lower }) => `${height(upper)}, ${height(lower)}`,
   curve: ({ curve }) => String(curve),
   side_edge: ({ sample }) => point(sample),
-  visibility: ({ at, flag }) => `${at === 'FH4' ? 'Pflag' : 'Tflag'} = ${signed(flag)}`,
+  visibility: ({ at, flag }) => `${at === 'FH4' ? 'Pflag' : 'Tflag'} = ${short(flag)}`,
   intersection: ({ point: met }) => point(met),
   draw_line: ({ from, to }) => `${point(from)} → ${point(to)}`,
   horizon: ({ first, last }) => (last < first ? '∅' : `[${first}, ${last}]`),

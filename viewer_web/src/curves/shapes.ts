@@ -1,20 +1,19 @@
 import { toNumber } from '../i18n/words.js';
-import { boxData, pathData } from '../picture/shapes.js';
-import type { Shape } from '../picture/shapes.js';
 import type { Frame } from '../picture/frame.js';
+import { isShown, spot } from '../picture/mark.js';
+import type { Spot } from '../picture/mark.js';
+import { boxData, circleData, pathData } from '../picture/shapes.js';
+import type { Shape } from '../picture/shapes.js';
 import { curveThing, thingOf } from '../pointed.js';
 import type { Grid } from '../state/grid.js';
 import type { CurveEvents, Event } from '../trace/events.js';
 import type { Area, Curve } from '../trace/header.js';
-import type { N, Pair } from '../trace/values.js';
+import type { N } from '../trace/values.js';
 import type { View } from '../view.js';
-import { circle, flagData, flagLooks } from './flag-looks.js';
-import type { FlagLook, Spot } from './flag-looks.js';
+import { flagData, flagLooks } from './flag-looks.js';
+import type { FlagLook } from './flag-looks.js';
 import type { Layer } from './layers.js';
 import type { Line } from './lines.js';
-
-const spot = ([x, y]: Pair): Spot => [toNumber(x), toNumber(y)];
-const isShown = ([x, y]: Spot): boolean => Number.isFinite(x) && Number.isFinite(y);
 
 /** CSS pixels: of the mark of a flag, at most, and of a dot of the step. */
 const flagSize = 4;
@@ -91,11 +90,11 @@ const layers: Readonly<Record<Layer, Draw>> = {
   curve: (view, { scale }) => {
     const curve = curveInHand(view);
     if (curve === null) return [];
-    const [first, last] = view.after.horizon?.place.segment ?? [NaN, NaN];
-    const segment = curve.filter(([x]) => x === first || x === last);
+    const ends = view.after.horizon?.place.segment;
+    const segment = curve.filter(([x]) => ends?.includes(x));
     const [from, to] = [curve[0]?.[0] ?? 0, curve.at(-1)?.[0] ?? 0];
     const areApart = (to - from) * scale >= samplesApart * (curve.length - 1);
-    const samples = areApart ? curve.map((sample) => circle(sample, 2 / scale)).join('') : '';
+    const samples = areApart ? curve.map((sample) => circleData(sample, 2 / scale)).join('') : '';
     return [
       { look: 'in-hand', d: pathData(curve, false) },
       { look: 'segment', d: pathData(segment, false) },
@@ -133,7 +132,7 @@ const layers: Readonly<Record<Layer, Draw>> = {
       const look = flagLooks[flag];
       data[look] += flagData[look]([area.x + i, y], r);
     }
-    const column = { look: 'looked-at', d: `M${x} ${area.y}v${area.height}` };
+    const column = { look: 'looked-at', d: columnData(x, area) };
     const marks = Object.entries(data).map(([look, d]) => ({ look: `flag ${look}`, d }));
     return [column, ...marks];
   },
@@ -147,7 +146,7 @@ type OfEvent<K extends keyof CurveEvents> = (
 
 const dotAt = (look: string, at: Spot, { scale }: Frame): Shape => ({
   look: `dot ${look}`,
-  d: isShown(at) ? circle(at, dot / scale) : '',
+  d: isShown(at) ? circleData(at, dot / scale) : '',
 });
 
 const heightDot: OfEvent<'raise' | 'lower' | 'height'> = ({ x, y }, _view, frame) => [
@@ -172,7 +171,7 @@ const ofStep: { readonly [K in keyof CurveEvents]?: OfEvent<K> } = {
     ];
   },
   horizon: ({ upper, lower }, _view, { scale }) => {
-    const bars = [...upper, ...lower].map((at) => spot(at)).filter(isShown);
+    const bars = [...upper, ...lower].map(spot).filter(isShown);
     const reach = Math.max(0.3, 2 / scale);
     return [
       { look: 'changed-part', d: bars.map(([x, y]) => `M${x - reach} ${y}h${2 * reach}`).join('') },

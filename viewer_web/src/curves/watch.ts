@@ -1,4 +1,4 @@
-import { only, test } from '../history/entry.js';
+import { noted, only, test } from '../history/entry.js';
 import type { Outcome, Wanted, Watch } from '../history/entry.js';
 import type { Known } from '../i18n/words.js';
 import type { Pixel } from '../picture/pixel.js';
@@ -8,7 +8,6 @@ import type { FloatingHorizon } from './state.js';
 
 type Judge<K extends keyof CurveEvents> = (event: CurveEvents[K], x: number) => Outcome | null;
 
-const noted = (is: boolean): Outcome | null => (is ? 'note' : null);
 const over = ({ x: column }: { readonly x: number }, x: number): Outcome | null =>
   noted(column === x);
 const isAmong = (changes: readonly (readonly [number, unknown])[], x: number): boolean =>

@@ -34,6 +34,8 @@ export function only(...names: readonly EventName[]): Wanted {
 
 export const test = (passed: boolean): Outcome => (passed ? 'pass' : 'fail');
 
+export const noted = (concerns: boolean): Outcome | null => (concerns ? 'note' : null);
+
 export function covers(runs: readonly (readonly [number, number])[], x: number): boolean {
   return runs.some(([first, end]) => first <= x && x < end);
 }

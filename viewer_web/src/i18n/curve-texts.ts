@@ -11,9 +11,7 @@ export interface CurveTexts {
   readonly edges: string;
   readonly left: string;
   readonly right: string;
-  readonly columns: string;
   readonly column: string;
-  readonly height: string;
   readonly upper: string;
   readonly lower: string;
   readonly looked: string;

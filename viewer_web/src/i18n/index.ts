@@ -5,8 +5,8 @@ import * as en from './en/index.js';
 import type { Language } from './language.js';
 import * as ru from './ru/index.js';
 import type { Texts } from './texts.js';
-import { Words } from './words.js';
-import type { Known } from './words.js';
+import { Words, counted } from './words.js';
+import type { Known, PluralForms } from './words.js';
 
 export const texts: Readonly<Record<Language, Texts>> = { en: en.texts, ru: ru.texts };
 
@@ -14,6 +14,10 @@ const rules: Readonly<Record<Language, Intl.PluralRules>> = {
   en: new Intl.PluralRules('en'),
   ru: new Intl.PluralRules('ru'),
 };
+
+/** "3 pixels", "3 пикселя". */
+export const countedIn = (language: Language, n: number, forms: PluralForms): string =>
+  counted(n, forms, rules[language]);
 
 /** What a step did, in one sentence. */
 export function sentence(

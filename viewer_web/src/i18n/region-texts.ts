@@ -1,6 +1,9 @@
+import type { Region } from '../regions/events.js';
+import { boundsOf, verticesOf } from '../regions/geometry.js';
 import type { RegionLayer } from '../regions/layers.js';
 import type { RegionEvents } from '../trace/events.js';
-import type { Words } from './words.js';
+import { point } from './words.js';
+import type { PluralForms, Words } from './words.js';
 
 /** What a run with regions has to say of its own. */
 export interface RegionTexts {
@@ -16,11 +19,27 @@ export interface RegionTexts {
   /** How many of these there are. */
   readonly shown: string;
   readonly area: string;
-  readonly vertices: string;
+  readonly vertices: PluralForms;
   readonly pieces: string;
-  readonly loops: (n: number) => string;
+  readonly loops: PluralForms;
   readonly layers: Readonly<Record<RegionLayer, string>>;
   readonly layersName: string;
+}
+
+/** "8 vertices, 2 loops". */
+export function sized(
+  region: Region,
+  { vertices, loops }: Pick<RegionTexts, 'vertices' | 'loops'>,
+  counted: (n: number, forms: PluralForms) => string,
+): string {
+  const size = counted(verticesOf(region), vertices);
+  return region.length > 1 ? `${size}, ${counted(region.length, loops)}` : size;
+}
+
+/** The corners of the box around a region. */
+export function boxOf(region: Region): string {
+  const { from, to } = boundsOf(region);
+  return `${point(from)} – ${point(to)}`;
 }
 
 export type RegionSentences = {

@@ -30,6 +30,9 @@ export function short(value: N): string {
   return plain(value).replace('-', '−');
 }
 
+/** A whole number that is added. */
+export const signed = (n: number): string => (n > 0 ? `+${n}` : short(n));
+
 /** Two numbers that are compared: in full where they are not the same and would look so. */
 export function shortApart(a: N, b: N): readonly [string, string] {
   const looks = [short(a), short(b)] as const;
@@ -95,6 +98,13 @@ export interface Known {
   readonly regions?: Pick<Regions, 'inHand'> | null;
 }
 
+/** "3 pixels", "3 пикселя". */
+export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules): string {
+  const form = rules.select(n);
+  if (form === 'one') return `${n} ${forms.one}`;
+  return `${n} ${form === 'few' ? (forms.few ?? forms.other) : forms.other}`;
+}
+
 /** What the sentences of a step need beside its event. */
 export class Words {
   constructor(
@@ -105,11 +115,8 @@ export class Words {
     private readonly rules: Intl.PluralRules,
   ) {}
 
-  /** "3 pixels", "3 пикселя". */
   counted(n: number, forms: PluralForms): string {
-    const form = this.rules.select(n);
-    if (form === 'one') return `${n} ${forms.one}`;
-    return `${n} ${form === 'few' ? (forms.few ?? forms.other) : forms.other}`;
+    return counted(n, forms, this.rules);
   }
 
   places(corners: readonly Corner[]): string {

@@ -1,3 +1,4 @@
+import { signed } from '../i18n/words.js';
 import type { Warnock } from '../state/warnock.js';
 import type { Event } from '../trace/events.js';
 import type { Polygon, Scene } from '../trace/header.js';
@@ -114,9 +115,7 @@ function turn(event: Contained, polygon: Polygon | undefined): readonly Mark[] {
   const ends = endsOf(polygon, event.edge);
   if (event.e !== 'octants' || ends === null) return [];
   const [[x1, y1], [x2, y2]] = ends;
-  const { difference } = event;
-  const text = difference > 0 ? `+${difference}` : String(difference).replace('-', '−');
-  return [note([(x1 + x2) / 2, (y1 + y2) / 2], text)];
+  return [note([(x1 + x2) / 2, (y1 + y2) / 2], signed(event.difference))];
 }
 
 /** The vertex, and the pixel boundaries next to it that lie inside the window. */

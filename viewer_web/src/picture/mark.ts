@@ -62,7 +62,10 @@ export const note = (at: Spot, text: string): Mark => ({ kind: 'note', at, text 
 
 export const box = (role: Role, of: Box): Mark => ({ kind: 'box', role, box: of });
 
+/** Where it is drawn; a number that is none is not to be drawn. */
 export const spot = (at: readonly N[]): Spot => [toNumber(at[0] ?? NaN), toNumber(at[1] ?? NaN)];
+export const isShown = (at: Spot): boolean => at.every(Number.isFinite);
+
 export const point = (role: Role, at: readonly N[]): Mark => ({
   kind: 'point',
   role,

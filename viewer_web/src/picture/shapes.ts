@@ -1,5 +1,5 @@
 import type { Box } from '../trace/values.js';
-import type { Mark } from './mark.js';
+import type { Mark, Spot } from './mark.js';
 import type { Pixel } from './pixel.js';
 
 const dot = 5;
@@ -50,8 +50,12 @@ export function boxData([x, y, width, height]: Box): string {
   return `M${x} ${y}h${width}v${height}h${-width}Z`;
 }
 
-function circleData([x, y]: readonly [number, number], r: number): string {
+export function circleData([x, y]: Spot, r: number): string {
   return `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
+}
+
+export function diamondData([x, y]: Spot, r: number): string {
+  return `M${x - r} ${y}l${r} ${-r}l${r} ${r}l${-r} ${r}Z`;
 }
 
 /** The `d` of a path through the points. */

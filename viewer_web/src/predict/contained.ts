@@ -1,101 +1,93 @@
 import { polygonThing, windowThing } from '../pointed.js';
 import { hasThreeLists } from '../trace/events.js';
-import type { Polygon } from '../trace/header.js';
+import type { Event } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
-import type { Box } from '../trace/values.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import { edgeNote, mostOptions, optionsOf } from './asker.js';
 import type { Asker } from './asker.js';
-import type { Option } from './question.js';
+import type { Option, Question } from './question.js';
 
 /** More crossings than a convex outline has. */
 const counts = ['0', '1', '2', '3', '4'];
 const sums = ['-8', '0', '8'];
 
-interface Asked {
-  readonly polygon: Polygon;
-  readonly window: Box;
-  readonly edges: readonly Option[];
+/** How a run looks at an outline that may contain the window, edge by edge, and what comes of it. */
+interface Look<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'> {
+  /** What a question of it has, whatever it asks. */
+  readonly asked: Pick<Question<E>, 'step' | 'until' | 'about' | 'because' | 'things'>;
+  /** The edges to choose from. */
+  readonly options: readonly Option[];
+  readonly edges: readonly Event<E>[];
+  readonly result: Event<R>;
 }
 
-/** What the question is about, and the edges to choose from; null where there are too many. */
-function askedOf({ header, timeline }: Trace, step: number, id: string): Asked | null {
+/** The look that a call of a procedure begins; null where there is none, or too many edges to choose from. */
+function lookAt<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'>(
+  trace: Trace,
+  step: number,
+  procedure: 'RayCrossings' | 'OctantAngles',
+  [edge, end]: readonly [E, R],
+): Look<E, R> | null {
+  if (eventAt(trace, step, 'call')?.of !== procedure) return null;
+  const { header, timeline } = trace;
+  const result = nextOf(trace, step, end, 'pop');
+  const polygon = result && header.scene.byId.get(result.event.polygon);
   const window = timeline.seek(step).values.warnock?.window ?? null;
-  const polygon = header.scene.byId.get(id);
-  if (window === null || polygon === undefined || polygon.vertices.length > mostOptions)
-    return null;
-  const edges = polygon.vertices.map((_, edge) => ({
-    value: String(edge),
-    note: edgeNote(polygon, edge),
-  }));
-  return { polygon, window, edges };
+  if (!result || !polygon || window === null || polygon.vertices.length > mostOptions) return null;
+  const edges = stepsOf(trace, step, result.step, edge);
+  return {
+    asked: {
+      step,
+      until: result.step,
+      about: { polygon: polygon.id, window },
+      because: inOrder(edges, [result]),
+      things: [polygonThing(polygon.id), windowThing(window)],
+    },
+    options: polygon.vertices.map((_, i) => ({ value: String(i), note: edgeNote(polygon, i) })),
+    edges: edges.map(({ event }) => event),
+    result: result.event,
+  };
 }
 
-const thingsOf = ({ polygon, window }: Asked): readonly string[] => [
-  polygonThing(polygon.id),
-  windowThing(window),
-];
+const numbersOf = (edges: readonly { readonly edge: number }[]): readonly string[] =>
+  edges.map(({ edge }) => String(edge));
+
+const where = { isOf: hasThreeLists, from: 'signs', at: ['call'] } as const;
 
 /** Where does the outline cross the ray? */
 export const ray: Asker<'ray'> = {
-  isOf: hasThreeLists,
-  from: 'signs',
-  at: ['call'],
+  ...where,
   ask(trace, step) {
-    if (eventAt(trace, step, 'call')?.of !== 'RayCrossings') return null;
-    const result = nextOf(trace, step, 'crossings', 'pop');
-    const asked = result && askedOf(trace, step, result.event.polygon);
-    if (result === null || asked === null) return null;
-    const seen = stepsOf(trace, step, result.step, 'ray');
+    const look = lookAt(trace, step, 'RayCrossings', ['ray', 'crossings']);
+    if (look === null) return null;
+    const { asked, options, edges, result } = look;
+    const crossed = edges.filter((edge) => edge.counts > 0);
     return {
       kind: 'ray',
-      step,
-      until: result.step,
-      about: { polygon: asked.polygon.id, window: asked.window },
+      ...asked,
       parts: [
-        {
-          asks: 'crossed',
-          options: asked.edges,
-          right: seen
-            .filter(({ event }) => event.counts > 0)
-            .map(({ event }) => String(event.edge)),
-        },
-        { asks: 'crossings', options: optionsOf(counts), right: [String(result.event.count)] },
+        { asks: 'crossed', options, right: numbersOf(crossed) },
+        { asks: 'crossings', options: optionsOf(counts), right: [String(result.count)] },
       ],
-      because: inOrder(seen, [result]),
-      things: thingsOf(asked),
     };
   },
 };
 
 /** How far does the outline go round the window? */
 export const octants: Asker<'octants'> = {
-  isOf: hasThreeLists,
-  from: 'signs',
-  at: ['call'],
+  ...where,
   ask(trace, step) {
-    if (eventAt(trace, step, 'call')?.of !== 'OctantAngles') return null;
-    const result = nextOf(trace, step, 'angle', 'pop');
-    const asked = result && askedOf(trace, step, result.event.polygon);
-    if (result === null || asked === null) return null;
-    const seen = stepsOf(trace, step, result.step, 'octants');
+    const look = lookAt(trace, step, 'OctantAngles', ['octants', 'angle']);
+    if (look === null) return null;
+    const { asked, options, edges, result } = look;
+    const halved = edges.filter(({ at }) => at === 'OA4');
     return {
       kind: 'octants',
-      step,
-      until: result.step,
-      about: { polygon: asked.polygon.id, window: asked.window },
+      ...asked,
       parts: [
-        {
-          asks: 'halved',
-          options: asked.edges,
-          right: seen
-            .filter(({ event }) => event.at === 'OA4')
-            .map(({ event }) => String(event.edge)),
-        },
-        { asks: 'sum', options: optionsOf(sums), right: [String(result.event.octants)] },
+        { asks: 'halved', options, right: numbersOf(halved) },
+        { asks: 'sum', options: optionsOf(sums), right: [String(result.octants)] },
       ],
-      because: inOrder(seen, [result]),
-      things: thingsOf(asked),
     };
   },
 };

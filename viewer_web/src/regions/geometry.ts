@@ -1,16 +1,12 @@
-import { toNumber } from '../i18n/words.js';
-import type { Pair } from '../trace/values.js';
+import { isShown, spot } from '../picture/mark.js';
+import type { Spot } from '../picture/mark.js';
 import type { Region } from './events.js';
 
 /**
  * What is drawn and said of regions, in doubles: near enough to be seen. What the run decided is in its events.
  */
 
-export type Spot = readonly [x: number, y: number];
 export type Loops = readonly (readonly Spot[])[];
-
-export const spotOf = ([x, y]: Pair): Spot => [toNumber(x), toNumber(y)];
-const isShown = ([x, y]: Spot): boolean => Number.isFinite(x) && Number.isFinite(y);
 
 const known = new WeakMap<Region, Loops>();
 
@@ -18,7 +14,7 @@ const known = new WeakMap<Region, Loops>();
 export function loopsOf(region: Region): Loops {
   const loops = known.get(region);
   if (loops !== undefined) return loops;
-  const made = region.map((loop) => loop.map(spotOf)).filter((loop) => loop.every(isShown));
+  const made = region.map((loop) => loop.map(spot)).filter((loop) => loop.every(isShown));
   known.set(region, made);
   return made;
 }

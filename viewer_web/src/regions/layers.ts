@@ -3,10 +3,3 @@ export const regionLayers = ['pixels', 'visible', 'list', 'parts', 'crossings'] 
 export type RegionLayer = (typeof regionLayers)[number];
 
 export const allLayers: ReadonlySet<RegionLayer> = new Set(regionLayers);
-
-export function switched(
-  shown: ReadonlySet<RegionLayer>,
-  layer: RegionLayer,
-): ReadonlySet<RegionLayer> {
-  return new Set(regionLayers.filter((each) => shown.has(each) !== (each === layer)));
-}

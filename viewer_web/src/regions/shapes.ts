@@ -1,13 +1,14 @@
 import type { Frame } from '../picture/frame.js';
+import { isShown, spot } from '../picture/mark.js';
+import type { Spot } from '../picture/mark.js';
+import { circleData, diamondData, pathData } from '../picture/shapes.js';
 import type { Shape } from '../picture/shapes.js';
-import { pathData } from '../picture/shapes.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Area, Scene } from '../trace/header.js';
 import type { Pair } from '../trace/values.js';
 import type { View } from '../view.js';
 import type { Piece, Region } from './events.js';
-import { hatchData, regionData, spotOf } from './geometry.js';
-import type { Spot } from './geometry.js';
+import { hatchData, regionData } from './geometry.js';
 import type { RegionLayer } from './layers.js';
 import { emptyRegions } from './state.js';
 import type { Crossings, List, Regions } from './state.js';
@@ -16,13 +17,8 @@ import type { Crossings, List, Regions } from './state.js';
 const crossingSize = 6;
 const hatch = { inside: 6, outside: 8 } as const;
 
-const circle = ([x, y]: Spot, r: number): string =>
-  `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
-const diamond = ([x, y]: Spot, r: number): string =>
-  `M${x - r} ${y}l${r} ${-r}l${r} ${r}l${-r} ${r}Z`;
-
 /** What enters is a full diamond, what leaves a ring: told apart without colours. */
-export const crossingData = { enters: diamond, leaves: circle } as const;
+export const crossingData = { enters: diamondData, leaves: circleData } as const;
 
 const outlines = (pieces: List): string => pieces.map(([, region]) => regionData(region)).join('');
 
@@ -51,8 +47,8 @@ function crossingsOf({ before, after, event }: View): Crossings {
 }
 
 function crossingShapes(look: keyof typeof crossingData, at: readonly Pair[], r: number): Shape {
-  const spots = at.map(spotOf).filter((spot) => spot.every(Number.isFinite));
-  return { look, d: spots.map((spot) => crossingData[look](spot, r)).join('') };
+  const spots = at.map(spot).filter(isShown);
+  return { look, d: spots.map((each) => crossingData[look](each, r)).join('') };
 }
 
 const colorOf = (scene: Scene, id: string): string => scene.byId.get(id)?.color ?? '#888888';
@@ -107,8 +103,8 @@ const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>>
 
 /** A line as far as it lies in the area. */
 function lineThrough(at: Pair, normal: Pair, { x, y, width, height }: Area): string {
-  const [px, py] = spotOf(at);
-  const [a, b] = spotOf(normal);
+  const [px, py] = spot(at);
+  const [a, b] = spot(normal);
   const way: Spot = [-b, a];
   const sides = [
     [(x - px) / way[0], (x + width - px) / way[0]],
@@ -127,7 +123,7 @@ const ofStep: { readonly [K in EventName]?: OfEvent<K> } = {
   cut_to_area: ({ region }) => casing('newly', regionData(region)),
   split: ({ region, other }) => casing('newly', regionData(region) + regionData(other)),
   edge_piece: ({ from, to }) => [
-    { look: 'edge-piece', d: pathData([spotOf(from), spotOf(to)], false) },
+    { look: 'edge-piece', d: pathData([spot(from), spot(to)], false) },
   ],
   show: ({ region }) => casing('newly', regionData(region)),
   push_list: ({ pieces }) => [{ look: 'newly', d: outlines(pieces) }],

@@ -77,14 +77,14 @@ function parted(
   outside: (whole: Region) => Region,
 ): Partial<Regions> {
   const [hand, [, whole, ground]] = handWith(polygon, now);
-  const with_ = (list: List, part: Region): List =>
+  const added = (list: List, part: Region): List =>
     isEmpty(part) ? list : [...list, [polygon, part, ground]];
   return {
     inHand: {
       ...hand,
       seen: hand.seen + 1,
-      inside: with_(hand.inside, inside),
-      outside: with_(hand.outside, outside(whole)),
+      inside: added(hand.inside, inside),
+      outside: added(hand.outside, outside(whole)),
     },
   };
 }

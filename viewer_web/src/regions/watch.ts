@@ -1,13 +1,13 @@
-import { all, covers, test } from '../history/entry.js';
+import { all, covers, noted, test } from '../history/entry.js';
 import type { Outcome, Wanted, Watch } from '../history/entry.js';
 import { toNumber } from '../i18n/words.js';
 import type { Known } from '../i18n/words.js';
+import type { Spot } from '../picture/mark.js';
 import type { Pixel } from '../picture/pixel.js';
 import { eventNames } from '../trace/events.js';
 import type { EventName, RegionEvents, Event } from '../trace/events.js';
 import type { Piece, Region } from './events.js';
 import { holds } from './geometry.js';
-import type { Spot } from './geometry.js';
 import { afterRegions, emptyRegions } from './state.js';
 import type { Regions } from './state.js';
 
@@ -18,7 +18,6 @@ interface Place {
   readonly before: Regions;
 }
 
-const noted = (is: boolean): Outcome | null => (is ? 'note' : null);
 const isOver = (region: Region, { centre }: Place): boolean => holds(region, centre);
 const isAnyOver = (pieces: readonly Piece[], place: Place): boolean =>
   pieces.some(([, region]) => isOver(region, place));

@@ -49,9 +49,10 @@ export const curveSentences: CurveSentences = {
     if (last < first) return 'No column lies between: the horizons stay as they are.';
     const over = first === last ? `Column ${first}` : `Columns ${first} to ${last}`;
     if (upper.length + lower.length === 0) return `${over}: both horizons stay as they are.`;
-    const raised = words.counted(upper.length, columns);
-    const lowered = words.counted(lower.length, columns);
-    return `${over}: the upper horizon rises over ${raised}, the lower one falls over ${lowered}.`;
+    const raised = `the upper horizon rises over ${words.counted(upper.length, columns)}`;
+    const lowered = `the lower horizon falls over ${words.counted(lower.length, columns)}`;
+    if (lower.length === 0) return `${over}: ${raised}.`;
+    return upper.length === 0 ? `${over}: ${lowered}.` : `${over}: ${raised}, ${lowered}.`;
   },
   height: ({ x, y, upper, lower }) => {
     if (upper === undefined || lower === undefined) {
@@ -76,9 +77,7 @@ export const curves: CurveTexts = {
   edges: 'Side edges',
   left: 'left',
   right: 'right',
-  columns: 'Horizons around the column',
   column: 'column',
-  height: 'height',
   upper: 'upper',
   lower: 'lower',
   looked: 'flag',

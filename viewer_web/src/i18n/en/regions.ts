@@ -1,26 +1,22 @@
-import { boundsOf, verticesOf } from '../../regions/geometry.js';
+import { verticesOf } from '../../regions/geometry.js';
 import type { Region } from '../../regions/events.js';
+import { boxOf, sized } from '../region-texts.js';
 import type { RegionSentences, RegionTexts } from '../region-texts.js';
 import { cells, point, short, shortApart } from '../words.js';
 import type { Words } from '../words.js';
 
 const pieces = { one: 'piece', other: 'pieces' };
 const vertices = { one: 'vertex', other: 'vertices' };
+const loops = { one: 'loop', other: 'loops' };
 
-const sized = (region: Region, words: Words): string =>
-  words.counted(verticesOf(region), vertices) +
-  (region.length > 1 ? `, ${words.counted(region.length, { one: 'loop', other: 'loops' })}` : '');
-
-function boxOf(region: Region): string {
-  const { from, to } = boundsOf(region);
-  return `${point(from)} – ${point(to)}`;
-}
+const sizeOf = (region: Region, words: Words): string =>
+  sized(region, { vertices, loops }, (n, forms) => words.counted(n, forms));
 
 const lies = {
   inside: 'inside the clip region',
   outside: 'outside the clip region',
-  same_side: 'on the outline of the clip region, both on the same side of it: it goes inside',
-  other_side: 'on the outline of the clip region, they on different sides of it: it goes outside',
+  same_side: 'on the outline of the clip region, both regions on one side: it goes inside',
+  other_side: 'on the outline of the clip region, one region on each side: it goes outside',
 } as const;
 
 export const regionSentences: RegionSentences = {
@@ -61,10 +57,10 @@ export const regionSentences: RegionSentences = {
   clipped: ({ at, polygon, clip, inside, outside }, words) => {
     if (inside.length === 0) return `No part of ${polygon} lies inside ${clip}.`;
     if (at === 'SP1') {
-      return `${polygon} and ${clip} have a region of ${sized(inside, words)} in common.`;
+      return `${polygon} and ${clip} have a region of ${sizeOf(inside, words)} in common.`;
     }
     if (outside.length === 0) return `All of this piece of ${polygon} lies inside ${clip}.`;
-    return `The outline of ${clip} cuts ${polygon} in two: inside ${sized(inside, words)}, outside ${sized(outside, words)}.`;
+    return `The outline of ${clip} cuts ${polygon} in two: inside ${sizeOf(inside, words)}, outside ${sizeOf(outside, words)}.`;
   },
   edge_piece: ({ from, to, lies: where }) =>
     `The outline from ${point(from)} to ${point(to)} lies ${lies[where]}.`,
@@ -89,7 +85,7 @@ export const regionSentences: RegionSentences = {
       : `Nearer than ${clip}: ${words.ids(polygons)}. So ${clip} is not what shows first.`;
   },
   show: ({ polygon, region }, words) =>
-    `${polygon} is visible in this region of ${sized(region, words)}: nothing inside its outline is nearer.`,
+    `${polygon} is visible in this region of ${sizeOf(region, words)}: nothing inside its outline is nearer.`,
   order: ({ polygon, other, point: at, z, otherZ, order }) => {
     const so = { '-1': 'behind', 0: 'as near as', 1: 'nearer than' }[order];
     const sign = { '-1': '<', 0: '=', 1: '>' }[order];
@@ -116,9 +112,9 @@ export const regions: RegionTexts = {
   visible: 'Visible regions',
   shown: 'visible',
   area: 'area',
-  vertices: 'vertices',
+  vertices,
   pieces: 'Pieces',
-  loops: (n) => (n === 1 ? '1 loop' : `${n} loops`),
+  loops,
   layers: {
     pixels: 'pixels',
     visible: 'visible',

@@ -49,9 +49,10 @@ export const curveSentences: CurveSentences = {
     if (last < first) return 'Между ними нет ни одного столбца: горизонты прежние.';
     const over = first === last ? `Столбец ${first}` : `Столбцы ${first}–${last}`;
     if (upper.length + lower.length === 0) return `${over}: оба горизонта прежние.`;
-    const raised = words.counted(upper.length, columns);
-    const lowered = words.counted(lower.length, columns);
-    return `${over}: верхний горизонт поднимается над ${raised}, нижний опускается над ${lowered}.`;
+    const raised = `верхний горизонт поднимается над ${words.counted(upper.length, columns)}`;
+    const lowered = `нижний горизонт опускается над ${words.counted(lower.length, columns)}`;
+    if (lower.length === 0) return `${over}: ${raised}.`;
+    return upper.length === 0 ? `${over}: ${lowered}.` : `${over}: ${raised}, ${lowered}.`;
   },
   height: ({ x, y, upper, lower }) => {
     if (upper === undefined || lower === undefined) {
@@ -76,9 +77,7 @@ export const curves: CurveTexts = {
   edges: 'Боковые рёбра',
   left: 'левое',
   right: 'правое',
-  columns: 'Горизонты около столбца',
   column: 'столбец',
-  height: 'высота',
   upper: 'верхний',
   lower: 'нижний',
   looked: 'признак',

@@ -1,10 +1,9 @@
 import { prefixed } from '../family-texts.js';
 import type { FamilyTexts } from '../family-texts.js';
-import { containment, point, short } from '../words.js';
+import { containment, point, short, signed } from '../words.js';
 
 const lists = { surrounding: 'охватывающих', outside: 'внешних' } as const;
 const found = { surrounding: 'охватывающим', outside: 'внешним' } as const;
-const signed = (n: number): string => (n > 0 ? `+${n}` : String(n).replace('-', '−'));
 
 const names = {
   'warnock-simplest': 'простейший',

@@ -1,5 +1,6 @@
-import { boundsOf, verticesOf } from '../../regions/geometry.js';
+import { verticesOf } from '../../regions/geometry.js';
 import type { Region } from '../../regions/events.js';
+import { boxOf, sized } from '../region-texts.js';
 import type { RegionSentences, RegionTexts } from '../region-texts.js';
 import { cells, point, short, shortApart } from '../words.js';
 import type { Words } from '../words.js';
@@ -7,23 +8,16 @@ import type { Words } from '../words.js';
 const pieces = { one: 'часть', few: 'части', other: 'частей' };
 const ofPieces = { one: 'части', few: 'частей', other: 'частей' };
 const vertices = { one: 'вершина', few: 'вершины', other: 'вершин' };
-const ofVertices = { one: 'вершиной', few: 'вершинами', other: 'вершинами' };
 const loops = { one: 'контур', few: 'контура', other: 'контуров' };
 
-const sized = (region: Region, words: Words): string =>
-  words.counted(verticesOf(region), vertices) +
-  (region.length > 1 ? `, ${words.counted(region.length, loops)}` : '');
-
-function boxOf(region: Region): string {
-  const { from, to } = boundsOf(region);
-  return `${point(from)} – ${point(to)}`;
-}
+const sizeOf = (region: Region, words: Words): string =>
+  sized(region, { vertices, loops }, (n, forms) => words.counted(n, forms));
 
 const lies = {
   inside: 'внутри отсекающей области',
   outside: 'снаружи отсекающей области',
-  same_side: 'на границе отсекающей области, обе по одну сторону: идёт внутрь',
-  other_side: 'на границе отсекающей области, они по разные стороны: идёт наружу',
+  same_side: 'на границе отсекающей области, обе области по одну сторону: идёт внутрь',
+  other_side: 'на границе отсекающей области, области по разные стороны: идёт наружу',
 } as const;
 
 export const regionSentences: RegionSentences = {
@@ -63,9 +57,9 @@ export const regionSentences: RegionSentences = {
   },
   clipped: ({ at, polygon, clip, inside, outside }, words) => {
     if (inside.length === 0) return `Внутри ${clip} нет ничего от ${polygon}.`;
-    if (at === 'SP1') return `Общая область ${polygon} и ${clip}: ${sized(inside, words)}.`;
+    if (at === 'SP1') return `Общая область ${polygon} и ${clip}: ${sizeOf(inside, words)}.`;
     if (outside.length === 0) return `Вся эта часть ${polygon} лежит внутри ${clip}.`;
-    return `Граница ${clip} делит ${polygon} надвое: внутри ${sized(inside, words)}, снаружи ${sized(outside, words)}.`;
+    return `Граница ${clip} делит ${polygon} надвое: внутри ${sizeOf(inside, words)}, снаружи ${sizeOf(outside, words)}.`;
   },
   edge_piece: ({ from, to, lies: where }) =>
     `Граница от ${point(from)} до ${point(to)} — ${lies[where]}.`,
@@ -90,7 +84,7 @@ export const regionSentences: RegionSentences = {
       : `Ближе ${clip}: ${words.ids(polygons)}. Значит, первым виден не ${clip}.`;
   },
   show: ({ polygon, region }, words) =>
-    `${polygon} виден в этой области с ${words.counted(verticesOf(region), ofVertices)}: внутри её границы нет ничего ближе.`,
+    `${polygon} виден в этой области (${sizeOf(region, words)}): внутри её границы нет ничего ближе.`,
   order: ({ polygon, other, point: at, z, otherZ, order }) => {
     const so = { '-1': 'дальше, чем', 0: 'так же близко, как', 1: 'ближе, чем' }[order];
     const sign = { '-1': '<', 0: '=', 1: '>' }[order];
@@ -117,15 +111,15 @@ export const regions: RegionTexts = {
   visible: 'Видимые области',
   shown: 'видимых',
   area: 'площадь',
-  vertices: 'вершин',
+  vertices,
   pieces: 'Части',
-  loops: (n) => (n === 1 ? '1 контур' : n < 5 ? `${n} контура` : `${n} контуров`),
+  loops,
   layers: {
     pixels: 'пиксели',
     visible: 'видимое',
     list: 'список',
     parts: 'внутри, снаружи',
-    crossings: 'входы',
+    crossings: 'пересечения',
   },
-  layersName: 'Что показано из областей',
+  layersName: 'Что из областей показано на изображении',
 };
