@@ -13,13 +13,14 @@ foreach(header IN ITEMS glm/glm.hpp CGAL/version.h boost/version.hpp nlohmann/js
     file(CREATE_LINK ${${library}_include}/${library} ${em_include}/${library} SYMBOLIC)
 endforeach()
 
-# There is no GMP here, and no rounding mode but to nearest. Debian's em++ finds its parser by NODE_PATH only.
+# There is no GMP here, and no rounding mode but to nearest (rounded_up.h). Debian's em++ finds its parser by NODE_PATH only.
 set(em_compiler ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs ${EMXX} -O3 -fwasm-exceptions)
 set(em_flags
     -std=c++20 -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Werror -Wno-bitwise-instead-of-logical
     -DNDEBUG -DCGAL_DISABLE_GMP -DCGAL_ALWAYS_ROUND_TO_NEAREST -DFMT_HEADER_ONLY
     -isystem ${PROJECT_SOURCE_DIR}/trace/wasm/standard -I ${PROJECT_SOURCE_DIR}/lib -I ${PROJECT_SOURCE_DIR}/trace
-    -isystem ${em_include} -include ${PROJECT_SOURCE_DIR}/trace/wasm/split_double.h)
+    -isystem ${em_include} -include ${PROJECT_SOURCE_DIR}/trace/wasm/rounded_up.h
+    -include ${PROJECT_SOURCE_DIR}/trace/wasm/split_double.h)
 
 function(vidno_em output source)
     cmake_path(GET output PARENT_PATH directory)
