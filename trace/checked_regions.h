@@ -30,11 +30,11 @@ struct OnRegions<Checked<Machine>> : OnRegions<CheckedNumbers<Machine>> {
             }
             return on_regions(kernel).parallel(a, b);
         };
-        return Base::decide(Decision::comparison, are_parallel, p, q);
+        return Base::decide(Decision::parallel, are_parallel, p, q);
     }
     bool parallel(const Edge& line, const Edge& other) const {
         return Base::decide(
-            Decision::orientation,
+            Decision::parallel,
             [](const auto& kernel, const auto& a, const auto& b) { return on_regions(kernel).parallel(a, b); }, line,
             other);
     }
@@ -49,7 +49,7 @@ struct OnRegions<Checked<Machine>> : OnRegions<CheckedNumbers<Machine>> {
     }
     bool left_of(const Place& p, const Edge& line) const {
         return Base::decide(
-            Decision::orientation,
+            Decision::left_of,
             [](const auto& kernel, const auto& a, const auto& b) { return on_regions(kernel).left_of(a, b); }, p, line);
     }
 

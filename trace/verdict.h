@@ -25,11 +25,13 @@ enum class Decision : unsigned char {
     columns,
     same_rounded,
     pixel,
-    visibility
+    visibility,
+    left_of,
+    parallel
 };
-inline constexpr std::array<std::string_view, 12> decision_names{
-    "comparison",  "orientation", "nearer",  "outside",      "inside", "first_centre",
-    "last_centre", "rows",        "columns", "same_rounded", "pixel",  "visibility"};
+inline constexpr std::array<std::string_view, 14> decision_names{
+    "comparison", "orientation", "nearer",       "outside", "inside",     "first_centre", "last_centre",
+    "rows",       "columns",     "same_rounded", "pixel",   "visibility", "left_of",      "parallel"};
 
 /// Yes or no, a sign or a pixel, or the half-open range that was found.
 using Answer = std::variant<bool, int, std::pair<int, int>>;

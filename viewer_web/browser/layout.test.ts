@@ -12,7 +12,7 @@ afterAll(async () => {
 });
 
 describe('the layout', () => {
-  const sizes = [390, 768, 1280, 1920].flatMap((width) =>
+  const sizes = [390, 768, 1024, 1280, 1920].flatMap((width) =>
     (['en', 'ru'] as const).map((language) => ({ width, language })),
   );
 
@@ -32,6 +32,22 @@ describe('the layout', () => {
       expect(faults).toEqual([]);
     },
   );
+
+  it('where the page scrolls, one screen holds the run, and the way through it is always in sight', async () => {
+    const viewport = { width: 1024, height: 768 };
+    const { page } = await open(browser, '#lang=ru', { viewport });
+    await opened(page, 'small.jsonl', small);
+    const ends = (name: string): Promise<readonly number[]> =>
+      page.locator(name).evaluate((element) => {
+        const { top, bottom } = element.getBoundingClientRect();
+        return [top, bottom];
+      });
+    const [top = NaN, bottom = NaN] = await ends('vidno-player');
+    expect(bottom - top).toBeLessThanOrEqual(viewport.height);
+    expect(bottom).toBeGreaterThan(viewport.height);
+    const [, bottomOfDock] = await ends('vidno-player .dock');
+    expect(bottomOfDock).toBeLessThanOrEqual(viewport.height);
+  });
 });
 
 describe('everyone', () => {

@@ -116,11 +116,11 @@ describe('the chart of surfaces', () => {
     const about = page.locator('.about');
     // Evenly apart 17 samples a curve have the peak's corners: 51 for 10.
     expect(await about.innerText()).toMatch(
-      /“float, tolerance 4 px”.*“filtered.*17 samples.*×5\.1;/u,
+      /“filtered, tolerance 4 px”.*filtered, 17 samples.*×5\.1;/u,
     );
     await page.locator('button[lang=ru]').click();
     await page.waitForFunction(() => document.documentElement.lang === 'ru');
-    expect(await about.innerText()).toMatch(/«float, допуск 4\sпикс\.».*×5,1;/u);
+    expect(await about.innerText()).toMatch(/«filtered, допуск 4\sпикс\.».*×5,1;/u);
     expect(await plot(page).textContent()).toContain('неверные столбцы');
     expect(faults).toEqual([]);
   });

@@ -85,6 +85,12 @@ export const appStyle = [
         flex: 1 1 12rem;
       }
     }
+    /* The page scrolls: one screen holds the panels and the dock. */
+    @media (min-width: 641px) and (max-width: 1199px) {
+      :host(:not([reading], [embed])) vidno-player {
+        --panels: clamp(24rem, 100dvh - 14.5rem, 44rem);
+      }
+    }
     @media (max-width: 640px) {
       :host {
         grid-template: 'header' 3.25rem 'main' auto 'nav' auto / minmax(0, 1fr);

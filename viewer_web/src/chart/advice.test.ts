@@ -27,6 +27,13 @@ describe('which run a scene needs', () => {
     expect(advice?.neverRight).toEqual([]);
   });
 
+  it('is, of those that cost the same, the one that is right everywhere', () => {
+    const scene = sceneOf([rightZBuffer, { ...safeZBuffer, time: rightZBuffer.time }]);
+    const advice = adviceOf([scene], 'time');
+    expect(advice?.cheapest.setting.kernel).toBe('filtered');
+    expect(advice?.safe).toBe(advice?.cheapest);
+  });
+
   it('is none of a text with faults, and of none that a fault ended', () => {
     const printed = runOf({ edition: 'printed', time: 0.5 });
     const broken = runOf({ complete: false, time: 0.6 });

@@ -1,5 +1,5 @@
 import type { Cost, Run, Subject } from './format.js';
-import { byCost, byError } from './front.js';
+import { byError } from './front.js';
 import { pointsOf } from './points.js';
 import type { Point } from './points.js';
 import { methods } from './scene-format.js';
@@ -12,6 +12,11 @@ import type { CurveKnob, CurveRun } from './surface-format.js';
 
 /** Kernels that decide as exact arithmetic would: right in every scene, not in this one alone. */
 const alwaysRight: readonly string[] = ['filtered', 'exact'];
+const isSafe = ({ setting }: Point): boolean => alwaysRight.includes(setting.kernel);
+
+/** What is right everywhere goes before what is as cheap. */
+const byCostThenSafety = (a: Point, b: Point): number =>
+  a.cost - b.cost || Number(isSafe(b)) - Number(isSafe(a));
 
 /** How a surface's curves are sampled: as its file says, or by a knob. */
 export type Sampling = CurveKnob | 'fixed';
@@ -71,7 +76,7 @@ function lossesOf(subjects: readonly Subject[], cost: Cost, cheapest: Point): Lo
 export function adviceOf(subjects: readonly Subject[], cost: Cost): Advice | null {
   const [wrong] = axesOf(subjects).errors;
   const points = pointsOf(subjects, cost, wrong).points.filter(isSound);
-  const right = points.filter(({ error }) => error === 0).sort(byCost);
+  const right = points.filter(({ error }) => error === 0).sort(byCostThenSafety);
   const [cheapest] = right;
   if (cheapest === undefined) return null;
   const inRun = new Set(points.map(({ setting }) => meansOf(setting)));
@@ -83,8 +88,8 @@ export function adviceOf(subjects: readonly Subject[], cost: Cost): Advice | nul
   return {
     cheapest,
     cheaper: points.filter((point) => point.cost < cheapest.cost).sort(byError),
-    safe: right.find(({ setting }) => alwaysRight.includes(setting.kernel)) ?? null,
-    others: others.flatMap((means) => firstBy(means) ?? []).sort(byCost),
+    safe: right.find(isSafe) ?? null,
+    others: others.flatMap((means) => firstBy(means) ?? []).sort(byCostThenSafety),
     neverRight: others.filter((means) => firstBy(means) === undefined),
     losses: lossesOf(subjects, cost, cheapest),
   };

@@ -96,11 +96,11 @@ describe('the peak between two samples', () => {
   it.each([
     [
       'en',
-      /^“float, tolerance 4 px” .*\(samples 10\)\. .*: 16, .* 1\.01% of the columns\. Its curves miss nothing/u,
+      /^“filtered, tolerance 4 px” .*\(samples 10\)\. .*: 16, .* 1\.01% of the columns\. Its curves miss nothing/u,
     ],
     [
       'ru',
-      /^«float, допуск 4 пикс\.» .*\(отсчёты: 10\)\. .*: 16, .* 1,01 % столбцов\. Его кривые ни над/u,
+      /^«filtered, допуск 4 пикс\.» .*\(отсчёты: 10\)\. .*: 16, .* 1,01 % столбцов\. Его кривые ни над/u,
     ],
   ] as const)('is explained in %s', (language, text) => {
     const all = shown({ ...peak, cost: 'samples' }, language);

@@ -11,7 +11,10 @@ export const playerBesideStyle = css`
     @container (max-width: 960px) {
       :host([beside]) .panels {
         flex: 1;
-        grid-template: minmax(0, 1.3fr) minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1fr);
+        grid-template: minmax(0, var(--picture-share, 1.3fr)) minmax(0, 1fr) / minmax(
+            0,
+            1fr
+          ) minmax(0, 1fr);
       }
       :host([beside]) .panels > section {
         order: 0;
@@ -31,6 +34,9 @@ export const playerBesideStyle = css`
     }
   }
   @media (min-width: 900px) and (max-height: 860px) {
+    :host([beside]) {
+      --picture-share: 1.8fr;
+    }
     :host([beside]) vidno-travel {
       display: none;
     }

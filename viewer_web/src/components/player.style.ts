@@ -29,7 +29,7 @@ export const playerStyle = css`
     min-height: 0;
     gap: 0.75rem;
     grid-template-columns: minmax(0, 1fr) minmax(0, 1fr) minmax(18.5rem, 0.62fr);
-    grid-template-rows: minmax(0, 1fr);
+    grid-template-rows: var(--panels, minmax(0, 1fr));
   }
   .panels > section {
     display: flex;
@@ -44,7 +44,11 @@ export const playerStyle = css`
     flex: 1;
     min-width: 0;
   }
+  /* Where the page scrolls, what is said and done stays in sight. */
   .dock {
+    position: sticky;
+    bottom: 0;
+    z-index: 1;
     display: grid;
     grid-template-columns: minmax(0, 1fr);
     flex: none;
@@ -95,11 +99,6 @@ export const playerStyle = css`
     .listing {
       grid-row: 2;
       grid-column: 1 / -1;
-    }
-    .dock {
-      position: sticky;
-      bottom: 0;
-      z-index: 1;
     }
   }
   @container (max-width: 620px) {

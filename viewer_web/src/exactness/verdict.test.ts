@@ -38,6 +38,18 @@ it('a wrong decision and the step that tells so have one verdict', async () => {
   expect(verdict && isWrong(verdict)).toBe(true);
 });
 
+it('a step that tells nothing of its decisions has that of the first wrong one', async () => {
+  const piece: Event = { e: 'edge_piece', at: 'RC2', from: [0, 3], to: [1, 2], lies: 'outside' };
+  const left: Event = { ...disagree, at: 'RC2', of: 'left_of', taken: true, exact: false };
+  const trace = await traceOf(
+    textWith(headerOf('weiler-atherton'), [piece, left, disagree, piece]),
+  );
+  expect(verdictOf(trace, 1)).toMatchObject({ of: 'left_of', numbers: [], taken: true });
+  expect(verdictOf(trace, 1)).toEqual(verdictOf(trace, 2));
+  expect(verdictOf(trace, 3)?.of).toBe('orientation');
+  expect(verdictOf(trace, 4)).toBeNull();
+});
+
 it('ranges are compared as a whole', async () => {
   const row = { e: 'row', at: 'F2', row: 1, left: 0.5, right: 2.5, first: 0, end: 3 } as const;
   const wrong = async (exact: readonly [number, number]): Promise<boolean> => {

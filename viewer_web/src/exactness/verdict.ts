@@ -102,15 +102,18 @@ function heights({ y, upper, lower }: Event<'height'>): readonly Number[] {
 
 const isDeciding = (event: Event): event is Event<Deciding> => event.e in decided;
 
-/** Null if the step decides nothing by numbers. A wrong decision and the step that tells so have the same verdict. */
+/**
+ * Null if the step decides nothing by numbers, or only such that no event tells, and none of them wrong. A wrong decision and
+ * the step that tells so have the same verdict.
+ */
 export function verdictOf({ timeline }: Trace, step: number): Verdict | null {
   const event = timeline.event(step);
   const ownAt = (at: number): Verdict | null =>
     ownVerdict(timeline.event(at), timeline.event(at - 1));
   if (event?.e === 'disagree') return judged(ownAt(step - 1), event);
   const own = ownAt(step);
-  const next = own && timeline.event(step + 1);
-  return own && next?.e === 'disagree' ? judged(own, next) : own;
+  const next = timeline.event(step + 1);
+  return next?.e === 'disagree' ? judged(own, next) : own;
 }
 
 function ownVerdict(event: Event | null, before: Event | null): Verdict | null {

@@ -15,6 +15,8 @@ export const decisions = [
   'same_rounded',
   'pixel',
   'visibility',
+  'left_of',
+  'parallel',
 ] as const;
 export type Decision = (typeof decisions)[number];
 

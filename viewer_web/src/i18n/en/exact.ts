@@ -26,6 +26,8 @@ export const exact: ExactTexts = {
     same_rounded: 'whether two numbers round alike',
     pixel: 'the pixel of a number',
     visibility: 'the flag of Visibility',
+    left_of: 'whether the point lies left of the edge',
+    parallel: 'whether the two are parallel',
   },
   causes: {
     rounded: 'The operation rounded.',

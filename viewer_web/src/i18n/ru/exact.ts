@@ -26,6 +26,8 @@ export const exact: ExactTexts = {
     same_rounded: 'одинаково ли округляются два числа',
     pixel: 'пиксель числа',
     visibility: 'признак видимости',
+    left_of: 'лежит ли точка слева от ребра',
+    parallel: 'параллельны ли прямые или плоскости',
   },
   causes: {
     rounded: 'Операция округлила.',

@@ -25,7 +25,7 @@ export const page: PageTexts = {
     zbuffer: 'Z-буфер',
     ...family.methods,
     'floating-horizon': 'Плавающий горизонт',
-    'weiler-atherton': 'Вейлер–Азертон',
+    'weiler-atherton': 'Вейлер — Азертон',
   },
   checked: 'с проверкой',
   editions: {
