@@ -103,8 +103,8 @@ function heights({ y, upper, lower }: Event<'height'>): readonly Number[] {
 const isDeciding = (event: Event): event is Event<Deciding> => event.e in decided;
 
 /**
- * Null if the step decides nothing by numbers, or only such that no event tells, and none of them wrong. A wrong decision and
- * the step that tells so have the same verdict.
+ * Null if the step decides nothing, or what it decides is told by no event and is right. A wrong decision and the step that
+ * tells so have the same verdict.
  */
 export function verdictOf({ timeline }: Trace, step: number): Verdict | null {
   const event = timeline.event(step);
