@@ -1,7 +1,7 @@
-import type { Browser } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, placesOf, small, widthOf } from './page.js';
+import { goTo, launch, open, opened, placesOf, sampleTrace, small, widthOf } from './page.js';
 
 let browser: Browser;
 beforeAll(async () => {
@@ -47,6 +47,38 @@ describe('the layout', () => {
     expect(bottom).toBeGreaterThan(viewport.height);
     const [, bottomOfDock] = await ends('vidno-player .dock');
     expect(bottomOfDock).toBeLessThanOrEqual(viewport.height);
+  });
+});
+
+/** Of some 200 steps those at which the sentence does not fit into its box, with what they say. */
+const cutSentences = (page: Page): Promise<readonly string[]> =>
+  page.evaluate(async () => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    const box = player?.shadowRoot?.querySelector('.sentence');
+    if (!player || !box) throw new Error('no sentence');
+    const cut: string[] = [];
+    const stride = Math.ceil(player.length / 200);
+    for (let step = 1; step <= player.length; step += stride) {
+      player.moveTo(step);
+      await player.updateComplete;
+      if (box.scrollHeight > box.clientHeight + 1) cut.push(`${step}: ${box.textContent}`);
+    }
+    return cut;
+  });
+
+describe.each(['en', 'ru'] as const)('on a phone every sentence fits, in %s', (language) => {
+  it.each([
+    'small.warnock.signs',
+    'small.zbuffer.signs',
+    'small.warnock-angles.signs',
+    'edges.warnock-edges.signs',
+    'wedge.weiler-atherton.signs',
+    'hills.floating-horizon.signs',
+  ])('%s', async (trace) => {
+    const viewport = { width: 390, height: 844 };
+    const { page } = await open(browser, `#lang=${language}`, { viewport });
+    await opened(page, `${trace}.jsonl`, sampleTrace(trace));
+    expect(await cutSentences(page)).toEqual([]);
   });
 });
 

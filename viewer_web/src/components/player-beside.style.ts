@@ -11,10 +11,9 @@ export const playerBesideStyle = css`
     @container (max-width: 960px) {
       :host([beside]) .panels {
         flex: 1;
-        grid-template: minmax(0, var(--picture-share, 1.3fr)) minmax(0, 1fr) / minmax(
-            0,
-            1fr
-          ) minmax(0, 1fr);
+        grid-template:
+          minmax(0, var(--picture-share, 1.3fr)) minmax(0, 1fr) / minmax(0, 1fr)
+          minmax(0, 1fr);
       }
       :host([beside]) .panels > section {
         order: 0;
@@ -41,8 +40,9 @@ export const playerBesideStyle = css`
       display: none;
     }
     :host([beside]) .sentence {
-      height: 2.6rem;
-      font-size: 1rem;
+      height: 3.2rem;
+      font-size: 0.875rem;
+      line-height: 1.2;
     }
   }
   /* Above the text: one sees the picture, where there is room the listing, and the sentence. */
@@ -75,9 +75,9 @@ export const playerBesideStyle = css`
       padding-block: 0.25rem;
     }
     :host([beside]) .sentence {
-      height: 3rem;
-      font-size: 0.9375rem;
-      line-height: 1.3;
+      height: 3.1rem;
+      font-size: 0.8125rem;
+      line-height: 1.25;
     }
   }
   @media (max-width: 640px) {

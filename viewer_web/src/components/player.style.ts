@@ -123,8 +123,9 @@ export const playerStyle = css`
       height: auto;
     }
     .sentence {
-      height: 4.2rem;
-      font-size: 0.9375rem;
+      height: 4.6rem;
+      font-size: 0.875rem;
+      line-height: 1.3;
       gap: 0.5rem;
     }
     .sentence .at {

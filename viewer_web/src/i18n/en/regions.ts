@@ -25,7 +25,7 @@ export const regionSentences: RegionSentences = {
       ? `No part of ${polygon} lies in the area: it takes no part.`
       : `The part of ${polygon} in the area has ${words.counted(verticesOf(region), vertices)}.`,
   pierce: ({ polygon, other, normal, point: at }) =>
-    `${polygon} and ${other} pierce each other: what they have in common lies on both sides of the line in which their planes meet, through ${point(at)}. On the side of ${point(normal)} ${polygon} is nearer.`,
+    `${polygon} and ${other} pierce each other: the line where their planes meet, through ${point(at)}, divides what they share. Towards ${point(normal)} ${polygon} is nearer.`,
   split: ({ polygon }) =>
     `${polygon} is split along that line: each of its two pieces is on one side of the other polygon.`,
   facets: ({ pieces: all }, words) =>

@@ -16,7 +16,7 @@ const sizeOf = (region: Region, words: Words): string =>
 const lies = {
   inside: 'внутри отсекающей области',
   outside: 'снаружи отсекающей области',
-  same_side: 'на границе отсекающей области, обе области по одну сторону: идёт внутрь',
+  same_side: 'на границе отсекающей области, обе по одну сторону: идёт внутрь',
   other_side: 'на границе отсекающей области, области по разные стороны: идёт наружу',
 } as const;
 
@@ -26,7 +26,7 @@ export const regionSentences: RegionSentences = {
       ? `${polygon} весь лежит вне области рисования и не участвует.`
       : `${polygon} в области рисования: ${words.counted(verticesOf(region), vertices)}.`,
   pierce: ({ polygon, other, normal, point: at }) =>
-    `${polygon} и ${other} протыкают друг друга: их общая часть лежит по обе стороны линии пересечения плоскостей, проходящей через ${point(at)}. Со стороны ${point(normal)} ближе ${polygon}.`,
+    `${polygon} и ${other} протыкают друг друга: прямая пересечения плоскостей, через ${point(at)}, делит их общую часть. В сторону ${point(normal)} ближе ${polygon}.`,
   split: ({ polygon }) =>
     `${polygon} разрезан по этой линии: каждая из двух частей лежит по одну сторону другого многоугольника.`,
   facets: ({ pieces: all }, words) =>
