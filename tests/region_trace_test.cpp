@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "check.h"
@@ -164,6 +165,26 @@ TEST_CASE("Regions: under filtered and exact a check finds nothing, and under do
         wrong_in_double += in_double.any_wrong() ? 1 : 0;
     }
     CHECK(wrong_in_double > 0);
+}
+
+TEST_CASE("Regions: a wrong sign is told as a sign, and what is yes or no by its own name") {
+    // B's vertex is on A's edge: 4.2 + (2.78 - .8) (4.4 - 4.2) / (4.1 - .8) = 4.2 + .12 = 4.32. Rounded, it is inside A.
+    const Scene touch = SceneBuilder({0, 0, 5, 5})
+                            .polygon({{4.1, 4.4, .5}, {.8, 4.2, .5}, {4, 5, .5}})
+                            .polygon({{2.78, 4.32, 0}, {0, 3, 0}, {1, 2, 0}})
+                            .build();
+    TraceReader reader(LineReader::of_text(traced(touch, "double", Detail::signs, true)), "trace");
+    std::set<Decision> found;
+    while (const auto event = reader.next()) {
+        const auto* wrong = std::get_if<event::Disagree>(&*event);
+        if (wrong == nullptr) continue;
+        CAPTURE(decision_names[std::size_t(wrong->of)]);
+        const bool yes_or_no = wrong->of == Decision::left_of || wrong->of == Decision::parallel;
+        CHECK(std::holds_alternative<bool>(wrong->taken) == yes_or_no);
+        found.insert(wrong->of);
+    }
+    CHECK(found.contains(Decision::orientation));
+    CHECK(found.contains(Decision::left_of));
 }
 
 TEST_CASE("Regions as a file: polygons with their areas, exact under exact") {
