@@ -3,7 +3,7 @@ import type { Advice, Losses, Means } from './advice.js';
 import { number, percent, ratio, whole } from './numbers.js';
 import type { Point } from './points.js';
 import type { Shown } from './shown.js';
-import { costAmount, runName } from './words.js';
+import { costAmount, fullName } from './words.js';
 
 /** A run by its name, and how many times as dear it is as the cheapest right one. */
 function compared(point: Point, cheapest: Point, shown: Shown): string {
@@ -12,7 +12,7 @@ function compared(point: Point, cheapest: Point, shown: Shown): string {
   const most = point.run && mostly(point.run);
   const spent = most === null ? null : texts.operations[most[0]](percent(most[1], language));
   const details = spent === null ? times : `${times}; ${spent}`;
-  return `${runName(point.setting, shown)} (${details})`;
+  return `${fullName(point.setting, shown)} (${details})`;
 }
 
 /** Why samples count: what is lost between them, and whether anything is by arithmetic. */
@@ -33,7 +33,7 @@ export function adviceText(advice: Advice | null, shown: Shown): string {
   const { advice: say } = subjectTexts;
   if (advice === null) return say.none;
   const { cheapest, cheaper, safe, others, neverRight, losses } = advice;
-  const name = (point: Point): string => runName(point.setting, shown);
+  const name = (point: Point): string => fullName(point.setting, shown);
   const nameOf = (means: Means): string =>
     isSampling(means) ? texts.samplings[means] : texts.methods[means];
   const [amount] = costAmount(cheapest, shown);

@@ -81,6 +81,19 @@ describe.each(languages)('the paragraph in %s', (language) => {
     expect(said).toMatch(/double.*×2.*float.*4 ?%.*filtered.*×1[.,]5.*double \(×10; 100 ?%/u);
   });
 
+  it('tells runs apart that differ by their smallest window', () => {
+    const coarse = runOf({
+      method: 'warnock',
+      window: 8,
+      knob: 'window',
+      value: 8,
+      wrongPixels: 17,
+    });
+    expect(saidOf([{ ...coarse, time: 1 }, rightZBuffer])).toMatch(
+      /double \([^)]* 8[^)]*\).* 17 ?%/u,
+    );
+  });
+
   it('differs where the cheapest is right everywhere', () => {
     expect(saidOf([safeZBuffer])).not.toBe(saidOf([rightZBuffer]));
     expect(saidOf([safeZBuffer]).split('.').length).toBeLessThan(5);

@@ -33,6 +33,12 @@ export function runName(setting: Setting, worded: Worded): string {
   return `${worded.texts.methods[method]}${isVariant(method) ? ',' : ''} ${kernel}`;
 }
 
+/** The name where no details stand beside it: runs that differ by their smallest window have one kernel. */
+export function fullName(setting: Setting, worded: Worded): string {
+  const name = runName(setting, worded);
+  return setting.knob === 'window' ? `${name} (${turned(setting, worded) ?? ''})` : name;
+}
+
 /** What was turned if the name does not say so, and which text was run. */
 export function runDetails({ setting, complete }: Point, worded: Worded): string {
   const { texts } = worded;
