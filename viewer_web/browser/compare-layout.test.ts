@@ -16,7 +16,10 @@ const lesson = 'trace=09-usual-mistakes.warnock.double.corrected.signs';
 
 describe('a comparison', () => {
   it.each(
-    [390, 768, 1280, 1920].flatMap((width) => [[width, 'en'] as const, [width, 'ru'] as const]),
+    [390, 768, 1024, 1280, 1920].flatMap((width) => [
+      [width, 'en'] as const,
+      [width, 'ru'] as const,
+    ]),
   )('clips and moves nothing at %d px in %s', async (width, language) => {
     const viewport = { width, height: width < 500 ? 844 : 1080 };
     const { page, faults } = await open(
@@ -36,6 +39,23 @@ describe('a comparison', () => {
     }
     expect([...places]).toHaveLength(1);
     expect(faults).toEqual([]);
+  });
+
+  it('where the page scrolls, has pictures, listings and sentences on one screen', async () => {
+    const viewport = { width: 1024, height: 768 };
+    const hash = `#lang=ru&${lesson}&with=warnock.printed.double.signs`;
+    const { page } = await open(browser, hash, { viewport });
+    await compared(page);
+    const dock = await page.locator('vidno-comparison .dock').boundingBox();
+    expect((dock?.y ?? NaN) + (dock?.height ?? NaN)).toBeLessThanOrEqual(viewport.height);
+    for (const part of ['.picture', '.listing', '.sentence']) {
+      const both = await page.locator(`vidno-compared-run ${part}`).all();
+      expect(both).toHaveLength(2);
+      for (const each of both) {
+        const box = await each.boundingBox();
+        expect((box?.y ?? NaN) + (box?.height ?? NaN)).toBeLessThanOrEqual(dock?.y ?? NaN);
+      }
+    }
   });
 
   it.each(['light', 'dark'] as const)(

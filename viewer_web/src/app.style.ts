@@ -85,10 +85,13 @@ export const appStyle = [
         flex: 1 1 12rem;
       }
     }
-    /* The page scrolls: one screen holds the panels and the dock. */
+    /* The page scrolls: one screen holds the panels and the dock, of a comparison what is said, too. */
     @media (min-width: 641px) and (max-width: 1199px) {
       :host(:not([reading], [embed])) vidno-player {
         --panels: clamp(24rem, 100dvh - 14.5rem, 44rem);
+      }
+      vidno-comparison {
+        --panels: clamp(20rem, 100dvh - 24rem, 36rem);
       }
     }
     @media (max-width: 640px) {

@@ -20,7 +20,7 @@ export const comparisonStyle = css`
     gap: 0.5rem 0.6rem;
     grid-template:
       'name-one name-one name-other name-other' auto
-      'list-one picture-one picture-other list-other' minmax(0, 1fr)
+      'list-one picture-one picture-other list-other' var(--panels, minmax(0, 1fr))
       'said-one said-one said-other said-other' auto
       'facts facts facts facts' auto
       / minmax(0, 1fr) minmax(0, 1fr) minmax(0, 1fr) minmax(0, 1fr);
@@ -28,7 +28,11 @@ export const comparisonStyle = css`
   vidno-comparison-facts {
     grid-area: facts;
   }
+  /* Where the page scrolls, the way through the runs stays in sight. */
   .dock {
+    position: sticky;
+    bottom: 0;
+    z-index: 1;
     flex: none;
     padding: 0.5rem 0.9rem 0.6rem;
     border: 1px solid var(--line);
@@ -54,11 +58,6 @@ export const comparisonStyle = css`
         'facts facts' auto
         'list-one list-other' 24rem
         / minmax(0, 1fr) minmax(0, 1fr);
-    }
-    .dock {
-      position: sticky;
-      bottom: 0;
-      z-index: 1;
     }
   }
   @container (max-width: 620px) {
