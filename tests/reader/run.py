@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Traces of all methods, read by picture.py, which must take each of them and refuse it once it is changed.
+
+    run.py VIDNO LESSONS WORK        the program, the folder of lessons, a folder for traces
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+import picture
+
+COURSE = ["warnock", "zbuffer"]
+FAMILY = [f"warnock-{name}" for name in ("simplest", "full", "angles", "vertex", "edges", "bodies")]
+REGIONS = ["weiler-atherton"]
+CURVES = ["floating-horizon"]
+LEVELS = ["windows", "polygons", "signs"]
+EVERY_KERNEL = ["float", "double", "bits:9", "filtered", "exact"]
+MISTAKES = {
+    "warnock": ["one-list", "clip-order-reversed", "y-flipped", "depth-sign-reversed", "boundary-outside",
+                "integer-division", "surround-kept"],
+    "zbuffer": ["depths-not-cleared", "y-flipped", "depth-sign-reversed", "boundary-outside"],
+    "warnock-full": ["vertex-counted-twice", "line-for-edge"],
+    "warnock-angles": ["octants-not-split"],
+}  # fmt: skip
+
+
+def runs():
+    """Scenes below the lessons, each with the options of its runs."""
+    bodies = "11-warnock-family/bodies.json"  # which every method takes
+    for method in COURSE + FAMILY + REGIONS:
+        kernels = EVERY_KERNEL + ([] if method in REGIONS else ["grid:4"])
+        for place, kernel in enumerate(kernels):
+            yield bodies, ["--method", method, "--kernel", kernel, "--detail", LEVELS[place % 3]]
+        for level in LEVELS:
+            yield bodies, ["--method", method, "--detail", level, "--check"]
+    for scene in ("09-usual-mistakes/mistakes.json", "01-four-relations/cycle.json"):
+        for method in COURSE + FAMILY[:-1] + REGIONS:
+            yield scene, ["--method", method, "--kernel", "float", "--detail", "windows"]
+        for method in COURSE:
+            for kernel in ("float", "double", "bits:9", "exact"):
+                options = ["--method", method, "--kernel", kernel, "--edition", "printed"]
+                yield scene, options + ["--detail", "polygons"]
+        for method, editions in MISTAKES.items():
+            for edition in editions:
+                yield scene, ["--method", method, "--edition", edition, "--detail", "windows"]
+        yield scene, ["--method", "zbuffer", "--kernel", "depth:6", "--detail", "polygons"]
+        yield scene, ["--method", "warnock", "--max-events", "40"]
+    for scene in ("scene", "tie", "peak", "edges", "denser"):
+        for place, kernel in enumerate(EVERY_KERNEL):
+            options = ["--method", *CURVES, "--kernel", kernel, "--detail", LEVELS[place % 3]]
+            yield f"15-floating-horizon/{scene}.json", options
+            if kernel not in ("filtered", "exact"):
+                yield f"15-floating-horizon/{scene}.json", options + ["--edition", "printed", "--check"]
+
+
+def changed_paint(lines):
+    """The lines with another colour, or another end, of what was painted last. None if nothing was."""
+    for place in range(len(lines) - 2, 0, -1):
+        event = json.loads(lines[place])
+        name = event["e"]
+        if name == "draw_line":
+            event["to"][1] = "1/97" if isinstance(event["to"][1], str) else event["to"][1] + 1
+        elif name == "span" and event["runs"]:
+            place = max(i for i in range(1, place) if json.loads(lines[i])["e"] == "polygon")
+            event = json.loads(lines[place])
+            event["color"] = "#010203"
+        elif name in ("draw", "paint") and event["runs"] or name == "fill" and 0 not in event["rect"][2:]:
+            event["color"] = "#010203"
+        else:
+            continue
+        return [*lines[:place], json.dumps(event), *lines[place + 1 :]]
+    return None
+
+
+def expect_refused(lines, what):
+    try:
+        picture.check(lines)
+    except picture.Wrong:
+        return
+    raise AssertionError(f"taken: {what}")
+
+
+def check_trace(lines, what, partial):
+    events = picture.check(lines)
+    assert events == len(lines) - 2, what
+    expect_refused(lines[:-1], f"{what} without its last line")
+    expect_refused(lines[:-2] + lines[-1:], f"{what} without its last event")
+    changed = None if partial else changed_paint(lines)
+    if changed:
+        expect_refused(changed, f"{what} with another paint")
+    return bool(changed)
+
+
+def main(vidno, lessons, work):
+    work = pathlib.Path(work)
+    work.mkdir(parents=True, exist_ok=True)
+    total = changed = 0
+    for scene, options in runs():
+        trace = work / ("trace.jsonl.gz" if total % 10 == 0 else "trace.jsonl")
+        what = " ".join(["vidno", "trace", scene, *options])
+        told = subprocess.run(
+            [vidno, "trace", f"{lessons}/{scene}", *options, "-o", trace], stderr=subprocess.PIPE, text=True
+        )
+        partial = "--max-events" in options
+        assert told.returncode == (1 if partial else 0), f"{what}\n{told.stderr}"
+        changed += check_trace(list(picture.lines_of(str(trace))), what, partial)
+        total += 1
+    assert changed > total * 9 // 10, "hardly anything was painted"
+    print(f"{total} traces are what they say, {changed} are refused once another thing is painted")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,505 @@
+/// Recorded hashes: every run of the scenes of a group, held against the hashes of runs of an earlier commit.
+///
+///     vidno_recorded GROUP                    compares with GROUP.txt
+///     vidno_recorded GROUP --every N          of each Nth scene alone: the scenes' hashes
+///     vidno_recorded GROUP --write            writes that file
+///     vidno_recorded GROUP --runs             the hash of each run, a line each: two programs' answers may be compared
+///     vidno_recorded GROUP --scene NAME       the scene as a file
+///
+/// A run is a scene, a method with its edition and kernel, and a way to tell it. A list of all hashes would be too long, so they are
+/// recorded along the three sides of that table: a hash of each scene in all its runs, of each method in all its scenes and ways, and
+/// of each way. A run that changed is where a scene, a method and a way meet whose hashes changed.
+///
+/// The scenes take turns: each is run at all levels, but checked at one, exact runs even more rarely, and its states are taken at one,
+/// under one kernel.
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "check.h"
+#include "curve_run.h"
+#include "curve_state.h"
+#include "image.h"
+#include "method.h"
+#include "output.h"
+#include "random_scenes.h"
+#include "region_output.h"
+#include "scene_json.h"
+#include "snapped_scene.h"
+#include "state.h"
+#include "surface.h"
+#include "trace_reader.h"
+
+namespace vidno::recorded {
+
+namespace {
+
+/// A run that tells more is stopped: its trace says so, and is the same each time.
+constexpr std::uint64_t most_events = 3000;
+constexpr std::uint64_t most_events_checked = 20000;
+constexpr std::uint64_t most_states = 500;
+
+using Hash = std::string;  // in hexadecimal digits
+
+Hash hash_of(std::string_view bytes) { return hash_text(bytes).substr(std::string_view("sha256:").size()); }
+
+/// The hash of a sequence.
+class Chain {
+public:
+    void add(std::string_view bytes) { hash_ = hash_of(hash_ + hash_of(bytes)); }
+    const Hash& hash() const { return hash_; }
+
+private:
+    Hash hash_;
+};
+
+// Scenes
+
+struct NamedScene {
+    std::string name;
+    std::string text;  // of a file that the program takes
+};
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& file : std::filesystem::directory_iterator(folder)) files.push_back(file.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+const std::filesystem::path lessons = VIDNO_ROOT "/lessons";
+
+std::vector<NamedScene> lesson_scenes() {
+    std::vector<NamedScene> scenes;
+    for (const auto& folder : files_in(lessons)) {
+        const std::string name = folder.filename();
+        const bool has_scenes = std::isdigit(static_cast<unsigned char>(name[0])) || name == "surfaces";
+        if (!has_scenes) continue;
+        for (const auto& file : files_in(folder)) {
+            if (file.extension() != ".json" || file.filename() == "lesson.json") continue;
+            scenes.push_back({name + '/' + file.stem().string(), read_file(file)});
+        }
+    }
+    return scenes;
+}
+
+std::vector<NamedScene> atlas_scenes() {
+    std::vector<NamedScene> scenes;
+    for (const auto& file : files_in(lessons / "failures")) {
+        if (file.extension() != ".json") continue;
+        const auto entry = nlohmann::json::parse(read_file(file));
+        if (entry.contains("scene")) scenes.push_back({file.stem(), entry["scene"].dump()});
+    }
+    return scenes;
+}
+
+/// A third of the random scenes.
+std::vector<NamedScene> random_third(std::uint64_t third) {
+    std::vector<NamedScene> scenes;
+    const auto add = [&](const std::string& kind, std::uint64_t count, auto&& made) {
+        for (std::uint64_t i = third * count; i < (third + 1) * count; ++i) {
+            scenes.push_back({kind + '-' + std::to_string(i), made(i)});
+        }
+    };
+    add("random", 100, random_scene);
+    add("surface", 20, random_surface);
+    return scenes;
+}
+
+std::optional<std::vector<NamedScene>> scenes_of(const std::string& group) {
+    if (group == "lessons") return lesson_scenes();
+    if (group == "atlas") return atlas_scenes();
+    if (group == "random-1") return random_third(0);
+    if (group == "random-2") return random_third(1);
+    if (group == "random-3") return random_third(2);
+    return std::nullopt;
+}
+
+AnyScene scene_in(const NamedScene& scene) {
+    if (is_surface(scene.text)) return read_surface(scene.text, scene.name);
+    return read_scene(scene.text, scene.name).scene;
+}
+
+// Methods, each in its editions and under kernels that run it
+
+constexpr std::string_view kernels[]{"float",   "double",   "bits:4", "bits:9", "bits:24",
+                                     "depth:8", "filtered", "grid:8", "exact"};
+
+struct PolygonMethod {
+    Method method;
+    Edition edition;
+    NamedKernel kernel;
+};
+struct CurveMethod {
+    Edition edition;
+    NamedKernel kernel;
+};
+
+/// As options of the program.
+std::string options_of(std::string_view method, Edition edition, const NamedKernel& kernel) {
+    return "--method " + std::string(method) + " --edition " + std::string(edition_names[std::size_t(edition)]) +
+           " --kernel " + kernel.name();
+}
+std::string options_of(const PolygonMethod& each) {
+    return options_of(method_names[std::size_t(each.method)], each.edition, each.kernel);
+}
+std::string options_of(const CurveMethod& each) { return options_of(curve_method, each.edition, each.kernel); }
+
+void for_each_choice(auto&& use) {
+    for (std::size_t edition = 0; edition < edition_names.size(); ++edition) {
+        for (const auto kernel : kernels) use(Edition(edition), kernel_named(kernel).value());
+    }
+}
+
+std::vector<PolygonMethod> polygon_methods() {
+    std::vector<PolygonMethod> methods;
+    for (std::size_t i = 0; i < method_names.size(); ++i) {
+        for_each_choice([&](Edition edition, const NamedKernel& kernel) {
+            if (kernel.choice->runs(Method(i), edition)) methods.push_back({Method(i), edition, kernel});
+        });
+    }
+    return methods;
+}
+
+std::vector<CurveMethod> curve_methods() {
+    std::vector<CurveMethod> methods;
+    for_each_choice([&](Edition edition, const NamedKernel& kernel) {
+        if (kernel.choice->runs_curves(edition)) methods.push_back({edition, kernel});
+    });
+    return methods;
+}
+
+// Ways to tell a run
+
+/// The picture or the lines without a trace, how often the run reported progress, what else came out of it.
+std::string result_of(RunRequest request) {
+    std::uint64_t steps = 0;
+    request.progress = [&] { ++steps; };
+    std::vector<ShownRegion> regions;
+    const bool has_regions = request.method == Method::weiler_atherton;
+    if (has_regions) request.regions = &regions;
+    std::string result = rgb_rows(run(request));
+    result += std::to_string(steps);
+    if (has_regions) result += regions_json(regions, request);
+    if (is_warnock(request.method)) {
+        request.smallest_window = 2;
+        result += rgb_rows(run(request));
+    }
+    return result;
+}
+std::string result_of(CurveRequest request) {
+    std::uint64_t steps = 0;
+    request.progress = [&] { ++steps; };
+    const DrawnLines lines = run(request);
+    return lines_hash(lines) + std::to_string(steps);
+}
+
+TraceHeader header_of(const RunRequest& request, const Scene& scene) {
+    return {request.method, request.edition, request.kernel.name(), request.detail, scene};
+}
+CurveHeader header_of(const CurveRequest& request, const Surface& surface) {
+    return {request.edition, request.kernel.name(), request.detail, surface};
+}
+
+std::string trace_of(const auto& request, const auto& scene, bool checked) {
+    std::string text;
+    TraceWriter writer(
+        header_of(request, scene), [&](std::string_view part) { text += part; }, most_events);
+    write_trace(request, writer, checked);
+    return text;
+}
+
+State state_of(const TraceReader& reader) { return State(reader.header()); }
+CurveState state_of(const CurveTraceReader& reader) { return CurveState(reader.header()); }
+
+/// What `vidno replay` writes of each state.
+Hash states_of(const std::string& trace) {
+    AnyTraceReader opened = open_trace(LineReader::of_text(trace), "trace");
+    return std::visit(
+        [](auto& reader) {
+            auto state = state_of(reader);
+            Chain states;
+            states.add(state_json(state));
+            while (const auto event = reader.next()) {
+                state.apply(*event);
+                if (state.step() <= most_states) states.add(state_json(state));
+            }
+            states.add(state_json(state));
+            return states.hash();
+        },
+        opened);
+}
+
+/// What `vidno check` finds. Of a distance, no more digits than any machine's square root gives.
+std::string text_of(const DecisionReport& report) {
+    std::ostringstream text;
+    text << std::setprecision(6) << report.intersections << ' ' << report.farthest_off;
+    for (const auto count : report.decided_by) text << ' ' << count;
+    for (const auto& each : report.procedures) {
+        text << '\n' << procedure_names[std::size_t(each.procedure)] << ' ' << each.decisions << ' ';
+        text << each.wrong_for_operands << ' ' << each.wrong_for_scene << ' ' << each.undefined;
+        if (each.first_wrong) text << ' ' << *each.first_wrong;
+    }
+    return text.str();
+}
+std::string findings_in(const RunRequest& request) {
+    const CheckReport report = check_run(request, right_picture(request.scene, request.method));
+    return text_of(report) + '\n' + std::to_string(report.wrong_pixels);
+}
+std::string findings_in(const CurveRequest& request) {
+    const CurveCheckReport report = check_run(request);
+    return text_of(report) + '\n' + std::to_string(report.wrong_columns);
+}
+/// Nothing of a run that is too long: with few bits the printed Z-buffer may step on for very long.
+std::string findings_of(auto request, const auto& scene) {
+    request.detail = Detail::signs;
+    TraceWriter writer(
+        header_of(request, scene), [](std::string_view) {}, most_events_checked);
+    return write_trace(request, writer, false) ? findings_in(request) : "";
+}
+
+/// Which ways a scene is run in. By its name, so that a scene that is added changes no turn of another.
+struct Turn {
+    std::size_t number;
+    bool all;
+
+    Turn(const std::string& name, bool every_way)
+        : number(std::stoul(hash_of(name).substr(0, 4), nullptr, 16)), all(every_way) {}
+
+    bool checks(std::size_t detail, std::string_view kernel) const {
+        return all || (number % 3 == detail && (kernel != "exact" || number / 3 % 3 == 0));
+    }
+    bool counts(std::string_view kernel) const { return all || (number % 6 == 5 && kernel != "exact"); }
+    /// What events do to a state has little to do with the kernel: one of doubles and one of fractions.
+    bool takes_states(std::size_t detail, std::string_view kernel) const {
+        if (all) return kernel == "double" || kernel == "exact";
+        return number / 3 % 3 == detail && kernel == (number / 9 % 2 == 0 ? "double" : "exact");
+    }
+};
+
+/// Hears the hash of each way of one run: without a trace, at all levels, checked, and of its
+/// states.
+void tell_in_each_way(auto request, const auto& scene, const Turn& turn, auto&& hear) {
+    const std::string kernel = request.kernel.name();
+    hear("without a trace", hash_of(result_of(request)));
+    if (turn.counts(kernel)) hear("by vidno check", hash_of(findings_of(request, scene)));
+    for (std::size_t detail = 0; detail < detail_names.size(); ++detail) {
+        request.detail = Detail(detail);
+        const std::string level = "--detail " + std::string(detail_names[detail]);
+        const std::string trace = trace_of(request, scene, false);
+        hear(level, hash_of(trace));
+        if (turn.checks(detail, kernel)) hear(level + " --check", hash_of(trace_of(request, scene, true)));
+        if (turn.takes_states(detail, kernel)) hear(level + ", its states", states_of(trace));
+    }
+}
+
+void tell(const PolygonMethod& each, const Scene& given, const Turn& turn, auto&& hear) {
+    const auto& [method, edition, kernel] = each;
+    Scene scene = given;
+    try {
+        if (kernel.snaps()) scene = snapped_scene(given, kernel.parameter).scene;
+    } catch (const Refused&) {
+        return hear("refused", {});
+    }
+    if (refusal_of(method, scene)) return hear("refused", {});
+    tell_in_each_way(RunRequest{method, kernel, edition, scene}, scene, turn, hear);
+}
+void tell(const CurveMethod& each, const Surface& surface, const Turn& turn, auto&& hear) {
+    tell_in_each_way(CurveRequest{each.kernel, each.edition, surface.curves}, surface, turn, hear);
+}
+
+// The table
+
+/// The hashes of a group, each under what it is of, in the order in which these came first.
+class Hashes {
+public:
+    void add(const std::string& key, std::string_view bytes) {
+        const auto [at, is_new] = chains_.try_emplace(key);
+        if (is_new) keys_.push_back(key);
+        at->second.add(bytes);
+    }
+    const std::vector<std::string>& keys() const { return keys_; }
+    std::string of(const std::string& key) const { return chains_.at(key).hash(); }
+
+private:
+    std::vector<std::string> keys_;
+    std::map<std::string, Chain> chains_;
+};
+
+struct Table {
+    Hashes scenes, methods, ways;
+    std::uint64_t runs = 0;
+};
+
+/// As printed, the Z-buffer steps through all of the plane to where the vertices of one scene are: that takes minutes.
+bool never_ends(const NamedScene& scene, const PolygonMethod& each) {
+    return scene.name == "12-ray-crossings/far" && each.method == Method::zbuffer && each.edition == Edition::printed;
+}
+bool never_ends(const NamedScene&, const CurveMethod&) { return false; }
+
+/// The runs of a scene.
+void add_runs(const NamedScene& named, bool all, Table& table, bool print) {
+    const Turn turn(named.name, all);
+    const auto add = [&](const auto& scene, const auto& methods) {
+        for (const auto& method : methods) {
+            if (never_ends(named, method)) continue;
+            const std::string options = options_of(method);
+            const auto hear = [&](const std::string& way, const Hash& hash) {
+                ++table.runs;
+                table.scenes.add(named.name, options + way + hash);
+                table.methods.add(options, named.name + way + hash);
+                table.ways.add(way, named.name + options + hash);
+                if (print) std::cout << hash << ' ' << named.name << ' ' << options << ' ' << way << '\n';
+            };
+            try {
+                tell(method, scene, turn, hear);
+            } catch (const std::exception& failure) {
+                throw std::runtime_error(named.name + ' ' + options + ": " + failure.what());
+            }
+        }
+    };
+    static const auto for_polygons = polygon_methods();
+    static const auto for_curves = curve_methods();
+    const AnyScene scene = scene_in(named);
+    if (const auto* polygons = std::get_if<Scene>(&scene)) {
+        add(*polygons, for_polygons);
+    } else {
+        add(std::get<Surface>(scene), for_curves);
+    }
+}
+
+std::string hashes_file(const std::string& group) { return VIDNO_ROOT "/tests/recorded/" + group + ".txt"; }
+
+struct Kind {
+    std::string_view name;
+    Hashes Table::*hashes;
+};
+constexpr Kind kinds[]{{"scene", &Table::scenes}, {"method", &Table::methods}, {"way", &Table::ways}};
+
+std::string line_of(const Kind& kind, const Hashes& hashes, const std::string& key) {
+    return std::string(kind.name) + ' ' + hashes.of(key) + ' ' + key;
+}
+
+void write(const std::string& group, const Table& table) {
+    std::string text = "# Hashes of runs, written by vidno_recorded " + group +
+                       " --write. CONTRIBUTING.md says under \"Recorded hashes\" when that may be done again.\n";
+    for (const auto& kind : kinds) {
+        const Hashes& hashes = table.*kind.hashes;
+        for (const auto& key : hashes.keys()) text += line_of(kind, hashes, key) + '\n';
+    }
+    write_file(hashes_file(group), text);
+}
+
+/// The lines of a file, those of `kind` alone.
+std::vector<std::string> recorded_lines(const std::string& file, const Kind& kind) {
+    std::vector<std::string> lines;
+    LineReader reader(file);
+    std::string line;
+    while (reader.next(line)) {
+        if (line.starts_with(std::string(kind.name) + ' ')) lines.push_back(line);
+    }
+    return lines;
+}
+
+/// What follows the kind and the hash.
+std::string key_of(const std::string& line) { return line.substr(line.find(' ', line.find(' ') + 1) + 1); }
+
+/// Says which hashes are not as they were recorded; how many.
+std::size_t differences(const std::string& file, const Table& table, bool whole) {
+    std::size_t different = 0;
+    const auto say = [&](const std::string& what) {
+        ++different;
+        std::cout << what << '\n';
+    };
+    for (const auto& kind : kinds) {
+        if (!whole && kind.hashes != &Table::scenes) continue;
+        const Hashes& hashes = table.*kind.hashes;
+        std::map<std::string, std::string> recorded;
+        for (const auto& line : recorded_lines(file, kind)) recorded[key_of(line)] = line;
+        for (const auto& key : hashes.keys()) {
+            const std::string now = line_of(kind, hashes, key);
+            const auto then = recorded.extract(key);
+            if (then.empty()) {
+                say("not recorded: " + now);
+            } else if (then.mapped() != now) {
+                say("changed: " + now);
+            }
+        }
+        if (!whole) continue;
+        for (const auto& [key, line] : recorded) say("no longer there: " + line);
+    }
+    return different;
+}
+
+void say_what_to_do(const std::string& group) {
+    std::cout << "\nA run that changed is where a changed scene, method and way meet; `vidno_recorded " << group
+              << " --runs`, of a program of before and of this one, says which.\nTo see one:\n  vidno_recorded "
+              << group << " --scene NAME >scene.json\n  vidno trace scene.json METHOD WAY --max-events " << most_events
+              << " -o trace.jsonl\nCONTRIBUTING.md says under \"Recorded hashes\" when other hashes may be recorded.\n";
+}
+
+/// The runs of a group, of each `step`th scene.
+Table table_of(const std::vector<NamedScene>& scenes, bool all, std::size_t step = 1, bool print = false) {
+    Table table;
+    for (std::size_t i = 0; i < scenes.size(); i += step) add_runs(scenes[i], all, table, print);
+    return table;
+}
+
+int compare(const std::string& group, const std::vector<NamedScene>& scenes, std::size_t step) {
+    const Table table = table_of(scenes, false, step);
+    const std::size_t different = differences(hashes_file(group), table, step == 1);
+    if (different > 0) say_what_to_do(group);
+    std::cout << table.scenes.keys().size() << " scenes, " << table.methods.keys().size() << " methods, "
+              << table.ways.keys().size() << " ways, " << table.runs << " runs: " << different << " hashes differ\n";
+    return different > 0 ? 1 : 0;
+}
+
+int usage() {
+    std::cerr << "vidno_recorded lessons|atlas|random-1|random-2|random-3 "
+                 "[--every N | --write | --runs | --scene NAME]\n";
+    return 2;
+}
+
+int main(const std::vector<std::string>& arguments) {
+    const auto scenes = arguments.empty() ? std::nullopt : scenes_of(arguments[0]);
+    if (!scenes) return usage();
+    const std::string group = arguments[0];
+    const auto has = [&](std::size_t place, std::string_view option) {
+        return place < arguments.size() && arguments[place] == option;
+    };
+    if (arguments.size() == 3 && has(1, "--every")) {
+        return compare(group, *scenes, std::stoul(arguments[2]));
+    }
+    if (arguments.size() == 3 && has(1, "--scene")) {
+        for (const auto& [name, text] : *scenes) std::cout << (name == arguments[2] ? text : "");
+        return 0;
+    }
+    if (arguments.size() == 2 && has(1, "--runs")) {
+        table_of(*scenes, true, 1, true);
+        return 0;
+    }
+    const bool writes = has(1, "--write");
+    if (arguments.size() != std::size_t(1 + writes)) return usage();
+    if (!writes) return compare(group, *scenes, 1);
+    write(group, table_of(*scenes, false));
+    return 0;
+}
+
+}  // namespace
+
+}  // namespace vidno::recorded
+
+int main(int count, char** arguments) {
+    try {
+        return vidno::recorded::main({arguments + 1, arguments + count});
+    } catch (const std::exception& failure) {
+        std::cerr << failure.what() << '\n';
+        return 2;
+    }
+}
