@@ -1,16 +1,9 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { bookmark, listed } from './bookmarks.js';
-import { goTo, launch, open, opened, shown, small } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { browser } from './browser.js';
+import { goTo, open, opened, shown, small } from './page.js';
 
 const stepOf = async (page: Page): Promise<number> => (await shown(page)).step;
 

@@ -1,20 +1,12 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import type { Scene, SceneChart, SceneRun } from '../src/chart/scene-format.js';
 import { chartTexts } from '../src/i18n/chart.js';
+import { browser } from './browser.js';
 import { openChart, plot, rows, sample, sampleText, tabTo, template } from './chart.js';
-import { launch, openFile, openUrl } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { openFile, openUrl } from './page.js';
 
 const { methods } = chartTexts.en;
 

@@ -1,16 +1,8 @@
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
 import { compared, comparing, counter, differ, names, sentences, stepsOf } from './compare.js';
 import { editing, handle, rerun, spotOf } from './live.js';
-import { goTo, launch, open } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { goTo, open } from './page.js';
 
 const lesson = 'trace=09-usual-mistakes.warnock.double.corrected.signs';
 

@@ -1,16 +1,9 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
 import { rerun, scene, square, title } from './live.js';
-import { launch, open, openFile } from './page.js';
+import { open, openFile } from './page.js';
 import { scaleOf, stage, wheel } from './zoom.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 /** Where on the canvas colours change along the line through the middle of the box, in its dots. */
 const edgesOn = (page: Page, way: 'across' | 'down'): Promise<readonly number[]> =>

@@ -1,17 +1,10 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, openFile, shown } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { browser } from './browser.js';
+import { goTo, open, openFile, shown } from './page.js';
 
 const waves = readFileSync(
   new URL('../../lessons/surfaces/waves-and-pit.json', import.meta.url),

@@ -1,10 +1,10 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
+import { browser } from './browser.js';
 import {
   cutOff,
   goTo,
-  launch,
   open,
   openFile,
   opened,
@@ -13,14 +13,6 @@ import {
   shown,
   widthOf,
 } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 const name = 'hills.floating-horizon.signs.jsonl';
 const hills = sampleTrace('hills.floating-horizon.signs');

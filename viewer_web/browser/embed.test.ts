@@ -2,22 +2,18 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { afterAll, describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { launch, openUrl, sampleTrace, small } from './page.js';
+import { browser } from './browser.js';
+import { openUrl, sampleTrace, small } from './page.js';
 
 const dist = new URL('../dist/', import.meta.url).href;
 const script = `${dist}vidno-player.js`;
 const folder = mkdtempSync(join(tmpdir(), 'vidno-embed-'));
 const evil = '<img src=x onerror=alert(1)>';
 
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
+afterAll(() => {
   rmSync(folder, { recursive: true });
 });
 

@@ -1,17 +1,10 @@
 import { readFileSync } from 'node:fs';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
+import { browser } from './browser.js';
 import { edit, rerun, run, title } from './live.js';
-import { goTo, launch, open, openFile } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { goTo, open, openFile } from './page.js';
 
 interface Failure {
   readonly scene: object;

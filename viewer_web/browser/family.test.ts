@@ -1,16 +1,9 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
+import { browser } from './browser.js';
 import { edit, rerun, run } from './live.js';
-import { cutOff, goTo, launch, open, opened, sampleTrace } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { cutOff, goTo, open, opened, sampleTrace } from './page.js';
 
 const events = (name: string): readonly string[] =>
   sampleTrace(name).trim().split('\n').slice(1, -1);

@@ -1,15 +1,8 @@
 import { gzipSync } from 'node:zlib';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { goTo, launch, open, openFile, opened, repeated, shown, small, whole } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
+import { goTo, open, openFile, opened, repeated, shown, small, whole } from './page.js';
 
 describe('a file of one’s own', () => {
   it('may be dropped, plain or gzip', async () => {

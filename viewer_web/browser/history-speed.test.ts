@@ -1,14 +1,7 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { launch, open, opened, repeated, sampleTrace, small } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
+import { open, opened, repeated, sampleTrace, small } from './page.js';
 
 /** Tells, for each click, how long it took until the history was whole and on the page. */
 const watch = (page: Page): Promise<void> =>

@@ -1,9 +1,9 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
+import { browser } from './browser.js';
 import {
   goTo,
-  launch,
   lessonTraces,
   open,
   openLesson,
@@ -15,14 +15,6 @@ import {
   whole,
   widthOf,
 } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 /** The middle of a pixel of the small scenes' picture, on the page: x from 2, y from -1, 5 x 4 pixels. */
 async function spotOf(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {

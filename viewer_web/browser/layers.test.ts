@@ -1,17 +1,10 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
+import { browser } from './browser.js';
 import { rerun, scene, square, title, triangle } from './live.js';
-import { goTo, launch, open, openFile, shown, whole } from './page.js';
+import { goTo, open, openFile, shown, whole } from './page.js';
 import type { Opened } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 const printed = (method: string): string => `09-usual-mistakes.${method}.double.printed.signs`;
 

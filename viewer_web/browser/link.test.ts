@@ -1,15 +1,8 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { bookmark, listed } from './bookmarks.js';
-import { launch, lessonTraces, open, openLesson as showLesson } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { browser } from './browser.js';
+import { lessonTraces, open, openLesson as showLesson } from './page.js';
 
 describe('a link', () => {
   const link = (text: string): string => Buffer.from(text, 'utf8').toString('base64url');

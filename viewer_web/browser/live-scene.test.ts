@@ -1,17 +1,9 @@
 import { readFileSync } from 'node:fs';
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
+import { browser } from './browser.js';
 import { edit, editing, rerun, run, scene, title, triangle } from './live.js';
-import { goTo, launch, open, openFile, shown, widthOf } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { goTo, open, openFile, shown, widthOf } from './page.js';
 
 describe('a scene', () => {
   it('is saved as a file that the page opens again', async () => {

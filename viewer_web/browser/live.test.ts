@@ -1,21 +1,14 @@
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
 import { edit, editing, handle, rerun, run, spotOf, title, triangle } from './live.js';
-import { launch, open } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { open } from './page.js';
 
 describe('the library in the page', () => {
   it.each([
     '02-corner-depths.warnock.double.corrected.signs',
     '08-show-line.zbuffer.float.corrected.signs',
     '09-usual-mistakes.zbuffer.double.printed.signs',
+    '12-ray-crossings.warnock-full.double.vertex-counted-twice.signs',
   ])('writes what the program wrote: %s', async (trace) => {
     const { page, faults } = await open(browser, `#lang=en&trace=${trace}`);
     await page.locator(title, { hasText: /./u }).waitFor();

@@ -4,6 +4,7 @@ import type { Opened } from './page.js';
 
 export interface Run {
   readonly method: string;
+  readonly edition: string;
   readonly kernel: string;
   readonly polygons: readonly { readonly id: string; readonly vertices: readonly number[][] }[];
   readonly lines: readonly string[];
@@ -15,13 +16,19 @@ export function run(page: Page): Promise<Run> {
     const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
     if (!player?.trace) throw new Error('no trace');
     const { header, timeline } = player.trace;
-    const { method, kernel, scene } = header;
+    const { method, edition, kernel, scene } = header;
     const polygons = scene.polygons.map(({ id, vertices }) => ({
       id,
       vertices: vertices.map((vertex) => [...vertex]),
     }));
     const line = (_: unknown, i: number): string => timeline.line(i + 1).trimEnd();
-    return { method, kernel, polygons, lines: Array.from({ length: timeline.length }, line) };
+    return {
+      method,
+      edition,
+      kernel,
+      polygons,
+      lines: Array.from({ length: timeline.length }, line),
+    };
   });
 }
 

@@ -2,20 +2,18 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
-import type { Browser, Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { launch, open, repeated, sampleTrace, shown, small, whole } from './page.js';
+import { browser } from './browser.js';
+import { open, repeated, sampleTrace, shown, small, whole } from './page.js';
 
 const events = 1_000_000;
 
-let browser: Browser;
 let directory: string;
-beforeAll(async () => {
-  browser = await launch();
+beforeAll(() => {
   directory = mkdtempSync(join(tmpdir(), 'vidno-'));
 });
-afterAll(async () => {
-  await browser.close();
+afterAll(() => {
   rmSync(directory, { recursive: true });
 });
 

@@ -1,20 +1,13 @@
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import type { Browser, Download, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Download, Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { imported } from '../src/testing/moodle.js';
-import { goTo, launch, open, opened, sampleTrace, small } from './page.js';
+import { browser, emptyPage } from './browser.js';
+import { goTo, open, opened, sampleTrace, small } from './page.js';
 
 const script = fileURLToPath(new URL('../dist/vidno-questions.mjs', import.meta.url));
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 async function panelOf(text: string, hash: string, panel: string): Promise<Page> {
   const { page } = await open(browser, hash);
@@ -86,7 +79,7 @@ describe('questions for Moodle', () => {
   });
 
   it('are nothing but text, tables and pictures, whatever a polygon is called', async () => {
-    const page = await browser.newPage();
+    const page = await emptyPage(browser);
     const name = `]]></text><script>alert('"')</script>{1:SHORTANSWER:=x}&lt;`;
     const xml = asked(small.replaceAll('"A"', JSON.stringify(name)));
     const files = imported(xml).flatMap(({ files: each }) =>

@@ -1,23 +1,15 @@
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
 import { run } from './live.js';
-import { launch, openUrl, whole } from './page.js';
+import { openUrl, whole } from './page.js';
 
 /** A page that the program made of the scene of lesson 5 and the trace of lesson 7. */
 const file = join(process.env['VIDNO_STATES'] ?? '', 'page.html');
 
 describe.runIf(existsSync(file))('a page made by the program', () => {
-  let browser: Browser;
-  beforeAll(async () => {
-    browser = await launch();
-  });
-  afterAll(async () => {
-    await browser.close();
-  });
-
   it('opens its first file, a scene that it runs itself, and has the others instead of the lessons', async () => {
     const { page, faults } = await openUrl(browser, `${pathToFileURL(file).href}#lang=en`);
     await page.locator('vidno-listing').waitFor();

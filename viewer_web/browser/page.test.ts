@@ -1,24 +1,7 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import {
-  goTo,
-  launch,
-  lessonTraces,
-  open,
-  openLesson,
-  opened,
-  shown,
-  small,
-  whole,
-} from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
+import { goTo, lessonTraces, open, openLesson, opened, shown, small, whole } from './page.js';
 
 describe('each lesson', () => {
   it('opens, plays to its end by keyboard and back, and does nothing else', async () => {
@@ -74,19 +57,25 @@ describe('the controls', () => {
   it('leave what is being typed alone while the run goes on', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
+    // The field is filled in several moves, between which it must not change.
+    await page.clock.install({ time: 0 });
+    await page.clock.pauseAt(3_600_000);
     await page.keyboard.press('Space');
     const field = page.locator('.dock input[type=number]');
     await field.fill('77');
     const { step } = await shown(page);
+    await page.clock.resume();
     await expect.poll(async () => (await shown(page)).step).toBeGreaterThan(step);
     expect(await field.inputValue()).toBe('77');
     await field.press('Enter');
     await expect.poll(async () => (await shown(page)).step).toBeGreaterThanOrEqual(77);
+    await page.context().close(); // with its clock
   });
 
   it('play and pause', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
+    await page.clock.install();
     await page.keyboard.press('Space');
     await page.waitForFunction(() => {
       const app = document.querySelector('vidno-app');
@@ -95,9 +84,10 @@ describe('the controls', () => {
     expect(await page.locator('.sentence').getAttribute('aria-live')).toBe('off');
     await page.keyboard.press('Space');
     const { step } = await shown(page);
-    await page.waitForTimeout(500);
+    await page.clock.runFor('00:10');
     expect((await shown(page)).step).toBe(step);
     expect(await page.locator('.sentence').getAttribute('aria-live')).toBe('polite');
+    await page.context().close(); // with its clock
   });
 
   it('show the map of keys', async () => {

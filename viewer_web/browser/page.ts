@@ -1,9 +1,7 @@
-import { existsSync, readFileSync } from 'node:fs';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-import { chromium } from 'playwright-core';
+import { readFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-
-const built = fileURLToPath(new URL('../dist/index.html', import.meta.url));
+import { built, emptyPage } from './browser.js';
 
 /** A trace of the test data, as text. */
 export function sampleTrace(name: string): string {
@@ -24,25 +22,6 @@ export function repeated(text: string, from: RegExp, length: number): string {
 
 /** One with every kind of window. */
 export const small = sampleTrace('small.warnock.signs');
-
-/** A browser; further flags for what needs them. */
-export function launch(...flags: readonly string[]): Promise<Browser> {
-  if (!existsSync(built)) throw new Error('Build the page first: npm run build');
-  return chromium.launch({
-    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
-    args: [
-      '--headless=new',
-      '--no-sandbox',
-      '--disable-gpu',
-      '--disable-quic',
-      '--no-first-run',
-      '--disable-background-networking',
-      '--disable-component-update',
-      '--disable-sync',
-      ...flags,
-    ],
-  });
-}
 
 /** The page as opened from disk, and everything that it should not have done. */
 export interface Opened {
@@ -65,8 +44,7 @@ export async function openUrl(
   url: string,
   options: BrowserContextOptions = {},
 ): Promise<Opened> {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
-  const page = await context.newPage();
+  const page = await emptyPage(browser, options);
   const faults: string[] = [];
   page.on('pageerror', (error) => faults.push(error.message));
   page.on('console', (message) => {
@@ -130,7 +108,15 @@ export function lessonTraces(page: Page): Promise<readonly string[]> {
 
 /** Opens a trace of a lesson by its address, and waits until it is shown. */
 export async function openLesson(page: Page, trace: string): Promise<void> {
-  await page.evaluate((hash) => (location.hash = hash), `#trace=${trace}`);
+  await page.evaluate(async (hash) => {
+    // What the page itself writes may take its place before it is read.
+    do {
+      location.hash = hash;
+      await new Promise((resolve) => {
+        window.addEventListener('hashchange', resolve, { once: true });
+      });
+    } while (location.hash !== hash);
+  }, `#trace=${trace}`);
   await page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`).waitFor();
 }
 

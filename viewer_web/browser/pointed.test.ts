@@ -1,15 +1,8 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, small } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { browser } from './browser.js';
+import { goTo, open, opened, sampleTrace, small } from './page.js';
 
 /** What lights up in a part of the page, as its elements are called. */
 const lit = (page: Page, part: string): Promise<readonly string[]> =>

@@ -1,16 +1,8 @@
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { launch, open, opened, sampleTrace } from './page.js';
+import { browser } from './browser.js';
+import { open, opened, sampleTrace } from './page.js';
 import { asked, press, savedScore, stepOf, verdict } from './predict.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 /** The scene of lesson 14: W, x from 2 to 14 at the depth x / 16, before it Q at 3/4, behind both S at -1/2. */
 const wall = sampleTrace('wall.weiler-atherton.signs');

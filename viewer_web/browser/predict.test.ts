@@ -1,16 +1,8 @@
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, small } from './page.js';
+import { browser } from './browser.js';
+import { goTo, open, opened, sampleTrace, small } from './page.js';
 import { asked, press, savedScore, stepOf, verdict } from './predict.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 describe('a reader who predicts freely', () => {
   it('asks, answers, sees why, tries again and saves the score, by mouse', async () => {

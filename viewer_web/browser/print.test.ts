@@ -1,14 +1,6 @@
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { goTo, launch, open, opened, small } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
+import { goTo, open, opened, small } from './page.js';
 
 describe('on paper', () => {
   it.each([390, 1280])('a step is one sheet of A4, from a window of %s px', async (width) => {

@@ -1,16 +1,9 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { readingLine } from '../src/reader/reading-line.js';
-import { launch, shown, whole } from './page.js';
+import { browser, settled } from './browser.js';
+import { shown, whole } from './page.js';
 import { openReader, pin, readTo, scrolled, standing } from './reader.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 /** How far a pin is below the top of the text's box. */
 const below = (page: Page, place: string): Promise<number> =>
@@ -99,7 +92,7 @@ describe('the address', () => {
     const above = readingLine(at, most, height) - (await below(page, 'scanline'));
     expect(above).toBeGreaterThan(0);
     expect(above).toBeLessThan(20);
-    await page.waitForTimeout(400);
+    await settled(page);
     expect(await standing(page)).toEqual(['zbuffer', 33, 'scanline']);
     expect(faults).toEqual([]);
   });
@@ -110,7 +103,7 @@ describe('the address', () => {
       '#lang=en&lesson=first&at=second&trace=small.warnock.signs&step=3',
     );
     await expect.poll(() => scrolled(page)).toBeGreaterThan(200);
-    await page.waitForTimeout(400);
+    await settled(page);
     expect((await shown(page)).step).toBe(3);
   });
 

@@ -1,17 +1,9 @@
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { evil, sampleLesson } from '../src/testing/lessons.js';
 import { violations } from './axe.js';
-import { launch, opened, shown, small } from './page.js';
+import { browser, settled } from './browser.js';
+import { opened, shown, small } from './page.js';
 import { openReader, pin, readTo, scrolled, standing } from './reader.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 describe('the text of a lesson', () => {
   it('is followed by the run as one scrolls, into another run too, and back', async () => {
@@ -34,9 +26,12 @@ describe('the text of a lesson', () => {
     await readTo(page, 'first');
     await expect.poll(() => standing(page)).toEqual(['warnock', 5, 'first']);
     await page.keyboard.press('ArrowRight');
+    const before = await scrolled(page);
     await page.mouse.wheel(0, 20);
+    await expect.poll(() => scrolled(page)).toBe(before + 20);
     await page.mouse.wheel(0, -20);
-    await page.waitForTimeout(500);
+    await expect.poll(() => scrolled(page)).toBe(before);
+    await settled(page);
     expect((await shown(page)).step).toBe(6);
     await readTo(page, 'second');
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
@@ -47,7 +42,7 @@ describe('the text of a lesson', () => {
     await readTo(page, 'second');
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
     await pin(page, 'scanline').scrollIntoViewIfNeeded();
-    await page.waitForTimeout(400); // until the run has followed
+    await settled(page); // the run has followed
     const before = await scrolled(page);
     await pin(page, 'scanline').click();
     await expect.poll(() => standing(page)).toEqual(['zbuffer', 33, 'scanline']);
@@ -63,7 +58,8 @@ describe('the text of a lesson', () => {
     await follow.click();
     await readTo(page, 'second');
     await page.waitForFunction(() => /follow=off.*step=0/.test(location.hash));
-    await page.waitForTimeout(300);
+    await expect.poll(() => scrolled(page)).toBeGreaterThan(0);
+    await settled(page);
     expect(await standing(page)).toEqual(['warnock', 0, undefined]);
     await follow.click();
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
@@ -103,7 +99,8 @@ describe('the text of a lesson', () => {
   });
 
   it('hides an answer until it is asked for, by keyboard as well', async () => {
-    const { page } = await openReader(browser, '#lang=en');
+    // The run would follow the text, which is scrolled to the question.
+    const { page } = await openReader(browser, '#lang=en&follow=off');
     const answer = page.locator('.answer');
     expect(await answer.isVisible()).toBe(false);
     await page.locator('summary').focus();

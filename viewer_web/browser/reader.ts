@@ -1,14 +1,13 @@
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import type { Browser, BrowserContextOptions, Locator, Page } from 'playwright-core';
 import { indexEntry, sampleLesson, shortLesson } from '../src/testing/lessons.js';
+import { built } from './browser.js';
 import { openUrl, sampleTrace } from './page.js';
 import type { Opened } from './page.js';
-
-const built = fileURLToPath(new URL('../dist/index.html', import.meta.url));
 
 /** The lessons of the page, without what the build has put into it. */
 const blocks =
@@ -54,6 +53,10 @@ export async function openReader(
   const viewport = { width: 1440, height: 900 };
   const opened = await openUrl(browser, pathToFileURL(file).href + hash, { viewport, ...options });
   await opened.page.locator('vidno-listing').waitFor();
+  // A drawing that is read later puts the text back to where it was.
+  await opened.page.locator('vidno-reader img').evaluateAll(async (all) => {
+    await Promise.all(all.map((image) => (image as HTMLImageElement).decode()));
+  });
   return opened;
 }
 

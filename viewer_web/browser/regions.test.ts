@@ -1,16 +1,9 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { cutOff, goTo, launch, open, opened, sampleTrace, shown, whole, widthOf } from './page.js';
+import { browser } from './browser.js';
+import { cutOff, goTo, open, opened, sampleTrace, shown, whole, widthOf } from './page.js';
 import { asked } from './predict.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 const wedge = sampleTrace('wedge.weiler-atherton.signs');
 

@@ -1,19 +1,11 @@
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
+import { browser } from './browser.js';
 import { openChart, plot, sample } from './chart.js';
 import { compared, names, stepsOf } from './compare.js';
 import { scene, square, triangle } from './live.js';
-import { launch, openUrl } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { openUrl } from './page.js';
 
 const built = pathToFileURL(fileURLToPath(new URL('../dist/index.html', import.meta.url))).href;
 

@@ -1,15 +1,8 @@
 import { readFileSync } from 'node:fs';
-import type { Browser, Download, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { goTo, launch, open, opened, small } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import type { Download, Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
+import { goTo, open, opened, small } from './page.js';
 
 async function saved(page: Page, act: () => Promise<unknown>): Promise<Download> {
   const [download] = await Promise.all([page.waitForEvent('download'), act()]);

@@ -1,9 +1,10 @@
 import { readFileSync } from 'node:fs';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { headerOf, textWith } from '../src/testing/traces.js';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, shown, small } from './page.js';
+import { launch } from './browser.js';
+import { goTo, open, opened, sampleTrace, shown, small } from './page.js';
 import type { Opened } from './page.js';
 
 let browser: Browser;
@@ -11,10 +12,6 @@ let flat: Browser;
 beforeAll(async () => {
   browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader');
   flat = await launch('--disable-3d-apis');
-});
-afterEach(async () => {
-  const contexts = [browser, flat].flatMap((each) => each.contexts());
-  await Promise.all(contexts.map((each) => each.close()));
 });
 afterAll(async () => {
   await Promise.all([browser.close(), flat.close()]);

@@ -1,8 +1,9 @@
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { launch, open, opened, shown, states } from './page.js';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
+import { open, opened, shown, states } from './page.js';
 
 /** Traces and, beside each, the states that the program itself went through, one a line from step 0. */
 const directory = process.env['VIDNO_STATES'] ?? '';
@@ -31,14 +32,6 @@ async function openTrace(browser: Browser, name: string): Promise<Page> {
 }
 
 describe.runIf(names.length > 0)('every step is the state of the program', () => {
-  let browser: Browser;
-  beforeAll(async () => {
-    browser = await launch();
-  });
-  afterAll(async () => {
-    await browser.close();
-  });
-
   it.each(names)('%s, forward and backward', async (name) => {
     const page = await openTrace(browser, name);
     const expected = expectedStates(name);
@@ -46,6 +39,5 @@ describe.runIf(names.length > 0)('every step is the state of the program', () =>
     expect(length).toBe(expected.length - 1);
     expect(await states(page, 0, length + 1)).toEqual(expected);
     expect(await states(page, length, -1)).toEqual([...expected].reverse());
-    await page.context().close();
   });
 });

@@ -1,20 +1,12 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import type { CurveRun, Surface, SurfaceChart } from '../src/chart/surface-format.js';
+import { browser } from './browser.js';
 import { openChart, plot, rows, sampleText, surfaceSample, surfaceText, tabTo } from './chart.js';
 import { compared, names } from './compare.js';
-import { launch, openFile, openUrl } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { openFile, openUrl } from './page.js';
 
 const built = pathToFileURL(fileURLToPath(new URL('../dist/index.html', import.meta.url))).href;
 

@@ -1,15 +1,8 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { goTo, launch, open, opened, sampleTrace, shown, small } from './page.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
+import { browser } from './browser.js';
+import { goTo, open, opened, sampleTrace, shown, small } from './page.js';
 
 const stepOf = async (page: Page): Promise<number> => (await shown(page)).step;
 

@@ -1,18 +1,11 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
+import { browser } from './browser.js';
 import { editing, handle, rerun, scene, spotOf, triangle } from './live.js';
-import { goTo, launch, open, openFile, opened, small } from './page.js';
+import { goTo, open, openFile, opened, small } from './page.js';
 import type { Opened } from './page.js';
 import { dotOf, scaleOf, stage, wheel } from './zoom.js';
-
-let browser: Browser;
-beforeAll(async () => {
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser.close();
-});
 
 async function openSmall(deviceScaleFactor = 1, hasTouch = false): Promise<Opened> {
   const found = await open(browser, '#lang=en', { deviceScaleFactor, hasTouch });
