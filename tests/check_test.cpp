@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "check.h"
-#include "checked.h"
 #include "output.h"
+#include "run_time_kernel.h"
 #include "snapped_scene.h"
 #include "support/editions.h"
 #include "support/kettner.h"
@@ -21,14 +21,15 @@ using namespace vidno::test;
 
 namespace {
 
-/// A checked kernel, and the last that its judge heard.
-template <class Machine>
+/// A judged kernel, and the last that its judge heard.
 struct Court {
     std::vector<Verdict> verdicts;
     double off = 0;
     Judge judge = [this](const Verdict& verdict) { verdicts.push_back(verdict); };
     Surveyor survey = [this](double pixels) { off = pixels; };
-    Checked<Machine> kernel{Machine{}, judge, survey};
+    RunTimeKernel kernel;
+
+    explicit Court(std::string_view name) : kernel(*kernel_named(name), {&judge, &survey}) {}
 
     Verdict last() const { return verdicts.back(); }
 };
@@ -76,7 +77,7 @@ Read read_back(const std::string& trace) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("A decision that is right says so", K, Float, Double) {
-    Court<K> court;
+    Court court(K::name);
     const auto& kernel = court.kernel;
     const auto value =
         kernel.cross(kernel.vertex({0, 0, 0}), kernel.vertex({4, 0, 0}), kernel.point(1, 2));  // 4 * 2 - 0 * 1
@@ -90,7 +91,7 @@ TEST_CASE_TEMPLATE("A decision that is right says so", K, Float, Double) {
 
 TEST_CASE("A number that drifted: right as it stands, wrong for the scene") {
     // 1/2 + 2^-30 is 1/2 as a float: the first centre at or after it is 0 by the float, 1 by the scene.
-    Court<Float> court;
+    Court court("float");
     const auto x = court.kernel.vertex({.5 + 0x1p-30, 0, 0}).x;
     CHECK(court.kernel.first_centre(x, 0, 4) == 0);
     CHECK(court.last().taken == Answer(0));
@@ -102,31 +103,31 @@ TEST_CASE("A number that drifted: right as it stands, wrong for the scene") {
 TEST_CASE("Intersections: how far the computed one lies from the exact one") {
     // From (0, 0) to (1, 3), cut where cp / (cp - cq) = 1/3: at (1/3, 1). The float nearest to 1/3 is 11184811 / 2^25, off by
     // (3 * 11184811 - 2^25) / (3 * 2^25) = 1 / (3 * 2^25); times 3 that rounds to 1.
-    Court<Float> court;
+    Court court("float");
     const auto& kernel = court.kernel;
-    const Shadowed<float> cp(1), cq(-2);
+    const RunTimeNumber cp(1), cq(-2);
     const auto found = kernel.meet(kernel.vertex({0, 0, 0}), kernel.vertex({1, 3, 0}), cp, cq);
     CHECK(double(found.x) == 11184811 * 0x1p-25);
     CHECK(double(found.y) == 1);
     CHECK(court.off == doctest::Approx(0x1p-25 / 3).epsilon(1e-12));
 }
 
-TEST_CASE("A shadowed number is the number: minus zero too") {
-    const auto negative = -Shadowed<double>(0);
-    CHECK(std::signbit(negative.value));
-    CHECK(*negative.exact == 0);
-    CHECK(1 / negative.value == -std::numeric_limits<double>::infinity());
+TEST_CASE("A judged number is the number: minus zero too") {
+    const auto negative = -RunTimeNumber(0);
+    CHECK(std::signbit(negative.value()));
+    CHECK(*negative.truth() == 0);
+    CHECK(1 / negative.value() == -std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("After a division by what is exactly zero there is no truth") {
-    Court<Double> court;
+    Court court("double");
     const auto& kernel = court.kernel;
     const auto tiny = kernel.vertex({.1, .2, .3});
     const auto nothing =
         (tiny.x + tiny.x) - tiny.y;  // 0 in doubles and exactly: 2 * 0.1 and 0.2 are one double doubled
-    CHECK(*nothing.exact == 0);
+    CHECK(*nothing.truth() == 0);
     const auto lost = tiny.z / nothing;
-    CHECK_FALSE(lost.exact);
+    CHECK_FALSE(lost.truth());
     CHECK(tiny.x < lost);
     CHECK(court.last().of == Decision::comparison);
     CHECK_FALSE(court.last().truth.answer);
@@ -134,9 +135,9 @@ TEST_CASE("After a division by what is exactly zero there is no truth") {
 }
 
 TEST_CASE("Depths: no polygon yet is farther than any") {
-    Court<Double> court;
+    Court court("double");
     const auto& kernel = court.kernel;
-    const Checked<Double>::Depth z(kernel.vertex({0, 0, -1}).z);
+    const RunTimeKernel::Depth z(kernel.vertex({0, 0, -1}).z);
     CHECK(kernel.nearer(z, kernel.farthest(), Pixel{}));
     CHECK(court.last().truth.answer == Answer(true));
     CHECK_FALSE(kernel.nearer(kernel.farthest(), kernel.farthest(), Pixel{}));
@@ -146,7 +147,7 @@ TEST_CASE("Depths: no polygon yet is farther than any") {
 TEST_CASE("On the published maps the shadow finds precisely the places where double is wrong") {
     for (const auto& map : kettner_maps) {
         CAPTURE(map.q.x);
-        Court<Double> court;
+        Court court("double");
         int wrong = 0, differently = 0;
         map.for_each_place([&](const glm::dvec3& p) {
             const auto sign_by = [&](const auto& kernel) {
@@ -233,17 +234,16 @@ TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
                     for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
                         CAPTURE(i);
                         CAPTURE(name);
-                        RunRequest request{method, kernel, edition, scene, detail};
-                        const TraceHeader header{method, edition, name, detail, scene};
-                        const auto traced = [&](auto make) {
+                        const RunRequest request{method, kernel, edition, scene, detail};
+                        const auto traced = [&](bool checked) {
                             std::ostringstream text;
-                            TraceWriter writer(header, [&](std::string_view part) { text << part; });
-                            request.writer = &writer;
-                            writer.finish(make());
+                            TraceWriter writer(TraceHeader{method, edition, name, detail, scene},
+                                               [&](std::string_view part) { text << part; });
+                            CHECK(write_trace(request, writer, checked));
                             return read_back(text.str());
                         };
-                        const Read plain = traced([&] { return run(request); });
-                        const Read told = traced([&] { return trace_checked(request); });
+                        const Read plain = traced(false);
+                        const Read told = traced(true);
                         CHECK(told.plain == plain.plain);
                         CHECK(plain.truths + plain.disagreements == 0);
                         truths += told.truths;

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "curve_run.h"
+#include "check.h"
 #include "curve_state.h"
 #include "event_json.h"
 #include "recorder.h"
@@ -99,23 +99,20 @@ bool same_lines(const DrawnLines& a, const DrawnLines& b) {
 }
 
 /// A state rebuilt from a run's events, and how often it was held against the run's own horizons.
-struct Rebuilt {
+struct Rebuilt final : EventSink {
     explicit Rebuilt(const CurveHeader& header) : state(header), recording{header.detail, *this} {}
 
     CurveState state;
-    Recording<Rebuilt> recording;
+    Recording recording;
     int compared = 0, different = 0;
 
-    template <class E>
-    void operator()(const E& event) {
-        state.apply(Event(event));
-    }
+    void hear(const EventView& event) override { state.apply(event.copy()); }
 };
 
 /// Records, and holds the run's horizons against the rebuilt ones whenever they may have changed.
 template <class K>
-class CompareHorizons : public Recorder<K, Rebuilt> {
-    using Base = Recorder<K, Rebuilt>;
+class CompareHorizons : public Recorder<K> {
+    using Base = Recorder<K>;
 
 public:
     explicit CompareHorizons(Rebuilt& rebuilt) : Base(rebuilt.recording), rebuilt_(&rebuilt) {}
@@ -244,7 +241,7 @@ TEST_CASE("Curves: read back and written again the bytes are the same, twice tra
         TraceWriter writer(reader.header(), [&](std::string_view part) { again += part; });
         CurveState state(reader.header());
         while (const auto event = reader.next()) {
-            std::visit([&](const auto& e) { writer(e); }, *event);
+            writer.hear(*event);
             state.apply(*event);
         }
         writer.finish("lines", lines_hash(state.lines()));

@@ -77,7 +77,7 @@ public:
     Shown(const json& told, const Scene& scene) : request_(request_of(told, scene)), picture_(run(request_)) {
         const TraceHeader header{request_.method, request_.edition, request_.kernel.name(), Detail::signs, scene};
         TraceWriter writer(header, [&](std::string_view part) { trace_ += part; });
-        request_.writer = &writer;
+        request_.sink = &writer;
         writer.finish(run(request_));
     }
 
@@ -104,15 +104,15 @@ public:
     /// The intersections, in their order; under `filtered`, which does not survey them, too.
     std::vector<glm::dvec2> intersections() const {
         std::vector<glm::dvec2> found;
-        checked([&](const Event& event) {
-            const auto* cut = std::get_if<event::ClipCross>(&event);
+        checked([&](const EventView& event) {
+            const auto* cut = event.get_if<event::ClipCross>();
             if (cut) found.emplace_back(cut->vertex.x.number, cut->vertex.y.number);
         });
         return found;
     }
 
 private:
-    CheckReport checked(const std::function<void(const Event&)>& hear = [](const Event&) {}) const {
+    CheckReport checked(const HearEvent& hear = [](const auto&) {}) const {
         return check_run(request_, right_picture(request_.scene), hear);
     }
     bool has(const std::string& text) const { return trace_.find(text) != trace_.npos; }
@@ -352,8 +352,8 @@ TEST_CASE("Failures: an empty list has no least element") {
     const Picture right = right_picture(scene);
     for (const Edition edition : {Edition::corrected, Edition::printed}) {
         int without_next = 0;
-        const auto hear = [&](const Event& event) {
-            const auto* drop = std::get_if<event::AelDrop>(&event);
+        const auto hear = [&](const EventView& event) {
+            const auto* drop = event.get_if<event::AelDrop>();
             without_next += drop && std::isinf(drop->next.number) ? 1 : 0;
         };
         check_run({Method::zbuffer, *kernel_named("double"), edition, scene}, right, hear);

@@ -195,7 +195,7 @@ namespace {
 
 template <class Set, Kernel K>
 Picture painted(const Scene& scene, const K& kernel) {
-    return render<Set>(Method::warnock, scene, kernel);
+    return render<Set>(Set::methods.front(), scene, kernel);
 }
 
 template <class Set>
@@ -298,7 +298,7 @@ struct CountSteps : NoTrace {
 template <class Set, class K = Double>
 CountSteps::Counts steps_of(const Scene& scene) {
     CountSteps::Counts counts;
-    render<Set>(Method::warnock, scene, K{}, CountSteps(counts));
+    render<Set>(Set::methods.front(), scene, K{}, CountSteps(counts));
     return counts;
 }
 
@@ -379,7 +379,7 @@ template <class Set>
 void check_lists(const Scene& scene, WatchLists::Lists& lists) {
     lists.scene = &scene;
     lists.joined.clear();
-    render<Set>(Method::warnock, scene, Filtered{}, WatchLists(lists));
+    render<Set>(Set::methods.front(), scene, Filtered{}, WatchLists(lists));
 }
 
 }  // namespace
@@ -610,4 +610,14 @@ TEST_CASE("Bodies: on the outline the face that looks here wins, even if the oth
     CHECK(render(Method::warnock, scene, Exact{}).at(2, 2) == red);
     CHECK(painted<family::Bodies>(scene, Exact{}).at(2, 2) == green);
     CHECK(painted<family::Bodies>(scene, Filtered{}).at(2, 2) == green);
+}
+
+TEST_CASE("A procedure set refuses a method that it does not run") {
+    const Scene scene = SceneBuilder(area_16).quad(2, 2, 8, 8, 0).build();
+    CHECK_THROWS_AS(render(Method::warnock_full, scene, Double{}), std::invalid_argument);
+    CHECK_THROWS_AS(render(Method::weiler_atherton, scene, Double{}), std::invalid_argument);
+    CHECK_THROWS_AS(render<family::Full>(Method::warnock, scene, Double{}), std::invalid_argument);
+    CHECK_THROWS_AS(render<family::Full>(Method::zbuffer, scene, Double{}), std::invalid_argument);
+    CHECK_THROWS_WITH(render<family::Angles>(Method::warnock_full, scene, Double{}),
+                      "the procedure set angles does not run the method warnock-full");
 }

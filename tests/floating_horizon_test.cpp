@@ -466,7 +466,9 @@ struct OnlyXH3 : Corrected {
     static auto first_horizons(const auto& kernel, const Area& area) { return Printed::first_horizons(kernel, area); }
 };
 struct OnlyOwnHorizon : Corrected {
-    static const auto& horizons_before(const auto& horizons) { return Printed::horizons_before(horizons); }
+    static const auto& horizons_before(const auto& horizons, auto& kept) {
+        return Printed::horizons_before(horizons, kept);
+    }
 };
 struct OnlyEdgeEnds : Corrected {
     static auto edge_columns(const Segment& edge) { return Printed::edge_columns(edge); }

@@ -239,7 +239,7 @@ TEST_CASE("Judging: the library's own usual mistakes are found, and named") {
 
 TEST_CASE("Judging: a trace that was cut short is judged as far as it goes") {
     StudentRun run = run_of(neighbours(), Method::warnock, "double");
-    run.events.resize(run.events.size() / 2);
+    run.events.erase(run.events.begin() + std::ptrdiff_t(run.events.size() / 2), run.events.end());
     CHECK(wrong_of(judge(*run.header, run.events, false)) == "right");
     CHECK(judge(*run.header, run.events, true).wrong.has_value());  // pixels are missing
 }

@@ -24,8 +24,8 @@ namespace {
 
 /// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
 template <class K>
-class Compare : public Recorder<K, ToState> {
-    using Base = Recorder<K, ToState>;
+class Compare : public Recorder<K> {
+    using Base = Recorder<K>;
 
 public:
     explicit Compare(Rebuilt& rebuilt) : Base(rebuilt.recording), rebuilt_(&rebuilt) {}

@@ -104,8 +104,8 @@ Value value_of(const typename K::Number& number) {
 
 /// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
 template <class K>
-class Compare : public Recorder<K, ToState> {
-    using Base = Recorder<K, ToState>;
+class Compare : public Recorder<K> {
+    using Base = Recorder<K>;
 
 public:
     explicit Compare(Rebuilt& rebuilt) : Base(rebuilt.recording), rebuilt_(&rebuilt) {}
@@ -311,7 +311,7 @@ TEST_CASE("Read back and written again the bytes are the same, twice traced too"
         TraceWriter writer(reader.header(), [&](std::string_view part) { again += part; });
         State state(reader.header());
         while (const auto event = reader.next()) {
-            std::visit([&](const auto& e) { writer(e); }, *event);
+            writer.hear(*event);
             state.apply(*event);
         }
         writer.finish(state.picture());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "decision_count.h"
-#include "run.h"
+#include "judged_run.h"
 
 namespace vidno {
 
@@ -20,13 +20,20 @@ Picture right_picture(const Scene& scene, Method method = Method::zbuffer);
 /// `exact`, until they part. The pixels are held against the right picture: of the same scene, or of what it was before it
 /// was snapped. `hear` is told every step.
 CheckReport check_run(
-    const RunRequest& request, const Picture& right,
-    const std::function<void(const Event&)>& hear = [](const auto&) {});
+    const RunRequest& request, const Picture& right, const HearEvent& hear = [](const auto&) {});
 
-/// The same run told to the request's writer: each decision with its truth, each wrong one followed by `disagree`.
-Picture trace_checked(const RunRequest& request);
+struct CurveCheckReport : DecisionReport {
+    DrawnLines lines;
+    /// Of the columns of all curves, and of these those over which a curve is drawn though it is hidden, or the other way round.
+    std::uint64_t columns = 0, wrong_columns = 0;
 
-/// Traces a run to the end of its file, checked or not; false if the writer's limit ended it, so that it is partial.
-bool write_trace(RunRequest request, TraceWriter& writer, bool checked);
+    bool found_something() const { return wrong_columns > 0 || any_wrong(); }
+};
+
+/// Runs the curves with every decision of Visibility, and under `float`, `double` and `bits` every comparison, held against
+/// the exact one along the path that was taken; the lines, against those of the corrected procedures in exact arithmetic.
+/// `hear` is told of each event of level `signs`.
+CurveCheckReport check_run(
+    const CurveRequest& request, const HearEvent& hear = [](const auto&) {});
 
 }  // namespace vidno

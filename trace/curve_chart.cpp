@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "chart.h"
-#include "curve_run.h"
+#include "check.h"
 #include "timing.h"
 #include "vidno/floating_horizon.h"
 
@@ -92,7 +92,7 @@ public:
 
     CurveFindings examine(const CurveRequest& request) const {
         CurveFindings found;
-        const auto hear = [&](const Event& event) { std::visit(Counting{found.operations}, event); };
+        const auto hear = [&](const EventView& event) { event.visit(Counting{found.operations}); };
         const CurveCheckReport report = check_run(request, hear);
         for (const auto& each : report.procedures) {
             found.decisions += each.decisions - each.undefined;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "event.h"
+#include "event_sink.h"
 
 namespace vidno {
 
@@ -50,25 +50,9 @@ public:
         report_.farthest_off = std::max(report_.farthest_off, pixels);
     }
     void count(FilterStage stage) { ++report_.decided_by[std::size_t(stage)]; }
-    void follow(const Event& event) {
-        ++steps_;
-        std::visit(
-            [&]<class E>(const E& e) {
-                if constexpr (std::same_as<E, event::Call>) running_.push_back(e.of);
-                if constexpr (requires { E::result_of; }) running_.pop_back();
-            },
-            event);
-    }
+    void follow(const EventView& event);
 
-    DecisionReport report() const {
-        DecisionReport report = report_;
-        for (std::size_t i = 0; i < verdicts_.size(); ++i) {
-            if (verdicts_[i].decisions == 0) continue;
-            report.procedures.push_back(verdicts_[i]);
-            report.procedures.back().procedure = Procedure(i);
-        }
-        return report;
-    }
+    DecisionReport report() const;
 
 private:
     std::vector<Procedure> running_;

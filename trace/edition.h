@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "vidno/vidno.h"
+#include "vidno/method.h"
 
 namespace vidno {
 

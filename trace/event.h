@@ -1238,7 +1238,7 @@ struct Step {
 
 }  // namespace event
 
-using Event = std::variant<
+using AnyEvent = std::variant<
     event::Plane, event::Call, event::Disagree, event::Depth, event::Fault, event::Push, event::Skip, event::Pop,
     event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count, event::Compare, event::Nearer,
     event::Uncover, event::Mark, event::Cover, event::Insider, event::Summary, event::Nearest, event::PointColor,
@@ -1254,7 +1254,7 @@ using Event = std::variant<
     event::Curve, event::SideEdge, event::Visibility, event::Intersection, event::DrawLine, event::Horizon,
     event::Height, event::Raise, event::Lower, event::Step>;
 
-/// The place of a type in Event.
+/// The place of a type in AnyEvent.
 template <class E, class... Events>
 constexpr std::size_t place_in(const std::variant<Events...>*) {
     std::size_t place = 0;
@@ -1262,18 +1262,32 @@ constexpr std::size_t place_in(const std::variant<Events...>*) {
     return place;
 }
 template <class E>
-inline constexpr std::size_t event_place = place_in<E>(static_cast<const Event*>(nullptr));
+inline constexpr std::size_t event_place = place_in<E>(static_cast<const AnyEvent*>(nullptr));
+
+template <class E>
+concept EventType = event_place<E> < std::variant_size_v<AnyEvent>;
+
+/// An event of any type. Copying and destroying one is compiled once, in event.cpp: it takes seconds.
+struct Event : AnyEvent {
+    template <EventType E>
+    Event(E event) : AnyEvent(std::in_place_type<E>, std::move(event)) {}
+    Event(const Event&);
+    Event(Event&&) noexcept;
+    Event& operator=(const Event&);
+    Event& operator=(Event&&) noexcept;
+    ~Event();
+};
 
 /// The names, each at the place of its type.
 template <class... Events>
 constexpr auto names_in(const std::variant<Events...>*) {
     return std::array{Events::kind.name...};
 }
-inline constexpr auto event_names = names_in(static_cast<const Event*>(nullptr));
+inline constexpr auto event_names = names_in(static_cast<const AnyEvent*>(nullptr));
 
 /// Told by runs of curves alone: those from Horizons on.
 template <class E>
 concept CurveEvent = event_place<E>
->= event_place<event::Horizons>&& event_place<E> < std::variant_size_v<Event>;
+>= event_place<event::Horizons>&& event_place<E> < std::variant_size_v<AnyEvent>;
 
 }  // namespace vidno

@@ -91,14 +91,14 @@ Findings Examiner::examine(const RunRequest& request, const std::vector<std::siz
         const auto source = sources[std::size_t(polygon.index)];
         found.depth_ulps = std::max(found.depth_ulps, depths_->ulps_off(source, x.number, y.number, z.number));
     };
-    const auto hear = [&](const Event& event) {
-        if (const auto operation = std::visit(OperationOf{}, event)) ++found.operations[std::size_t(*operation)];
-        if (const auto* fault = std::get_if<event::Fault>(&event)) found.complete = found.complete && !ends_run(*fault);
-        if (const auto* polygon = std::get_if<event::Polygon>(&event)) scanned = polygon->polygon;
-        if (const auto* depth = std::get_if<event::Depth>(&event)) {
+    const auto hear = [&](const EventView& event) {
+        if (const auto operation = event.visit(OperationOf{})) ++found.operations[std::size_t(*operation)];
+        if (const auto* fault = event.get_if<event::Fault>()) found.complete = found.complete && !ends_run(*fault);
+        if (const auto* polygon = event.get_if<event::Polygon>()) scanned = polygon->polygon;
+        if (const auto* depth = event.get_if<event::Depth>()) {
             look_at_depth(depth->polygon, depth->point.x, depth->point.y, depth->z);
         }
-        if (const auto* pixel = std::get_if<event::Pixel>(&event)) {
+        if (const auto* pixel = event.get_if<event::Pixel>()) {
             look_at_depth(scanned, pixel->x + 0.5, pixel->y + 0.5, pixel->z);
         }
     };

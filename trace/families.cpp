@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "vidno/admission.h"
+#include "exact_scene.h"
 
 namespace vidno {
 
@@ -136,10 +136,10 @@ Scene admitted(const Scene& scene) {
     result.polygons.clear();
     for (auto polygon : scene.polygons) {
         for (auto& vertex : polygon.vertices) vertex.z = std::clamp(vertex.z, -1.0, 1.0);
-        if (admit(polygon).admission == Admission::admitted) {
+        if (exact_scene::admit(polygon).admission == Admission::admitted) {
             result.polygons.push_back(std::move(polygon));
         } else {
-            const auto parts = cut_into_triangles(polygon);
+            const auto parts = exact_scene::cut_into_triangles(polygon);
             result.polygons.insert(result.polygons.end(), parts.begin(), parts.end());
         }
     }

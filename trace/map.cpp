@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "kernels.h"
+#include "run_time_kernel.h"
 #include "vidno/corrected.h"
+#include "vidno/kernels/filtered.h"
 
 namespace vidno {
 
@@ -97,8 +98,10 @@ SignMap sign_map(const Question& question, const NamedKernel& named, int side) {
             return SignMap{question.name, asked.decision, asked.answers, named.name(), side, {}};
         },
         question.asked);
-    const auto exact = answers_under(Exact{}, question, side);
-    const auto computed = with_kernel(named, [&](const auto& kernel) { return answers_under(kernel, question, side); });
+    const auto exact = answers_under(RunTimeKernel(exact_kernel(), {}), question, side);
+    const auto computed = named.kind() == KernelKind::filtered
+                              ? answers_under(Filtered{}, question, side)
+                              : answers_under(RunTimeKernel(named, {}), question, side);
     for (std::size_t i = 0; i < exact.size(); ++i) map.cells.push_back({computed[i], exact[i]});
     return map;
 }

@@ -7,7 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "vidno/vidno.h"
+#include "vidno/method.h"
+#include "vidno/scene.h"
+#include "vidno/trace.h"
 
 namespace vidno {
 

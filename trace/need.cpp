@@ -5,12 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "exact_scene.h"
 #include "json_text.h"
 #include "run.h"
 #include "shrink.h"
-#include "vidno/kernels/filtered.h"
-#include "vidno/snap.h"
-#include "vidno/vidno.h"
 
 namespace vidno {
 
@@ -72,7 +70,7 @@ public:
 private:
     Picture right_picture(const Scene& scene) const {
         progress_();
-        return render(Method::zbuffer, scene, Filtered{});
+        return run({Method::zbuffer, filtered_, Edition::corrected, scene});
     }
 
     void tell(std::string what, std::string amount, std::string one_lower) {
@@ -108,7 +106,9 @@ private:
             }
         }
         const auto tell_places = [&](const std::string& what, int most, const auto& resolution) {
-            const auto picture_at = [&](int value) { return right_picture(snapped(least_, resolution(value))); };
+            const auto picture_at = [&](int value) {
+                return right_picture(exact_scene::snapped(least_, resolution(value)));
+            };
             const Knob knob = turned_down(most, 0, picture_at, right_);
             tell(what, of(std::size_t(knob.needed), std::size_t(most)),
                  with(std::to_string(knob.needed - 1), knob.one_lower));
@@ -144,13 +144,16 @@ private:
         const int most = std::countr_zero(unsigned(covering_square(scene_.area).width));
         const auto picture_at = [&](int level) {
             progress_();
-            return render(Method::warnock, least_, Filtered{}, NoTrace{}, std::ldexp(1, most - level));
+            RunRequest request{Method::warnock, filtered_, Edition::corrected, least_};
+            request.smallest_window = std::ldexp(1, most - level);
+            return run(request);
         };
         const Knob knob = turned_down(most, 0, picture_at, right_);
         tell("levels of subdivision", of(std::size_t(knob.needed), std::size_t(most)),
              with(std::to_string(knob.needed - 1), knob.one_lower));
     }
 
+    const NamedKernel filtered_ = *kernel_named("filtered");
     const Scene& scene_;
     const std::function<void()>& progress_;
     Picture right_;

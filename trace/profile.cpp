@@ -2,23 +2,22 @@
 
 #include <cmath>
 
-#include "recorder.h"
-#include "vidno/kernels/filtered.h"
-#include "vidno/vidno.h"
+#include "run.h"
 
 namespace vidno {
 
 namespace {
 
 /// The sink that draws up the profile. What a run says more than once is counted under one name.
-class Profiler {
+class Profiler final : public EventSink {
 public:
     explicit Profiler(const Scene& scene) : scene_(scene) {}
 
-    template <class E>
-    void operator()(const E& event) {
-        lines_.insert(event.at);
-        hear(event);
+    void hear(const EventView& event) override {
+        event.visit([this](const auto& e) {
+            lines_.insert(e.at);
+            note(e);
+        });
     }
 
     Profile profile(const Picture& picture) const {
@@ -34,29 +33,29 @@ public:
     }
 
 private:
-    void hear(const event::Pop& e) {
+    void note(const event::Pop& e) {
         if (root_side_ == 0) root_side_ = e.window.width;
         level_ = std::ilogb(root_side_ / std::max(e.window.width, e.window.height));
     }
-    void hear(const event::Decide& e) {
+    void note(const event::Decide& e) {
         ++counts_[std::string(case_names[std::size_t(e.which)]) + " at level " + std::to_string(level_)];
     }
-    void hear(const event::Count&) { ++counts_["entries of APLs"]; }
-    void hear(const event::Orient& e) { on_a_line_ = on_a_line_ || e.sign == Sign::zero; }
-    void hear(const event::Compare& e) { note_tie(e.z, e.against); }
+    void note(const event::Count&) { ++counts_["entries of APLs"]; }
+    void note(const event::Orient& e) { on_a_line_ = on_a_line_ || e.sign == Sign::zero; }
+    void note(const event::Compare& e) { note_tie(e.z, e.against); }
 
-    void hear(const event::Polygon& e) { polygon_ = scene_.polygons[std::size_t(e.polygon.index)].id; }
-    void hear(const event::Scanline&) { ++counts_["rows of " + polygon_]; }
-    void hear(const event::AelAdd&) { note_change(); }
-    void hear(const event::AelStep&) { note_change(); }
-    void hear(const event::AelDrop& e) {
+    void note(const event::Polygon& e) { polygon_ = scene_.polygons[std::size_t(e.polygon.index)].id; }
+    void note(const event::Scanline&) { ++counts_["rows of " + polygon_]; }
+    void note(const event::AelAdd&) { note_change(); }
+    void note(const event::AelStep&) { note_change(); }
+    void note(const event::AelDrop& e) {
         for (std::size_t i = 0; i < e.edges.size(); ++i) note_change();
     }
-    void hear(const event::Pixel& e) {
+    void note(const event::Pixel& e) {
         ++counts_[(e.shown ? "pixels written of " : "pixels rejected of ") + polygon_];
         note_tie(e.z, e.stored);
     }
-    void hear(const auto&) {}
+    void note(const auto&) {}
 
     void note_change() { ++counts_["changes of the AEL of " + polygon_]; }
 
@@ -91,8 +90,7 @@ bool is_about(std::uint64_t count, std::uint64_t other, std::uint64_t part) {
 
 ProfiledRun profiled_run(const Scene& scene, Method method) {
     Profiler profiler(scene);
-    Recording<Profiler> recording{Detail::signs, profiler};
-    Picture picture = render<Corrected>(method, scene, Filtered{}, Recorder<Filtered, Profiler>(recording));
+    Picture picture = run({method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &profiler});
     return {profiler.profile(picture), std::move(picture)};
 }
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact_scene.h"
 #include "json_node.h"
-#include "vidno/admission.h"
-#include "vidno/kernels/exact.h"
 
 namespace vidno {
 
@@ -14,19 +13,10 @@ namespace {
 constexpr std::string_view question_format = "vidno-question/1";
 constexpr std::array<std::string_view, 3> pivot_names{"p", "q", "r"};
 
-/// From `start` on, each place so many steps farther is a double.
-bool are_doubles(double start, double step) {
-    for (int i = 0; i < Question::side; ++i) {
-        const double place = start + i * step;
-        if (!std::isfinite(place) || Rational(place) != Rational(start) + i * Rational(step)) return false;
-    }
-    return true;
-}
-
 ScenePolygon polygon_of(const JsonNode& node, auto&& vertex_of) {
     ScenePolygon polygon;
     for (std::size_t i = 0; i < node.size(); ++i) polygon.vertices.push_back(vertex_of(node.at(i)));
-    const auto [admission, dropped] = admit(polygon);
+    const auto [admission, dropped] = exact_scene::admit(polygon);
     if (admission != Admission::admitted) node.refuse(reason_of(admission));
     if (dropped > 0) node.refuse(reason_of(Admission::not_convex));
     if (polygon.edge_on) node.refuse("seen edge-on");
@@ -79,7 +69,8 @@ Question read(const JsonNode& root) {
     question.p = root.at("p").pair();
     question.step = root.at("step").number();
     if (!(question.step > 0)) root.at("step").refuse("not positive");
-    if (!are_doubles(question.p.x, question.step) || !are_doubles(question.p.y, question.step)) {
+    if (!exact_scene::are_doubles(question.p.x, question.step, Question::side) ||
+        !exact_scene::are_doubles(question.p.y, question.step, Question::side)) {
         root.at("step").refuse("255 steps from p on, not every place is a double");
     }
     int decisions = 0;

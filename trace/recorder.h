@@ -1,33 +1,29 @@
-/// Recorder: the visitor that turns what a run tells into events and hands them to a sink.
-///
-/// The sink is called with each event of the chosen level, `sink(const event::Push&)` and so on; it may write it
-/// (trace_writer.h), keep it, or throw to end the run.
+/// Recorder: the visitor that turns what a run tells into events of the chosen level and hands them to a sink.
 #pragma once
 
 #include <algorithm>
 #include <concepts>
 #include <utility>
 
-#include "event.h"
+#include "event_sink.h"
 #include "vidno/trace.h"
 #include "vidno/z_buffer/active_edge_list.h"
 
 namespace vidno {
 
 /// What a recorder points at: it is copied into the run, this is not.
-template <class Sink>
 struct Recording {
     Detail detail;
-    Sink& sink;
+    EventSink& sink;
     event::Span span{};                  // of the ShowLine that is running
     event::Horizon horizon{};            // of the Horizon that is running
     std::vector<event::Paint> paints{};  // of the region that is painted
 };
 
-template <Kernel K, class Sink>
+template <Kernel K>
 class Recorder : public NoTrace {
 public:
-    explicit Recorder(Recording<Sink>& recording) : recording_(&recording) {}
+    explicit Recorder(Recording& recording) : recording_(&recording) {}
 
     void plane(Line at, const auto& polygon, const auto& plane) {
         emit<event::Plane>([&] {
@@ -409,7 +405,7 @@ public:
 private:
     template <class E>
     void emit(auto&& make) {
-        if (recording_->detail >= E::kind.from) recording_->sink(make());
+        if (recording_->detail >= E::kind.from) recording_->sink.hear(make());
     }
 
     void add_to_span(int x, const auto& z) {
@@ -433,7 +429,7 @@ private:
 
     static Value value(const auto& number) { return as_value<K>(number); }
     static Value depth_value(const typename K::Depth& z) {
-        if constexpr (K::has_infinity) {
+        if constexpr (requires { K::told(z); } || K::has_infinity) {
             return value(z);
         } else {
             return z ? value(*z) : Value::minus_infinite();
@@ -498,7 +494,7 @@ private:
         return found;
     }
 
-    Recording<Sink>* recording_;
+    Recording* recording_;
 };
 
 }  // namespace vidno

@@ -1,51 +1,52 @@
 #include "run.h"
 
-#include <algorithm>
-#include <charconv>
+#include <stdexcept>
+
+#include "untraced.h"
 
 namespace vidno {
 
 namespace {
 
-/// The whole of the text as a number.
-std::optional<int> whole_number(std::string_view text) {
-    int number = 0;
-    const auto [end, error] = std::from_chars(text.begin(), text.end(), number);
-    if (error != std::errc{} || end != text.end()) return std::nullopt;
-    return number;
+/// The units that run a kernel without a trace; none where it does not run these methods.
+struct Units {
+    Picture (*course)(const RunRequest&);
+    Picture (*family)(const RunRequest&);
+    Picture (*regions)(const RunRequest&);
+};
+
+/// By the places of KernelKind.
+constexpr std::array<Units, kernel_choices.size()> units{{
+    {untraced_float, untraced_family_float, untraced_regions_float},
+    {untraced_double, untraced_family_double, untraced_regions_double},
+    {untraced_bits, untraced_family_bits, untraced_regions_bits},
+    {untraced_depth, nullptr, nullptr},
+    {untraced_filtered, untraced_family_filtered, untraced_regions_filtered},
+    {untraced_grid, untraced_family_grid, nullptr},
+    {untraced_exact, untraced_family_exact, untraced_regions_exact},
+}};
+
+/// The usual mistakes are compiled for recorded runs only.
+Picture untraced_mistake(RunRequest request) {
+    HeardBy sink([&](const EventView& event) {
+        if (event.get_if<event::Pop>() || event.get_if<event::Polygon>()) request.progress();
+    });
+    request.detail = Detail::windows;
+    request.sink = &sink;
+    return told_run(request);
 }
 
 }  // namespace
 
-std::string NamedKernel::name() const {
-    std::string name(choice->name);
-    if (choice->parameter) name += ":" + std::to_string(parameter);
-    return name;
-}
-
-std::optional<NamedKernel> kernel_named(std::string_view name) {
-    const auto colon = name.find(':');
-    const auto choice = std::find_if(kernel_choices.begin(), kernel_choices.end(),
-                                     [&](const auto& each) { return each.name == name.substr(0, colon); });
-    if (choice == kernel_choices.end() || (colon != name.npos && !choice->parameter)) return std::nullopt;
-    if (!choice->parameter) return NamedKernel{choice};
-    const auto [letter, least, most, if_not_said] = *choice->parameter;
-    const auto parameter = colon == name.npos ? if_not_said : whole_number(name.substr(colon + 1));
-    if (!parameter || *parameter < least || *parameter > most) return std::nullopt;
-    return NamedKernel{choice, *parameter};
-}
-
-std::string kernel_names() {
-    std::string names;
-    for (const auto& choice : kernel_choices) {
-        if (!names.empty()) names += ", ";
-        names += choice.name;
-        if (const auto& parameter = choice.parameter) {
-            names += std::string(":") + parameter->letter + " (" + std::to_string(parameter->least) +
-                     " <= " + parameter->letter + " <= " + std::to_string(parameter->most) + ")";
-        }
+Picture run(const RunRequest& request) {
+    if (!request.kernel.choice->runs(request.method, request.edition)) {
+        throw std::invalid_argument(request.kernel.name() + " does not run this method in this edition");
     }
-    return names;
+    if (request.sink) return told_run(request);
+    if (is_mistake(request.edition)) return untraced_mistake(request);
+    const Units& of = units[std::size_t(request.kernel.kind())];
+    if (request.method == Method::weiler_atherton) return of.regions(request);
+    return is_family(request.method) ? of.family(request) : of.course(request);
 }
 
 }  // namespace vidno

@@ -7,12 +7,11 @@
 #include <unordered_set>
 #include <utility>
 
+#include "exact_scene.h"
 #include "json_node.h"
 #include "json_text.h"
 #include "unique_ids.h"
-#include "vidno/admission.h"
 #include "vidno/camera.h"
-#include "vidno/look.h"
 
 namespace vidno {
 namespace {
@@ -116,16 +115,16 @@ private:
     }
 
     void add(const JsonNode& node, ScenePolygon polygon, std::size_t position) {
-        const Admitted admitted = admit(polygon);
+        const Admitted admitted = exact_scene::admit(polygon);
         if (admitted.admission != Admission::admitted) refuse_shape(node, polygon, admitted.admission);
         warn_of_dropped(position, admitted.dropped);
         result_.scene.polygons.push_back(std::move(polygon));
     }
 
     void add_seen(const JsonNode& node, ScenePolygon polygon, std::size_t position, PartIds& part_ids) {
-        const Admitted admitted = admit_in_world(polygon);
+        const Admitted admitted = exact_scene::admit_in_world(polygon);
         if (admitted.admission != Admission::admitted) refuse_shape(node, polygon, admitted.admission);
-        Seen seen = look(*view_, polygon);
+        Seen seen = exact_scene::look(*view_, polygon);
         warn_of_dropped(position, admitted.dropped + seen.dropped);
         if (polygon.edge_on) {
             warn(position, "no area, left out");

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vidno/admission.h"
-#include "vidno/snap.h"
+#include "exact_scene.h"
 
 namespace vidno {
 
@@ -35,7 +34,7 @@ std::vector<T> least_sublist(std::vector<T> list, const auto& holds) {
 std::optional<Scene> with_vertices(Scene scene, std::size_t polygon, std::vector<glm::dvec3> vertices) {
     auto& changed = scene.polygons[polygon];
     changed.vertices = std::move(vertices);
-    if (admit(changed).admission != Admission::admitted) return std::nullopt;
+    if (exact_scene::admit(changed).admission != Admission::admitted) return std::nullopt;
     return scene;
 }
 

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "exact_scene.h"
 #include "refused.h"
 #include "unique_ids.h"
 
@@ -51,7 +52,7 @@ SnappedScene snapped_scene(const Scene& scene, int bits) {
     for (const auto& polygon : scene.polygons) ids.insert(polygon.id);
     PartIds part_ids(std::move(ids));
     for (std::size_t i = 0; i < scene.polygons.size(); ++i) {
-        auto parts = vidno::snapped(scene.polygons[i], {bits}, snapped.snapping);
+        auto parts = exact_scene::snapped(scene.polygons[i], {bits}, snapped.snapping);
         part_ids.name(parts);
         snapped.sources.insert(snapped.sources.end(), parts.size(), i);
         std::move(parts.begin(), parts.end(), std::back_inserter(snapped.scene.polygons));

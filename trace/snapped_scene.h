@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "vidno/snap.h"
+#include "vidno/resolution.h"
 
 namespace vidno {
 

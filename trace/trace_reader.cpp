@@ -233,10 +233,10 @@ private:
 
 template <std::size_t i = 0>
 Event read_event(EventReader& reader, std::string_view name, Detail detail) {
-    if constexpr (i == std::variant_size_v<Event>) {
+    if constexpr (i == std::variant_size_v<AnyEvent>) {
         throw Misfit{"/e", "unknown event"};
     } else {
-        using E = std::variant_alternative_t<i, Event>;
+        using E = std::variant_alternative_t<i, AnyEvent>;
         if (name != E::kind.name) return read_event<i + 1>(reader, name, detail);
         if (E::kind.from > detail) throw Misfit{"/e", "an event above the trace's level of detail"};
         return reader.read<E>();

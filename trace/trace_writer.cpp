@@ -34,6 +34,17 @@ TraceWriter::TraceWriter(std::string_view first_line, PolygonNames names, Write 
     text_ += first_line;
 }
 
+void TraceWriter::hear(const EventView& event) {
+    if (events_ == most_events_) throw EventLimitReached{};
+    ++events_;
+    if (index_) {
+        mark_line();
+        index_->names.push_back(std::uint8_t(event.place()));
+    }
+    event.visit([this](const auto& e) { lines_.line(text_, e); });
+    if (text_.size() > block) flush();
+}
+
 void TraceWriter::finish(std::string_view result, const std::string& hash) {
     finish_with('"' + std::string(result) + R"(":")" + hash + '"');
 }

@@ -6,7 +6,8 @@
 
 #include "edition.h"
 #include "event_json.h"
-#include "vidno/vidno.h"
+#include "event_sink.h"
+#include "vidno/picture.h"
 
 namespace vidno {
 
@@ -37,7 +38,7 @@ struct LineIndex {
     std::vector<std::uint8_t> names;    // of each event, the place in Event
 };
 
-class TraceWriter {
+class TraceWriter final : public EventSink {
 public:
     using Write = std::function<void(std::string_view)>;
     static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
@@ -47,17 +48,8 @@ public:
     TraceWriter(const Header& header, Write write, std::uint64_t most_events = no_limit, LineIndex* index = nullptr)
         : TraceWriter(header_json(header), polygon_names(header.scene), std::move(write), most_events, index) {}
 
-    template <class E>
-    void operator()(const E& event) {
-        if (events_ == most_events_) throw EventLimitReached{};
-        ++events_;
-        if (index_) {
-            mark_line();
-            index_->names.push_back(std::uint8_t(event_place<E>));
-        }
-        lines_.line(text_, event);
-        if (text_.size() > block) flush();
-    }
+    /// Throws EventLimitReached instead of writing one more than the most.
+    void hear(const EventView& event) override;
 
     void finish(const Picture& picture) { finish("picture", picture_hash(picture)); }
     /// What came out, by its name, and its hash.

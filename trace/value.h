@@ -32,7 +32,9 @@ struct Value {
 /// A number of the kernel K.
 template <class K>
 Value as_value(const auto& number) {
-    if constexpr (K::has_infinity) {
+    if constexpr (requires { K::told(number); }) {
+        return K::told(number);
+    } else if constexpr (K::has_infinity) {
         return {double(number)};
     } else {
         return Value(K::fraction(number));

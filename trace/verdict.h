@@ -65,10 +65,4 @@ struct Verdict {
 /// Hears the verdict on each decision of a run.
 using Judge = std::function<void(const Verdict&)>;
 
-/// Hears under `filtered` what decided each comparison.
-struct StageTally {
-    const std::function<void(FilterStage)>* count;
-    void operator()(FilterStage stage) const { (*count)(stage); }
-};
-
 }  // namespace vidno

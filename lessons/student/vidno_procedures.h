@@ -104,15 +104,15 @@ private:
 };
 
 /// The sink of vidno's recorder.
-class ProcedureTrace : public Trace {
+class ProcedureTrace final : public Trace, public EventSink {
 public:
     /// `drawn` is the scene in vidno's own form.
     ProcedureTrace(const std::string& file, const std::string& name, const Scene& scene, const vidno::Scene& drawn)
         : Trace(file, name.c_str(), scene, Detail::signs, Precision::double_precision), events_(polygon_names(drawn)) {}
 
-    void operator()(const auto& event) {
+    void hear(const EventView& event) override {
         Text line;
-        events_.line(line, event);
+        event.visit([&](const auto& e) { events_.line(line, e); });
         tell_line(std::string(line.view().substr(0, line.size() - 1)));
     }
     void finish(const Picture& picture) {
@@ -159,8 +159,8 @@ template <class Mine>
 void run_with(Method method, const Scene& scene, const std::string& file) {
     const vidno::Scene drawn = for_vidno(scene);
     ProcedureTrace trace(file, std::string(method_names[std::size_t(method)]), scene, drawn);
-    Recording<ProcedureTrace> recording{vidno::Detail::signs, trace};
-    trace.finish(render<SetOf<Mine>>(method, drawn, Double{}, Recorder<Double, ProcedureTrace>(recording)));
+    Recording recording{vidno::Detail::signs, trace};
+    trace.finish(render<SetOf<Mine>>(method, drawn, Double{}, Recorder<Double>(recording)));
 }
 
 }  // namespace student

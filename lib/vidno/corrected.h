@@ -1,7 +1,8 @@
 /// Corrected: the procedures of the lecture with the errors of the printed text put right. The default set.
 ///
-/// A procedure set is a struct of static functions. A set of one's own derives from this one and hides what it does
-/// otherwise: a whole procedure, or one of the rules below, in which editions of the text differ. trace/FORMAT.md and
+/// A procedure set is an object whose functions are the procedures; a run calls them through its set. A set of one's own derives
+/// from this one and hides what it does otherwise: a whole procedure, or one of the rules below, in which editions of the text
+/// differ. trace/FORMAT.md and
 /// `vidno methods` name the editions; printed.h lists the defects (X-...), mistakes.h the usual mistakes.
 #pragma once
 
@@ -15,6 +16,7 @@
 #include "floating_horizon/intersection.h"
 #include "floating_horizon/side_edge.h"
 #include "floating_horizon/visibility.h"
+#include "method.h"
 #include "warnock/depth.h"
 #include "warnock/fill_polygon.h"
 #include "warnock/initialize_polygon.h"
@@ -56,6 +58,9 @@ struct Corrected : Warnock,
                    RemoveBehind,
                    PaintRegions {
     static constexpr std::string_view name = "corrected";
+
+    /// What `render` runs by this set.
+    static constexpr auto methods = std::to_array({Method::warnock, Method::zbuffer});
 
     /// W2: which polygons join the first list. Edge-on was decided exactly when the scene was read.
     static bool takes_part(const auto&, const auto& polygon) { return !polygon.edge_on; }
@@ -112,8 +117,8 @@ struct Corrected : Warnock,
         return {{area, std::nullopt}, {area, std::nullopt}};
     }
 
-    /// FH4: what a curve is compared with: the horizons as they are before it, whatever it raises.
-    static auto horizons_before(const auto& horizons) { return horizons; }
+    /// FH4: what a curve is compared with: the horizons as they are before it, whatever it raises. So a copy is kept.
+    static const auto& horizons_before(const auto& horizons, auto& kept) { return kept.emplace(horizons); }
 
     /// FH5: which column of a segment is looked at after another.
     static int next_column(const Segment&, int column) { return column + 1; }

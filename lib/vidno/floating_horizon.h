@@ -18,9 +18,9 @@ struct VisibleCurves {
 
 /// What floating_horizon/floating_horizon.h says, told to the trace step by step. The numbers are the kernel's.
 template <class Set = Corrected, Kernel K, class Trace = NoTrace>
-VisibleCurves<OnColumns<K>> visible_lines(const CurveScene& curves, K kernel, Trace trace = {}) {
-    HorizonRun<Set, OnColumns<K>, Trace> run(curves, OnColumns<K>(std::move(kernel)), std::move(trace));
-    Set::floating_horizon(run);
+VisibleCurves<OnColumns<K>> visible_lines(const CurveScene& curves, K kernel, Trace trace = {}, Set set = {}) {
+    HorizonRun<Set, OnColumns<K>, Trace> run(curves, OnColumns<K>(std::move(kernel)), std::move(trace), std::move(set));
+    run.set.floating_horizon(run);
     return {std::move(run.lines), std::move(run.horizons)};
 }
 

@@ -91,8 +91,9 @@ concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typ
     { kernel.farthest() } -> std::same_as<typename K::Depth>;
     { kernel.nearer(depth, depth, point) } -> std::same_as<bool>;
 
-    // A depth interpolated between vertices: a plane's at a pixel, stepped along the row; and as a cell of the Z-buffer
+    // A depth interpolated between vertices: nothing; a plane's at a pixel, stepped along the row; and as a cell of the Z-buffer
     // holds it, which is compared.
+    { kernel.zero() } -> std::same_as<typename K::Interpolated>;
     requires requires(decltype(kernel.to_step(interpolated, plane, Pixel{})) stepped) {
         { kernel.nearer(kernel.to_store(stepped), depths.row(0)[0], Pixel{}) } -> std::same_as<bool>;
         depths.row(0)[0] = kernel.to_store(stepped);

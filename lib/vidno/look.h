@@ -63,11 +63,6 @@ inline Admitted admit_in_world(ScenePolygon& polygon) {
     return admitted;
 }
 
-struct Seen {
-    std::vector<ScenePolygon> polygons;  // none if the view shows nothing of it; all of one id
-    std::size_t dropped = 0;             // vertices, reflex by rounding
-};
-
 /// What a view shows of a convex planar polygon of the world.
 inline Seen look(const View& view, const ScenePolygon& world) {
     ScenePolygon polygon{world.id, world.color, seen_by(view, world.vertices)};

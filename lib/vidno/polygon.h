@@ -40,13 +40,14 @@ Box<Number> box_around(const std::vector<Vertex<Number>>& vertices) {
 }
 
 /// A polygon of the scene where the set has it on the screen, at this place of the scene; it has no plane yet.
-template <class Set, class OnScreen>
-OnScreen polygon_on_screen(const auto& kernel, const Area& area, const ScenePolygon& source, int index) {
+template <class OnScreen>
+OnScreen polygon_on_screen(const auto& set, const auto& kernel, const Area& area, const ScenePolygon& source,
+                           int index) {
     OnScreen polygon;
     polygon.index = index;
     polygon.color = source.color;
     polygon.edge_on = source.edge_on;
-    for (const auto& vertex : source.vertices) polygon.vertices.push_back(Set::on_screen(kernel, area, vertex));
+    for (const auto& vertex : source.vertices) polygon.vertices.push_back(set.on_screen(kernel, area, vertex));
     polygon.box = box_around(polygon.vertices);
     return polygon;
 }

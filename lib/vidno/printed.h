@@ -57,7 +57,7 @@ struct Printed : Corrected {
     }
 
     /// X-H4: a curve is compared with what it has raised itself, and meets its own side edge.
-    static const auto& horizons_before(const auto& horizons) { return horizons; }
+    static const auto& horizons_before(const auto& horizons, auto& /*kept*/) { return horizons; }
     static std::pair<int, int> edge_columns(const Segment& edge) { return std::minmax({edge.from.x, edge.to.x}); }
 
     /// X-H5: what stands between two samples is not seen.

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "depth_buffer.h"
-#include "family/relation.h"
 #include "fault.h"
 #include "picture.h"
 #include "polygon.h"
@@ -53,6 +52,7 @@ struct Run {
     using Vertices = std::vector<Vertex<typename K::Coordinate>>;
     using Outline = typename K::Outline;
 
+    [[no_unique_address]] Set set;
     K kernel;
     Trace trace;
     Area area;
@@ -62,8 +62,9 @@ struct Run {
     typename K::DepthBuffer depth_buffer;
     double smallest_window = 1;  // its side: it gets one colour (W9); the text's is a pixel
 
-    Run(const Scene& scene, K arithmetic, Trace visitor, Picture& canvas)
-        : kernel(std::move(arithmetic)),
+    Run(const Scene& scene, K arithmetic, Trace visitor, Picture& canvas, Set procedures = {})
+        : set(std::move(procedures)),
+          kernel(std::move(arithmetic)),
           trace(std::move(visitor)),
           area(scene.area),
           background(scene.background),
@@ -74,93 +75,58 @@ struct Run {
     }
 
     Polygon<K> initialize_polygon(const ScenePolygon& source) {
-        auto polygon = polygon_on_screen<Set, Polygon<K>>(kernel, area, source, int(polygons.size()));
-        polygon.plane = kernel.plane(Set::initialize_polygon(*this, polygon.vertices), polygon.vertices);
+        auto polygon = polygon_on_screen<Polygon<K>>(set, kernel, area, source, int(polygons.size()));
+        polygon.plane = kernel.plane(set.initialize_polygon(*this, polygon.vertices), polygon.vertices);
         trace.plane(Line::I1, polygon, polygon.plane);
         return polygon;
     }
 
     WindowSummary process_window(Line at, const Window& window, ActivePolygonList<K>& active_polygons) {
         trace.call(at, Procedure::process_window);
-        const WindowSummary summary = Set::process_window(*this, window, active_polygons);
+        const WindowSummary summary = set.process_window(*this, window, active_polygons);
         trace.summary(at, summary);
         return summary;
     }
 
     Color point_color(Line at, const Place& point, const ActivePolygonList<K>& active_polygons) {
         trace.call(at, Procedure::point_color);
-        const Color color = Set::point_color(*this, point, active_polygons);
+        const Color color = set.point_color(*this, point, active_polygons);
         trace.color(at, point, color);
         return color;
     }
 
     Depth depth(Line at, const Polygon<K>& polygon, const auto& point) {
-        const Depth z = Set::depth(*this, polygon, point);
+        const Depth z = set.depth(*this, polygon, point);
         trace.depth(at, polygon, point, z);
         return z;
     }
 
     bool surround_test(Line at, const Place& point, const Polygon<K>& polygon) {
         trace.call(at, Procedure::surround_test);
-        const bool inside = Set::surround_test(*this, point, polygon);
+        const bool inside = set.surround_test(*this, point, polygon);
         trace.surround(at, polygon, point, inside);
         return inside;
     }
 
     Outline polygon_clip(Line at, const Polygon<K>& polygon, const Window& window) {
         trace.call(at, Procedure::polygon_clip);
-        const Outline vertices = Set::polygon_clip(*this, polygon, window);
+        const Outline vertices = set.polygon_clip(*this, polygon, window);
         trace.clip_result(at, polygon, vertices);
         return vertices;
     }
 
     void fill_polygon(Line at, const auto& vertices, const Polygon<K>& polygon) {
         trace.call(at, Procedure::fill_polygon);
-        const std::vector<PixelRun> runs = Set::fill_polygon(*this, vertices);
+        const std::vector<PixelRun> runs = set.fill_polygon(*this, vertices);
         for (const auto& run : runs) picture.paint(run, polygon.color);
         trace.draw(at, polygon, runs);
-    }
-
-    Relation relation(Line at, const Polygon<K>& polygon, const Window& window) {
-        trace.call(at, Procedure::relation);
-        const Relation found = Set::relation(*this, polygon, window);
-        trace.relation(at, polygon, found);
-        return found;
-    }
-
-    bool trial_function(Line at, const Polygon<K>& polygon, const Window& window) {
-        trace.call(at, Procedure::trial_function);
-        const bool meets = Set::trial_function(*this, polygon, window);
-        trace.meets(at, polygon, meets);
-        return meets;
-    }
-
-    int ray_crossings(Line at, const Polygon<K>& polygon, const Window& window) {
-        trace.call(at, Procedure::ray_crossings);
-        const int count = Set::ray_crossings(*this, polygon, window);
-        trace.crossings(at, polygon, count);
-        return count;
-    }
-
-    int octant_angles(Line at, const Polygon<K>& polygon, const Window& window) {
-        trace.call(at, Procedure::octant_angles);
-        const int octants = Set::octant_angles(*this, polygon, window);
-        trace.angle(at, polygon, octants);
-        return octants;
-    }
-
-    const Polygon<K>* hiding_polygon(Line at, const Window& window, const ActivePolygonList<K>& shown) {
-        trace.call(at, Procedure::hiding_polygon);
-        const Polygon<K>* polygon = Set::hiding_polygon(*this, window, shown);
-        trace.hiding(at, polygon);
-        return polygon;
     }
 
     /// `row` is a row, or in the printed text a y; an end has an x and a z.
     void show_line(Line at, const auto& row, const auto& from, const auto& to, const Polygon<K>& polygon) {
         trace.call(at, Procedure::show_line);
         try {
-            Set::show_line(*this, row, from, to, polygon);
+            set.show_line(*this, row, from, to, polygon);
         } catch (const Fault&) {
             trace.span(at);  // what was painted before
             throw;

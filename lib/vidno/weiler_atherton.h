@@ -62,7 +62,7 @@ VisibleRegions<typename OnRegions<K>::Number> visible_regions(const Scene& scene
     WeilerAthertonRun<Set, OnRegions<K>, Trace> run(scene, OnRegions<K>(std::move(kernel)), std::move(trace),
                                                     result.picture);
     try {
-        Set::weiler_atherton(run);
+        run.set.weiler_atherton(run);
     } catch (const Fault& fault) {
         run.trace.fault(fault.at, fault.reason);
     }

@@ -119,10 +119,9 @@ void orient(benchmark::State& state) {
 }
 BENCHMARK(orient)->Unit(benchmark::kMillisecond);
 
-template <class Sink>
-void run(Method method, const Scene& scene, Sink& sink) {
-    Recording<Sink> recording{Detail::signs, sink};
-    render(method, scene, Double{}, Recorder<Double, Sink>(recording));
+void run(Method method, const Scene& scene, EventSink& sink) {
+    Recording recording{Detail::signs, sink};
+    render(method, scene, Double{}, Recorder<Double>(recording));
 }
 
 Scene traced_scene() { return random_triangles(100, 64, 4); }
@@ -154,7 +153,7 @@ BENCHMARK(record<zbuffer>)->Unit(benchmark::kMillisecond);
 template <Method method>
 std::vector<Event> events_of(const Scene& scene) {
     std::vector<Event> events;
-    const auto keep = [&](const auto& event) { events.emplace_back(event); };
+    HeardBy keep([&](const EventView& event) { events.push_back(event.copy()); });
     run(method, scene, keep);
     return events;
 }

@@ -6,20 +6,14 @@
 
 namespace vidno::test {
 
-struct ToState {
-    State& state;
-    template <class E>
-    void operator()(const E& event) {
-        state.apply(Event(event));
-    }
-};
-
 /// The state rebuilt from a run's events, and how often it was held against the run's own lists.
-struct Rebuilt {
-    explicit Rebuilt(const TraceHeader& header) : state(header), sink{state}, recording{header.detail, sink} {}
+struct Rebuilt final : EventSink {
+    explicit Rebuilt(const TraceHeader& header) : state(header), recording{header.detail, *this} {}
+
+    void hear(const EventView& event) override { state.apply(event.copy()); }
+
     State state;
-    ToState sink;
-    Recording<ToState> recording;
+    Recording recording;
     int compared = 0, different = 0;
 };
 

@@ -5,9 +5,9 @@
 #include <iostream>
 #include <map>
 
-#include "check.h"
 #include "commands.h"
 #include "grade/scenes.h"
+#include "judged_run.h"
 #include "output.h"
 #include "page.h"
 #include "progress.h"

@@ -34,7 +34,7 @@ public:
         TraceWriter writer({method_, edition_, kernel_.name(), Detail::signs, scene},
                            [&](std::string_view part) { text += part; });
         RunRequest traced = request(scene);
-        traced.writer = &writer;
+        traced.sink = &writer;
         writer.finish(run(traced));
         return text.find("\"at\":\"" + label + '"') != std::string::npos;
     }

@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <iostream>
 
-#include "check.h"
 #include "commands.h"
-#include "curve_run.h"
 #include "figure/curve_parts.h"
 #include "figure/encoded.h"
 #include "figure/region_parts.h"
 #include "image.h"
+#include "judged_run.h"
 #include "method.h"
 #include "output.h"
 #include "progress.h"

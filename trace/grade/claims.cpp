@@ -44,13 +44,13 @@ void Claims::judge_start(double z, const std::string& what) const {
 
 /// As if points of an outline belonged to nobody.
 bool Claims::is_hole(int column, int row, Color color) const {
-    const Seen& seen = truth_.seen(column, row);
+    const SeenPixel& seen = truth_.seen(column, row);
     return seen.on_outline && color == truth_.color_of(seen.by_none);
 }
 
 std::string Claims::why_not(int column, int row, Color color) const {
     const double x = column + 0.5, y = row + 0.5;
-    const Seen& seen = truth_.seen(column, row);
+    const SeenPixel& seen = truth_.seen(column, row);
     const int right = seen.by_rule;
     const std::string where = pixel_in_words(column, row);
     if (is_hole(column, row, color)) {
@@ -62,12 +62,12 @@ std::string Claims::why_not(int column, int row, Color color) const {
         return where + ": the depth of " + id(p) + " at its centre is " + in_words(truth_.depth(p, x, y)) +
                ", that of " + id(right) + " is " + in_words(truth_.depth(right, x, y)) + ", which is nearer";
     }
-    if (right == Seen::background) return where + ": no polygon has its centre";
+    if (right == SeenPixel::background) return where + ": no polygon has its centre";
     return where + ": " + owner_of(truth_.color_of(right)) + " shows at its centre";
 }
 
 void Claims::judge_pixel(int column, int row, Color color) {
-    const Seen& seen = truth_.seen(column, row);
+    const SeenPixel& seen = truth_.seen(column, row);
     if (!truth_.allows(column, row, color)) {
         throw False{is_hole(column, row, color) ? Symptom::hole : Symptom::colour,
                     pixel_in_words(column, row) + " shows " + owner_of(color), why_not(column, row, color)};

@@ -116,7 +116,7 @@ struct SceneTruth::Exactly {
     double largest = 1;  // coordinate
     double slack = 0;    // what rounding may do to a coordinate
     std::vector<ExactPolygon> polygons;
-    mutable std::map<std::pair<int, int>, Seen> pixels;  // as they are asked for
+    mutable std::map<std::pair<int, int>, SeenPixel> pixels;  // as they are asked for
 
     Exactly(const Scene& given, Precision precision) : scene(given) {
         const Area& area = scene.area;
@@ -168,7 +168,7 @@ struct SceneTruth::Exactly {
 
     /// Of polygons that all have the point: which may be taken for the nearest. None of them: the background.
     std::vector<int> front_of(const std::vector<int>& candidates, const Point2& p) const {
-        if (candidates.empty()) return {Seen::background};
+        if (candidates.empty()) return {SeenPixel::background};
         const auto farther = [&](int q, int r) { return at(q).depth(p) < at(r).depth(p); };
         const int nearest = *std::max_element(candidates.begin(), candidates.end(), farther);
         std::vector<int> front;
@@ -203,17 +203,17 @@ struct SceneTruth::Exactly {
         return changes;
     }
 
-    Seen see(int column, int row) const {
+    SeenPixel see(int column, int row) const {
         const Point2 p{column + 0.5, row + 0.5};
         std::vector<int> in, on, closed;
-        Seen seen;
+        SeenPixel seen;
         for (int q = 0; q < int(polygons.size()); ++q) {
             const Place where = place(at(q), p, slack);
             if (where == Place::inside) in.push_back(q);
             if (where == Place::outline) on.push_back(q);
             if (place(at(q), p, 0) == Place::outside) continue;
             closed.push_back(q);
-            if (seen.by_rule == Seen::background || at(q).depth(p) > at(seen.by_rule).depth(p)) seen.by_rule = q;
+            if (seen.by_rule == SeenPixel::background || at(q).depth(p) > at(seen.by_rule).depth(p)) seen.by_rule = q;
         }
         seen.on_outline = !on.empty();
         seen.by_none = front_of(in, p).front();
@@ -374,14 +374,14 @@ std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window
            in_words(CGAL::to_double(right) / 2);
 }
 
-const Seen& SceneTruth::seen(int column, int row) const {
+const SeenPixel& SceneTruth::seen(int column, int row) const {
     const auto [found, is_new] = exactly_->pixels.try_emplace({column, row});
     if (is_new) found->second = exactly_->see(column, row);
     return found->second;
 }
 
 Color SceneTruth::color_of(int polygon) const {
-    return polygon == Seen::background ? scene().background : scene().polygons[std::size_t(polygon)].color;
+    return polygon == SeenPixel::background ? scene().background : scene().polygons[std::size_t(polygon)].color;
 }
 
 bool SceneTruth::allows(int column, int row, Color color) const {

@@ -25,7 +25,7 @@ namespace vidno {
 enum class Precision : unsigned char { single, twice };
 
 /// What may be seen at the centre of a pixel.
-struct Seen {
+struct SeenPixel {
     static constexpr int background = -1;
 
     int by_rule = background;  // a polygon by its place
@@ -79,7 +79,7 @@ public:
     std::optional<std::string> no_part(int polygon, const Window& window,
                                        const std::vector<glm::dvec3>& vertices) const;
 
-    const Seen& seen(int column, int row) const;
+    const SeenPixel& seen(int column, int row) const;
     Color color_of(int polygon) const;  // or of the background
     bool allows(int column, int row, Color color) const;
 

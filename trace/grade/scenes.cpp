@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "vidno/admission.h"
+#include "exact_scene.h"
 
 namespace vidno {
 
@@ -29,7 +29,7 @@ Scene scene(std::string name, const Area& area, const std::vector<Vertices>& pol
     for (const auto& vertices : polygons) {
         const std::size_t i = made.polygons.size();
         made.polygons.push_back({std::string(1, char('A' + i)), colors[i % colors.size()], vertices});
-        [[maybe_unused]] const Admitted admitted = admit(made.polygons.back());
+        [[maybe_unused]] const Admitted admitted = exact_scene::admit(made.polygons.back());
         assert(admitted.admission == Admission::admitted);
     }
     return made;

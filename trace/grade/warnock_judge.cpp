@@ -33,7 +33,7 @@ bool WarnockJudge::looked_at(int polygon) const {
 /// Whether what shows at a pixel has not been looked at in this window, as far as the program tells.
 bool WarnockJudge::overlooks(int column, int row) const {
     const int right = truth().seen(column, row).by_rule;
-    return tells_counts_ && right != Seen::background && !looked_at(right);
+    return tells_counts_ && right != SeenPixel::background && !looked_at(right);
 }
 
 /// Whether nothing but this polygon may show there.

@@ -27,15 +27,15 @@ void ZBufferJudge::finish_polygon() {
         for (int column = area.x; column < area.right(); ++column) {
             const double x = column + 0.5, y = row + 0.5;
             const auto found = cells_.find({column, row});
-            const int shown = found == cells_.end() ? Seen::background : found->second.polygon;
+            const int shown = found == cells_.end() ? SeenPixel::background : found->second.polygon;
             if (shown == *polygon_ || truth().place(*polygon_, x, y) != SceneTruth::Place::inside) continue;
-            if (shown != Seen::background && truth().nearer(*polygon_, shown, x, y) <= 0) continue;
-            const std::string there = shown == Seen::background ? "nothing" : id(shown);
+            if (shown != SeenPixel::background && truth().nearer(*polygon_, shown, x, y) <= 0) continue;
+            const std::string there = shown == SeenPixel::background ? "nothing" : id(shown);
             throw False{Symptom::not_painted,
                         id(*polygon_) + " is done, and " + pixel_in_words(column, row) + " shows " + there +
                             " of what came so far",
                         "its centre is inside " + id(*polygon_) +
-                            (shown == Seen::background ? "" : ", which is nearer there than " + id(shown)),
+                            (shown == SeenPixel::background ? "" : ", which is nearer there than " + id(shown)),
                         last_step_};
         }
     }
@@ -146,7 +146,7 @@ void ZBufferJudge::judge_shown(int column, int row) {
     judge_covered(column, row);
     Cell& own = cell(column, row);
     const double x = column + 0.5, y = row + 0.5;
-    if (own.polygon != Seen::background && own.polygon != *polygon_ &&
+    if (own.polygon != SeenPixel::background && own.polygon != *polygon_ &&
         truth().nearer(own.polygon, *polygon_, x, y) > 0) {
         throw False{Symptom::comparison, id(*polygon_) + " takes " + pixel_in_words(column, row),
                     "the depth of " + id(own.polygon) + ", which is there, is " +

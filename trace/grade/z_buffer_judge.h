@@ -21,8 +21,8 @@ public:
 
 private:
     struct Cell {
-        std::optional<double> z;         // as the program has it
-        int polygon = Seen::background;  // that it shows
+        std::optional<double> z;              // as the program has it
+        int polygon = SeenPixel::background;  // that it shows
     };
 
     void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "check.h"
-#include "curve_run.h"
 #include "event_lines.h"
 #include "import.h"
+#include "judged_run.h"
 #include "lesson.h"
 #include "method.h"
 #include "output.h"

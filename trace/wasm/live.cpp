@@ -16,9 +16,8 @@
 #include <string>
 #include <string_view>
 
-#include "check.h"
-#include "curve_run.h"
 #include "json_node.h"
+#include "judged_run.h"
 #include "map.h"
 #include "method.h"
 #include "question_json.h"
@@ -72,7 +71,6 @@ Options read_options(const JsonNode& root, Kind kind) {
         root.at("method").refuse("draws no surface");
     }
     options.edition = Edition(place_of(root.at("edition"), edition_names));
-    if (is_mistake(options.edition)) root.at("edition").refuse("a usual mistake, which this library has not");
     options.kernel = read_kernel(root.at("kernel"));
     const KernelChoice& choice = *options.kernel.choice;
     const bool runs =

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "../run.h"
+#include "relation.h"
 
 namespace vidno {
 

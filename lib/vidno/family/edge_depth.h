@@ -22,7 +22,7 @@ struct EdgeDepth {
             for (std::size_t i = 0; i < vertices.size(); ++i) {
                 auto& edge = polygon.edges.emplace_back();
                 edge.corners = corners_of_plane(run, vertices[i], vertices[(i + 1) % vertices.size()]);
-                edge.plane = run.kernel.plane(Run::Set::initialize_polygon(run, edge.corners), edge.corners);  // ED1
+                edge.plane = run.kernel.plane(run.set.initialize_polygon(run, edge.corners), edge.corners);  // ED1
             }
         }
     }

@@ -5,11 +5,14 @@
 /// Each paints the picture rule, or the variation of it that stands above the set, on the scenes of its domain.
 #pragma once
 
-#include <cassert>
+#include <array>
+#include <stdexcept>
+#include <string_view>
 
 #include "../vidno.h"
 #include "back_faces.h"
 #include "box_test.h"
+#include "calls.h"
 #include "edge_depth.h"
 #include "hiding_polygon.h"
 #include "octant_angles.h"
@@ -23,16 +26,20 @@
 namespace vidno::family {
 
 struct Simplest : Corrected {
+    static constexpr std::string_view name = "simplest";
+    static constexpr auto methods = std::to_array({Method::warnock_simplest});
     static void warnock(auto& run) { SimplestWarnock::warnock(run); }
 };
 
 struct Full : Corrected, RelationTest, BoxTest, TrialFunction, RayCrossings, OctantAngles, HidingPolygon {
+    static constexpr std::string_view name = "full";
+    static constexpr auto methods = std::to_array({Method::warnock_full});
     static void warnock(auto& run) { ThreeListsWarnock::warnock(run); }
 
     /// RE4: does a polygon whose edges do not meet a window surround it, or is it outside.
     static bool surrounds(auto& run, const auto& polygon, const Window& window) {
         using enum Line;
-        return run.ray_crossings(RE4, polygon, window) % 2 == 1;
+        return calls::ray_crossings(run, RE4, polygon, window) % 2 == 1;
     }
 
     /// WF12: the parts of a window, whatever is in it.
@@ -41,14 +48,18 @@ struct Full : Corrected, RelationTest, BoxTest, TrialFunction, RayCrossings, Oct
 
 /// Contained by the sum of the angles.
 struct Angles : Full {
+    static constexpr std::string_view name = "angles";
+    static constexpr auto methods = std::to_array({Method::warnock_angles});
     static bool surrounds(auto& run, const auto& polygon, const Window& window) {
         using enum Line;
-        return run.octant_angles(RE4, polygon, window) != 0;
+        return calls::octant_angles(run, RE4, polygon, window) != 0;
     }
 };
 
 /// Split at a vertex: no square is needed, for no window is halved on and on.
 struct AtVertex : Full {
+    static constexpr std::string_view name = "at vertex";
+    static constexpr auto methods = std::to_array({Method::warnock_vertex});
     static Window root_window(const Area& area) { return whole_area(area); }
     static std::vector<Window> split(auto& run, const Window& window, const auto& polygons) {
         return VertexSplit::split(run, window, polygons);
@@ -57,6 +68,8 @@ struct AtVertex : Full {
 
 /// Edge-on polygons show as well: each is the closed segment that it is projected to, at its nearest depth.
 struct EdgeOn : Full {
+    static constexpr std::string_view name = "edge-on";
+    static constexpr auto methods = std::to_array({Method::warnock_edges});
     static void warnock(auto& run) {
         EdgeDepth::initialize_edges(run);
         Full::warnock(run);
@@ -73,12 +86,14 @@ struct EdgeOn : Full {
 /// Closed convex bodies: the faces that look away are removed first. At a centre on the outline of a body such a face may be as
 /// near as one that looks here: then the latter shows.
 struct Bodies : Corrected {
+    static constexpr std::string_view name = "bodies";
+    static constexpr auto methods = std::to_array({Method::warnock_bodies});
     static bool takes_part(auto& run, const auto& polygon) {
         return !polygon.edge_on && !BackFaces::looks_away(run, polygon);
     }
 };
 
-/// Calls `use` with the set of a method of the family.
+/// Calls `use` with the set of a method of the family; throws std::invalid_argument for another method.
 auto with_set_of(Method method, auto&& use) {
     switch (method) {
         case Method::warnock_simplest: return use(Simplest{});
@@ -86,7 +101,8 @@ auto with_set_of(Method method, auto&& use) {
         case Method::warnock_vertex: return use(AtVertex{});
         case Method::warnock_edges: return use(EdgeOn{});
         case Method::warnock_bodies: return use(Bodies{});
-        default: assert(method == Method::warnock_full); return use(Full{});
+        case Method::warnock_full: return use(Full{});
+        default: throw std::invalid_argument("not a method of the Warnock family");
     }
 }
 

@@ -43,7 +43,7 @@ struct OctantAngles {
             int difference = to_octant - from_octant;
             if (difference > 4) difference -= 8;
             if (difference < -4) difference += 8;
-            const bool split = Run::Set::needs_split(difference);
+            const bool split = run.set.needs_split(difference);
             if (split) {
                 const auto& corner = corners[(from_octant + 2) % 8 / 2];
                 const auto value = run.kernel.cross(from, to, corner);

@@ -40,7 +40,7 @@ struct RayCrossings {
             const Sign to_side = side_of(to);
             if (to_side == Sign::zero) continue;
             if (side_of(from) == Sign::zero) {
-                const int counts = from.x > point.x ? Run::Set::crossings_at_vertex(to_side == side) : 0;
+                const int counts = from.x > point.x ? run.set.crossings_at_vertex(to_side == side) : 0;
                 crossings += counts;
                 trace.ray(CR3, polygon, i, counts);
             } else if (to_side != side) {

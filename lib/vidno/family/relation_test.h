@@ -5,7 +5,7 @@
 ///         side of the outline: any point of it decides, by the containment test of the set.
 #pragma once
 
-#include "../run.h"
+#include "calls.h"
 
 namespace vidno {
 
@@ -13,10 +13,9 @@ struct RelationTest {
     template <class Run>
     static Relation relation(Run& run, const Polygon<typename Run::Arithmetic>& polygon, const Window& window) {
         using enum Line;
-        using Set = typename Run::Set;
-        if (const auto found = Set::box_test(run, polygon, window)) return *found;
-        if (run.trial_function(RE3, polygon, window)) return Relation::intersecting;
-        return Set::surrounds(run, polygon, window) ? Relation::surrounding : Relation::outside;  // RE4
+        if (const auto found = run.set.box_test(run, polygon, window)) return *found;
+        if (calls::trial_function(run, RE3, polygon, window)) return Relation::intersecting;
+        return run.set.surrounds(run, polygon, window) ? Relation::surrounding : Relation::outside;  // RE4
     }
 };
 

@@ -14,11 +14,10 @@ struct SimplestWarnock {
     template <class Run>
     static void warnock(Run& run) {
         using enum Line;
-        using Set = typename Run::Set;
         auto& trace = run.trace;
 
         std::vector<ActiveWindow<typename Run::Arithmetic>> active_windows;  // AW
-        active_windows.push_back({Set::root_window(run.area), first_list(run)});
+        active_windows.push_back({run.set.root_window(run.area), first_list(run)});
         trace.push_root(WS1, active_windows);
 
         while (!active_windows.empty()) {
@@ -42,12 +41,12 @@ struct SimplestWarnock {
                 run.fill(WS5, window, run.point_color(WS5, centre_of(run.kernel, window), polygons));
             } else {
                 trace.decide(WS6, Case::split);
-                for (const Window& part : Set::parts(window)) {
+                for (const Window& part : run.set.parts(window)) {
                     if (off_area(part, run.area)) {
                         trace.skip(WS6, part);
                         continue;
                     }
-                    active_windows.push_back({part, Set::list_for_part(entry.polygons)});
+                    active_windows.push_back({part, run.set.list_for_part(entry.polygons)});
                     trace.push_part(WS6, active_windows, false);
                 }
             }

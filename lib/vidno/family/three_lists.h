@@ -11,6 +11,7 @@
 /// Time    a window tests the polygons whose outlines its parent saw, and compares the depths of those that may show.
 #pragma once
 
+#include "calls.h"
 #include "polygon_lists.h"
 #include "windows.h"
 
@@ -20,14 +21,13 @@ struct ThreeListsWarnock {
     template <class Run>
     static void warnock(Run& run) {
         using enum Line;
-        using Set = typename Run::Set;
         using K = typename Run::Arithmetic;
         auto& trace = run.trace;
 
         PolygonLists<K> lists{{}, {}, *first_list(run)};
         const auto& [surrounding, outside, third] = lists;
         std::vector<LeveledWindow<K>> active_windows;  // AW
-        active_windows.push_back({Set::root_window(run.area), 0, &third});
+        active_windows.push_back({run.set.root_window(run.area), 0, &third});
         trace.push_root(WF1, active_windows);
 
         while (!active_windows.empty()) {
@@ -54,7 +54,7 @@ struct ThreeListsWarnock {
                 trace.decide(WF9, Case::surrounded);
                 run.fill(WF9, window, surrounding.front().polygon->color);
             } else if (const auto* hiding =
-                           surrounding.empty() ? nullptr : run.hiding_polygon(WF10, window, lists.shown())) {
+                           surrounding.empty() ? nullptr : calls::hiding_polygon(run, WF10, window, lists.shown())) {
                 trace.decide(WF10, Case::surrounded);
                 run.fill(WF10, window, hiding->color);
             } else if (is_smallest(run, window)) {
@@ -62,7 +62,7 @@ struct ThreeListsWarnock {
                 run.fill(WF11, window, run.point_color(WF11, centre_of(run.kernel, window), lists.shown()));
             } else {
                 trace.decide(WF12, Case::split);
-                for (const Window& part : Set::split(run, window, third)) {
+                for (const Window& part : run.set.split(run, window, third)) {
                     if (off_area(part, run.area)) {
                         trace.skip(WF12, part);
                         continue;
@@ -98,7 +98,7 @@ private:
         Relation last_left = Relation::outside;
         std::erase_if(lists.third, [&](const auto& entry) {
             const auto& polygon = *entry.polygon;
-            const Relation relation = run.relation(WF4, polygon, window);
+            const Relation relation = calls::relation(run, WF4, polygon, window);
             if (relation == Relation::inside || relation == Relation::intersecting) {
                 last_left = relation;
                 return false;

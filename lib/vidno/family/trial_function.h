@@ -40,8 +40,7 @@ struct TrialFunction {
                 negative = negative || sign == Sign::negative;
                 positive = positive || sign == Sign::positive;
             }
-            const bool meets =
-                negative && positive && !Run::Set::ends_before(from, to, corners.front(), corners.back());
+            const bool meets = negative && positive && !run.set.ends_before(from, to, corners.front(), corners.back());
             trace.trial(TF3, polygon, i, meets);
             if (meets) return true;
         }

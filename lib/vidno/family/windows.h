@@ -10,7 +10,7 @@ template <class Run>
 std::shared_ptr<ActivePolygonList<typename Run::Arithmetic>> first_list(Run& run) {
     const auto list = std::make_shared<ActivePolygonList<typename Run::Arithmetic>>();
     for (const auto& polygon : run.polygons) {
-        if (Run::Set::takes_part(run, polygon)) list->push_back({&polygon, false});
+        if (run.set.takes_part(run, polygon)) list->push_back({&polygon, false});
     }
     return list;
 }

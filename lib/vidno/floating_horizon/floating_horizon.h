@@ -50,13 +50,13 @@ private:
     template <class Run>
     static void draw_curve(Run& run, int curve, const std::vector<Sample>& samples) {
         using enum Line;
-        using Set = typename Run::Set;
-        const auto& before = Set::horizons_before(run.horizons);
+        std::optional<Horizons<typename Run::Arithmetic>> kept;
+        const auto& before = run.set.horizons_before(run.horizons, kept);
         auto flag = run.visibility(FH4, {curve, samples[0], samples[1]}, samples[0].x, before);  // Pflag
         for (std::size_t i = 1; i < samples.size(); ++i) {
             const Segment segment{curve, samples[i - 1], samples[i]};
             for (int x = segment.from.x; x < segment.to.x;) {
-                const int next = Set::next_column(segment, x);
+                const int next = run.set.next_column(segment, x);
                 const auto next_flag = run.visibility(FH5, segment, next, before);  // Tflag
                 draw_step(run, segment, {x, flag}, {next, next_flag}, before);
                 x = next;  // FH9
@@ -75,13 +75,12 @@ private:
     static void draw_step(Run& run, const Segment& segment, const Step& from, const Step& to, const auto& before) {
         using enum Line;
         using enum VisibilityFlag;
-        using Set = typename Run::Set;
         const auto first = run.on_column(segment, from.x);
         const auto last = run.on_column(segment, to.x);
         const VisibilityFlag was = side_beside(from.flag, to.flag);
         const VisibilityFlag is = side_beside(to.flag, from.flag);
         if (was == is) {
-            if (Set::draws(is)) draw(run, FH6, segment, first, last);
+            if (run.set.draws(is)) draw(run, FH6, segment, first, last);
             return;
         }
         if (was != hidden) {
@@ -89,7 +88,7 @@ private:
             draw(run, FH7, segment, first, end);
         }
         if (is != hidden) {
-            const VisibilityFlag met = Set::horizon_met(was, is);
+            const VisibilityFlag met = run.set.horizon_met(was, is);
             const auto begin = run.intersection(FH8, segment, from.x, to.x, before.on(met), met);
             draw(run, FH8, segment, begin, last);
         }

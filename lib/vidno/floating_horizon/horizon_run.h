@@ -52,30 +52,32 @@ struct HorizonRun {
     using Arithmetic = K;
     using End = LineEnd<typename K::Number>;
 
+    [[no_unique_address]] Set set;
     K kernel;
     Trace trace;
     const CurveScene& scene;
     Horizons<K> horizons;
     std::vector<VisibleLine<typename K::Number>> lines;
 
-    HorizonRun(const CurveScene& curves, K arithmetic, Trace visitor)
-        : kernel(std::move(arithmetic)),
+    HorizonRun(const CurveScene& curves, K arithmetic, Trace visitor, Set procedures = {})
+        : set(std::move(procedures)),
+          kernel(std::move(arithmetic)),
           trace(std::move(visitor)),
           scene(curves),
-          horizons(Set::first_horizons(kernel, curves.area)) {
+          horizons(set.first_horizons(kernel, curves.area)) {
         assert(std::all_of(scene.curves.begin(), scene.curves.end(),
                            [&](const Curve& curve) { return on_columns(curve, scene.area); }));
     }
 
     void side_edge(Line at, std::optional<Sample>& edge, int curve, const Sample& end) {
         trace.call(at, Procedure::side_edge);
-        Set::side_edge(*this, edge, curve, end);
+        set.side_edge(*this, edge, curve, end);
         trace.side_edge(at, end);
     }
 
     VisibilityFlag visibility(Line at, const Segment& segment, int column, const Horizons<K>& before) {
         trace.call(at, Procedure::visibility);
-        const VisibilityFlag flag = Set::visibility(*this, segment, column, before);
+        const VisibilityFlag flag = set.visibility(*this, segment, column, before);
         trace.visibility(at, segment, column, flag);
         return flag;
     }
@@ -83,7 +85,7 @@ struct HorizonRun {
     /// Over the columns first <= x <= last.
     void horizon(Line at, const Segment& segment, int first, int last) {
         trace.call(at, Procedure::horizon);
-        Set::horizon(*this, segment, first, last);
+        set.horizon(*this, segment, first, last);
         trace.horizon(at, segment, first, last);
     }
 
@@ -91,7 +93,7 @@ struct HorizonRun {
     End intersection(Line at, const Segment& segment, int first, int last, const HorizonArray<K>& horizon,
                      VisibilityFlag side) {
         trace.call(at, Procedure::intersection);
-        End end = Set::intersection(*this, segment, first, last, horizon, side);
+        End end = set.intersection(*this, segment, first, last, horizon, side);
         trace.intersection(at, segment, end);
         return end;
     }

@@ -13,10 +13,9 @@ struct SideEdge {
     template <class Run>
     static void side_edge(Run& run, std::optional<Sample>& edge, int curve, const Sample& end) {
         using enum Line;
-        using Set = typename Run::Set;
-        if (!Set::no_edge_yet(edge)) {  // SE1
+        if (!run.set.no_edge_yet(edge)) {  // SE1
             const Segment side{curve, *edge, end};
-            const auto [first, last] = Set::edge_columns(side);
+            const auto [first, last] = run.set.edge_columns(side);
             run.horizon(SE2, side, first, last);
         }
         edge = end;  // SE3

@@ -14,16 +14,15 @@ struct Visibility {
     static VisibilityFlag visibility(Run& run, const Segment& segment, int column, const auto& horizons) {
         using enum Line;
         using enum VisibilityFlag;
-        using Set = typename Run::Set;
         const auto y = run.kernel.height(segment, column);
         const auto& upper = horizons.upper[column];
         const auto& lower = horizons.lower[column];
         run.trace.height(V1, column, y, upper, lower);
         const bool reaches_upper = reaches_horizon(run.kernel, y, upper, above);
         const bool reaches_lower = reaches_horizon(run.kernel, y, lower, below);
-        if (reaches_upper && reaches_lower) return Set::flag_on_both();  // V2
-        if (reaches_upper) return above;                                 // V3
-        return reaches_lower ? below : hidden;                           // V4
+        if (reaches_upper && reaches_lower) return run.set.flag_on_both();  // V2
+        if (reaches_upper) return above;                                    // V3
+        return reaches_lower ? below : hidden;                              // V4
     }
 };
 

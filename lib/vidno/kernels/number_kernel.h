@@ -21,6 +21,21 @@ struct Converted {
     T number(double given) const { return T(given); }
 };
 
+/// The whole number low <= i < end at or next below the value, which lies in that range.
+template <class T>
+int whole_part(const T& value, int low, int end) {
+    if constexpr (std::numeric_limits<T>::has_infinity) {
+        using std::floor;
+        return int(double(floor(value)));
+    } else {
+        while (low + 1 < end) {
+            const int middle = std::midpoint(low, end);
+            (T(middle) <= value ? low : end) = middle;
+        }
+        return low;
+    }
+}
+
 /// `Entry` is where numbers come from; a kernel whose numbers know more than their value has one of its own.
 template <class T, class Entry = Converted<T>>
 struct NumberKernel : Entry {
@@ -66,6 +81,7 @@ struct NumberKernel : Entry {
         return Depth(T(-(plane.a * point.x + plane.b * point.y + plane.d) / plane.c));
     }
 
+    T zero() const { return number(0); }
     T to_step(const T& z, const Plane&, Pixel) const { return z; }
     const T& to_store(const T& z) const { return z; }
 
@@ -101,7 +117,7 @@ struct NumberKernel : Entry {
     int first_centre(const T& value, int low, int end) const {
         if (!(value > centre(low))) return low;
         if (value > centre(end - 1)) return end;
-        int pixel = nearby_pixel(value, low, end);
+        int pixel = whole_part(value, low, end);
         while (centre(pixel) < value) ++pixel;
         while (centre(pixel - 1) >= value) --pixel;
         return pixel;
@@ -110,7 +126,7 @@ struct NumberKernel : Entry {
     int last_centre(const T& value, int low, int end) const {
         if (!(value >= centre(low))) return low - 1;
         if (value >= centre(end - 1)) return end - 1;
-        int pixel = nearby_pixel(value, low, end);
+        int pixel = whole_part(value, low, end);
         while (centre(pixel) > value) --pixel;
         while (centre(pixel + 1) <= value) ++pixel;
         return pixel;
@@ -124,7 +140,7 @@ struct NumberKernel : Entry {
 
     Columns<T> columns_of(const Outline& outline, int row, int low, int end) const {
         const T y = centre(row);
-        T left(1), right(0);
+        T left = number(1), right = number(0);
         bool any = false;
         const auto include = [&](const T& x) {
             if (!any || x < left) left = x;
@@ -178,22 +194,7 @@ struct NumberKernel : Entry {
         constexpr int most = farthest_offset + largest_side + 1;
         if (!(value > T(least))) return least;
         if (value >= T(most)) return most;
-        return nearby_pixel(value, least, most);
-    }
-
-private:
-    /// The pixel low <= i < end that holds the value, which lies in that range.
-    static int nearby_pixel(const T& value, int low, int end) {
-        if constexpr (has_infinity) {
-            using std::floor;
-            return int(double(floor(value)));
-        } else {
-            while (low + 1 < end) {
-                const int middle = std::midpoint(low, end);
-                (T(middle) <= value ? low : end) = middle;
-            }
-            return low;
-        }
+        return whole_part(value, least, most);
     }
 };
 

@@ -96,7 +96,9 @@ public:
         return certain ? difference > 0 : exactly_nearer(*z.plane, *than.plane, at);
     }
 
-    /// Of the plane that is kept, as cells have it: what it finds out of itself when asked, it finds out once.
+    double zero() const { return 0; }
+
+    /// Of the plane that is kept, as cells have it: each plane caches its exact coefficients.
     Stepped to_step(double, const Plane& plane, Pixel from) const { return {planes_[plane.number], from}; }
     const Stepped& to_store(const Stepped& z) const { return z; }
 

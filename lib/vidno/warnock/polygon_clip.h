@@ -15,11 +15,10 @@ struct PolygonClip {
     static typename Run::Outline polygon_clip(Run& run, const Polygon<typename Run::Arithmetic>& polygon,
                                               const Window& window) {
         using enum Line;
-        using Set = typename Run::Set;
         auto& kernel = run.kernel;
         auto& trace = run.trace;
 
-        const auto corners = Set::corners_around(kernel, window);
+        const auto corners = run.set.corners_around(kernel, window);
         auto vertices = kernel.outline(polygon.vertices);
         trace.clip_begin(PL1, polygon, window);
 
@@ -35,7 +34,7 @@ struct PolygonClip {
             for (const auto& to : vertices) {
                 const auto to_cross = kernel.cross(corner, to, before);
                 trace.clip_sign(PL4, to, to_cross, kernel.sign(to_cross));
-                if (Set::opposite(kernel, from_cross, to_cross)) {
+                if (run.set.opposite(kernel, from_cross, to_cross)) {
                     clipped.push_back(kernel.meet(from, to, from_cross, to_cross));
                     trace.clip_cross(PL5, clipped.back());
                 }

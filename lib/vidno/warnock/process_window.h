@@ -15,12 +15,11 @@ struct ProcessWindow {
     static WindowSummary process_window(Run& run, const Window& window,
                                         ActivePolygonList<typename Run::Arithmetic>& active_polygons) {
         using enum Line;
-        using Set = typename Run::Set;
         auto& trace = run.trace;
 
         const auto corners = corners_of(run.kernel, window);
         std::array<typename Run::Depth, 4> nearest;
-        nearest.fill(Set::first_corner_depth(run.kernel));
+        nearest.fill(run.set.first_corner_depth(run.kernel));
         trace.corners(PW1, nearest[0]);
         WindowSummary found;
 
@@ -29,7 +28,7 @@ struct ProcessWindow {
             const auto& polygon = *entry;
             const bool outside = run.kernel.outside(polygon.box, window);
             trace.box(PW3, polygon, outside);
-            if (Set::discards(surrounding, outside)) {
+            if (run.set.discards(surrounding, outside)) {
                 trace.discard(PW3, polygon);
                 continue;
             }
@@ -48,7 +47,7 @@ struct ProcessWindow {
                 ++k;
             }
             trace.nearer(PW6, polygon, nearer, k);
-            if (Set::uncovers(k)) {
+            if (run.set.uncovers(k)) {
                 found.has_surround = false;
                 trace.uncover(PW7, polygon);
             }

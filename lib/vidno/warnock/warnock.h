@@ -14,16 +14,15 @@ struct Warnock {
     template <class Run>
     static void warnock(Run& run) {
         using enum Line;
-        using Set = typename Run::Set;
         using K = typename Run::Arithmetic;
         auto& trace = run.trace;
 
         std::vector<ActiveWindow<K>> active_windows;  // AW
         const auto all_polygons = std::make_shared<ActivePolygonList<K>>();
         for (const auto& polygon : run.polygons) {
-            if (Set::takes_part(run, polygon)) all_polygons->push_back({&polygon, false});
+            if (run.set.takes_part(run, polygon)) all_polygons->push_back({&polygon, false});
         }
-        active_windows.push_back({Set::root_window(run.area), all_polygons});
+        active_windows.push_back({run.set.root_window(run.area), all_polygons});
         trace.push_root(W3, active_windows);
 
         while (!active_windows.empty()) {
@@ -53,12 +52,12 @@ struct Warnock {
                 }
             } else {
                 trace.decide(W13, Case::split);
-                for (const Window& part : Set::parts(window)) {
+                for (const Window& part : run.set.parts(window)) {
                     if (off_area(part, run.area)) {
                         trace.skip(W13, part);
                         continue;
                     }
-                    active_windows.push_back({part, Set::list_for_part(active_polygons)});
+                    active_windows.push_back({part, run.set.list_for_part(active_polygons)});
                     trace.push_part(W13, active_windows, active_windows.back().polygons == active_polygons);
                 }
             }

@@ -20,12 +20,11 @@ struct WeilerAtherton {
     template <class Run>
     static void weiler_atherton(Run& run) {
         using enum Line;
-        using Set = typename Run::Set;
         using List = std::vector<typename Run::Piece>;
 
         List pieces;
         for (const auto& polygon : run.polygons) {
-            if (!Set::takes_part(run, polygon)) continue;
+            if (!run.set.takes_part(run, polygon)) continue;
             auto part = run.cut_to_area(WA1, polygon);
             if (!part.empty()) pieces.emplace_back(&polygon, std::move(part));
         }

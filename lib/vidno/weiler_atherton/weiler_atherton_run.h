@@ -47,6 +47,7 @@ struct WeilerAthertonRun {
     using Piece = PolygonPiece<Number>;
     using Pieces = std::vector<EdgePiece<Number>>;
 
+    [[no_unique_address]] Set set;
     K kernel;
     Visitor trace;
     Area area;
@@ -56,8 +57,12 @@ struct WeilerAthertonRun {
     std::vector<Piece> facets;   // convex, and none pierces another
     std::vector<Piece> visible;  // disjoint but for their outlines
 
-    WeilerAthertonRun(const Scene& scene, K arithmetic, Visitor visitor, Picture& canvas)
-        : kernel(std::move(arithmetic)), trace(std::move(visitor)), area(scene.area), picture(canvas) {
+    WeilerAthertonRun(const Scene& scene, K arithmetic, Visitor visitor, Picture& canvas, Set procedures = {})
+        : set(std::move(procedures)),
+          kernel(std::move(arithmetic)),
+          trace(std::move(visitor)),
+          area(scene.area),
+          picture(canvas) {
         const auto left = double(area.x), right = double(area.right());
         const auto top = double(area.y), bottom = double(area.bottom());
         area_region_ = bounded_by({kernel.place(left, top), kernel.place(right, top), kernel.place(right, bottom),
@@ -67,8 +72,8 @@ struct WeilerAthertonRun {
     }
 
     SourcePolygon<Number> initialize_polygon(const ScenePolygon& source) {
-        auto polygon = polygon_on_screen<Set, SourcePolygon<Number>>(kernel, area, source, int(polygons.size()));
-        polygon.plane = Set::initialize_polygon(*this, polygon.vertices);
+        auto polygon = polygon_on_screen<SourcePolygon<Number>>(set, kernel, area, source, int(polygons.size()));
+        polygon.plane = set.initialize_polygon(*this, polygon.vertices);
         trace.plane(Line::I1, polygon, polygon.plane);
         return polygon;
     }
@@ -85,13 +90,13 @@ struct WeilerAthertonRun {
             std::reverse(corners.begin(), corners.end());
         }
         trace.call(at, Procedure::region_clip);
-        auto part = Set::region_clip(*this, bounded_by(corners), area_region_).inside;
+        auto part = set.region_clip(*this, bounded_by(corners), area_region_).inside;
         trace.cut_to_area(at, polygon, part);
         return part;
     }
 
     Number depth(Line at, const SourcePolygon<Number>& polygon, const Point<Number>& place) {
-        const Number z = Set::depth(*this, polygon, place);
+        const Number z = set.depth(*this, polygon, place);
         trace.depth(at, polygon, place, z);
         return z;
     }
@@ -99,8 +104,8 @@ struct WeilerAthertonRun {
     /// How the depths of two polygons at a place compare: positive if the first is nearer.
     Sign order(Line at, const SourcePolygon<Number>& polygon, const SourcePolygon<Number>& other,
                const Point<Number>& place) {
-        const Number z = Set::depth(*this, polygon, place);
-        const Number other_z = Set::depth(*this, other, place);
+        const Number z = set.depth(*this, polygon, place);
+        const Number other_z = set.depth(*this, other, place);
         const Sign order = kernel.compare(z, other_z);
         trace.order(at, polygon, other, place, z, other_z, order);
         return order;
@@ -108,7 +113,7 @@ struct WeilerAthertonRun {
 
     ClippedRegion<Number> region_clip(Line at, const Piece& subject, const Piece& clip) {
         trace.call(at, Procedure::region_clip);
-        auto parts = Set::region_clip(*this, subject.region, clip.region);
+        auto parts = set.region_clip(*this, subject.region, clip.region);
         trace.clipped(at, *subject.polygon, *clip.polygon, parts.inside, parts.outside);
         return parts;
     }
@@ -123,21 +128,21 @@ struct WeilerAthertonRun {
 
     std::vector<Piece> split_piercing(Line at, std::vector<Piece> pieces) {
         trace.call(at, Procedure::split_piercing);
-        auto convex = Set::split_piercing(*this, std::move(pieces));
+        auto convex = set.split_piercing(*this, std::move(pieces));
         trace.facets(at, convex);
         return convex;
     }
 
     std::vector<Piece> depth_sort(Line at, const std::vector<Piece>& pieces) {
         trace.call(at, Procedure::depth_sort);
-        auto sorted = Set::depth_sort(*this, pieces);
+        auto sorted = set.depth_sort(*this, pieces);
         trace.sorted(at, sorted);
         return sorted;
     }
 
     std::vector<Piece> remove_behind(Line at, const std::vector<Piece>& inside, const Piece& clip) {
         trace.call(at, Procedure::remove_behind);
-        auto nearer = Set::remove_behind(*this, inside, clip);
+        auto nearer = set.remove_behind(*this, inside, clip);
         trace.nearer_ones(at, nearer);
         return nearer;
     }
@@ -157,7 +162,7 @@ struct WeilerAthertonRun {
 
     void paint_regions(Line at) {
         trace.call(at, Procedure::paint_regions);
-        Set::paint_regions(*this);
+        set.paint_regions(*this);
         trace.painted(at);
     }
 

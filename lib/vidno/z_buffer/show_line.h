@@ -19,13 +19,13 @@ struct ShowLine {
         auto& trace = run.trace;
         trace.line(L1, row, left, right);
 
-        auto [x, end] = Run::Set::columns_shown(run, row, left, right, polygon);
+        auto [x, end] = run.set.columns_shown(run, row, left, right, polygon);
         if (x >= end) {
             trace.miss(L2);
             return;
         }
         const bool is_point = kernel.same_place(left, right, row);
-        const Interpolated dz = is_point ? Interpolated(0) : Interpolated((right.z - left.z) / (right.x - left.x));
+        const Interpolated dz = is_point ? kernel.zero() : Interpolated((right.z - left.z) / (right.x - left.x));
         trace.slope(L3, dz);
         const auto first_z = Interpolated(left.z + (kernel.centre(x) - left.x) * dz);
         auto z = kernel.to_step(first_z, polygon.plane, Pixel{x, row});

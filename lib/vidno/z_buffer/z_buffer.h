@@ -15,7 +15,7 @@ struct ZBuffer {
     template <class Run>
     static void z_buffer(Run& run) {
         using enum Line;
-        const auto first_depth = Run::Set::first_depth(run.kernel);
+        const auto first_depth = run.set.first_depth(run.kernel);
         run.depth_buffer.clear(run.area, first_depth);
         run.trace.clear(Z1, run.background, first_depth);
         for (const auto& polygon : run.polygons) {

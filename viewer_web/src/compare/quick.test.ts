@@ -27,6 +27,19 @@ describe('a run is quickly held against', () => {
     ]);
   });
 
+  it('of a usual mistake, the corrected text, and no numbers that do not run it', () => {
+    const words = quickRuns({ ...usual, edition: 'surround-kept' }).map(([name, options]) => [
+      name,
+      wordOf(options),
+    ]);
+    expect(words).toEqual([
+      ['method', 'zbuffer.corrected.double.signs'],
+      ['variant', 'warnock-full.corrected.double.signs'],
+      ['corrected', 'warnock.corrected.double.signs'],
+      ['exact', 'warnock.surround-kept.exact.signs'],
+    ]);
+  });
+
   it('what can be run: the kernel gives way', () => {
     const depth = quickRuns({ ...usual, method: 'zbuffer', kernel: 'depth:8' });
     expect(depth[0]?.[1].kernel).toBe('double');

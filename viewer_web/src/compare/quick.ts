@@ -1,5 +1,5 @@
 import type { Quick } from '../i18n/compare-texts.js';
-import { isPrinted, runnable } from '../live/options.js';
+import { editionsOf, runnable, runs } from '../live/options.js';
 import type { Options } from '../live/options.js';
 import type { Method } from '../trace/events.js';
 import { methodKindOf } from '../trace/method-kind.js';
@@ -14,9 +14,11 @@ function otherMethods(method: Method): readonly Method[] {
 export function quickRuns(options: Options): readonly (readonly [Quick, Options])[] {
   const { method, edition, kernel } = options;
   const variants: readonly Method[] = method === 'warnock' ? ['warnock-full'] : [];
-  const otherEdition = edition === 'printed' ? 'corrected' : 'printed';
-  const editions = isPrinted(method) ? ([otherEdition] as const) : [];
-  const kernels = (['exact', 'float'] as const).filter((each) => each !== kernel);
+  const otherEdition = edition === 'corrected' ? 'printed' : 'corrected';
+  const editions = editionsOf(method).includes(otherEdition) ? ([otherEdition] as const) : [];
+  const kernels = (['exact', 'float'] as const).filter(
+    (each) => each !== kernel && runs({ ...options, kernel: each }),
+  );
   return [
     ...otherMethods(method).map(
       (other) => ['method', runnable({ ...options, method: other })] as const,

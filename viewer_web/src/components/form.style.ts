@@ -24,7 +24,7 @@ export const formStyle = css`
   .fields.four {
     grid-template-columns: repeat(4, minmax(0, 1fr));
   }
-  .fields .method {
+  .fields :is(.method, .edition) {
     grid-column: 1 / -1;
   }
   .fields label > span {

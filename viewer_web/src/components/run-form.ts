@@ -27,9 +27,8 @@ export class RunFormElement extends FormElement {
         <h3>${say.run}</h3>
         <div class="fields">
           ${this.select('method', methodNames(methods, editing.options))}
-          ${this.select('kernel', this.kernelNames())}
           ${this.select('edition', offeredNames(editing.options.method, editions))}
-          ${this.select('detail', levels)}
+          ${this.select('kernel', this.kernelNames())} ${this.select('detail', levels)}
         </div>
         <p class="rule">${texts[this.language].family.rules[editing.options.method]}</p>
         <label class="line">
@@ -42,7 +41,6 @@ export class RunFormElement extends FormElement {
           />
           ${say.check}
         </label>
-        ${editing.corrects ? html`<p>${say.corrects}</p>` : nothing}
       </section>
       ${this.area()}
     `;

@@ -12,8 +12,6 @@ export interface SceneTexts {
   readonly detail: string;
   readonly details: Readonly<Record<Detail, string>>;
   readonly check: string;
-  /** Of a trace with a usual mistake. */
-  readonly corrects: string;
   readonly undo: string;
   readonly redo: string;
   readonly draw: string;

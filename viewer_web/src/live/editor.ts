@@ -1,6 +1,5 @@
 import { formulaOf } from '../curves/surface.js';
 import type { Formula } from '../curves/surface.js';
-import { isMistake } from '../trace/editions.js';
 import type { Header, Scene } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
 import { runnable, usual } from './options.js';
@@ -14,8 +13,6 @@ import { Undo } from './undo.js';
 export interface Editing {
   readonly sketch: Sketch;
   readonly options: Options;
-  /** Whether it went on from a trace with a usual mistake: changed, the scene is run without it. */
-  readonly corrects: boolean;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
   /** The vertex that was last touched. */
@@ -56,7 +53,6 @@ export interface Followers {
 export class Editor {
   private undo = new Undo<Sketch>(emptySketch);
   private options = usual;
-  private corrects = false;
   private chosen: Spot | null = null;
   private drawn: readonly Vertex[] | null = null;
   private said: Pick<Editing, 'messages' | 'refused'> = { messages: '', refused: false };
@@ -81,7 +77,7 @@ export class Editor {
   open({ scene, method, edition, kernel, detail }: Header): void {
     this.tracer.forget();
     const options = runnable({ method, edition, kernel, detail, check: false });
-    this.begin(sketchOf(scene), options, isMistake(edition));
+    this.begin(sketchOf(scene), options);
   }
 
   /** Runs the text of a scene file, as it is; one that is refused changes nothing. */
@@ -91,9 +87,9 @@ export class Editor {
   }
 
   get editing(): Editing {
-    const { undo, options, corrects, chosen, drawn, said } = this;
+    const { undo, options, chosen, drawn, said } = this;
     const { value, canUndo, canRedo } = undo;
-    return { sketch: value, options, corrects, canUndo, canRedo, chosen, drawn, ...said };
+    return { sketch: value, options, canUndo, canRedo, chosen, drawn, ...said };
   }
 
   act(act: Act): void {
@@ -123,10 +119,9 @@ export class Editor {
     this.followers.changed(this.editing);
   }
 
-  private begin(sketch: Sketch, options: Options, corrects = false): void {
+  private begin(sketch: Sketch, options: Options): void {
     this.undo = new Undo(sketch);
     this.options = options;
-    this.corrects = corrects;
     this.adopts = null;
     this.chosen = null;
     this.drawn = null;

@@ -1,7 +1,7 @@
 import { isFamily } from '../trace/events.js';
 import type { Detail, Method } from '../trace/events.js';
-import { isMistake } from '../trace/editions.js';
-import type { Edition } from '../trace/editions.js';
+import { editions, isMistake } from '../trace/editions.js';
+import type { Edition, Mistake } from '../trace/editions.js';
 
 /** How a scene is run. */
 export interface Options {
@@ -35,16 +35,39 @@ export const kernels = [
   'exact',
 ] as const;
 
-/** Whether the method has a text as printed. */
-export const isPrinted = (method: Method): boolean =>
-  !isFamily(method) && method !== 'weiler-atherton';
+const eitherMethod = ['warnock', 'zbuffer'] as const;
 
-/** Of the editions' names those that the page offers: its library has no usual mistakes, a variant no printed text. */
+/** The methods in which a usual mistake can be made. */
+const methodsOf: Readonly<Record<Mistake, readonly Method[]>> = {
+  'one-list': ['warnock'],
+  'depths-not-cleared': ['zbuffer'],
+  'clip-order-reversed': ['warnock'],
+  'y-flipped': eitherMethod,
+  'depth-sign-reversed': eitherMethod,
+  'boundary-outside': eitherMethod,
+  'integer-division': ['warnock'],
+  'surround-kept': ['warnock'],
+  'vertex-counted-twice': ['warnock-full'],
+  'octants-not-split': ['warnock-angles'],
+  'line-for-edge': ['warnock-full'],
+};
+
+/** Whether the method has a text of that edition. */
+function hasEdition(method: Method, edition: Edition): boolean {
+  if (isMistake(edition)) return methodsOf[edition].includes(method);
+  return edition === 'corrected' || !(isFamily(method) || method === 'weiler-atherton');
+}
+
+/** The editions of a method's text. */
+export const editionsOf = (method: Method): readonly Edition[] =>
+  editions.filter((edition) => hasEdition(method, edition));
+
+/** Of the editions' names those that a method has. */
 export function offeredNames(
   method: Method,
-  { corrected, printed }: Readonly<Record<Edition, string>>,
+  names: Readonly<Record<Edition, string>>,
 ): Record<string, string> {
-  return isPrinted(method) ? { corrected, printed } : { corrected };
+  return Object.fromEntries(editionsOf(method).map((edition) => [edition, names[edition]]));
 }
 
 /** Of the methods' names those that draw a scene of polygons, or one of curves. */
@@ -58,24 +81,18 @@ export function methodNames(
 
 /** Whether a method and an edition run under a kernel. */
 export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'check'>): boolean {
+  if (!hasEdition(method, edition)) return false;
+  if (isMistake(edition)) return kernel === 'double' || kernel === 'exact';
   if (kernel.startsWith('depth:')) return method === 'zbuffer';
-  if (kernel.startsWith('grid:') && method === 'floating-horizon') return false;
-  if (isMistake(edition)) return false;
-  if (method === 'weiler-atherton' && kernel.startsWith('grid:')) return false;
-  if (!isPrinted(method)) return edition === 'corrected';
-  return edition === 'corrected' || !/^(filtered|grid:.*)$/.test(kernel);
+  if (kernel === 'filtered') return edition === 'corrected';
+  if (!kernel.startsWith('grid:')) return true;
+  return edition === 'corrected' && method !== 'floating-horizon' && method !== 'weiler-atherton';
 }
 
-/** The nearest to some options that can be run: the corrected text, the usual kernel. */
+/** The nearest to some options that can be run: the kernel gives way, and an edition that the method does not have. */
 export function runnable(options: Options): Options {
   if (runs(options)) return options;
-  const isTold = !isMistake(options.edition) && isPrinted(options.method);
-  return isTold
+  return hasEdition(options.method, options.edition)
     ? { ...options, kernel: usual.kernel }
-    : { ...options, edition: usual.edition, kernel: kernelOf(options) };
-}
-
-/** A kernel under which the corrected text of the method runs. */
-function kernelOf({ method, kernel }: Options): string {
-  return runs({ method, edition: usual.edition, kernel }) ? kernel : usual.kernel;
+    : runnable({ ...options, edition: usual.edition });
 }

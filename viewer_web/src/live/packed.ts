@@ -1,5 +1,7 @@
 import { boundedText } from '../bounded-text.js';
 import { fromBase64, toBase64Url } from '../base64.js';
+import { editions } from '../trace/editions.js';
+import type { Edition } from '../trace/editions.js';
 import { details, tables } from '../trace/events.js';
 import type { Detail, Method } from '../trace/events.js';
 import { runnable, usual } from './options.js';
@@ -35,10 +37,10 @@ export function wordOf({ method, edition, kernel, detail, check }: Options): str
 
 /** What is missing or unknown is as usual. */
 export function optionsOf(word: string): Options {
-  const [method = '', edition, kernel = usual.kernel, detail = '', check] = word.split('.');
+  const [method = '', edition = '', kernel = usual.kernel, detail = '', check] = word.split('.');
   return runnable({
     method: Object.hasOwn(tables, method) ? (method as Method) : usual.method,
-    edition: edition === 'printed' ? edition : usual.edition,
+    edition: editions.includes(edition as Edition) ? (edition as Edition) : usual.edition,
     kernel,
     detail: details.includes(detail as Detail) ? (detail as Detail) : usual.detail,
     check: check === 'check',

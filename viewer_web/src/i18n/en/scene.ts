@@ -10,8 +10,6 @@ export const scene: SceneTexts = {
   detail: 'detail',
   details: { windows: 'windows', polygons: 'polygons', signs: 'signs' },
   check: 'check every decision',
-  corrects:
-    'This trace was made with a usual mistake. Here a changed scene is run by the corrected text.',
   undo: 'Undo',
   redo: 'Redo',
   draw: 'Draw a polygon',

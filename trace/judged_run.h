@@ -1,0 +1,18 @@
+/// Judged runs, and runs traced to the end of a file.
+#pragma once
+
+#include "curve_run.h"
+#include "run.h"
+
+namespace vidno {
+
+/// A run told to the request's sink, its every decision judged. Under `filtered`, `grid` and `exact` the decisions are compared with
+/// those of a run under `exact`, until they part.
+Picture judged_run(const RunRequest& request, const Followers& followers);
+
+/// Traces a run to the end of its file, checked or not: then each decision is told with its truth, each wrong one followed by
+/// `disagree`. False if the writer's limit ended the run, so that the trace is partial.
+bool write_trace(RunRequest request, TraceWriter& writer, bool checked);
+bool write_trace(CurveRequest request, TraceWriter& writer, bool checked);
+
+}  // namespace vidno

@@ -1,0 +1,7 @@
+// Included before all else where CGAL is used, compiled once.
+#pragma once
+
+#include "rounded_up.h"
+#include "split_double.h"
+#include "vidno/admission.h"
+#include "vidno/kernels/filtered_regions.h"
