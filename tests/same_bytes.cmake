@@ -1,5 +1,6 @@
 # Two compilers, one trace: VIDNO and TWIN trace each of SCENES in every way, and the files are compared byte for byte.
-# Run with -P. TWIN is a command, a list if it has arguments. WAYS are those of `trace`, if not all.
+# Run with -P. TWIN is a command, a list if it has arguments. WAYS are those of `trace`, if not all. With TURNS, each scene is
+# traced in one way of that number, and the next scene in other ways.
 cmake_minimum_required(VERSION 3.25)
 if(NOT SCENES)
     message(FATAL_ERROR "No scene")
@@ -21,9 +22,18 @@ if(NOT WAYS)
     list(APPEND ways "--method zbuffer --kernel depth:12")
 endif()
 
+if(NOT TURNS)
+    set(TURNS 1)
+endif()
 set(count 0)
+set(turn 0)
 foreach(scene IN LISTS SCENES)
+    math(EXPR turn "${turn} + 1")
     foreach(way IN LISTS ways)
+        math(EXPR turn "(${turn} + 1) % ${TURNS}")
+        if(NOT turn EQUAL 0)
+            continue()
+        endif()
         separate_arguments(run UNIX_COMMAND "trace '${scene}' ${way} --detail signs")
         execute_process(COMMAND ${VIDNO} ${run} -o ${WORK}/ours.jsonl RESULT_VARIABLE refused ERROR_VARIABLE why)
         execute_process(COMMAND ${TWIN} ${run} -o ${WORK}/theirs.jsonl RESULT_VARIABLE also_refused ERROR_VARIABLE unused)

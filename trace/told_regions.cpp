@@ -30,7 +30,7 @@ struct NumbersTellingSigns : ConstructedNumbers<StageTally> {
 };
 
 template <Kernel K>
-Picture told(const RunRequest& request, const K& kernel) {
+Picture told_with(const RunRequest& request, const K& kernel) {
     Recording recording{request.detail, *request.sink};
     return regions_run(request, kernel, Recorder<K>(recording));
 }
@@ -44,9 +44,9 @@ struct OnRegions<TellingSigns> : OnRegions<NumbersTellingSigns> {
 
 Picture told_regions(const RunRequest& request, const Followers& followers) {
     const KernelKind kind = request.kernel.kind();
-    if (kind == KernelKind::filtered) return told(request, TellingSigns(followers));
-    if (kind == KernelKind::binary64 && !followers.judge) return told(request, Double{});
-    return told(request, RunTimeKernel(request.kernel, followers));
+    if (kind == KernelKind::filtered) return told_with(request, TellingSigns(followers));
+    if (kind == KernelKind::binary64 && !followers.judge) return told_with(request, Double{});
+    return told_with(request, RunTimeKernel(request.kernel, followers));
 }
 
 }  // namespace vidno

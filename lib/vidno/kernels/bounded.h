@@ -15,7 +15,7 @@ struct Given {
     double value = 0;
 
     explicit operator double() const { return value; }
-    auto operator<=>(const Given&) const = default;
+    auto operator<=>(const Given&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 takes it for a 0
 };
 
 /// |value - exact| <= error. An error of 0 says that the value is exact; an infinite one, or a value that is not finite, that
