@@ -65,7 +65,8 @@ struct AnyEdition : AnyMethod {
 
     AnyEdition(Method chosen, Rules by) : AnyMethod(chosen), rules(by) {}
 
-    bool has(Rule rule) const { return rules.has(rule); }
+    /// A defect of the printed text, or the edition of a usual mistake.
+    bool has(auto rule) const { return rules.has(rule); }
 
     // Warnock
 
@@ -74,16 +75,16 @@ struct AnyEdition : AnyMethod {
     }
     Window root_window(const Area& area) const {
         if (has(Rule::x_w5)) return Printed::root_window(area);
-        return has(Rule::integer_division) ? mistakes::IntegerDivision::root_window(area)
-                                           : AnyMethod::root_window(area);
+        return has(Edition::integer_division) ? mistakes::IntegerDivision::root_window(area)
+                                              : AnyMethod::root_window(area);
     }
     std::vector<Window> parts(const Window& window) const {
-        return has(Rule::integer_division) ? mistakes::IntegerDivision::parts(window) : Corrected::parts(window);
+        return has(Edition::integer_division) ? mistakes::IntegerDivision::parts(window) : Corrected::parts(window);
     }
     template <class List>
     std::shared_ptr<List> list_for_part(const std::shared_ptr<List>& list) const {
         if (has(Rule::x_w9)) return Printed::list_for_part(list);
-        return has(Rule::one_list) ? mistakes::OneList::list_for_part(list) : Corrected::list_for_part(list);
+        return has(Edition::one_list) ? mistakes::OneList::list_for_part(list) : Corrected::list_for_part(list);
     }
     auto first_corner_depth(const auto& kernel) const {
         return has(Rule::x_w2) ? Printed::first_corner_depth(kernel) : Corrected::first_corner_depth(kernel);
@@ -93,54 +94,54 @@ struct AnyEdition : AnyMethod {
     }
     bool uncovers(int k) const {
         if (has(Rule::x_w3)) return Printed::uncovers(k);
-        return has(Rule::surround_kept) ? mistakes::SurroundKept::uncovers(k) : Corrected::uncovers(k);
+        return has(Edition::surround_kept) ? mistakes::SurroundKept::uncovers(k) : Corrected::uncovers(k);
     }
     auto corners_around(const auto& kernel, const Window& window) const {
-        return has(Rule::clip_order_reversed) ? mistakes::ClipOrderReversed::corners_around(kernel, window)
-                                              : Corrected::corners_around(kernel, window);
+        return has(Edition::clip_order_reversed) ? mistakes::ClipOrderReversed::corners_around(kernel, window)
+                                                 : Corrected::corners_around(kernel, window);
     }
     bool opposite(const auto& kernel, const auto& p, const auto& q) const {
         return has(Rule::x_w7) ? Printed::opposite(kernel, p, q) : Corrected::opposite(kernel, p, q);
     }
     bool surround_test(auto& run, const auto& point, const auto& polygon) const {
         if (has(Rule::x_w4)) return Printed::surround_test(run, point, polygon);
-        return has(Rule::boundary_outside) ? mistakes::BoundaryOutside::surround_test(run, point, polygon)
-                                           : AnyMethod::surround_test(run, point, polygon);
+        return has(Edition::boundary_outside) ? mistakes::BoundaryOutside::surround_test(run, point, polygon)
+                                              : AnyMethod::surround_test(run, point, polygon);
     }
     auto depth(auto& run, const auto& polygon, const auto& point) const {
-        return has(Rule::depth_sign_reversed) ? mistakes::DepthSignReversed::depth(run, polygon, point)
-                                              : AnyMethod::depth(run, polygon, point);
+        return has(Edition::depth_sign_reversed) ? mistakes::DepthSignReversed::depth(run, polygon, point)
+                                                 : AnyMethod::depth(run, polygon, point);
     }
     auto initialize_polygon(auto& run, const auto& vertices) const {
         return has(Rule::x_w6) ? Printed::initialize_polygon(run, vertices)
                                : Corrected::initialize_polygon(run, vertices);
     }
     auto on_screen(const auto& kernel, const Area& area, const glm::dvec3& vertex) const {
-        return has(Rule::y_flipped) ? mistakes::YFlipped::on_screen(kernel, area, vertex)
-                                    : Corrected::on_screen(kernel, area, vertex);
+        return has(Edition::y_flipped) ? mistakes::YFlipped::on_screen(kernel, area, vertex)
+                                       : Corrected::on_screen(kernel, area, vertex);
     }
 
     // The Warnock family
 
     int crossings_at_vertex(bool touches) const {
-        return has(Rule::vertex_counted_twice) ? mistakes::VertexCountedTwice::crossings_at_vertex(touches)
-                                               : family::Full::crossings_at_vertex(touches);
+        return has(Edition::vertex_counted_twice) ? mistakes::VertexCountedTwice::crossings_at_vertex(touches)
+                                                  : family::Full::crossings_at_vertex(touches);
     }
     bool needs_split(int difference) const {
-        return has(Rule::octants_not_split) ? mistakes::OctantsNotSplit::needs_split(difference)
-                                            : family::Full::needs_split(difference);
+        return has(Edition::octants_not_split) ? mistakes::OctantsNotSplit::needs_split(difference)
+                                               : family::Full::needs_split(difference);
     }
     bool ends_before(const auto& from, const auto& to, const auto& upper_left, const auto& lower_right) const {
-        return has(Rule::line_for_edge) ? mistakes::LineForEdge::ends_before(from, to, upper_left, lower_right)
-                                        : family::Full::ends_before(from, to, upper_left, lower_right);
+        return has(Edition::line_for_edge) ? mistakes::LineForEdge::ends_before(from, to, upper_left, lower_right)
+                                           : family::Full::ends_before(from, to, upper_left, lower_right);
     }
 
     // The Z-buffer
 
     void z_buffer(auto& run) const { has(Rule::x_z) ? Printed::z_buffer(run) : Corrected::z_buffer(run); }
     auto first_depth(const auto& kernel) const {
-        return has(Rule::depths_not_cleared) ? mistakes::DepthsNotCleared::first_depth(kernel)
-                                             : Corrected::first_depth(kernel);
+        return has(Edition::depths_not_cleared) ? mistakes::DepthsNotCleared::first_depth(kernel)
+                                                : Corrected::first_depth(kernel);
     }
     /// The printed Z-buffer has a y, a number; the corrected one has a row.
     template <class Row>
@@ -153,8 +154,8 @@ struct AnyEdition : AnyMethod {
     }
     std::pair<int, int> columns_shown(const auto& run, int row, const auto& left, const auto& right,
                                       const auto& polygon) const {
-        return has(Rule::boundary_outside) ? mistakes::BoundaryOutside::columns_shown(run, row, left, right, polygon)
-                                           : Corrected::columns_shown(run, row, left, right, polygon);
+        return has(Edition::boundary_outside) ? mistakes::BoundaryOutside::columns_shown(run, row, left, right, polygon)
+                                              : Corrected::columns_shown(run, row, left, right, polygon);
     }
 
     // The floating horizon

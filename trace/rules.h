@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 
 #include "edition.h"
 
 namespace vidno {
 
-/// The defects of the printed text (vidno/printed.h), and the usual mistakes (vidno/mistakes.h).
+/// The defects of the printed text (vidno/printed.h). A usual mistake (vidno/mistakes.h) is a rule under the name of its edition.
 enum class Rule : unsigned char {
     x_w1,
     x_w2,
@@ -25,45 +24,37 @@ enum class Rule : unsigned char {
     x_h3,
     x_h4,
     x_h5,
-    x_h6,
-    one_list,
-    depths_not_cleared,
-    clip_order_reversed,
-    y_flipped,
-    depth_sign_reversed,
-    boundary_outside,
-    integer_division,
-    surround_kept,
-    vertex_counted_twice,
-    octants_not_split,
-    line_for_edge
+    x_h6
 };
 
 class Rules {
 public:
-    constexpr Rules() = default;
-    constexpr Rules(std::initializer_list<Rule> rules) {
-        for (const Rule rule : rules) add(rule);
-    }
-
-    constexpr bool has(Rule rule) const { return (bits_ >> unsigned(rule) & 1) != 0; }
-    constexpr void add(Rule rule) { bits_ |= std::uint32_t{1} << unsigned(rule); }
+    constexpr bool has(Rule defect) const { return has(bit_of(defect)); }
+    constexpr bool has(Edition mistake) const { return has(bit_of(mistake)); }
+    constexpr void add(Rule defect) { bits_ |= bit_of(defect); }
+    constexpr void add(Edition mistake) { bits_ |= bit_of(mistake); }
 
 private:
-    std::uint32_t bits_ = 0;
+    using Bits = std::uint32_t;
+
+    static constexpr unsigned defects = unsigned(Rule::x_h6) + 1;
+    static_assert(defects + edition_choices.size() <= 32);
+
+    static constexpr Bits bit_of(Rule defect) { return Bits{1} << unsigned(defect); }
+    static constexpr Bits bit_of(Edition mistake) { return Bits{1} << (defects + unsigned(mistake)); }
+    constexpr bool has(Bits bit) const { return (bits_ & bit) != 0; }
+
+    Bits bits_ = 0;
 };
 
 constexpr Rules rules_of(Edition edition) {
     Rules rules;
     if (edition == Edition::printed) {
-        for (auto rule = Rule::x_w1; rule <= Rule::x_h6; rule = Rule(unsigned(rule) + 1)) rules.add(rule);
+        for (auto defect = Rule::x_w1; defect <= Rule::x_h6; defect = Rule(unsigned(defect) + 1)) rules.add(defect);
     } else if (is_mistake(edition)) {
-        const auto place =
-            unsigned(edition) - unsigned(Edition::one_list);  // in both lists the mistakes have one order
-        rules.add(Rule(unsigned(Rule::one_list) + place));
+        rules.add(edition);
     }
     return rules;
 }
-static_assert(rules_of(Edition::line_for_edge).has(Rule::line_for_edge));
 
 }  // namespace vidno
