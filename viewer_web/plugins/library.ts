@@ -1,6 +1,6 @@
 import { existsSync, readFileSync } from 'node:fs';
-import { gzipSync } from 'node:zlib';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
+import { packed } from './packed.js';
 
 /** Puts the library, compiled to WebAssembly, into the page as a block of data, packed. */
 export function library(file: string): Plugin {
@@ -13,7 +13,7 @@ export function library(file: string): Plugin {
           console.warn(`\nNo ${file}: the page is built without live scenes.`);
           return [];
         }
-        const children = gzipSync(readFileSync(file), { level: 9 }).toString('base64');
+        const children = packed(readFileSync(file));
         const attrs = { type: 'application/octet-stream', id: 'vidno-library' };
         return [{ tag: 'script', attrs, children, injectTo: 'body' }];
       },

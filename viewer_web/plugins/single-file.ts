@@ -1,9 +1,9 @@
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { gzipSync } from 'node:zlib';
 import type { Plugin, Rollup } from 'vite';
 import { licences } from './licences.js';
+import { packed } from './packed.js';
 
 const contents = fileURLToPath(new URL('../../trace/wasm/LICENCES.md', import.meta.url));
 
@@ -31,9 +31,8 @@ const hash = (text: string): string =>
   `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 
 function scriptTags(code: string): string {
-  const packed = gzipSync(code, { level: 9 }).toString('base64');
   return [
-    `<script type="application/octet-stream" id="vidno-script">${packed}</script>`,
+    `<script type="application/octet-stream" id="vidno-script">${packed(code)}</script>`,
     `<script>${loader}</script>`,
   ].join('\n    ');
 }
