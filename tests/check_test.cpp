@@ -21,7 +21,7 @@ using namespace vidno::test;
 
 namespace {
 
-/// A judged kernel, and the last that its judge heard.
+/// A judged kernel, and what its judge and its surveyor heard.
 struct Court {
     std::vector<Verdict> verdicts;
     double off = 0;

@@ -1,6 +1,6 @@
 # Two compilers, one trace: VIDNO and TWIN trace each of SCENES in every way, and the files are compared byte for byte.
-# Run with -P. TWIN is a command, a list if it has arguments. WAYS are those of `trace`, if not all. With TURNS, each scene is
-# traced in one way of that number, and the next scene in other ways.
+# Run with -P. TWIN is a command, a list if it has arguments. WAYS are those of `trace`, if not all. With TURNS=N, a scene
+# is traced in every Nth way, and the next scene in other ways.
 cmake_minimum_required(VERSION 3.25)
 if(NOT SCENES)
     message(FATAL_ERROR "No scene")

@@ -18,13 +18,13 @@ Picture right_picture(const Scene& scene, Method method = Method::zbuffer);
 
 /// Runs the request's scene. Under `filtered`, `grid` and `exact` the decisions are compared with those of a run under
 /// `exact`, until they part. The pixels are held against the right picture: of the same scene, or of what it was before it
-/// was snapped. `hear` is told every step.
+/// was snapped. `hear` hears every step.
 CheckReport check_run(
     const RunRequest& request, const Picture& right, const HearEvent& hear = [](const auto&) {});
 
 struct CurveCheckReport : DecisionReport {
     DrawnLines lines;
-    /// Of the columns of all curves, and of these those over which a curve is drawn though it is hidden, or the other way round.
+    /// The columns of all curves. In a wrong one a hidden curve is drawn, or a visible one is not.
     std::uint64_t columns = 0, wrong_columns = 0;
 
     bool found_something() const { return wrong_columns > 0 || any_wrong(); }
@@ -32,7 +32,7 @@ struct CurveCheckReport : DecisionReport {
 
 /// Runs the curves with every decision of Visibility, and under `float`, `double` and `bits` every comparison, held against
 /// the exact one along the path that was taken; the lines, against those of the corrected procedures in exact arithmetic.
-/// `hear` is told of each event of level `signs`.
+/// `hear` hears each event of level `signs`.
 CurveCheckReport check_run(
     const CurveRequest& request, const HearEvent& hear = [](const auto&) {});
 

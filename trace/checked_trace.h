@@ -8,7 +8,7 @@
 
 namespace vidno {
 
-/// It is told every event of level `signs`, and before it the verdicts on its decisions.
+/// It hears every event of level `signs`, and before each event the verdicts on its decisions.
 class CheckedTrace final : public EventSink {
 public:
     CheckedTrace(Detail detail, TraceWriter& writer) : detail_(detail), writer_(&writer) {}

@@ -25,7 +25,7 @@ ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene);
 /// Of the same curves, over how many columns one is drawn and the other not.
 std::uint64_t different_columns(const ColumnsDrawn& one, const ColumnsDrawn& other);
 
-/// A run told to the request's sink; the followers hear of its decisions, of those in Visibility what they come to.
+/// A run told to the request's sink; the followers hear its decisions, and what each decision in Visibility comes to.
 DrawnLines told_lines(const CurveRequest& request, const Followers& followers = {});
 
 }  // namespace vidno

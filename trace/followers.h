@@ -14,7 +14,7 @@ using Surveyor = std::function<void(double)>;
 /// Hears under `filtered` what decided each comparison.
 using StageCount = std::function<void(FilterStage)>;
 
-/// Of Weiler and Atherton's algorithm under `filtered` and `exact`, hears each sign.
+/// Hears each sign of Weiler and Atherton's algorithm under `filtered` and `exact`.
 using HearSign = std::function<void(Sign)>;
 
 /// Tells the count, if there is one.

@@ -70,7 +70,7 @@ Picture compared_regions(const RunRequest& request, const Followers& followers) 
     return told_run(request, {.count = followers.count, .hear_sign = &compare});
 }
 
-/// Traces a checked run; `run(detail, sink, followers)` is told.
+/// Traces a checked run. `run(sink, followers)` makes the run.
 auto traced_checked(Detail detail, TraceWriter& writer, auto&& run) {
     CheckedTrace trace(detail, writer);
     const Judge judge = [&](const Verdict& verdict) { trace.judge(verdict); };

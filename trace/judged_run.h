@@ -10,8 +10,8 @@ namespace vidno {
 /// those of a run under `exact`, until they part.
 Picture judged_run(const RunRequest& request, const Followers& followers);
 
-/// Traces a run to the end of its file, checked or not: then each decision is told with its truth, each wrong one followed by
-/// `disagree`. False if the writer's limit ended the run, so that the trace is partial.
+/// Traces a run to the end of its file. A checked trace gives each decision with its truth, and `disagree` after each wrong one.
+/// False if the writer's limit ended the run, so that the trace is partial.
 bool write_trace(RunRequest request, TraceWriter& writer, bool checked);
 bool write_trace(CurveRequest request, TraceWriter& writer, bool checked);
 

@@ -1,7 +1,7 @@
 /// RunTimeKernel: float, double, bits, depth and exact as one kernel, for runs that are recorded or judged. What is compiled is one
 /// kernel, whatever it computes with.
 ///
-/// Of a judged run every decision is taken three times: by the run's arithmetic on the numbers in use, exactly on these same
+/// A judged run takes every decision three times: by the run's arithmetic on the numbers in use, exactly on these same
 /// numbers, and exactly on the truth beside them. The first answer is the run's; the judge hears which of the others differ from
 /// it. Orientation and clip sides are judged by CGAL's predicate, all else by exact rationals.
 #pragma once
@@ -248,7 +248,7 @@ public:
     int first_column(const auto& end_point, int, int low, int end) const { return first_centre(end_point.x, low, end); }
     int last_column(const auto& end_point, int, int low, int end) const { return last_centre(end_point.x, low, end); }
 
-    // Of the printed text
+    // For the printed text
 
     Number divide(const Number& a, const Number& b) const {
         if (arithmetic.is_exact() && b.sign() == Sign::zero) throw DivisionByZero{};

@@ -1,6 +1,6 @@
 /// RunTimeNumber: a number whose arithmetic is chosen at run time, so that procedures are compiled once for all of them.
 ///
-/// Of a judged run it also carries the truth: the same expression in exact rationals, along the path that was taken.
+/// In a judged run it also carries the truth: the same expression in exact rationals, along the path that was taken.
 #pragma once
 
 #include <concepts>
@@ -30,7 +30,7 @@ struct Arithmetic {
             default: return given;
         }
     }
-    /// Of one operation on two of its numbers.
+    /// What one operation gives on two of its numbers.
     double result(double a, double b, auto operation) const {
         if (kind == Kind::binary32) return double(float(operation(float(a), float(b))));
         return rounded(operation(a, b));
@@ -63,10 +63,10 @@ public:
     bool is_exact() const { return arithmetic_.is_exact(); }
     const Judge* judge() const { return judge_; }
 
-    /// Of an exact number, the nearest double or one next to it.
+    /// For an exact number, the nearest double or one next to it.
     explicit operator double() const { return is_exact() ? CGAL::to_double(*rational_) : value_; }
 
-    /// Of a number that is not exact.
+    /// The number must not be exact.
     double value() const { return value_; }
 
     /// The number itself if it is exact; else its truth.
@@ -76,7 +76,7 @@ public:
     }
     bool has_truth() const { return rational_ || is_constant(); }
 
-    /// Of a number that is exact.
+    /// The number must be exact.
     const Rational& rational() const { return *rational_; }
 
     /// The truth as an exact number; there must be one.

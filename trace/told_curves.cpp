@@ -30,7 +30,7 @@ Truth true_flag(const auto& set, const auto& y, const auto& upper, const auto& l
     return {int(reaches_lower ? below : hidden)};
 }
 
-/// What is told of a run beside its events.
+/// What followers hear of a run beside its events.
 struct Judging {
     const Judge* judge;
     const Surveyor* survey;

@@ -1,9 +1,9 @@
 /// Corrected: the procedures of the lecture with the errors of the printed text put right. The default set.
 ///
-/// A procedure set is an object whose functions are the procedures; a run calls them through its set. A set of one's own derives
+/// A procedure set is an object whose functions are the procedures; a run calls them through its set. Another set derives
 /// from this one and hides what it does otherwise: a whole procedure, or one of the rules below, in which editions of the text
-/// differ. trace/FORMAT.md and
-/// `vidno methods` name the editions; printed.h lists the defects (X-...), mistakes.h the usual mistakes.
+/// differ. trace/FORMAT.md and `vidno methods` name the editions; printed.h lists the defects (X-...), mistakes.h the usual
+/// mistakes.
 #pragma once
 
 #include <array>

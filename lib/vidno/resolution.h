@@ -30,7 +30,7 @@ inline double snapped(double value, int bits) {
     return std::ldexp(std::round(steps), -bits);
 }
 
-/// A grid: so many binary places.
+/// A grid, by the number of its binary places.
 struct Resolution {
     int xy;
     int z = grid_depth_bits;

@@ -151,7 +151,7 @@ private:
 
     Plane plane() { return {random_.whole(-3, 3), random_.whole(-3, 3), random_.whole(-40, 40)}; }
 
-    /// A place in the area or near it, on a lattice of so many thousandths of a pixel.
+    /// A place in the area or near it, on a lattice of `step` thousandths of a pixel.
     Place place(Whole step) {
         const auto one = [&](Whole first, Whole length) {
             const Whole margin = 2 * pixel;

@@ -236,7 +236,7 @@ Hash states_of(const std::string& trace) {
         opened);
 }
 
-/// What `vidno check` finds. Of a distance, no more digits than any machine's square root gives.
+/// What `vidno check` finds. A distance has six digits, in which the square roots of all machines agree.
 std::string text_of(const DecisionReport& report) {
     std::ostringstream text;
     text << std::setprecision(6) << report.intersections << ' ' << report.farthest_off;

@@ -98,7 +98,7 @@ public:
 
     double zero() const { return 0; }
 
-    /// Of the plane that is kept, as cells have it: each plane caches its exact coefficients.
+    /// Steps on the stored plane, which caches its exact coefficients.
     Stepped to_step(double, const Plane& plane, Pixel from) const { return {planes_[plane.number], from}; }
     const Stepped& to_store(const Stepped& z) const { return z; }
 
