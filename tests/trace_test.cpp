@@ -12,11 +12,8 @@
 #include "output.h"
 #include "run.h"
 #include "support/editions.h"
-#include "support/rebuilt.h"
 #include "support/scenes.h"
-#include "support/stage.h"
 #include "trace_reader.h"
-#include "vidno/family/family.h"
 
 using namespace vidno;
 using namespace vidno::test;
@@ -93,127 +90,6 @@ std::string lines_of(const std::vector<Event>& events, const Scene& scene) {
     return text.string();
 }
 
-template <class K>
-Value value_of(const typename K::Number& number) {
-    if constexpr (K::has_infinity) {
-        return {double(number)};
-    } else {
-        return Value(K::fraction(number));
-    }
-}
-
-/// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
-template <class K>
-class Compare : public Recorder<K> {
-    using Base = Recorder<K>;
-
-public:
-    explicit Compare(Rebuilt& rebuilt) : Base(rebuilt.recording), rebuilt_(&rebuilt) {}
-
-    void push_root(Line at, const auto& windows) {
-        Base::push_root(at, windows);
-        compare_windows(windows);
-    }
-    void push_part(Line at, const auto& windows, bool shares_list) {
-        Base::push_part(at, windows, shares_list);
-        compare_windows(windows);
-    }
-    void summary(Line at, const auto& found) {
-        Base::summary(at, found);
-        expect(rebuilt_->state.count() == found.polygon_count && rebuilt_->state.has_surround() == found.has_surround);
-    }
-    void clip_list(Line at, const auto& vertices) {
-        Base::clip_list(at, vertices);
-        expect(equal(vertices, rebuilt_->state.clip()->vertices, [](const auto& own, const auto& v) {
-            return value_of<K>(own.x) == v.x && value_of<K>(own.y) == v.y && value_of<K>(own.z) == v.z;
-        }));
-    }
-    void join(Line at, Relation relation, const auto& list) {
-        Base::join(at, relation, list);
-        compare_list(relation, list);
-    }
-    void rejoin(Line at, Relation relation, const auto& list) {
-        compare_list(relation, list);
-        Base::rejoin(at, relation, list);
-    }
-    void hiding(Line at, const auto* polygon) {
-        Base::hiding(at, polygon);
-        expect(rebuilt_->state.has_surround() == (polygon != nullptr));
-    }
-    void ael_sort(Line at, const auto& entries, const auto& next) {
-        Base::ael_sort(at, entries, next);
-        expect(equal(entries, rebuilt_->state.ael(), [](const auto& own, const auto& entry) {
-            return own.index == entry.edge && value_of<K>(own.x) == entry.x && value_of<K>(own.z) == entry.z &&
-                   value_of<K>(own.dx) == entry.dx && value_of<K>(own.dz) == entry.dz;
-        }));
-    }
-
-private:
-    static bool equal(const auto& own, const auto& rebuilt, auto same) {
-        return std::equal(own.begin(), own.end(), rebuilt.begin(), rebuilt.end(), same);
-    }
-
-    void expect(bool same) {
-        ++rebuilt_->compared;
-        rebuilt_->different += same ? 0 : 1;
-    }
-
-    void compare_windows(const auto& windows) {
-        expect(equal(windows, rebuilt_->state.stack(), [](const auto& own, const auto& stacked) {
-            return own.window == stacked.window &&
-                   equal(*own.polygons, *stacked.apl, [](const auto& active, const auto& entry) {
-                       return active.polygon->index == entry.first.index && active.surrounding == entry.second;
-                   });
-        }));
-    }
-
-    void compare_list(Relation relation, const auto& list) {
-        const State& state = rebuilt_->state;
-        const auto& rebuilt = relation == Relation::surrounding ? state.surrounding() : state.outside();
-        expect(equal(list, rebuilt, [](const auto& own, const auto& entry) {
-            return own.polygon->index == entry.polygon.index && own.level == entry.level;
-        }));
-    }
-
-    Rebuilt* rebuilt_;
-};
-
-template <class K, class Set>
-int check_rebuilt(const Scene& scene, Method method) {
-    constexpr Edition edition = std::same_as<Set, Printed> ? Edition::printed : Edition::corrected;
-    const TraceHeader header{method, edition, std::string(K::name), Detail::polygons, scene};
-    Rebuilt rebuilt(header);
-    Stage<K, Set, Compare<K>> stage(scene, Compare<K>(rebuilt));
-    try {
-        is_warnock(method) ? Set::warnock(stage.run) : Set::z_buffer(stage.run);
-    } catch (const Fault&) {
-    }
-    CHECK(rebuilt.different == 0);
-    CHECK(rebuilt.state.picture() == stage.picture);
-    if (is_warnock(method)) return rebuilt.compared;
-    int different = 0;
-    const Area& area = scene.area;
-    for (int y = area.y; y < area.bottom(); ++y) {
-        for (int x = area.x; x < area.right(); ++x) {
-            const typename K::Depth stored = stage.run.depth_buffer.at(x, y);
-            const bool none = !stage.run.kernel.nearer(stored, stage.run.kernel.farthest(), Pixel{x, y});
-            const Value own = none ? Value::minus_infinite() : value_of<K>(stage.run.kernel.finite(stored));
-            different += own == *rebuilt.state.depth(x, y) ? 0 : 1;
-        }
-    }
-    CHECK_MESSAGE(different == 0, "cells of Z");
-    return rebuilt.compared;
-}
-
-/// On the coarsest grid: every kernel takes it as it is.
-Scene small_scene() {
-    return SceneBuilder({-3, 2, 9, 7})
-        .polygon({{-4, 1, 0}, {7, 3, .5}, {0, 10, 1}})
-        .quad(-2, 3, 4, 8, .25)
-        .polygon({{0, 2.5, .75}, {5, 2.5, .75}, {2.5, 8.5, -1}})
-        .build();
-}
-
 }  // namespace
 
 TEST_CASE("Kernels by name: a parameter where there is one, and in range") {
@@ -229,36 +105,6 @@ TEST_CASE("Kernels by name: a parameter where there is one, and in range") {
         CHECK_FALSE(kernel_named(name).has_value());
     }
     CHECK_MESSAGE(kernel_named("grid")->name() == "grid:8", "the grid of most hardware");
-}
-
-TEST_CASE_TEMPLATE("Sufficient: states rebuilt from the events equal the algorithm's own", K, VIDNO_KERNELS) {
-    RandomScenes random(11);
-    int compared = 0;
-    for (int i = 0; i < 25; ++i) {
-        CAPTURE(i);
-        const Scene scene = scene_for<K>(i == 0 ? small_scene() : random.scene());
-        for (const Method method : {Method::warnock, Method::zbuffer}) {
-            compared += check_rebuilt<K, Corrected>(scene, method);
-            if constexpr (runs_printed<K>) compared += check_rebuilt<K, Printed>(scene, method);
-        }
-    }
-    CHECK(compared > 1000);
-}
-
-TEST_CASE_TEMPLATE("Sufficient: the lists of the Warnock family as well", K, Double, Filtered, Exact) {
-    RandomScenes random(12);
-    int compared = 0;
-    for (int i = 0; i < 25; ++i) {
-        CAPTURE(i);
-        const Scene scene = i == 0 ? small_scene() : random.scene();
-        for (std::size_t place = 0; place < method_names.size(); ++place) {
-            const auto method = Method(place);
-            if (!is_family(method)) continue;
-            CAPTURE(method_names[place]);
-            family::with_set_of(method, [&]<class Set>(Set) { compared += check_rebuilt<K, Set>(scene, method); });
-        }
-    }
-    CHECK(compared > 1000);
 }
 
 TEST_CASE("Sufficient: the picture at every level") {

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <set>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "unique_ids.h"
@@ -54,27 +54,31 @@ std::string line_and_column(std::string_view text, std::size_t position) {
     return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
 }
 
-/// Hears the parser, and refuses what a tree would not show any more: text that is not JSON, with its place, nesting
-/// that is too deep, and a key that an object has twice. (A tree's own parser with a callback takes quadratic time.)
-class ParserWatch : public nlohmann::json_sax<json> {
+/// Builds the document from what the parser hears, and refuses what a tree would not show any more: text that is not JSON, with its
+/// place, nesting that is too deep, and a key that an object has twice.
+class DocumentBuilder : public nlohmann::json_sax<json> {
 public:
-    explicit ParserWatch(std::string_view text) : text_(text) {}
+    explicit DocumentBuilder(std::string_view text) : text_(text) {}
 
-    bool null() override { return next(); }
-    bool boolean(bool) override { return next(); }
-    bool number_integer(number_integer_t) override { return next(); }
-    bool number_unsigned(number_unsigned_t) override { return next(); }
-    bool number_float(number_float_t, const string_t&) override { return next(); }
-    bool string(string_t&) override { return next(); }
-    bool binary(binary_t&) override { return next(); }
-    bool start_object(std::size_t) override { return open(true); }
-    bool start_array(std::size_t) override { return open(false); }
+    json&& document() { return std::move(document_); }
+
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(number_integer_t value) override { return add(value); }
+    bool number_unsigned(number_unsigned_t value) override { return add(value); }
+    bool number_float(number_float_t value, const string_t&) override { return add(value); }
+    bool string(string_t& value) override { return add(std::move(value)); }
+    bool binary(binary_t& value) override { return add(std::move(value)); }
+    bool start_object(std::size_t) override { return open(json::object()); }
+    bool start_array(std::size_t) override { return open(json::array()); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
 
     bool key(string_t& name) override {
-        levels_.back().key = name;
-        if (!levels_.back().keys.insert(name).second) refuse_at(pointer(), "the key is there twice");
+        auto& [container, member] = levels_.back();
+        const auto [at, is_new] = container->get_ref<json::object_t&>().try_emplace(std::move(name));
+        member = &*at;
+        if (!is_new) refuse_at(pointer(), "the key is there twice");
         return true;
     }
 
@@ -85,48 +89,58 @@ public:
     }
 
 private:
+    /// An array or an object that is not closed yet.
     struct Level {
-        bool is_object;
-        std::size_t index = 0;
-        std::string key;
-        std::set<std::string> keys;
+        json* container;
+        json::object_t::value_type* member = nullptr;  // of an object, the one whose key was read last
     };
 
+    /// The place of the value that is read.
     std::string pointer() const {
         std::string out;
-        for (const Level& level : levels_) {
-            if (level.is_object && level.keys.empty()) break;
-            out += level.is_object ? pointer_step(level.key) : "/" + std::to_string(level.index);
+        for (const auto& [container, member] : levels_) {
+            if (container->is_array()) {
+                const bool is_innermost = container == levels_.back().container;
+                out += "/" + std::to_string(container->size() - (is_innermost ? 0 : 1));
+            } else if (member) {
+                out += pointer_step(member->first);
+            }
         }
         return out;
     }
 
-    bool open(bool is_object) {
-        if (int(levels_.size()) == deepest_nesting) refuse_at(pointer(), "nested too deeply");
-        levels_.push_back({is_object, 0, {}, {}});
+    json& place(json&& value) {
+        if (levels_.empty()) return document_ = std::move(value);
+        auto& [container, member] = levels_.back();
+        if (!member) return container->get_ref<json::array_t&>().emplace_back(std::move(value));
+        return member->second = std::move(value);
+    }
+
+    bool add(json&& value) {
+        place(std::move(value));
         return true;
     }
-
+    bool open(json&& empty) {
+        if (int(levels_.size()) == deepest_nesting) refuse_at(pointer(), "nested too deeply");
+        levels_.push_back({&place(std::move(empty))});
+        return true;
+    }
     bool close() {
         levels_.pop_back();
-        return next();
-    }
-
-    bool next() {
-        if (!levels_.empty()) ++levels_.back().index;
         return true;
     }
 
     std::string_view text_;
+    json document_;
     std::vector<Level> levels_;
 };
 
 }  // namespace
 
 json parse_json(std::string_view text) {
-    ParserWatch watch(text);
-    json::sax_parse(text, &watch);
-    return json::parse(text);
+    DocumentBuilder builder(text);
+    json::sax_parse(text, &builder);
+    return builder.document();
 }
 
 void JsonNode::refuse(std::string_view reason) const { refuse_at(pointer(), reason); }

@@ -27,6 +27,17 @@ private:
     CurveScene scene_;
 };
 
+/// Two level curves, one that crosses both, one that is hidden, one that touches.
+inline CurveScene some_curves() {
+    return CurveSceneBuilder({-2, 0, 14, 16})
+        .curve({{-2, 12}, {8, 12}})
+        .curve({{0, 4}, {10, 4}})
+        .curve({{0, 2.5}, {4, 7}, {9, 13.1}})
+        .curve({{1, 6}, {7, 7.3}})
+        .curve({{0, 8}, {4, 4}, {11, 8}})
+        .build();
+}
+
 /// What the rule says of each curve, and the horizons after all of them.
 class HorizonReference {
 public:

@@ -2,15 +2,20 @@
 #pragma once
 
 #include "recorder.h"
-#include "state.h"
 
 namespace vidno::test {
 
 /// The state rebuilt from a run's events, and how often it was held against the run's own lists.
+template <class State>
 struct Rebuilt final : EventSink {
-    explicit Rebuilt(const TraceHeader& header) : state(header), recording{header.detail, *this} {}
+    explicit Rebuilt(const auto& header) : state(header), recording{header.detail, *this} {}
 
     void hear(const EventView& event) override { state.apply(event.copy()); }
+
+    void expect(bool same) {
+        ++compared;
+        different += same ? 0 : 1;
+    }
 
     State state;
     Recording recording;

@@ -56,6 +56,15 @@ inline const Corners far_quad{{-1, -1, .125}, {17, -1, .125}, {17, 17, .125}, {-
 inline const Corners near_square{{4, 4, .5}, {12, 4, .5}, {12, 12, .5}, {4, 12, .5}};
 inline constexpr Area area_16{0, 0, 16, 16};
 
+/// Three polygons that overlap, on the coarsest grid: every kernel takes it as it is.
+inline Scene small_scene() {
+    return SceneBuilder({-3, 2, 9, 7})
+        .polygon({{-4, 1, 0}, {7, 3, .5}, {0, 10, 1}})
+        .quad(-2, 3, 4, 8, .25)
+        .polygon({{0, 2.5, .75}, {5, 2.5, .75}, {2.5, 8.5, -1}})
+        .build();
+}
+
 /// All kinds of polygons in areas of all sizes.
 struct RandomScenes : RandomPolygons {
     explicit RandomScenes(unsigned seed) : RandomPolygons(std::mt19937(seed)) {}

@@ -29,7 +29,8 @@ namespace {
 
 /// One request after the other; no thread but the caller's.
 struct Live {
-    std::string request, made, messages;
+    std::string request, messages;
+    Text made;
     LineIndex lines;  // of a trace
 };
 
@@ -170,7 +171,7 @@ extern "C" {
 [[clang::export_name("map")]] bool vidno_map() { return vidno::make(vidno::make_map); }
 
 /// The bytes of what was made.
-[[clang::export_name("made")]] const char* vidno_made() { return vidno::live().made.data(); }
+[[clang::export_name("made")]] const char* vidno_made() { return vidno::live().made.view().data(); }
 [[clang::export_name("made_size")]] std::size_t vidno_made_size() { return vidno::live().made.size(); }
 
 /// Of a trace: how many events it has; where in its bytes each event's line begins, and then its last line, 32 bits each;
