@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -53,7 +52,9 @@ public:
     /// The pixels of the area whose centres lie in the half-open window.
     PixelRectangle pixels_of(const Window& window) const {
         const auto centre_at_or_after = [](double v, int low, int end) {
-            return int(std::clamp(std::ceil(v - 0.5), double(low), double(end)));
+            const double nearest = std::clamp(v - 0.5, double(low), double(end));
+            const int toward_zero = int(nearest);
+            return toward_zero + int(toward_zero < nearest);  // rounded up, without a call of std::ceil
         };
         const int left = centre_at_or_after(window.x, area_.x, area_.right());
         const int right = centre_at_or_after(window.right(), area_.x, area_.right());
