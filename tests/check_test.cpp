@@ -55,20 +55,18 @@ Read read_back(const std::string& trace) {
     EventText text(polygon_names(reader.header().scene));
     Text lines;
     Read read;
-    while (auto event = reader.next()) {
-        if (std::holds_alternative<event::Disagree>(*event)) {
+    while (const auto event = reader.next()) {
+        if (event->get_if<event::Disagree>()) {
             ++read.disagreements;
             continue;
         }
-        std::visit(
-            [&](auto& e) {
-                if constexpr (requires { e.decides; }) {
-                    read.truths += e.told.exact ? 1 : 0;
-                    e.told = {};
-                }
-                text.line(lines, e);
-            },
-            *event);
+        event->visit([&](auto e) {
+            if constexpr (requires { e.decides; }) {
+                read.truths += e.told.exact ? 1 : 0;
+                e.told = {};
+            }
+            text.line(lines, e);
+        });
     }
     read.plain = lines.string();
     return read;

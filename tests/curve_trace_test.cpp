@@ -64,14 +64,14 @@ CurveTraceReader reader_of(const std::string& text) {
 std::vector<Event> events_of(const std::string& text) {
     std::vector<Event> events;
     CurveTraceReader reader = reader_of(text);
-    while (const auto event = reader.next()) events.push_back(*event);
+    while (const auto event = reader.next()) events.push_back(event->copy());
     return events;
 }
 
 std::string text_of(const std::vector<Event>& events) {
     EventText lines({});
     Text text;
-    for (const auto& event : events) std::visit([&](const auto& e) { lines.line(text, e); }, event);
+    for (const auto& event : events) event.visit([&](const auto& e) { lines.line(text, e); });
     return text.string();
 }
 
@@ -123,9 +123,9 @@ TEST_CASE("Curves: a lower level is a higher one with events left out") {
         for (const Detail detail : {Detail::windows, Detail::polygons}) {
             std::vector<Event> left;
             for (const auto& event : events_of(traced(surface, choice, Detail::signs).text)) {
-                const auto* call = std::get_if<event::Call>(&event);
+                const auto* call = event.get_if<event::Call>();
                 const Detail from =
-                    call ? event::calls_from(call->of) : std::visit([](const auto& e) { return e.kind.from; }, event);
+                    call ? event::calls_from(call->of) : event.visit([](const auto& e) { return e.kind.from; });
                 if (from <= detail) left.push_back(event);
             }
             CHECK(text_of(left) == text_of(events_of(traced(surface, choice, detail).text)));
@@ -202,7 +202,7 @@ TEST_CASE("Curves: what no run tells is refused, with its line") {
     };
     CHECK(refused("\"double\"", "\"depth:8\"") == "trace:1: /kernel: no kernel and edition of floating-horizon");
     CHECK(refused("\"corrected\"", "\"one-list\"") == "trace:1: /kernel: no kernel and edition of floating-horizon");
-    CHECK(refused("[8,12]", "[-2,12]") == "trace:1: /scene: /curves/0/1/0: not right of the sample before");
+    CHECK(refused("[8,12]", "[-2,12]") == "trace:1: /scene/curves/0/1/0: not right of the sample before");
     CHECK(refused("\"curves\"", "\"function\":\"x\",\"curves\"") ==
           "trace:1: /scene/function: a trace has the samples");
     CHECK(refused("\"flag\":2", "\"flag\":3") == "trace:6: /flag: not -1, 0, 1 or 2");
@@ -240,17 +240,18 @@ struct CheckedEvents {
 
 CheckedEvents checked(const Surface& surface, const Choice& choice) {
     CheckedEvents found;
-    for (Event event : events_of(traced(surface, choice, Detail::signs, true).text)) {
-        if (const auto* wrong = std::get_if<event::Disagree>(&event)) {
+    for (const Event& event : events_of(traced(surface, choice, Detail::signs, true).text)) {
+        if (const auto* wrong = event.get_if<event::Disagree>()) {
             ++found.disagreements;
             found.wrong_flags += wrong->of == Decision::visibility ? 1 : 0;
-            continue;
-        }
-        if (auto* flag = std::get_if<event::Visibility>(&event)) {
+        } else if (const auto* flag = event.get_if<event::Visibility>()) {
             found.flags.push_back(*flag);
-            flag->told = {};
+            event::Visibility plain = *flag;
+            plain.told = {};
+            found.plain.push_back(plain);
+        } else {
+            found.plain.push_back(event);
         }
-        found.plain.push_back(std::move(event));
     }
     return found;
 }

@@ -32,9 +32,12 @@ template <class E>
 Judgement with_changed(const Scene& scene, Method method, auto change, Detail detail = Detail::signs) {
     StudentRun run = run_of(scene, method, "double", Edition::corrected, detail);
     for (auto& event : run.events) {
-        if (E* e = std::get_if<E>(&event)) {
-            if (change(*e)) break;
-        }
+        const E* found = event.get_if<E>();
+        if (!found) continue;
+        E changed = *found;
+        const bool done = change(changed);
+        event = changed;
+        if (done) break;
     }
     return judgement_of(run);
 }

@@ -1,5 +1,5 @@
 /// Meshes: the same cube in every format, faces that must be cut, and files that lie about themselves.
-#include "import.h"
+#include "import/import.h"
 
 #include <doctest/doctest.h>
 

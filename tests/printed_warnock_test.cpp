@@ -138,7 +138,8 @@ TEST_CASE_TEMPLATE("X-W9: one list for all windows", K, VIDNO_PRINTED_KERNELS) {
     CHECK(wrong_pixels<OnlyXW9, K>(scene) == 64);
 }
 
-TEST_CASE_TEMPLATE("The printed edition of Warnock's algorithm runs to its end on every scene", K, VIDNO_PRINTED_KERNELS) {
+TEST_CASE_TEMPLATE("The printed edition of Warnock's algorithm runs to its end on every scene", K,
+                   VIDNO_PRINTED_KERNELS) {
     RandomScenes random(7);
     int ended = 0;
     for (int i = 0; i < 60; ++i) {

@@ -11,6 +11,7 @@
 #include "check.h"
 #include "output.h"
 #include "region_output.h"
+#include "state.h"
 #include "support/scenes.h"
 #include "trace_reader.h"
 
@@ -99,7 +100,7 @@ TEST_CASE("Regions: a wrong sign is told as a sign, and what is yes or no by its
     TraceReader reader(LineReader::of_text(traced(touch, "double", Detail::signs, true)), "trace");
     std::set<Decision> found;
     while (const auto event = reader.next()) {
-        const auto* wrong = std::get_if<event::Disagree>(&*event);
+        const auto* wrong = event->get_if<event::Disagree>();
         if (wrong == nullptr) continue;
         CAPTURE(decision_names[std::size_t(wrong->of)]);
         const bool yes_or_no = wrong->of == Decision::left_of || wrong->of == Decision::parallel;

@@ -69,14 +69,16 @@ Scene cycle() {
 }  // namespace
 
 // Under `filtered` a number may be known better when it is told once more.
-TEST_CASE_TEMPLATE("Sufficient: lists, facets and what is visible of regions, rebuilt from the events, are the run's own", K, Float,
-                   Double, Exact) {
+TEST_CASE_TEMPLATE(
+    "Sufficient: lists, facets and what is visible of regions, rebuilt from the events, are the run's own", K, Float,
+    Double, Exact) {
     RandomScenes random(41);
     int compared = 0;
     for (int i = 0; i < 40; ++i) {
         CAPTURE(i);
         const Scene scene = i == 0 ? cycle() : random.scene();
-        Rebuilt<State> rebuilt(TraceHeader{Method::weiler_atherton, Edition::corrected, std::string(K::name), Detail::polygons, scene});
+        Rebuilt<State> rebuilt(
+            TraceHeader{Method::weiler_atherton, Edition::corrected, std::string(K::name), Detail::polygons, scene});
         const auto visible = visible_regions(scene, K{}, CompareRegions<K>(rebuilt));
         CHECK(rebuilt.different == 0);
         CHECK(rebuilt.state.picture() == visible.picture);

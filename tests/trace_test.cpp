@@ -11,6 +11,7 @@
 #include "event_json.h"
 #include "output.h"
 #include "run.h"
+#include "state.h"
 #include "support/editions.h"
 #include "support/scenes.h"
 #include "trace_reader.h"
@@ -66,19 +67,19 @@ TraceReader reader_of(const std::string& text) { return {LineReader::of_text(tex
 std::vector<Event> events_of(const std::string& text) {
     std::vector<Event> events;
     TraceReader reader = reader_of(text);
-    while (const auto event = reader.next()) events.push_back(*event);
+    while (const auto event = reader.next()) events.push_back(event->copy());
     return events;
 }
 
 /// The event as a lower level has it, none if it is left out there.
-std::optional<Event> lowered(Event event, Detail detail) {
-    const bool stays = std::visit([&](const auto& e) { return e.kind.from <= detail; }, event);
+std::optional<Event> lowered(const Event& event, Detail detail) {
+    const bool stays = event.visit([&](const auto& e) { return e.kind.from <= detail; });
     if (!stays) return std::nullopt;
-    if (const auto* call = std::get_if<event::Call>(&event)) {
+    if (const auto* call = event.get_if<event::Call>()) {
         if (event::calls_from(call->of) > detail) return std::nullopt;
     }
-    if (auto* span = std::get_if<event::Span>(&event)) {
-        if (detail < Detail::polygons) span->depths.reset();
+    if (const auto* span = event.get_if<event::Span>(); span && detail < Detail::polygons) {
+        return event::Span{span->at, span->row, span->runs, {}};
     }
     return event;
 }
@@ -86,7 +87,7 @@ std::optional<Event> lowered(Event event, Detail detail) {
 std::string lines_of(const std::vector<Event>& events, const Scene& scene) {
     EventText lines(polygon_names(scene));
     Text text;
-    for (const auto& event : events) std::visit([&](const auto& e) { lines.line(text, e); }, event);
+    for (const auto& event : events) event.visit([&](const auto& e) { lines.line(text, e); });
     return text.string();
 }
 

@@ -10,13 +10,11 @@ CurveState::CurveState(const CurveHeader& header)
       upper_(std::size_t(header.scene.curves.area.width)),
       lower_(upper_.size()) {}
 
-void CurveState::apply(const Event& event) {
-    std::visit(
-        [this](const auto& e) {
-            calls_.take(e);
-            take(e);
-        },
-        event);
+void CurveState::apply(const EventView& event) {
+    event.visit([this](const auto& e) {
+        calls_.take(e);
+        take(e);
+    });
     ++step_;
 }
 

@@ -20,7 +20,7 @@ public:
     explicit CurveState(const CurveHeader& header);
 
     /// Takes the next event. Throws Impossible and is then as before or useless: throw it away.
-    void apply(const Event& event);
+    void apply(const EventView& event);
 
     std::uint64_t step() const { return step_; }
     const CurveHeader& header() const { return *header_; }

@@ -5,13 +5,15 @@
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "value.h"
@@ -1238,56 +1240,98 @@ struct Step {
 
 }  // namespace event
 
-using AnyEvent = std::variant<
-    event::Plane, event::Call, event::Disagree, event::Depth, event::Fault, event::Push, event::Skip, event::Pop,
-    event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count, event::Compare, event::Nearer,
-    event::Uncover, event::Mark, event::Cover, event::Insider, event::Summary, event::Nearest, event::PointColor,
-    event::Surround, event::Orient, event::ClipBegin, event::ClipSide, event::ClipSign, event::ClipCross,
-    event::ClipKeep, event::ClipDrop, event::ClipList, event::ClipResult, event::Row, event::Draw, event::Clear,
-    event::Polygon, event::Edge, event::Extent, event::Scanline, event::AelAdd, event::Horizontal, event::Leave,
-    event::AelSort, event::AelDrop, event::AelStep, event::ShownLine, event::Miss, event::Slope, event::Columns,
-    event::Pixel, event::Span, event::Join, event::Rejoin, event::RelationFound, event::Trial, event::Meets, event::Ray,
-    event::Crossings, event::Octants, event::Angle, event::Hiding, event::SplitVertex, event::EdgeDepth,
-    event::BackFace, event::CutToArea, event::Facets, event::Sorted, event::PushList, event::PopList, event::Beside,
-    event::Clipped, event::NearerOnes, event::Show, event::Pierce, event::Split, event::GreatestDepth, event::EdgePiece,
-    event::Entering, event::Leaving, event::Behind, event::Order, event::Paint, event::Painted, event::Horizons,
-    event::Curve, event::SideEdge, event::Visibility, event::Intersection, event::DrawLine, event::Horizon,
-    event::Height, event::Raise, event::Lower, event::Step>;
+/// A list of types.
+template <class... Events>
+struct EventTypes {
+    static constexpr std::size_t count = sizeof...(Events);
+    static constexpr std::array<std::string_view, count> names{Events::kind.name...};
 
-/// The place of a type in AnyEvent.
-template <class E, class... Events>
-constexpr std::size_t place_in(const std::variant<Events...>*) {
-    std::size_t place = 0;
-    ((!std::is_same_v<E, Events> && ++place) && ...);
-    return place;
-}
-template <class E>
-inline constexpr std::size_t event_place = place_in<E>(static_cast<const AnyEvent*>(nullptr));
-
-template <class E>
-concept EventType = event_place<E> < std::variant_size_v<AnyEvent>;
-
-/// An event of any type. Copying and destroying one is compiled once, in event.cpp: it takes seconds.
-struct Event : AnyEvent {
-    template <EventType E>
-    Event(E event) : AnyEvent(std::in_place_type<E>, std::move(event)) {}
-    Event(const Event&);
-    Event(Event&&) noexcept;
-    Event& operator=(const Event&);
-    Event& operator=(Event&&) noexcept;
-    ~Event();
+    template <class E>
+    static constexpr std::size_t place_of() {
+        std::size_t place = 0;
+        ((!std::is_same_v<E, Events> && ++place) && ...);
+        return place;
+    }
 };
 
+using AllEvents =
+    EventTypes<event::Plane, event::Call, event::Disagree, event::Depth, event::Fault, event::Push, event::Skip,
+               event::Pop, event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count,
+               event::Compare, event::Nearer, event::Uncover, event::Mark, event::Cover, event::Insider, event::Summary,
+               event::Nearest, event::PointColor, event::Surround, event::Orient, event::ClipBegin, event::ClipSide,
+               event::ClipSign, event::ClipCross, event::ClipKeep, event::ClipDrop, event::ClipList, event::ClipResult,
+               event::Row, event::Draw, event::Clear, event::Polygon, event::Edge, event::Extent, event::Scanline,
+               event::AelAdd, event::Horizontal, event::Leave, event::AelSort, event::AelDrop, event::AelStep,
+               event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel, event::Span, event::Join,
+               event::Rejoin, event::RelationFound, event::Trial, event::Meets, event::Ray, event::Crossings,
+               event::Octants, event::Angle, event::Hiding, event::SplitVertex, event::EdgeDepth, event::BackFace,
+               event::CutToArea, event::Facets, event::Sorted, event::PushList, event::PopList, event::Beside,
+               event::Clipped, event::NearerOnes, event::Show, event::Pierce, event::Split, event::GreatestDepth,
+               event::EdgePiece, event::Entering, event::Leaving, event::Behind, event::Order, event::Paint,
+               event::Painted, event::Horizons, event::Curve, event::SideEdge, event::Visibility, event::Intersection,
+               event::DrawLine, event::Horizon, event::Height, event::Raise, event::Lower, event::Step>;
+
 /// The names, each at the place of its type.
-template <class... Events>
-constexpr auto names_in(const std::variant<Events...>*) {
-    return std::array{Events::kind.name...};
-}
-inline constexpr auto event_names = names_in(static_cast<const AnyEvent*>(nullptr));
+inline constexpr auto& event_names = AllEvents::names;
+
+template <class E>
+inline constexpr std::size_t event_place = AllEvents::place_of<E>();
+
+template <class E>
+concept EventType = event_place<E> < AllEvents::count;
 
 /// Told by runs of curves alone: those from Horizons on.
 template <class E>
-concept CurveEvent = event_place<E>
->= event_place<event::Horizons>&& event_place<E> < std::variant_size_v<AnyEvent>;
+concept CurveEvent = EventType<E> && event_place<E>
+>= event_place<event::Horizons>;
+
+class Event;
+
+/// An event of any type where it lies, as long as it lies there.
+class EventView {
+public:
+    template <EventType E>
+    EventView(const E& event) : place_(event_place<E>), event_(&event) {}
+
+    /// That of its type in AllEvents.
+    std::size_t place() const { return place_; }
+
+    /// None if it is of another type.
+    template <EventType E>
+    const E* get_if() const {
+        return place_ == event_place<E> ? static_cast<const E*>(event_) : nullptr;
+    }
+
+    /// Calls `use(const event::Push&)` and so on, and gives what that gives.
+    decltype(auto) visit(auto&& use) const { return visit_in(AllEvents{}, use); }
+
+    Event copy() const;
+
+private:
+    template <class Use, class... Events>
+    decltype(auto) visit_in(EventTypes<Events...>, Use& use) const {
+        using Result = std::invoke_result_t<Use&, const event::Push&>;
+        using Call = Result (*)(const void*, Use&);
+        static constexpr Call calls[]{
+            [](const void* event, Use& of) -> Result { return of(*static_cast<const Events*>(event)); }...};
+        return calls[place_](event_, use);
+    }
+
+    std::size_t place_;
+    const void* event_;
+};
+
+/// An event of any type. It does not change, so copies share it.
+class Event : public EventView {
+public:
+    template <EventType E>
+    Event(E event) : Event(std::make_shared<const E>(std::move(event))) {}
+
+private:
+    template <class E>
+    explicit Event(std::shared_ptr<const E> event) : EventView(*event), owner_(std::move(event)) {}
+
+    std::shared_ptr<const void> owner_;
+};
 
 }  // namespace vidno

@@ -1,7 +1,7 @@
 /// Events as lines of JSON, written field by field.
 #pragma once
 
-#include "event.h"
+#include "event_fields.h"
 
 namespace vidno {
 
@@ -39,14 +39,14 @@ private:
     void add(PolygonPlace v) { bytes_ += names_[std::size_t(v.index)].size(); }
     void add(const Answer&) { add_all(0, 0); }  // two numbers at most
     void add(const Truth&) { add_all(0, 0); }
-    void add(const ValuePoint& v) { add_all(v.x, v.y); }
-    void add(const ValueVertex& v) { add_all(v.x, v.y, v.z); }
-    void add(const PolygonPart& v) { add_all(v.polygon, v.region, v.ground); }
-    template <class A, class B>
-    void add(const std::pair<A, B>& v) {
-        add_all(v.first, v.second);
+    template <Word T>
+    void add(const T& v) {
+        bytes_ += words_of(v)[std::size_t(v)].size() + 2;
     }
-    void add(const std::array<Value, 4>& v) { add_all(v[0], v[1], v[2], v[3]); }
+    template <Listed T>
+    void add(const T& v) {
+        with_items(v, [this](const auto&... items) { this->add_all(items...); });
+    }
     template <class T>
     void add(const std::optional<T>& v) {
         if (v) add(*v);
@@ -58,7 +58,7 @@ private:
     template <class T>
     void add(const T&) {
         static_assert(std::is_trivially_copyable_v<T>);
-        bytes_ += 4 * longest_number + 5;  // four numbers at most, as a window has
+        bytes_ += longest_number;
     }
     void add_all(const auto&... values) {
         bytes_ += 2 + sizeof...(values);  // brackets and commas
@@ -117,13 +117,7 @@ private:
     void value(Pen& out, PolygonPlace v) { out += std::string_view(names_[std::size_t(v.index)]); }
     void value(Pen& out, Sign v) { append_integer(out, int(v)); }
     void value(Pen& out, VisibilityFlag v) { append_integer(out, int(v)); }
-    void value(Pen& out, Corner v) { name(out, corner_names[std::size_t(v)]); }
-    void value(Pen& out, Case v) { name(out, case_names[std::size_t(v)]); }
-    void value(Pen& out, Lies v) { name(out, lies_names[std::size_t(v)]); }
-    void value(Pen& out, Relation v) { name(out, relation_names[std::size_t(v)]); }
-    void value(Pen& out, Decision v) { name(out, decision_names[std::size_t(v)]); }
-    void value(Pen& out, FilterStage v) { name(out, filter_stage_names[std::size_t(v)]); }
-    void value(Pen& out, Cause v) { name(out, cause_names[std::size_t(v)]); }
+    void value(Pen& out, Word auto v) { name(out, words_of(v)[std::size_t(v)]); }
     void value(Pen& out, const Answer& v) {
         std::visit([&](const auto& answer) { value(out, answer); }, v);
     }
@@ -134,19 +128,9 @@ private:
             out += std::string_view("null");
         }
     }
-    void value(Pen& out, Procedure v) { name(out, procedure_names[std::size_t(v)]); }
-    void value(Pen& out, const ValuePoint& v) { list(out, v.x, v.y); }
-    void value(Pen& out, const ValueVertex& v) { list(out, v.x, v.y, v.z); }
-    void value(Pen& out, const PolygonPart& v) { list(out, v.polygon, v.region, v.ground); }
-    void value(Pen& out, const Window& v) { list(out, v.x, v.y, v.width, v.height); }
-    void value(Pen& out, const PixelRectangle& v) { list(out, v.x, v.y, v.width, v.height); }
-    void value(Pen& out, const PixelRun& v) { list(out, v.row, v.first, v.end); }
-    void value(Pen& out, const ColumnRun& v) { list(out, v.first, v.end); }
-    template <class A, class B>
-    void value(Pen& out, const std::pair<A, B>& v) {
-        list(out, v.first, v.second);
+    void value(Pen& out, const Listed auto& v) {
+        with_items(v, [&](const auto&... items) { this->list(out, items...); });
     }
-    void value(Pen& out, const std::array<Value, 4>& v) { list(out, v[0], v[1], v[2], v[3]); }
     template <class T>
     void value(Pen& out, const std::vector<T>& items) {
         out += '[';

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "json_text.h"
 #include "unique_ids.h"
 
 namespace vidno {
@@ -85,7 +86,7 @@ public:
     bool parse_error(std::size_t position, const std::string&, const json::exception& error) override {
         constexpr int number_overflow = 406;
         if (error.id == number_overflow) refuse_at(pointer(), "the number is beyond the range of doubles");
-        refuse_at(line_and_column(text_, position), "not valid JSON");
+        throw NotJson(line_and_column(text_, position) + ": not valid JSON");
     }
 
 private:
@@ -211,13 +212,9 @@ glm::dvec3 JsonNode::triple() const {
 }
 
 Color JsonNode::color() const {
-    const std::string& code = text();
-    std::uint32_t rgb = 0;
-    const char* end = code.data() + code.size();
-    if (code.size() != 7 || code[0] != '#' || std::from_chars(code.data() + 1, end, rgb, 16).ptr != end) {
-        refuse("not a colour of the form \"#rrggbb\"");
-    }
-    return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb)};
+    const auto color = color_of_hex(text());
+    if (!color) refuse("not a colour of the form \"#rrggbb\"");
+    return *color;
 }
 
 Area JsonNode::window() const {

@@ -14,7 +14,12 @@
 
 namespace vidno {
 
-/// The document. Throws Refused for text that is not JSON, nested too deeply, or with a key that an object has twice.
+/// Text that is not JSON.
+struct NotJson : Refused {
+    using Refused::Refused;
+};
+
+/// The document. Throws NotJson, or Refused for text that is nested too deeply or has an object with the same key twice.
 nlohmann::json parse_json(std::string_view text);
 
 /// Text from elsewhere inside a message of one line: no control characters, and not too long.
@@ -35,6 +40,7 @@ public:
     bool has(std::string_view key) const { return value_.contains(key); }
     JsonNode at(std::string_view key) const { return JsonNode(*value_.find(key), this, key, 0); }
 
+    const nlohmann::json& value() const { return value_; }
     bool is_null() const { return value_.is_null(); }
     bool is_text() const { return value_.is_string(); }
 

@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -176,6 +177,18 @@ inline void append_color(auto& out, const Color& color) {
     out += '"';
     append_hex(out, color);
     out += '"';
+}
+
+/// The colour "#rrggbb"; none for another text.
+constexpr std::optional<Color> color_of_hex(std::string_view text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    unsigned rgb = 0;
+    for (const char c : text.substr(1)) {
+        const auto digit = std::string_view("0123456789abcdefABCDEF").find(c);
+        if (digit == std::string_view::npos) return std::nullopt;
+        rgb = rgb * 16 + unsigned(digit < 16 ? digit : digit - 6);
+    }
+    return Color{std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb)};
 }
 
 }  // namespace vidno

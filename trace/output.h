@@ -13,7 +13,7 @@ namespace vidno {
 /// The whole of a file, "-" for standard input. Throws Refused.
 std::string read_file(const std::string& name);
 
-/// The bytes compressed as gzip, the same each time.
+/// The bytes compressed as gzip, the same on every machine.
 std::string gzipped(std::string_view bytes);
 
 /// Writes beside the file and renames at `commit`; without it nothing remains. "-" is standard output. A name that ends

@@ -10,6 +10,7 @@
 #include "exact_scene.h"
 #include "json_node.h"
 #include "json_text.h"
+#include "quick_scene.h"
 #include "unique_ids.h"
 #include "vidno/camera.h"
 
@@ -73,7 +74,7 @@ void refuse_shape(const JsonNode& node, const ScenePolygon& polygon, Admission a
 
 class SceneReader {
 public:
-    explicit SceneReader(const std::string& file) : file_(file) {}
+    explicit SceneReader(std::string file) : file_(std::move(file)) {}
 
     SceneWithWarnings read(const JsonNode& root) {
         root.require_keys({"format", "window", "polygons"}, {"name", "background", "camera"});
@@ -147,7 +148,7 @@ private:
         result_.warnings.push_back(file_ + ": /polygons/" + std::to_string(position) + ": " + what);
     }
 
-    const std::string& file_;
+    std::string file_;
     std::optional<View> view_;
     SceneWithWarnings result_;
 };
@@ -178,8 +179,11 @@ void append_polygon(Text& out, const ScenePolygon& polygon) {
 }  // namespace
 
 SceneWithWarnings read_scene(std::string_view text, const std::string& file) {
+    if (auto scene = read_quickly(text)) return {std::move(*scene), {}};
     return read_json(text, file, [&](const JsonNode& root) { return SceneReader(file).read(root); });
 }
+
+Scene read_scene(const JsonNode& node) { return SceneReader("").read(node).scene; }
 
 std::string scene_json(const Scene& scene) {
     Text out;

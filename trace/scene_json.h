@@ -9,6 +9,8 @@
 
 namespace vidno {
 
+class JsonNode;
+
 struct SceneWithWarnings {
     Scene scene;                        // admitted: convex, planar, edge-on decided; a camera is applied already
     std::vector<std::string> warnings;  // what was dropped or cut, a line each, file first
@@ -16,6 +18,9 @@ struct SceneWithWarnings {
 
 /// `text` is the JSON, `file` its name in messages. Throws Refused.
 SceneWithWarnings read_scene(std::string_view text, const std::string& file);
+
+/// The same of a scene inside another document. The messages have no file, and there are no warnings.
+Scene read_scene(const JsonNode& node);
 
 /// The scene as JSON on one line, the same bytes each time; read_scene gives the same scene again.
 std::string scene_json(const Scene& scene);

@@ -17,13 +17,11 @@ State::State(const TraceHeader& header)
       picture_(header.scene.area, header.scene.background),
       calls_(choice_of(header.method).procedure, header.detail) {}
 
-void State::apply(const Event& event) {
-    std::visit(
-        [this](const auto& e) {
-            calls_.take(e);
-            take(e);
-        },
-        event);
+void State::apply(const EventView& event) {
+    event.visit([this](const auto& e) {
+        calls_.take(e);
+        take(e);
+    });
     ++step_;
 }
 

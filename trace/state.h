@@ -39,7 +39,7 @@ public:
     explicit State(const TraceHeader& header);
 
     /// Takes the next event. Throws Impossible and is then as before or useless: throw it away.
-    void apply(const Event& event);
+    void apply(const EventView& event);
 
     std::uint64_t step() const { return step_; }
     const TraceHeader& header() const { return *header_; }

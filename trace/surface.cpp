@@ -165,6 +165,7 @@ bool is_surface(std::string_view text) {
 }
 
 Surface read_surface(std::string_view text, const std::string& file) { return read_json(text, file, read); }
+Surface read_surface(const JsonNode& node) { return read(node); }
 
 Function read_function(std::string_view text, const std::string& file) {
     return read_json(text, file, [](const JsonNode& root) {

@@ -9,6 +9,8 @@
 
 namespace vidno {
 
+class JsonNode;
+
 struct Surface {
     std::string name;
     CurveScene curves;
@@ -29,6 +31,9 @@ bool is_surface(std::string_view text);
 
 /// `text` is the JSON, `file` its name in messages. Of a function its samples remain. Throws Refused.
 Surface read_surface(std::string_view text, const std::string& file);
+
+/// The same of a surface inside another document; the messages have no file.
+Surface read_surface(const JsonNode& node);
 
 /// A surface that is given as a function, which may be sampled in other ways.
 struct Function {

@@ -1,7 +1,9 @@
 /// TraceReader: a trace file of polygons, event by event; CurveTraceReader: one of curves.
 #pragma once
 
-#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <variant>
 
 #include "curve_trace.h"
@@ -9,6 +11,8 @@
 #include "trace_writer.h"
 
 namespace vidno {
+
+class JsonNode;
 
 /// What the last line says.
 struct TraceEnd {
@@ -22,9 +26,12 @@ class TraceFile {
 public:
     /// `file` is the name in messages. Throws Refused.
     TraceFile(LineReader lines, std::string file);
+    TraceFile(TraceFile&&) noexcept;
+    ~TraceFile();
 
-    /// The next event, none at the end. Throws Refused, with the line, for anything that is not one.
-    std::optional<Event> next();
+    /// The next event, which lies here until the one after it is read; none at the end. Throws Refused, with the line, for anything that
+    /// is not one.
+    std::optional<EventView> next();
 
     /// After the last event: what the file says of itself, none if it was cut short.
     const std::optional<TraceEnd>& end() const { return end_; }
@@ -37,25 +44,20 @@ public:
     bool is_of_curves() const;
 
 protected:
-    /// What `read` makes of the first line.
+    /// What `read` makes of the first line; `result` is the name of what came out.
     template <class Header>
-    Header header_by(Header (*read)(const std::string& line, const std::string& file));
-
-    /// What events are read by.
-    struct Reading {
-        Detail detail{};
-        bool exact = false;
-        std::map<std::string, int, std::less<>> places{};  // of the polygons, by id
-        std::string_view result{};                         // the name of what came out
-    };
-    Reading reading_;
+    Header header_by(Header (*read)(const JsonNode&), std::string_view result);
 
 private:
-    std::optional<Event> parse(const std::string& line);
+    struct Reading;
+
+    std::optional<EventView> read_otherwise();
 
     LineReader lines_;
     std::string file_;
-    std::string first_line_;
+    std::string line_;
+    std::unique_ptr<nlohmann::json> first_line_;  // until the header is read
+    std::unique_ptr<Reading> reading_;
     std::optional<TraceEnd> end_;
     std::uint64_t events_ = 0;
     std::uint64_t line_number_ = 1;

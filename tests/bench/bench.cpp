@@ -178,11 +178,11 @@ void export_lines(benchmark::State& state) {
     Text text;
     EventText lines(polygon_names(scene));
     const auto write = [&] {
-        in_blocks(text, [&](const Event& event) { std::visit([&](const auto& e) { lines.line(text, e); }, event); });
+        in_blocks(text, [&](const Event& event) { event.visit([&](const auto& e) { lines.line(text, e); }); });
     };
     std::string dumped;
     const auto build_and_dump = [&, object = EventObject(scene)] {
-        in_blocks(dumped, [&](const Event& event) { (dumped += std::visit(object, event).dump()) += '\n'; });
+        in_blocks(dumped, [&](const Event& event) { (dumped += event.visit(object).dump()) += '\n'; });
     };
     for (auto _ : state) write();
     per_event(state, double(events.size()));

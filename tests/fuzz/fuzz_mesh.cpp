@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "import.h"
+#include "import/import.h"
 #include "refused.h"
 #include "scene_json.h"
 

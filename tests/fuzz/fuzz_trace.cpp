@@ -1,10 +1,13 @@
-// Any bytes as a trace: read, and applied step by step. Either is refused in words, or the state stays whole.
+// Any bytes as a trace: read, and applied step by step. Either is refused in words, or the state stays whole. The quick reader gives
+// the same as the tree.
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 #include "curve_state.h"
 #include "state.h"
+#include "support/agreement.h"
 #include "trace_reader.h"
 
 using namespace vidno;
@@ -18,6 +21,16 @@ void follow(auto& reader, const Area& area) {
     while (const auto event = reader.next()) state.apply(*event);
     state_json(state);
 }
+
+/// Stops the fuzzer where the readers of a line disagree.
+void compare_readers(const auto& header, std::string_view text) {
+    const PolygonNames names = polygon_names(header.scene);
+    const EventContext context{header.detail, header.kernel == "exact", KnownPolygons(names)};
+    LineReader lines = LineReader::of_text(std::string(text));
+    for (std::string line; lines.next(line);) {
+        if (!test::agreement_on_event(line, context, names).agrees) std::abort();
+    }
+}
 void follow(TraceReader& reader) { follow<State>(reader, reader.header().scene.area); }
 void follow(CurveTraceReader& reader) { follow<CurveState>(reader, reader.header().scene.curves.area); }
 
@@ -25,7 +38,9 @@ void follow(CurveTraceReader& reader) { follow<CurveState>(reader, reader.header
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
-        AnyTraceReader opened = open_trace(LineReader::of_text({reinterpret_cast<const char*>(data), size}), "trace");
+        const std::string text(reinterpret_cast<const char*>(data), size);
+        AnyTraceReader opened = open_trace(LineReader::of_text(text), "trace");
+        std::visit([&](const auto& reader) { compare_readers(reader.header(), text); }, opened);
         std::visit([](auto& reader) { follow(reader); }, opened);
     } catch (const Refused&) {
     } catch (const Impossible&) {

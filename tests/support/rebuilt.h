@@ -10,7 +10,7 @@ template <class State>
 struct Rebuilt final : EventSink {
     explicit Rebuilt(const auto& header) : state(header), recording{header.detail, *this} {}
 
-    void hear(const EventView& event) override { state.apply(event.copy()); }
+    void hear(const EventView& event) override { state.apply(event); }
 
     void expect(bool same) {
         ++compared;

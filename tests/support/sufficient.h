@@ -31,7 +31,8 @@ public:
     }
     void summary(Line at, const auto& found) {
         Base::summary(at, found);
-        rebuilt_->expect(rebuilt_->state.count() == found.polygon_count && rebuilt_->state.has_surround() == found.has_surround);
+        rebuilt_->expect(rebuilt_->state.count() == found.polygon_count &&
+                         rebuilt_->state.has_surround() == found.has_surround);
     }
     void clip_list(Line at, const auto& vertices) {
         Base::clip_list(at, vertices);

@@ -10,16 +10,12 @@
 #include <vector>
 
 #include "chart_input.h"
-#include "import.h"
+#include "import/import.h"
 #include "page.h"
 #include "run.h"
 #include "stability.h"
 #include "surface.h"
 #include "trace_reader.h"
-
-namespace CLI {
-class App;
-}
 
 namespace vidno::cli {
 
@@ -134,11 +130,8 @@ struct StabilityOptions {
 /// What there is for a campaign, for the help.
 std::string stability_footer();
 
-/// The command `figure`, whose options lessons use as well.
-CLI::App& add_figure(CLI::App& app, FigureOptions& options);
-
-/// The options of `import` that say who looks at the mesh from where.
-void add_camera_options(CLI::App& command, ImportOptions& import);
+/// The options of a command `figure` as the shell takes it, "vidno figure ...". Throws Refused.
+FigureOptions figure_options(const std::string& command);
 
 /// The place of a name that the command line has checked.
 std::size_t place_in(const auto& names, const std::string& name) {

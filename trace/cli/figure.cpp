@@ -124,7 +124,7 @@ void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>
         ++next;
     };
     draw_if_wanted();
-    const auto take = [&](Event event) { moment.take(std::move(event)); };
+    const auto take = [&](const EventView& event) { moment.take(event); };
     while ((steps.empty() || next < steps.size()) && take_next(trace, take)) {
         hear();
         draw_if_wanted();

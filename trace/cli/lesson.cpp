@@ -1,11 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
 
 #include "commands.h"
-#include "import.h"
+#include "import/import.h"
 #include "lesson/lesson.h"
 #include "lesson/new_lesson.h"
 #include "output.h"
@@ -32,15 +31,7 @@ void remove_course(const std::filesystem::path& folder) {
 
 /// The options of a figure's command. Its files are named from the folder that has the lessons' folder in it.
 FigureOptions options_of(const std::string& command, const Lesson& lesson) {
-    CLI::App app("", "vidno");
-    app.require_subcommand(1);
-    FigureOptions options;
-    add_figure(app, options);
-    try {
-        app.parse(command, true);
-    } catch (const CLI::ParseError& error) {
-        throw Refused(error.what());
-    }
+    FigureOptions options = figure_options(command);
     if (!options.output.ends_with(".svg")) throw Refused(options.output + ": not .svg");
     const auto top = lesson.place.parent_path().parent_path();
     options.input = (top / options.input).string();

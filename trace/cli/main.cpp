@@ -265,6 +265,48 @@ CLI::App& add_grade(CLI::App& app, GradeOptions& options) {
     return command;
 }
 
+/// The option's three numbers, x y z, become a vector of the camera; naming any of them makes a camera.
+void add_vector(CLI::App& command, ImportOptions& import, const std::string& name, glm::dvec3 Camera::*target,
+                const std::string& help) {
+    const auto set = [&import, target](const std::vector<double>& xyz) {
+        if (!import.camera) import.camera.emplace();
+        *import.camera.*target = {xyz[0], xyz[1], xyz[2]};
+    };
+    command.add_option_function<std::vector<double>>(name, set, help)->expected(3)->type_name("X Y Z");
+}
+
+void add_length(CLI::App& command, ImportOptions& import, const std::string& name, double Camera::*target,
+                const std::string& help) {
+    const auto set = [&import, target](double value) {
+        if (!import.camera) import.camera.emplace();
+        *import.camera.*target = value;
+        if (target == &Camera::height) import.camera->projection = Projection::orthographic;
+    };
+    command.add_option_function<double>(name, set, help);
+}
+
+/// Who looks at the mesh from where.
+void add_camera_options(CLI::App& command, ImportOptions& import) {
+    command.add_option("--width", import.width, "Of the picture, in pixels")
+        ->check(CLI::Range(1, largest_side))
+        ->capture_default_str();
+    command.add_option("--height", import.height, "Of the picture, in pixels")
+        ->check(CLI::Range(1, largest_side))
+        ->capture_default_str();
+    auto& camera = *command.add_option_group("Camera", "Without --eye it shows the whole mesh, a little from above");
+    add_vector(camera, import, "--eye", &Camera::eye, "Where it stands");
+    add_vector(camera, import, "--target", &Camera::target, "What it looks at; the origin if not said");
+    add_vector(camera, import, "--up", &Camera::up, "What is up; 0 1 0 if not said");
+    add_length(camera, import, "--fov", &Camera::field_of_view,
+               "Perspective: the vertical angle; 45 degrees if not said");
+    add_length(camera, import, "--ortho", &Camera::height, "Parallel projection instead: the height that is seen");
+    add_length(camera, import, "--near", &Camera::near_distance, "What is nearer is cut off; 0.1 if not said");
+    add_length(camera, import, "--far", &Camera::far_distance, "What is farther is cut off; 100 if not said");
+    for (auto* option : camera.get_options()) {
+        if (option->get_name() != "--eye") option->needs("--eye");
+    }
+}
+
 CLI::App& add_import(CLI::App& app, MeshOptions& options) {
     auto& command = *app.add_subcommand("import", "Make a scene from a mesh seen by a camera");
     command.add_option("MESH", options.mesh, "A mesh: .obj, .off, .ply or .stl")->required();
@@ -340,17 +382,6 @@ CLI::App& add_stability(CLI::App& app, StabilityOptions& options) {
     return command;
 }
 
-/// Help is printed as CLI11 has it; every error is one line and status 2.
-int refuse(const CLI::App& app, const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << "vidno: " << error.what() << " (vidno --help)\n";
-    return 2;
-}
-
-}  // namespace
-
-namespace vidno::cli {
-
 CLI::App& add_figure(CLI::App& app, FigureOptions& options) {
     auto& command = *app.add_subcommand("figure", "Draw steps of a trace, a map or a chart for a paper or a slide");
     command
@@ -386,6 +417,30 @@ CLI::App& add_figure(CLI::App& app, FigureOptions& options) {
         "Example: vidno figure run.jsonl.gz --step 40 --show picture,windows,list,listing -o figure.pdf\n"
         "The .tex stands alone under pdfLaTeX, and can be \\input into a document, whose font it then has.");
     return command;
+}
+
+/// Help is printed as CLI11 has it; every error is one line and status 2.
+int refuse(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << "vidno: " << error.what() << " (vidno --help)\n";
+    return 2;
+}
+
+}  // namespace
+
+namespace vidno::cli {
+
+FigureOptions figure_options(const std::string& command) {
+    CLI::App app("", "vidno");
+    app.require_subcommand(1);
+    FigureOptions options;
+    add_figure(app, options);
+    try {
+        app.parse(command, true);
+    } catch (const CLI::ParseError& error) {
+        throw Refused(error.what());
+    }
+    return options;
 }
 
 }  // namespace vidno::cli

@@ -47,7 +47,7 @@ int replay_run(const ReplayOptions& options, auto& reader) {
     OutputFile file(options.output);
     Progress progress("steps");
     if (all_states) file.write(state_json(state));
-    const auto apply = [&](const Event& event) { state.apply(event); };
+    const auto apply = [&](const EventView& event) { state.apply(event); };
     while (state.step() != options.step && take_next(reader, apply)) {
         progress.show(state.step());
         if (all_states) file.write(state_json(state));
@@ -76,7 +76,7 @@ struct Told {
         const auto event = std::visit([](auto& each) { return each.next(); }, reader);
         if (!event) return std::nullopt;
         Text line;
-        std::visit([&](const auto& e) { text.line(line, e); }, *event);
+        event->visit([&](const auto& e) { text.line(line, e); });
         return line.string();
     }
 };

@@ -9,10 +9,10 @@ namespace vidno::cli {
 
 /// Gives `take` the next event of the trace; false at the end. Throws Refused, with line and step, if it cannot follow.
 bool take_next(TraceFile& trace, auto&& take) {
-    auto event = trace.next();
+    const auto event = trace.next();
     if (!event) return false;
     try {
-        take(std::move(*event));
+        take(*event);
     } catch (const Impossible& impossible) {
         throw Refused(trace.place() + ": step " + std::to_string(trace.events()) + ": " + impossible.reason);
     }

@@ -10,9 +10,9 @@ public:
     explicit CurveMoment(const CurveHeader& header) : state_(header) {}
 
     /// Takes the next event. Throws Impossible, as CurveState does.
-    void take(Event event) {
+    void take(const EventView& event) {
         state_.apply(event);
-        event_ = std::move(event);
+        event_ = event.copy();
     }
 
     const CurveState& state() const { return state_; }

@@ -125,7 +125,7 @@ void draw_curve_at_hand(Drawing& to, const CurveMoment& moment, const Plane& pla
         const double x = plane.at(looked->x, 0).x;
         add_lines(to, {{{x, area.y}, {x, area.bottom()}}}, {faint, 0.25, {2, 2}}, plane);
     }
-    if (moment.event()) std::visit(Marks{to, plane}, *moment.event());
+    if (moment.event()) moment.event()->visit(Marks{to, plane});
 }
 
 Drawing curve_legend(const CurveMoment& moment, const Style& style, double width) {

@@ -59,11 +59,9 @@ Table active_polygons(const Moment& moment, const Style& style) {
 std::optional<int> edge_in_hand(const Moment& moment) {
     std::optional<int> edge;
     if (!moment.event()) return edge;
-    std::visit(
-        [&](const auto& e) {
-            if constexpr (requires { std::optional<int>(e.edge); }) edge = e.edge;
-        },
-        *moment.event());
+    moment.event()->visit([&](const auto& e) {
+        if constexpr (requires { std::optional<int>(e.edge); }) edge = e.edge;
+    });
     return edge;
 }
 

@@ -136,7 +136,7 @@ void draw_marks(Drawing& to, const Moment& moment, const Plane& plane, const Sty
     marks.state();
     marks.lists();
     draw_containment(to, moment, plane, style);
-    if (moment.event()) std::visit(marks, *moment.event());
+    if (moment.event()) moment.event()->visit(marks);
 }
 
 }  // namespace vidno::figures

@@ -14,10 +14,10 @@ public:
     explicit Moment(const TraceHeader& header) : state_(header) {}
 
     /// Takes the next event. Throws Impossible, as State does.
-    void take(Event event) {
+    void take(const EventView& event) {
         state_.apply(event);
-        std::visit([this](const auto& e) { note(e); }, event);
-        event_ = std::move(event);
+        event.visit([this](const auto& e) { note(e); });
+        event_ = event.copy();
     }
 
     const State& state() const { return state_; }
@@ -77,11 +77,9 @@ private:
 inline std::optional<int> polygon_in_hand(const Moment& moment) {
     std::optional<int> place = moment.state().polygon();
     if (!moment.event()) return place;
-    std::visit(
-        [&](const auto& e) {
-            if constexpr (requires { e.polygon.index; }) place = e.polygon.index;
-        },
-        *moment.event());
+    moment.event()->visit([&](const auto& e) {
+        if constexpr (requires { e.polygon.index; }) place = e.polygon.index;
+    });
     return place;
 }
 

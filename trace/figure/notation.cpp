@@ -125,6 +125,6 @@ std::string readable(const Window& window) {
            readable(window.height);
 }
 
-std::string note_of(const Event& event, const Scene& scene) { return std::visit(Note{scene}, event); }
+std::string note_of(const EventView& event, const Scene& scene) { return event.visit(Note{scene}); }
 
 }  // namespace vidno::figures

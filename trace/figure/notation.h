@@ -23,6 +23,6 @@ std::string readable(const Value& value, std::size_t most = short_enough);
 std::string readable(const Window& window);
 
 /// What an event says beside its line; empty if that is nothing.
-std::string note_of(const Event& event, const Scene& scene);
+std::string note_of(const EventView& event, const Scene& scene);
 
 }  // namespace vidno::figures

@@ -75,14 +75,13 @@ private:
 }  // namespace
 
 void PixelHistory::take(const Moment& moment) {
-    const Event& event = *moment.event();
-    const auto found = std::visit(Judge(pixel_, inside_), event);
+    const EventView& event = *moment.event();
+    const auto found = event.visit(Judge(pixel_, inside_));
     if (!found) return;
-    const Line at = std::visit([](const auto& e) { return e.at; }, event);
+    const Line at = event.visit([](const auto& e) { return e.at; });
     std::string note = note_of(event, moment.scene());
     const auto polygon = moment.state().polygon();
-    const bool of_line = std::holds_alternative<event::Span>(event) || std::holds_alternative<event::Pixel>(event) ||
-                         std::holds_alternative<event::Columns>(event);
+    const bool of_line = event.get_if<event::Span>() || event.get_if<event::Pixel>() || event.get_if<event::Columns>();
     if (of_line && polygon) note = moment.scene().polygons[std::size_t(*polygon)].id + ": " + note;
     entries_.push_back({moment.state().step(), at, std::move(note), found->answer, found->painted});
 }

@@ -13,9 +13,9 @@ WorkedRun::WorkedRun(const Scene& scene, Method method)
     request.sink = &writer;
     writer.finish(run(request));
     TraceReader reader(LineReader::of_text(std::move(text)), scene.name);
-    while (auto event = reader.next()) {
+    while (const auto event = reader.next()) {
         end_.take(*event);
-        std::visit([this](const auto& e) { hear(e); }, *event);
+        event->visit([this](const auto& e) { hear(e); });
     }
 }
 

@@ -47,17 +47,15 @@ bool all_single(const std::vector<Event>& events) {
         all = all && (std::isnan(value) || double(float(value)) == value);
     };
     for (const auto& event : events) {
-        std::visit(
-            [&]<class E>(const E& e) {
-                E::fields(e, [&](std::string_view, const auto& field) { Numbers{look}(field); });
-            },
-            event);
+        event.visit([&]<class E>(const E& e) {
+            E::fields(e, [&](std::string_view, const auto& field) { Numbers{look}(field); });
+        });
     }
     return all;
 }
 
-std::string label_of(const Event& event) {
-    return std::visit([](const auto& e) { return std::string(line_names[std::size_t(e.at)]); }, event);
+std::string label_of(const EventView& event) {
+    return event.visit([](const auto& e) { return std::string(line_names[std::size_t(e.at)]); });
 }
 
 /// The rest of a run that is not judged any more: for its picture.

@@ -65,7 +65,7 @@ StudentRun read_student_trace(std::string text) {
     try {
         TraceReader reader(LineReader::of_text(run.trace), "trace");
         run.header = reader.header();
-        while (auto event = reader.next()) run.events.push_back(std::move(*event));
+        while (const auto event = reader.next()) run.events.push_back(event->copy());
         run.complete = reader.end() && !reader.end()->partial;
     } catch (const Refused& refused) {
         run.unreadable = refused.what();

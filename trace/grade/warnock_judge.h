@@ -15,9 +15,9 @@ public:
         : Claims(truth, state, differences), tree_(truth.scene().area) {}
 
     /// Before the state takes the event. Throws False.
-    void take(const Event& event, std::uint64_t step) {
+    void take(const EventView& event, std::uint64_t step) {
         step_ = step;
-        std::visit([this](const auto& e) { judge(e); }, event);
+        event.visit([this](const auto& e) { judge(e); });
         last_step_ = step;
     }
     /// After the last event. Throws False.

@@ -12,8 +12,8 @@ public:
     using Claims::Claims;
 
     /// Before the state takes the event. Throws False.
-    void take(const Event& event, std::uint64_t step) {
-        std::visit([this](const auto& e) { judge(e); }, event);
+    void take(const EventView& event, std::uint64_t step) {
+        event.visit([this](const auto& e) { judge(e); });
         last_step_ = step;
     }
     /// After the last event. Throws False.

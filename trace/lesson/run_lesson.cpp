@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "event_lines.h"
-#include "import.h"
+#include "import/import.h"
 #include "judged_run.h"
 #include "lesson.h"
 #include "method.h"

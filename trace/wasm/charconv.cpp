@@ -1,3 +1,4 @@
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 namespace std {
 
@@ -19,7 +21,7 @@ char* write_printed(char* to, const char* format, auto value) {
 }
 
 /// digits * 10^exponent, as d.ddde+xx. The exponent has two digits at least.
-char* write_scientific(char* to, const string& digits, int exponent) {
+char* write_scientific(char* to, string_view digits, int exponent) {
     *to++ = digits[0];
     if (digits.size() > 1) {
         *to++ = '.';
@@ -29,7 +31,7 @@ char* write_scientific(char* to, const string& digits, int exponent) {
 }
 
 /// The same with a negative exponent as ddd.ddd or 0.00ddd.
-char* write_fraction(char* to, const string& digits, int exponent) {
+char* write_fraction(char* to, string_view digits, int exponent) {
     const int before_point = int(digits.size()) + exponent;
     if (before_point > 0) {
         to = copy_n(digits.begin(), before_point, to);
@@ -52,7 +54,8 @@ to_chars_result to_chars(char* first, [[maybe_unused]] char* last, double value)
         return {first, errc{}};
     }
     const auto [significand, exponent] = fmt::detail::dragonbox::to_decimal(abs(value));
-    const string digits = to_string(significand);
+    char room[20];
+    const string_view digits(room, size_t(to_chars(room, room + sizeof room, significand).ptr - room));
     // Fixed has leading or trailing zeros where scientific has a point and an exponent.
     const int point = digits.size() > 1 ? 1 : 0;
     if (exponent > 4 + point || exponent < -int(digits.size()) - 2 - point) {
@@ -61,6 +64,11 @@ to_chars_result to_chars(char* first, [[maybe_unused]] char* last, double value)
     // A whole number is written with all of its digits, also with those that reading back does not need.
     if (exponent >= 0) return {write_printed(first, "%.0f", abs(value)), errc{}};
     return {write_fraction(first, digits, exponent), errc{}};
+}
+
+from_chars_result from_chars(const char* first, const char* last, double& value) {
+    const auto [end, error] = fast_float::from_chars(first, last, value);
+    return {end, isinf(value) ? errc::result_out_of_range : error};
 }
 
 from_chars_result from_chars(const char* first, const char* last, double& value, [[maybe_unused]] chars_format format) {

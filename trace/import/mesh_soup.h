@@ -1,8 +1,7 @@
-/// Mesh soup: the points and faces of an OBJ, OFF, PLY or STL file.
+/// Mesh soup: the points and faces of an OBJ, OFF, PLY or STL file, one reader a format.
 ///
-/// CGAL's readers do the reading. They trust what a file says of itself: they reserve what a header promises and index
-/// by what a line claims. So a first pass goes over the file, refuses what cannot be, and hands on only the points and
-/// faces, in the plainest form of the format.
+/// The readers trust nothing that a file says of itself: they refuse a header that promises more than the file can hold, and a face of
+/// a vertex that is not there. All but points and faces is passed over.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +16,12 @@ struct MeshSoup {
     std::vector<glm::dvec3> points;               // finite
     std::vector<std::vector<std::size_t>> faces;  // at most most_polygons, of points that exist; corners may be too few
 };
+
+// Each throws Refused, without the file's name.
+MeshSoup read_obj(std::string_view bytes);
+MeshSoup read_off(std::string_view bytes);
+MeshSoup read_ply(std::string_view bytes);
+MeshSoup read_stl(std::string_view bytes);
 
 /// `bytes` are the file's, `file` its name, whose ending says the format. Throws Refused.
 MeshSoup read_mesh_soup(std::string_view bytes, const std::string& file);

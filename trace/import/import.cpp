@@ -1,4 +1,4 @@
-#include "import.h"
+#include "import/import.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "ear_clipping.h"
-#include "mesh_soup.h"
+#include "import/ear_clipping.h"
+#include "import/mesh_soup.h"
 #include "refused.h"
 #include "unique_ids.h"
 #include "vidno/admission.h"

@@ -1,0 +1,46 @@
+/// Whether the quick readers and the trees agree: what the quick one reads, the tree gives likewise.
+#pragma once
+
+#include <string>
+
+#include "quick_event.h"
+#include "quick_scene.h"
+#include "scene_json.h"
+
+namespace vidno::test {
+
+struct Agreement {
+    bool is_quick = false;  // the quick reader took it
+    bool agrees = true;
+};
+
+inline Agreement agreement_on_event(const std::string& line, const EventContext& context, const PolygonNames& names) {
+    EventText text(names);
+    const auto written = [&](const EventView& event) {
+        Text out;
+        event.visit([&](const auto& e) { text.line(out, e); });
+        return out.string();
+    };
+    QuickEvents quick(context);
+    const auto read = quick.read(line);
+    if (!read) return {};
+    try {
+        const auto tree = parse_json(line);
+        return {true, written(*read) == written(read_event(JsonNode(tree), context))};
+    } catch (const Refused&) {
+        return {true, false};
+    }
+}
+
+inline Agreement agreement_on_scene(std::string_view text) {
+    const auto read = read_quickly(text);
+    if (!read) return {};
+    try {
+        const auto tree = parse_json(text);
+        return {true, *read == read_scene(JsonNode(tree))};
+    } catch (const Refused&) {
+        return {true, false};
+    }
+}
+
+}  // namespace vidno::test

@@ -1,0 +1,38 @@
+#include "import/mesh_soup.h"
+
+#include <array>
+
+#include "import/words.h"
+
+namespace vidno {
+
+namespace {
+
+struct Format {
+    std::string_view ending;
+    MeshSoup (*read)(std::string_view bytes);
+};
+
+constexpr std::array<Format, 4> formats{{{"obj", read_obj}, {"off", read_off}, {"ply", read_ply}, {"stl", read_stl}}};
+
+MeshSoup read_by_ending(std::string_view bytes, std::string_view ending) {
+    for (const auto& format : formats) {
+        if (format.ending == ending) return format.read(bytes);
+    }
+    throw Refused("not a mesh by its name: .obj, .off, .ply or .stl");
+}
+
+}  // namespace
+
+MeshSoup read_mesh_soup(std::string_view bytes, const std::string& file) {
+    try {
+        const std::size_t dot = file.rfind('.');
+        MeshSoup soup = read_by_ending(bytes, dot == std::string::npos ? "" : lower_case(file.substr(dot + 1)));
+        if (soup.points.empty() || soup.faces.empty()) throw Refused("no faces");
+        return soup;
+    } catch (const Refused& refused) {
+        throw Refused(file + ": " + refused.what());
+    }
+}
+
+}  // namespace vidno
