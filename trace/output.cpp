@@ -54,7 +54,8 @@ std::string read_file(const std::string& name) {
 std::string gzipped(std::string_view bytes) {
     z_stream stream{};
     constexpr int gzip_window = 15 + 16;
-    if (deflateInit2(&stream, 6, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
+    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+        throw std::bad_alloc();
     std::string packed;
     std::string part(std::size_t{1} << 16, '\0');
     int status = Z_OK;
@@ -135,7 +136,7 @@ struct OutputFile::Stream {
     }
 };
 
-OutputFile::OutputFile(const std::string& name) : name_(name), stream_(std::make_unique<Stream>()) {
+OutputFile::OutputFile(const std::string& name, Packing packing) : name_(name), stream_(std::make_unique<Stream>()) {
     if (name == "-") {
         stream_->file = stdout;
         return;
@@ -144,7 +145,7 @@ OutputFile::OutputFile(const std::string& name) : name_(name), stream_(std::make
     errno = 0;
     stream_->file = std::fopen(temporary_.c_str(), "wb");
     if (!stream_->file) refuse(name, "cannot write");
-    if (name.ends_with(".gz")) stream_->packer.emplace(stream_->file);
+    if (packing == Packing::quick && name.ends_with(".gz")) stream_->packer.emplace(stream_->file);
 }
 
 OutputFile::~OutputFile() {
@@ -172,13 +173,13 @@ void OutputFile::commit() {
     temporary_.clear();
 }
 
-/// A file, or none for a text that the buffer holds from the start.
-void write_file(const std::string& name, std::string_view bytes) {
-    OutputFile file(name);
+void write_file(const std::string& name, std::string_view bytes, Packing packing) {
+    OutputFile file(name, packing);
     file.write(bytes);
     file.commit();
 }
 
+/// A file, or none for a text that the buffer holds from the start.
 struct LineReader::Source {
     gzFile file = nullptr;
     ~Source() {

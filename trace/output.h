@@ -13,14 +13,17 @@ namespace vidno {
 /// The whole of a file, "-" for standard input. Throws Refused.
 std::string read_file(const std::string& name);
 
-/// The bytes compressed as gzip, the same on every machine.
+/// The bytes compressed as gzip, as small as it makes them, the same on every machine.
 std::string gzipped(std::string_view bytes);
 
-/// Writes beside the file and renames at `commit`; without it nothing remains. "-" is standard output. A name that ends
-/// in ".gz" is compressed. Throws Refused where the system refuses.
+/// Whether a file whose name ends in ".gz" is compressed, quickly, or is given compressed bytes.
+enum class Packing : unsigned char { quick, done };
+
+/// Writes beside the file and renames at `commit`; without it nothing remains. "-" is standard output. Throws Refused where the system
+/// refuses.
 class OutputFile {
 public:
-    explicit OutputFile(const std::string& name);
+    explicit OutputFile(const std::string& name, Packing packing = Packing::quick);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
@@ -37,7 +40,7 @@ private:
 };
 
 /// The whole of an output file.
-void write_file(const std::string& name, std::string_view bytes);
+void write_file(const std::string& name, std::string_view bytes, Packing packing = Packing::quick);
 
 /// The lines of a file one by one, gzipped or not, "-" for standard input.
 class LineReader {

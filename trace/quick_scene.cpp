@@ -1,6 +1,8 @@
 #include "quick_scene.h"
 
+#include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 #include "exact_scene.h"
 #include "json_scanner.h"
@@ -18,6 +20,7 @@ public:
 
     bool scene(Scene& scene) {
         bool has_format = false, has_name = false, has_window = false, has_background = false, has_polygons = false;
+        skip_space();
         const bool read = object([&](std::string_view key) {
             if (key == "format") return once(has_format) && string() == "vidno-scene/1";
             if (key == "window") return once(has_window) && area(scene.area);

@@ -161,7 +161,15 @@ private:
         return {};
     }
 
+    /// Neither exact nor judged.
+    bool is_plain() const { return !rational_ && !judge_; }
+
     static RunTimeNumber computed(const RunTimeNumber& a, const RunTimeNumber& b, auto operation) {
+        if (!a.is_plain() || !b.is_plain()) return computed_exactly(a, b, operation);
+        const Arithmetic& arithmetic = common(a, b);
+        return {arithmetic, arithmetic.result(a.value_, b.value_, operation), nullptr, nullptr};
+    }
+    static RunTimeNumber computed_exactly(const RunTimeNumber& a, const RunTimeNumber& b, auto operation) {
         const auto exactly = [&] {
             return of_rationals<Kept>(a, b, [&](const Rational& p, const Rational& q) {
                 return std::make_shared<const Rational>(operation(p, q));
@@ -175,6 +183,9 @@ private:
 
     /// Comparing does not round: the answer is right for the operands.
     static bool compared(const RunTimeNumber& a, const RunTimeNumber& b, auto relation) {
+        return a.is_plain() && b.is_plain() ? relation(a.value_, b.value_) : compared_exactly(a, b, relation);
+    }
+    static bool compared_exactly(const RunTimeNumber& a, const RunTimeNumber& b, auto relation) {
         const auto exactly = [&] {
             return of_rationals<std::optional<bool>>(
                 a, b, [&](const Rational& p, const Rational& q) { return std::optional<bool>(relation(p, q)); });

@@ -5,6 +5,14 @@
 
 namespace vidno {
 
+/// The request has no sink and is no mistake's.
+Picture untraced_run(const RunRequest&);
+
+/// A told run whose events nobody hears.
+Picture told_to_nobody(RunRequest);
+
+// By the kernels, the methods of the course
+
 Picture untraced_float(const RunRequest&);
 Picture untraced_double(const RunRequest&);
 Picture untraced_bits(const RunRequest&);

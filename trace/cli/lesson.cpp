@@ -112,7 +112,7 @@ int lesson_build(const LessonOptions& options) {
     Json index = Json::array();
     for (const auto& name : options.folders) {
         const Built lesson = built(name, problems);
-        for (const auto& [file, text] : lesson.traces) write_file(folder / file, text);
+        for (const auto& [file, text] : lesson.traces) write_file(folder / file, gzipped(text), Packing::done);
         write_file(folder / lesson.story_name, lesson.story + '\n');
         index.push_back(lesson.entry);
         std::cerr << "  " << name << '\n';
