@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "json_node.h"
 #include "refused.h"
 
 namespace {
@@ -230,4 +231,17 @@ TEST_CASE("as many polygons as the limit allows, and not one more") {
     for (std::size_t i = 0; i <= most_polygons; ++i) many += one;
     many.pop_back();
     CHECK(message_for(scene_with(many)) == "f.json: /polygons: more than 1048576 polygons");
+}
+
+TEST_CASE("The format of a document is that of the outermost object, wherever it stands") {
+    CHECK(document_format(R"({"format": "vidno-scene/1", "window": {}})") == "vidno-scene/1");
+    CHECK(document_format(R"({"a": [1, {"format": "b"}], "format": "vidno-scene/1"})") == "vidno-scene/1");
+    CHECK_MESSAGE(document_format(R"({"format": "vidno-scene/1", )") == "vidno-scene/1", "what follows is not read");
+    CHECK(document_format(R"({"a": {"format": "b"}})").empty());
+    CHECK(document_format(R"({"format": 1, "b": "c"})").empty());
+    CHECK(document_format(R"({"format": ["b"]})").empty());
+    CHECK(document_format(R"([{"format": "b"}])").empty());
+    CHECK(document_format(R"("format")").empty());
+    CHECK(document_format("format").empty());
+    CHECK(document_format("").empty());
 }

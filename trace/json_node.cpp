@@ -136,7 +136,50 @@ private:
     std::vector<Level> levels_;
 };
 
+/// Hears the parser up to the member "format" of the outermost object.
+class FormatFinder : public nlohmann::json_sax<json> {
+public:
+    std::string format;
+
+    bool null() override { return next(); }
+    bool boolean(bool) override { return next(); }
+    bool number_integer(number_integer_t) override { return next(); }
+    bool number_unsigned(number_unsigned_t) override { return next(); }
+    bool number_float(number_float_t, const string_t&) override { return next(); }
+    bool string(string_t& value) override {
+        if (is_format_) format = std::move(value);
+        return next();
+    }
+    bool binary(binary_t&) override { return next(); }
+    bool start_object(std::size_t) override { return open(); }
+    bool start_array(std::size_t) override { return depth_ > 0 && open(); }
+    bool end_object() override { return --depth_ > 0; }
+    bool end_array() override { return --depth_ > 0; }
+    bool key(string_t& name) override {
+        is_format_ = depth_ == 1 && name == "format";
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
+
+private:
+    /// Whether to go on.
+    bool next() const { return depth_ > 0 && !is_format_; }
+    bool open() {
+        ++depth_;
+        return !is_format_;
+    }
+
+    int depth_ = 0;
+    bool is_format_ = false;  // the key that was read last
+};
+
 }  // namespace
+
+std::string document_format(std::string_view text) {
+    FormatFinder finder;
+    json::sax_parse(text, &finder);
+    return finder.format;
+}
 
 json parse_json(std::string_view text) {
     DocumentBuilder builder(text);

@@ -22,6 +22,9 @@ struct NotJson : Refused {
 /// The document. Throws NotJson, or Refused for text that is nested too deeply or has an object with the same key twice.
 nlohmann::json parse_json(std::string_view text);
 
+/// The member "format" of an object, empty if it has no such text. Reads no further than that, and does not say what is wrong.
+std::string document_format(std::string_view text);
+
 /// Text from elsewhere inside a message of one line: no control characters, and not too long.
 std::string printable(std::string_view text);
 

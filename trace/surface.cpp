@@ -159,10 +159,7 @@ std::size_t column_count(const CurveScene& curves) {
     return count;
 }
 
-bool is_surface(std::string_view text) {
-    const auto document = nlohmann::json::parse(text, nullptr, false);
-    return document.is_object() && document.contains("format") && document["format"] == surface_format;
-}
+bool is_surface(std::string_view text) { return document_format(text) == surface_format; }
 
 Surface read_surface(std::string_view text, const std::string& file) { return read_json(text, file, read); }
 Surface read_surface(const JsonNode& node) { return read(node); }

@@ -1,12 +1,12 @@
 #include "figure/figure.h"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "chart.h"
 #include "commands.h"
 #include "figure/encoded.h"
 #include "figure/map_figure.h"
+#include "json_node.h"
 #include "lesson/event_lines.h"
 #include "lesson/lesson.h"
 #include "output.h"
@@ -296,9 +296,7 @@ std::string drawn_figure(const FigureOptions& options) {
     if (!options.input.ends_with(".json")) return drawn_trace(options);
     const std::string text = read_file(options.input);
     if (is_surface(text)) throw Refused(options.input + ": a surface; vidno render draws it, and a figure its trace");
-    const auto document = nlohmann::json::parse(text, nullptr, false);
-    const bool is_chart = document.is_object() && document.value("format", "") == "vidno-chart/1";
-    return (is_chart ? drawn_chart : drawn_map)(options, text);
+    return (document_format(text) == "vidno-chart/1" ? drawn_chart : drawn_map)(options, text);
 }
 
 int figure(const FigureOptions& options) {
