@@ -109,7 +109,7 @@ TEST_CASE("Chart of a surface: as printed, columns are looked at only where samp
     CHECK(missed.found.wrong_columns == 1);
 }
 
-TEST_CASE("Chart of a surface: on the front there is nothing cheaper and as right; of equal runs the first") {
+TEST_CASE("Chart of a surface: on the front nothing is cheaper and as right, and the first of equal runs counts") {
     const SurfaceChart chart = charted(peak);
     std::vector<std::pair<double, double>> front;  // samples, wrong columns
     for (const auto& run : chart.runs) {

@@ -162,7 +162,7 @@ TEST_CASE("surfaces: a command for polygons says so in a sentence, and writes no
     CHECK_MESSAGE(work.files() == 1, "the surface");
 }
 
-TEST_CASE("surfaces: a chart turns the sampling of a function; the name decides what is written") {
+TEST_CASE("surfaces: a chart turns the sampling of a function, and the name decides what is written") {
     const Workplace work;
     const std::string function = work.write(
         "f.json", R"({"format":"vidno-surface/1","name":"Wave","window":{"x":0,"y":0,"width":9,"height":16},)"

@@ -65,7 +65,7 @@ bool has_text(const Drawing& drawing, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("curve figure: the lines so far; what meets is one line, and what is not drawn breaks it") {
+TEST_CASE("curve figure: the lines so far, one line where they meet, broken where nothing is drawn") {
     const CurveHeader header = crossing_curves();
     Drawing drawing;
     draw_lines(drawing, after(header, some_events()), plane_90);

@@ -82,7 +82,7 @@ TEST_CASE("A figure is a fence with a caption and the command that makes it") {
                           "command": "vidno figure lessons/01 --pin split -o four.svg", "file": "four.svg"})"));
 }
 
-TEST_CASE("A numbered list whose items end in quotes is questions and answers; another list is a list") {
+TEST_CASE("A numbered list whose items end in quotes is questions and answers, another list is a list") {
     const Json question = block_of("1. How many?\n\n   > Four.\n\nMore.");
     CHECK(question["number"] == 1);
     CHECK(question["blocks"] == Json::parse(R"([{"is": "paragraph", "text": ["How many?"]}])"));

@@ -130,7 +130,7 @@ TEST_CASE("Decisions and pixels: double is wrong next to coincidences, in degene
     }
 }
 
-TEST_CASE("Kernels that are always right are so wherever they may be wrong; grid for the snapped scene") {
+TEST_CASE("Kernels that are always right are right on every scene, grid on the snapped one") {
     Results results({3, 1, all_families(), {"filtered", "grid:8"}, {"warnock", "zbuffer"}});
     for (const auto& block : results.blocks()) {
         if (block.experiment->kind == Experiment::Kind::grown) continue;
@@ -142,7 +142,7 @@ TEST_CASE("Kernels that are always right are so wherever they may be wrong; grid
     CHECK(results.as_promised());
 }
 
-TEST_CASE("A kernel that is always right and was wrong breaks its promise; another one gave none") {
+TEST_CASE("A kernel that is always right and was wrong breaks its promise, another one gave none") {
     for (const std::string kernel : {"double", "filtered"}) {
         Results results({1, 1, {"edges"}, {kernel}, {"zbuffer"}});
         Tally tally;

@@ -155,7 +155,7 @@ TEST_CASE("variants: where nothing can be moved there are none, and fewer than w
     CHECK(std::filesystem::is_empty(work.file("homework")));
 }
 
-TEST_CASE("variants: numbered files, named so; the same bytes each time") {
+TEST_CASE("variants: numbered files, the same bytes each time") {
     const Workplace work;
     const std::string call = std::string("variants ") + exercises[2].scene + " --method zbuffer --count 3 --seed 5 -o ";
     REQUIRE(program(call + work.file("a")).status == 0);

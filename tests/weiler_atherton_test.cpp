@@ -195,7 +195,7 @@ TEST_CASE_TEMPLATE("A polygon is cut to the area", K, VIDNO_REGION_KERNELS) {
     CHECK_MESSAGE(stage.part_in_area(4).empty(), "beside");
 }
 
-TEST_CASE("InsertionSort: in order and stable; what is no number stays where it stands") {
+TEST_CASE("InsertionSort: in order and stable, and what is no number stays in its place") {
     std::vector<std::pair<int, char>> items{{2, 'a'}, {1, 'a'}, {2, 'b'}, {1, 'b'}};
     insertion_sort(items, [](const auto& a, const auto& b) { return a.first < b.first; });
     CHECK(items == std::vector<std::pair<int, char>>{{1, 'a'}, {1, 'b'}, {2, 'a'}, {2, 'b'}});
