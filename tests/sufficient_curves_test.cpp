@@ -16,11 +16,12 @@ namespace {
 
 /// Records, and holds the run's horizons against the rebuilt ones whenever they may have changed.
 template <class K>
-class CompareHorizons : public Recorder<K> {
-    using Base = Recorder<K>;
+class CompareHorizons : public RebuildingRecorder<K, CurveState> {
+    using Base = RebuildingRecorder<K, CurveState>;
+    using Base::rebuilt_;
 
 public:
-    explicit CompareHorizons(Rebuilt<CurveState>& rebuilt) : Base(rebuilt.recording), rebuilt_(&rebuilt) {}
+    using Base::Base;
 
     void horizons(Line at, const Horizons<OnColumns<K>>& own) {
         Base::horizons(at, own);
@@ -49,7 +50,6 @@ private:
         rebuilt_->expect(own ? told && as_value<K>(*own) == *told : !told);
     }
 
-    Rebuilt<CurveState>* rebuilt_;
     const Horizons<OnColumns<K>>* own_ = nullptr;  // of the run that is heard
 };
 

@@ -16,11 +16,12 @@ namespace {
 
 /// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
 template <class K>
-class CompareRegions : public Recorder<K> {
-    using Base = Recorder<K>;
+class CompareRegions : public RebuildingRecorder<K, State> {
+    using Base = RebuildingRecorder<K, State>;
+    using Base::rebuilt_;
 
 public:
-    explicit CompareRegions(Rebuilt<State>& rebuilt) : Base(rebuilt.recording), rebuilt_(&rebuilt) {}
+    using Base::Base;
 
     void facets(Line at, const auto& pieces) {
         Base::facets(at, pieces);
@@ -53,8 +54,6 @@ private:
         }
         rebuilt_->expect(parts == rebuilt);
     }
-
-    Rebuilt<State>* rebuilt_;
 };
 
 /// Three bars, each over the next.
@@ -68,7 +67,7 @@ Scene cycle() {
 
 }  // namespace
 
-// Under `filtered` a number may be known better when it is told once more.
+// Not under `filtered`: it may tell a number twice, more precisely the second time.
 TEST_CASE_TEMPLATE(
     "Sufficient: lists, facets and what is visible of regions, rebuilt from the events, are the run's own", K, Float,
     Double, Exact) {

@@ -9,8 +9,11 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
+
+#include "json_text.h"
 
 namespace vidno {
 
@@ -45,13 +48,18 @@ public:
     /// The same once its first quote was read.
     std::optional<std::string_view> rest_of_string() {
         const char* const first = at_;
-        while (at_ != end_ && *at_ != '"') {
-            if (*at_ == '\\' || *at_ < 0x20 || *at_ == 0x7f) return std::nullopt;  // a byte from 0x80 is negative
-            ++at_;
+        for (; at_ != end_ && *at_ != '"'; ++at_) {
+            const auto byte = static_cast<unsigned char>(*at_);
+            if (byte == '\\' || byte < 0x20 || byte >= 0x7f) return std::nullopt;
         }
         if (at_ == end_) return std::nullopt;
         return std::string_view(first, std::size_t(at_++ - first));
     }
+
+    bool string(std::string& target) { return take(target, string()); }
+
+    /// A colour "#rrggbb".
+    bool color(Color& target) { return take(target, color_of_hex(string().value_or(""))); }
 
     /// A string as it is written, in its quotes.
     std::optional<std::string_view> written_string() {
@@ -95,6 +103,13 @@ public:
         return error == std::errc() && end == at_;
     }
 
+    /// Takes over what was found, if anything was.
+    template <class T>
+    static bool take(T& target, const auto& found) {
+        if (found) target = *found;
+        return found.has_value();
+    }
+
 private:
     static bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
@@ -106,7 +121,7 @@ private:
         return at_ != first;
     }
 
-    /// At most so many digits, without leading zeros.
+    /// Reads the digits of a whole number: `most_digits` at most, and no leading zeros.
     bool whole(std::uint64_t& number, int most_digits) {
         const char* const first = at_;
         number = 0;

@@ -104,13 +104,8 @@ private:
         return skip(target ? "true" : "false");
     }
 
-    bool value(std::string& target) {
-        const auto text = string();
-        if (text) target = *text;
-        return text.has_value();
-    }
-
-    bool value(Color& target) { return take(target, color_of_hex(string().value_or(""))); }
+    bool value(std::string& target) { return string(target); }
+    bool value(Color& target) { return color(target); }
 
     bool value(PolygonPlace& target) { return take(target, context_.polygons.find(written_string().value_or(""))); }
 
@@ -161,12 +156,6 @@ private:
             if (!value(target.emplace_back())) return false;
         } while (skip(","));
         return skip("]");
-    }
-
-    template <class T>
-    static bool take(T& target, const std::optional<T>& found) {
-        if (found) target = *found;
-        return found.has_value();
     }
 
     const EventContext& context_;

@@ -6,7 +6,6 @@
 
 #include "exact_scene.h"
 #include "json_scanner.h"
-#include "json_text.h"
 #include "unique_ids.h"
 
 namespace vidno {
@@ -25,7 +24,7 @@ public:
             if (key == "format") return once(has_format) && string() == "vidno-scene/1";
             if (key == "window") return once(has_window) && area(scene.area);
             if (key == "polygons") return once(has_polygons) && polygons(scene.polygons);
-            if (key == "name") return once(has_name) && text(scene.name);
+            if (key == "name") return once(has_name) && string(scene.name);
             return key == "background" && once(has_background) && color(scene.background);
         });
         skip_space();
@@ -60,18 +59,6 @@ private:
         return skip({&close, 1});
     }
 
-    bool text(std::string& target) {
-        const auto found = string();
-        if (found) target = *found;
-        return found.has_value();
-    }
-
-    bool color(Color& target) {
-        const auto found = color_of_hex(string().value_or(""));
-        if (found) target = *found;
-        return found.has_value();
-    }
-
     bool area(Area& area) {
         std::optional<int> x, y, width, height;
         const auto whole = [this](std::optional<int>& target, int least, int greatest) {
@@ -103,7 +90,7 @@ private:
     bool polygon(ScenePolygon& polygon, std::size_t position) {
         bool has_id = false, has_color = false, has_vertices = false;
         const bool read = object([&](std::string_view key) {
-            if (key == "id") return once(has_id) && text(polygon.id) && !polygon.id.empty();
+            if (key == "id") return once(has_id) && string(polygon.id) && !polygon.id.empty();
             if (key == "color") return once(has_color) && color(polygon.color);
             return key == "vertices" && once(has_vertices) && vertices(polygon.vertices);
         });

@@ -22,4 +22,14 @@ struct Rebuilt final : EventSink {
     int compared = 0, different = 0;
 };
 
+/// Records into a rebuilt state. Derive from it to hold the run's own lists against that state.
+template <class K, class State>
+class RebuildingRecorder : public Recorder<K> {
+public:
+    explicit RebuildingRecorder(Rebuilt<State>& rebuilt) : Recorder<K>(rebuilt.recording), rebuilt_(&rebuilt) {}
+
+protected:
+    Rebuilt<State>* rebuilt_;
+};
+
 }  // namespace vidno::test

@@ -15,11 +15,12 @@ namespace vidno::test {
 
 /// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
 template <class K>
-class Compare : public Recorder<K> {
-    using Base = Recorder<K>;
+class Compare : public RebuildingRecorder<K, State> {
+    using Base = RebuildingRecorder<K, State>;
+    using Base::rebuilt_;
 
 public:
-    explicit Compare(Rebuilt<State>& rebuilt) : Base(rebuilt.recording), rebuilt_(&rebuilt) {}
+    using Base::Base;
 
     void push_root(Line at, const auto& windows) {
         Base::push_root(at, windows);
@@ -81,8 +82,6 @@ private:
             return own.polygon->index == entry.polygon.index && own.level == entry.level;
         }));
     }
-
-    Rebuilt<State>* rebuilt_;
 };
 
 template <class K, class Set>

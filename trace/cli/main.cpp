@@ -285,7 +285,7 @@ void add_length(CLI::App& command, ImportOptions& import, const std::string& nam
     command.add_option_function<double>(name, set, help);
 }
 
-/// Who looks at the mesh from where.
+/// The options that place the camera.
 void add_camera_options(CLI::App& command, ImportOptions& import) {
     command.add_option("--width", import.width, "Of the picture, in pixels")
         ->check(CLI::Range(1, largest_side))
