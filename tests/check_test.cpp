@@ -11,9 +11,9 @@
 #include "run_time_kernel.h"
 #include "snapped_scene.h"
 #include "support/editions.h"
+#include "support/kernels.h"
 #include "support/kettner.h"
 #include "support/scenes.h"
-#include "support/stage.h"
 #include "trace_reader.h"
 
 using namespace vidno;

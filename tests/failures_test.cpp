@@ -20,9 +20,10 @@
 #include "support/reference.h"
 #include "support/scenes.h"
 #include "support/stage.h"
+#include "support/visitors.h"
 #include "surface.h"
 #include "vidno/floating_horizon.h"
-#include "vidno/printed.h"
+#include "vidno/printed_curves.h"
 #include "vidno/viewport.h"
 
 using namespace vidno;
@@ -364,18 +365,20 @@ TEST_CASE("Failures: an empty list has no least element") {
 namespace {
 
 // The corrected procedures, with one rule of the text each.
-struct BelowLost : Corrected {  // X-H1
-    static bool draws(VisibilityFlag side) { return Printed::draws(side); }
+struct BelowLost : CorrectedCurves {  // X-H1
+    static bool draws(VisibilityFlag side) { return PrintedCurves::draws(side); }
 };
-struct EdgeLost : Corrected {  // X-H1
-    static bool no_edge_yet(const std::optional<Sample>& edge) { return Printed::no_edge_yet(edge); }
+struct EdgeLost : CorrectedCurves {  // X-H1
+    static bool no_edge_yet(const std::optional<Sample>& edge) { return PrintedCurves::no_edge_yet(edge); }
 };
-struct StepsOfSamples : Corrected {  // X-H5
-    static int next_column(const Segment& segment, int x) { return Printed::next_column(segment, x); }
+struct StepsOfSamples : CorrectedCurves {  // X-H5
+    static int next_column(const Segment& segment, int x) { return PrintedCurves::next_column(segment, x); }
 };
 struct WrongHorizonMet
     : StepsOfSamples {  // X-H2; where steps are of a column, no column is lost by it, but a part of one
-    static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) { return Printed::horizon_met(was, is); }
+    static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) {
+        return PrintedCurves::horizon_met(was, is);
+    }
 };
 
 /// Of the rules by which the text differs from the corrected procedures, does this one show what the entry shows?
@@ -397,6 +400,6 @@ TEST_CASE("Failures: what the printed floating horizon has wrong shows by each o
     CHECK(shows_alone<BelowLost>("x-h1"));
     CHECK(shows_alone<EdgeLost>("x-h1-edge"));
     CHECK(shows_alone<WrongHorizonMet>("x-h2"));
-    for (const auto* name : {"x-h1", "x-h1-edge", "x-h2"}) CHECK_FALSE(shows_alone<Corrected>(name));
+    for (const auto* name : {"x-h1", "x-h1-edge", "x-h2"}) CHECK_FALSE(shows_alone<CorrectedCurves>(name));
     CHECK_FALSE(shows_alone<StepsOfSamples>("x-h2"));
 }

@@ -5,9 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include "support/kernels.h"
 #include "support/random_curves.h"
-#include "support/stage.h"
 #include "vidno/kernels/filtered_heights.h"
+#include "vidno/printed_curves.h"
 
 using namespace vidno;
 using namespace vidno::test;
@@ -34,7 +35,7 @@ Lines in_doubles(const auto& lines) {
 }
 
 /// Of the last curve of a scene.
-template <class K, class Set = Corrected>
+template <class K, class Set = CorrectedCurves>
 Lines last_lines(const CurveScene& scene) {
     Lines drawn = in_doubles(visible_lines<Set>(scene, K{}).lines);
     std::erase_if(drawn, [&](const Drawn& line) { return line.curve != int(scene.curves.size()) - 1; });
@@ -66,14 +67,14 @@ CurveScene behind_an_edge(int left) {
 template <class K>
 struct HorizonStage {
     CurveScene scene;
-    HorizonRun<Corrected, OnColumns<K>, NoTrace> run;
+    HorizonRun<CorrectedCurves, OnColumns<K>, NoTrace> run;
 
     explicit HorizonStage(CurveScene given) : scene(std::move(given)), run(scene, OnColumns<K>{}, NoTrace{}) {
-        Corrected::floating_horizon(run);
+        CorrectedCurves::floating_horizon(run);
     }
 
     VisibilityFlag flag(double y, int column) {
-        return Corrected::visibility(run, Segment{0, {column, y}, {column + 1, y}}, column, run.horizons);
+        return CorrectedCurves::visibility(run, Segment{0, {column, y}, {column + 1, y}}, column, run.horizons);
     }
     double upper(int column) const { return as_double(*run.horizons.upper[column]); }
     double lower(int column) const { return as_double(*run.horizons.lower[column]); }
@@ -101,7 +102,7 @@ TEST_CASE_TEMPLATE("Horizon: what is higher raises the upper, what is lower lowe
                    VIDNO_HORIZON_KERNELS) {
     // From (0, 2) to (8, 18) the segment is at 2 + 2 x.
     HorizonStage<K> stage(CurveSceneBuilder(columns_17).curve({{0, 8}, {8, 8}}).build());
-    Corrected::horizon(stage.run, Segment{1, {0, 2}, {8, 18}}, 1, 5);
+    CorrectedCurves::horizon(stage.run, Segment{1, {0, 2}, {8, 18}}, 1, 5);
     const double upper[]{8, 4, 6, 8, 8, 8, 8};
     const double lower[]{8, 8, 8, 8, 10, 12, 8};
     for (int x = 0; x < 7; ++x) {
@@ -116,8 +117,8 @@ TEST_CASE_TEMPLATE("Intersection: the first change on the way, between columns o
     // The horizon goes down from 2 at x = 0 to 6 at x = 4, and up again.
     HorizonStage<K> stage(CurveSceneBuilder(columns_17).curve({{0, 2}, {4, 6}, {8, 2}}).build());
     const auto meets = [&](const Segment& segment, int first, int last) {
-        return Corrected::intersection(stage.run, segment, first, last, stage.run.horizons.upper,
-                                       VisibilityFlag::above);
+        return CorrectedCurves::intersection(stage.run, segment, first, last, stage.run.horizons.upper,
+                                             VisibilityFlag::above);
     };
     // A level one at 4.5 meets it at 2.5 and 5.5, one at 4 on the columns 2 and 6.
     const auto between = meets({1, {0, 4.5}, {8, 4.5}}, 0, 8);
@@ -453,31 +454,35 @@ TEST_CASE("Heights that overflow are compared all the same") {
 namespace {
 
 // Sets with one defect each.
-struct OnlyEdgeStart : Corrected {
-    static bool no_edge_yet(const std::optional<Sample>& edge) { return Printed::no_edge_yet(edge); }
+struct OnlyEdgeStart : CorrectedCurves {
+    static bool no_edge_yet(const std::optional<Sample>& edge) { return PrintedCurves::no_edge_yet(edge); }
 };
-struct OnlyFlagTest : Corrected {
-    static bool draws(VisibilityFlag side) { return Printed::draws(side); }
+struct OnlyFlagTest : CorrectedCurves {
+    static bool draws(VisibilityFlag side) { return PrintedCurves::draws(side); }
 };
-struct OnlyXH2 : Corrected {
-    static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) { return Printed::horizon_met(was, is); }
-};
-struct OnlyXH3 : Corrected {
-    static auto first_horizons(const auto& kernel, const Area& area) { return Printed::first_horizons(kernel, area); }
-};
-struct OnlyOwnHorizon : Corrected {
-    static const auto& horizons_before(const auto& horizons, auto& kept) {
-        return Printed::horizons_before(horizons, kept);
+struct OnlyXH2 : CorrectedCurves {
+    static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) {
+        return PrintedCurves::horizon_met(was, is);
     }
 };
-struct OnlyEdgeEnds : Corrected {
-    static auto edge_columns(const Segment& edge) { return Printed::edge_columns(edge); }
+struct OnlyXH3 : CorrectedCurves {
+    static auto first_horizons(const auto& kernel, const Area& area) {
+        return PrintedCurves::first_horizons(kernel, area);
+    }
 };
-struct OnlyXH5 : Corrected {
-    static int next_column(const Segment& segment, int column) { return Printed::next_column(segment, column); }
+struct OnlyOwnHorizon : CorrectedCurves {
+    static const auto& horizons_before(const auto& horizons, auto& kept) {
+        return PrintedCurves::horizons_before(horizons, kept);
+    }
 };
-struct OnlyXH6 : Corrected {
-    static VisibilityFlag flag_on_both() { return Printed::flag_on_both(); }
+struct OnlyEdgeEnds : CorrectedCurves {
+    static auto edge_columns(const Segment& edge) { return PrintedCurves::edge_columns(edge); }
+};
+struct OnlyXH5 : CorrectedCurves {
+    static int next_column(const Segment& segment, int column) { return PrintedCurves::next_column(segment, column); }
+};
+struct OnlyXH6 : CorrectedCurves {
+    static VisibilityFlag flag_on_both() { return PrintedCurves::flag_on_both(); }
 };
 
 }  // namespace
@@ -485,17 +490,18 @@ struct OnlyXH6 : Corrected {
 TEST_CASE_TEMPLATE("X-H1: a side edge at x = 1 is taken for none", K, VIDNO_PRINTED_KERNELS) {
     // Without the edge the upper horizon stays at 12 up to x = 3, and goes to 8 over the next column: it is at 11 a quarter of
     // the way.
-    CHECK(last_lines<K, Corrected>(behind_an_edge(1)) == Lines{{2, 0, 24, 1, 11}, {2, 1, 11, 1.5, 11}});
+    CHECK(last_lines<K, CorrectedCurves>(behind_an_edge(1)) == Lines{{2, 0, 24, 1, 11}, {2, 1, 11, 1.5, 11}});
     CHECK(last_lines<K, OnlyEdgeStart>(behind_an_edge(1)) == Lines{{2, 0, 24, 1, 11}, {2, 1, 11, 3.25, 11}});
-    CHECK_MESSAGE((last_lines<K, OnlyEdgeStart>(behind_an_edge(2)) == last_lines<K, Corrected>(behind_an_edge(2))),
-                  "at x = 2 it is one");
+    CHECK_MESSAGE(
+        (last_lines<K, OnlyEdgeStart>(behind_an_edge(2)) == last_lines<K, CorrectedCurves>(behind_an_edge(2))),
+        "at x = 2 it is one");
 }
 
 TEST_CASE_TEMPLATE("X-H1: what is below at both ends is not drawn, and lowers nothing", K, VIDNO_PRINTED_KERNELS) {
     const auto scene = CurveSceneBuilder(columns_17).curve({{0, 4}, {8, 4}}).curve({{0, 12}, {8, 12}}).build();
-    CHECK(last_lines<K, Corrected>(scene) == Lines{{1, 0, 12, 8, 12}});
+    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{1, 0, 12, 8, 12}});
     CHECK(last_lines<K, OnlyFlagTest>(scene).empty());
-    const auto printed = visible_lines<Printed>(scene, K{});
+    const auto printed = visible_lines<PrintedCurves>(scene, K{});
     CHECK(printed.lines.size() == 1);
     CHECK(as_double(*printed.horizons.lower[4]) == 4);
 }
@@ -504,24 +510,24 @@ TEST_CASE_TEMPLATE("X-H2: what emerges below is cut by the upper horizon", K, VI
     // 9.5 + x is 12 at 2.5. It never meets the upper horizon, so that the cut is the end of the step: the next column, or as
     // printed the next sample.
     const auto scene = between_4_and_12({{0, 9.5}, {8, 17.5}});
-    CHECK(last_lines<K, Corrected>(scene) == Lines{{2, 2.5, 12, 8, 17.5}});
+    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{2, 2.5, 12, 8, 17.5}});
     CHECK(last_lines<K, OnlyXH2>(scene) == Lines{{2, 3, 12.5, 8, 17.5}});
-    CHECK(last_lines<K, Printed>(scene) == Lines{{2, 8, 17.5, 8, 17.5}});
+    CHECK(last_lines<K, PrintedCurves>(scene) == Lines{{2, 8, 17.5, 8, 17.5}});
 }
 
 TEST_CASE_TEMPLATE("X-H3: a curve beyond the screen hides what is not behind it", K, VIDNO_PRINTED_KERNELS) {
     // Both are below the screen; the second is above the first, and below the upper horizon's start.
     const auto scene = CurveSceneBuilder({0, 0, 9, 8}).curve({{0, 20}, {8, 20}}).curve({{0, 14}, {8, 14}}).build();
-    CHECK(last_lines<K, Corrected>(scene) == Lines{{1, 0, 14, 8, 14}});
+    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{1, 0, 14, 8, 14}});
     CHECK(last_lines<K, OnlyXH3>(scene).empty());
 }
 
 TEST_CASE_TEMPLATE("X-H4: a curve meets what it has raised itself, and its own side edge", K, VIDNO_PRINTED_KERNELS) {
     const auto dips = between_4_and_12({{0, 2}, {1, 3}, {2, 7}});
-    CHECK(last_lines<K, Corrected>(dips) == Lines{{2, 0, 2, 1, 3}, {2, 1, 3, 1.25, 4}});
+    CHECK(last_lines<K, CorrectedCurves>(dips) == Lines{{2, 0, 2, 1, 3}, {2, 1, 3, 1.25, 4}});
     CHECK(last_lines<K, OnlyOwnHorizon>(dips) == Lines{{2, 0, 2, 1, 3}});
     const auto begins = between_4_and_12({{2, 3}, {3, 7}});
-    CHECK(last_lines<K, Corrected>(begins) == Lines{{2, 2, 3, 2.25, 4}});
+    CHECK(last_lines<K, CorrectedCurves>(begins) == Lines{{2, 2, 3, 2.25, 4}});
     CHECK(last_lines<K, OnlyEdgeEnds>(begins) == Lines{{2, 2, 3, 2, 3}});
 }
 
@@ -531,16 +537,16 @@ TEST_CASE_TEMPLATE("X-H5: a peak between two samples hides nothing", K, VIDNO_PR
                            .curve({{0, 8}, {4, 8}, {6, 2}, {8, 8}, {12, 8}})
                            .curve({{0, 5}, {12, 5}})
                            .build();
-    CHECK(last_lines<K, Corrected>(scene) == Lines{{2, 0, 5, 5, 5}, {2, 7, 5, 12, 5}});
+    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{2, 0, 5, 5, 5}, {2, 7, 5, 12, 5}});
     CHECK(last_lines<K, OnlyXH5>(scene) == Lines{{2, 0, 5, 12, 5}});
-    CHECK(last_lines<K, Printed>(scene) == Lines{{2, 0, 5, 12, 5}});
+    CHECK(last_lines<K, PrintedCurves>(scene) == Lines{{2, 0, 5, 12, 5}});
 }
 
 TEST_CASE_TEMPLATE("X-H6: from where both horizons meet to below them is taken for a crossing", K,
                    VIDNO_PRINTED_KERNELS) {
     // The lower horizon is reached over both columns: there is no change, and the line begins at the second.
     const auto scene = CurveSceneBuilder(columns_17).curve({{0, 8}, {8, 8}}).curve({{0, 8}, {8, 16}}).build();
-    CHECK(last_lines<K, Corrected>(scene) == Lines{{1, 0, 8, 8, 16}});
+    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{1, 0, 8, 8, 16}});
     CHECK(last_lines<K, OnlyXH6>(scene) == Lines{{1, 0, 8, 0, 8}, {1, 1, 9, 8, 16}});
 }
 
@@ -548,6 +554,6 @@ TEST_CASE_TEMPLATE("The printed floating horizon runs to its end on all curves",
     RandomCurves random(17);
     for (int i = 0; i < 300; ++i) {
         const CurveScene scene = random.scene();
-        CHECK_FALSE(visible_lines<Printed>(scene, K{}).lines.empty());
+        CHECK_FALSE(visible_lines<PrintedCurves>(scene, K{}).lines.empty());
     }
 }

@@ -14,6 +14,7 @@
 #include "support/reference.h"
 #include "support/scenes.h"
 #include "support/stage.h"
+#include "support/visitors.h"
 #include "vidno/mistakes.h"
 
 using namespace vidno;

@@ -5,6 +5,7 @@
 
 #include "support/scenes.h"
 #include "support/stage.h"
+#include "support/visitors.h"
 
 using namespace vidno;
 using namespace vidno::test;

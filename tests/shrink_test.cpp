@@ -7,8 +7,8 @@
 #include "need.h"
 #include "support/reference.h"
 #include "support/scenes.h"
-#include "support/stage.h"
 #include "vidno/snap.h"
+#include "vidno/vidno.h"
 
 using namespace vidno;
 using namespace vidno::test;

@@ -3,11 +3,12 @@
 #include <doctest/doctest.h>
 
 #include "curve_state.h"
+#include "support/kernels.h"
 #include "support/random_curves.h"
 #include "support/rebuilt.h"
-#include "support/stage.h"
 #include "vidno/floating_horizon.h"
 #include "vidno/kernels/filtered_heights.h"
+#include "vidno/printed_curves.h"
 
 using namespace vidno;
 using namespace vidno::test;
@@ -55,7 +56,7 @@ private:
 
 template <class Set, class K>
 void check_rebuilt(const CurveScene& scene) {
-    constexpr Edition edition = std::same_as<Set, Printed> ? Edition::printed : Edition::corrected;
+    constexpr Edition edition = std::same_as<Set, PrintedCurves> ? Edition::printed : Edition::corrected;
     for (const Detail detail : {Detail::polygons, Detail::signs}) {
         const CurveHeader header{edition, std::string(K::name), detail, {"", scene}};
         Rebuilt<CurveState> rebuilt(header);
@@ -84,7 +85,7 @@ TEST_CASE_TEMPLATE("Sufficient: lines and horizons rebuilt from the events are t
     for (int i = 0; i < 60; ++i) {
         CAPTURE(i);
         const CurveScene scene = i == 0 ? some_curves() : random.scene();
-        check_rebuilt<Corrected, K>(scene);
-        if constexpr (runs_printed<K>) check_rebuilt<Printed, K>(scene);
+        check_rebuilt<CorrectedCurves, K>(scene);
+        if constexpr (PrintedKernel<K>) check_rebuilt<PrintedCurves, K>(scene);
     }
 }

@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "state.h"
+#include "support/kernels.h"
 #include "support/rebuilt.h"
 #include "support/scenes.h"
-#include "support/stage.h"
 #include "vidno/kernels/filtered_regions.h"
 #include "vidno/weiler_atherton.h"
 

@@ -16,7 +16,7 @@ TEST_CASE_TEMPLATE("Sufficient: states rebuilt from the events equal the algorit
         const Scene scene = scene_for<K>(i == 0 ? small_scene() : random.scene());
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             compared += check_rebuilt<K, Corrected>(scene, method);
-            if constexpr (runs_printed<K>) compared += check_rebuilt<K, Printed>(scene, method);
+            if constexpr (PrintedKernel<K>) compared += check_rebuilt<K, Printed>(scene, method);
         }
     }
     CHECK(compared > 1000);

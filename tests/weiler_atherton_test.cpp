@@ -10,9 +10,10 @@
 #include <random>
 #include <vector>
 
+#include "support/kernels.h"
 #include "support/reference.h"
 #include "support/scenes.h"
-#include "support/stage.h"
+#include "support/visitors.h"
 #include "vidno/kernels/filtered_regions.h"
 
 using namespace vidno;
@@ -46,7 +47,7 @@ struct RegionStage {
     Scene scene;
     Picture picture;
     Places entered, left;
-    WeilerAthertonRun<Corrected, OnRegions<K>, HearPassages> run;
+    WeilerAthertonRun<CorrectedRegions, OnRegions<K>, HearPassages> run;
     using Piece = typename decltype(run)::Piece;
 
     explicit RegionStage(Scene given)

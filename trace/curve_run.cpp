@@ -5,7 +5,7 @@
 #include "curve_lines.h"
 #include "vidno/kernels/bits.h"
 #include "vidno/kernels/filtered_heights.h"
-#include "vidno/printed.h"
+#include "vidno/printed_curves.h"
 
 namespace vidno {
 
@@ -21,9 +21,9 @@ template <Kernel K>
 DrawnLines untraced_lines(const CurveRequest& request, const K& kernel) {
     const CurvePacer pacer{{}, request.progress};
     if constexpr (PrintedKernel<K>) {
-        if (request.edition == Edition::printed) return lines_drawn<Printed>(request, kernel, pacer);
+        if (request.edition == Edition::printed) return lines_drawn<PrintedCurves>(request, kernel, pacer);
     }
-    return lines_drawn<Corrected>(request, kernel, pacer);
+    return lines_drawn<CorrectedCurves>(request, kernel, pacer);
 }
 
 }  // namespace

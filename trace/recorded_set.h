@@ -157,32 +157,6 @@ struct AnyEdition : AnyMethod {
         return has(Edition::boundary_outside) ? mistakes::BoundaryOutside::columns_shown(run, row, left, right, polygon)
                                               : Corrected::columns_shown(run, row, left, right, polygon);
     }
-
-    // The floating horizon
-
-    template <class K>
-    Horizons<K> first_horizons(const K& kernel, const Area& area) const {
-        return has(Rule::x_h3) ? Printed::first_horizons(kernel, area) : Corrected::first_horizons(kernel, area);
-    }
-    const auto& horizons_before(const auto& horizons, auto& kept) const {
-        return has(Rule::x_h4) ? Printed::horizons_before(horizons, kept) : Corrected::horizons_before(horizons, kept);
-    }
-    std::pair<int, int> edge_columns(const Segment& edge) const {
-        return has(Rule::x_h4) ? Printed::edge_columns(edge) : Corrected::edge_columns(edge);
-    }
-    int next_column(const Segment& segment, int column) const {
-        return has(Rule::x_h5) ? Printed::next_column(segment, column) : Corrected::next_column(segment, column);
-    }
-    VisibilityFlag flag_on_both() const {
-        return has(Rule::x_h6) ? Printed::flag_on_both() : Corrected::flag_on_both();
-    }
-    bool draws(VisibilityFlag side) const { return has(Rule::x_h1) ? Printed::draws(side) : Corrected::draws(side); }
-    bool no_edge_yet(const std::optional<Sample>& edge) const {
-        return has(Rule::x_h1) ? Printed::no_edge_yet(edge) : Corrected::no_edge_yet(edge);
-    }
-    VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) const {
-        return has(Rule::x_h2) ? Printed::horizon_met(was, is) : Corrected::horizon_met(was, is);
-    }
 };
 
 }  // namespace vidno

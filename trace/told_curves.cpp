@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "curve_lines.h"
-#include "recorded_set.h"
+#include "recorded_curves.h"
 #include "recorder.h"
 #include "run_time_kernel.h"
 #include "vidno/kernels/filtered_heights.h"
@@ -85,9 +85,9 @@ DrawnLines told(const CurveRequest& request, const K& kernel, Judging& judging) 
         return lines_drawn(request, kernel, CurveRecorder<Set, K>(recording, judging, set), set);
     };
     if constexpr (PrintedKernel<K>) {
-        return by(AnyEdition(Method{}, rules_of(request.edition)));
+        return by(AnyCurveEdition(rules_of(request.edition)));
     } else {
-        return by(Corrected{});
+        return by(CorrectedCurves{});
     }
 }
 

@@ -4,7 +4,7 @@
 ///     for (const auto& line : visible.lines) ...
 #pragma once
 
-#include "corrected.h"
+#include "corrected_curves.h"
 #include "kernels/machine.h"
 
 namespace vidno {
@@ -17,7 +17,7 @@ struct VisibleCurves {
 };
 
 /// What floating_horizon/floating_horizon.h says, told to the trace step by step. The numbers are the kernel's.
-template <class Set = Corrected, Kernel K, class Trace = NoTrace>
+template <class Set = CorrectedCurves, Kernel K, class Trace = NoTrace>
 VisibleCurves<OnColumns<K>> visible_lines(const CurveScene& curves, K kernel, Trace trace = {}, Set set = {}) {
     HorizonRun<Set, OnColumns<K>, Trace> run(curves, OnColumns<K>(std::move(kernel)), std::move(trace), std::move(set));
     run.set.floating_horizon(run);

@@ -126,6 +126,15 @@ concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typ
     { kernel.same_place(vertex, vertex, 0) } -> std::same_as<bool>;
 };
 
+/// A kernel under which the printed text runs: one whose decisions may be wrong, or the reference.
+template <class K>
+concept PrintedKernel = Kernel<K> && requires(const K& kernel, const typename K::Number& number) {
+    kernel.depth_of(number);
+    kernel.divide(number, number);
+    kernel.same_rounded(number, number);
+    kernel.pixel_of(number);
+};
+
 /// Thrown by kernels without infinities; the corrected procedures never divide by zero there.
 struct DivisionByZero {};
 

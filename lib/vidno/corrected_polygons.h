@@ -1,0 +1,18 @@
+/// CorrectedPolygons: what all methods over polygons share: how they take them from the scene, and their depths. It is part of the
+/// sets in corrected.h and corrected_regions.h.
+#pragma once
+
+#include "warnock/depth.h"
+#include "warnock/initialize_polygon.h"
+
+namespace vidno {
+
+struct CorrectedPolygons : InitializePolygon, Depth {
+    /// W2: which polygons join the first list. Edge-on was decided exactly when the scene was read.
+    static bool takes_part(const auto&, const auto& polygon) { return !polygon.edge_on; }
+
+    /// I1: a vertex of the scene on the screen: y grows downward in both.
+    static auto on_screen(const auto& kernel, const Area&, const glm::dvec3& vertex) { return kernel.vertex(vertex); }
+};
+
+}  // namespace vidno

@@ -1,0 +1,31 @@
+/// Visitors that note what a run tells.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "vidno/trace.h"
+
+namespace vidno::test {
+
+/// How many windows Warnock's algorithm takes from its stack.
+struct CountWindows : NoTrace {
+    int* windows;
+    explicit CountWindows(int& count) : windows(&count) {}
+    void pop(Line, const auto&) { ++*windows; }
+};
+
+/// The last fault that ended or marred a run.
+struct HearFaults : NoTrace {
+    struct Heard {
+        int count = 0;
+        Line at{};
+        std::string reason;
+    };
+    Heard* heard;
+    explicit HearFaults(Heard& to) : heard(&to) {}
+    void fault(Line at, std::string_view reason) { *heard = {heard->count + 1, at, std::string(reason)}; }
+    void fault(Line at, std::string_view reason, int, int) { fault(at, reason); }
+};
+
+}  // namespace vidno::test
