@@ -149,21 +149,16 @@ export function cutOff(page: Page, parts: string): Promise<readonly string[]> {
     );
 }
 
-/** The canonical states of steps `from` up to, not including, `end`, or down if `end` is less. */
-export function states(page: Page, from: number, end: number): Promise<readonly string[]> {
-  return page.evaluate(
-    ([first, last]) => {
-      const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
-      if (!player) throw new Error('no player');
-      const found: string[] = [];
-      for (let step = first; step !== last; step += first < last ? 1 : -1) {
-        player.step = step;
-        found.push(JSON.stringify(player.canonicalState()));
-      }
-      return found;
-    },
-    [from, end] as const,
-  );
+/** The canonical states of the first steps, from 0. */
+export function states(page: Page, count: number): Promise<readonly string[]> {
+  return page.evaluate((end) => {
+    const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+    if (!player) throw new Error('no player');
+    return Array.from({ length: end }, (_, step) => {
+      player.step = step;
+      return JSON.stringify(player.canonicalState());
+    });
+  }, count);
 }
 
 export async function openFile(page: Page, name: string, content: string | Buffer): Promise<void> {
