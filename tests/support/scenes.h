@@ -65,6 +65,15 @@ inline Scene small_scene() {
         .build();
 }
 
+/// How many of `count` random scenes a test runs: a quarter with sanitizers, under which a run takes ten times as long.
+constexpr int scenes_to_run(int count) {
+#ifdef VIDNO_SANITIZED
+    return (count + 3) / 4;
+#else
+    return count;
+#endif
+}
+
 /// All kinds of polygons in areas of all sizes.
 struct RandomScenes : RandomPolygons {
     explicit RandomScenes(unsigned seed) : RandomPolygons(std::mt19937(seed)) {}
