@@ -117,6 +117,29 @@ export const sliderStyle = css`
     align-items: center;
     white-space: nowrap;
   }
+  /* The system's colours would leave nothing of the track and the thumb. */
+  @media (forced-colors: active) {
+    .slider {
+      forced-color-adjust: none;
+    }
+    .slider::-webkit-slider-runnable-track {
+      background: CanvasText;
+    }
+    .slider::-moz-range-track {
+      background: CanvasText;
+    }
+    .slider::-webkit-slider-thumb {
+      background: Highlight;
+      box-shadow: 0 0 0 2px Canvas;
+    }
+    .slider::-moz-range-thumb {
+      background: Highlight;
+      box-shadow: 0 0 0 2px Canvas;
+    }
+    .flag {
+      fill: CanvasText;
+    }
+  }
   @container (max-width: 960px) {
     .lanes {
       width: auto;

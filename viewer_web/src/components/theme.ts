@@ -141,5 +141,26 @@ export const base = css`
     border: 1px solid color-mix(in srgb, var(--ink) 45%, transparent);
     border-radius: 2px;
     vertical-align: -0.05em;
+    forced-color-adjust: none;
+  }
+  /* Where the system gives the colours: what is current or chosen is filled, what has changed or waits is framed. */
+  @media (forced-colors: active) {
+    :is(.now, [aria-current='step'], .entered > h3, tr[aria-current='true'] > *),
+    button[aria-pressed='true'] {
+      background: Highlight !important;
+      color: HighlightText !important;
+      forced-color-adjust: none;
+    }
+    button[aria-pressed='true'] * {
+      color: inherit;
+    }
+    :is(.changed, .pointed):not(svg *) {
+      outline: 2px solid Highlight;
+      outline-offset: -1px;
+    }
+    .caller {
+      outline: 1px dashed CanvasText;
+      outline-offset: -1px;
+    }
   }
 `;
