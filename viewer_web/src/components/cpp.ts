@@ -4,7 +4,8 @@ import { customElement, property, query } from 'lit/decorators.js';
 import { sourcesOf, telling } from '../listing/sources.js';
 import type { Source, SourceLine } from '../listing/sources.js';
 import type { View } from '../view.js';
-import { bringInSight } from './in-sight.js';
+import { Follower } from './in-sight.js';
+import { OwnSize } from './own-size.js';
 import { base } from './theme.js';
 
 /** The C++ of the procedures, and the lines that told the step. */
@@ -67,7 +68,8 @@ export class CppElement extends LitElement {
   @query('.files') private files!: HTMLElement;
   private sources: readonly Source[] = [];
   private shown = '';
-  private followed: Element | null = null;
+  private readonly size = new OwnSize(this);
+  private readonly follower = new Follower();
 
   override willUpdate(): void {
     const { method, edition } = this.view.header;
@@ -104,11 +106,10 @@ export class CppElement extends LitElement {
     </li>`;
   }
 
-  /** To look where the line is makes the browser lay out the page: only when it is another. */
   override updated(): void {
-    const mark = this.renderRoot.querySelector<HTMLElement>('.now');
-    if (mark === this.followed) return;
-    this.followed = mark;
-    if (mark !== null) bringInSight(this.files, mark, 32);
+    // Before the first step one looks at the beginning.
+    const what = this.view.step === 0 ? 'section' : '.now';
+    const mark = this.renderRoot.querySelector<HTMLElement>(what);
+    this.follower.follow(this.files, mark, this.size.value, 32);
   }
 }

@@ -4,11 +4,10 @@ import { customElement, property, state } from 'lit/decorators.js';
 import { valuesInPlay } from '../listing/in-play.js';
 import { listingsOf } from '../listing/listings.js';
 import type { Line, Listing } from '../listing/listings.js';
-import type { Size } from '../picture/frame.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
 import './cpp.js';
-import { bringInSight } from './in-sight.js';
+import { Follower } from './in-sight.js';
 import { listingStyle } from './listing.style.js';
 import { OwnSize } from './own-size.js';
 import { base } from './theme.js';
@@ -72,7 +71,7 @@ export class ListingElement extends LitElement {
   }
 
   private readonly size = new OwnSize(this);
-  private followed: { readonly mark: Element | null; readonly size: Size } | null = null;
+  private readonly follower = new Follower();
 
   private get current(): string | null {
     return this.view.event?.at ?? null;
@@ -123,19 +122,10 @@ export class ListingElement extends LitElement {
 
   override updated(changed: PropertyValues<this>): void {
     super.updated(changed);
-    this.follow();
-  }
-
-  /** To look where the line is makes the browser lay out the page: only when it is another, or the listing's size is. */
-  private follow(): void {
-    const box = this.renderRoot.querySelector('.procedures');
-    const mark =
-      this.renderRoot.querySelector('.entered h3') ?? this.renderRoot.querySelector('.now');
-    const { value: size } = this.size;
-    if (mark === this.followed?.mark && size === this.followed.size) return;
-    this.followed = { mark, size };
-    if (!(box instanceof HTMLElement) || !(mark instanceof HTMLElement)) return;
-    bringInSight(box, mark);
+    const find = (what: string): HTMLElement | null => this.renderRoot.querySelector(what);
+    // Before the first step one looks at the beginning.
+    const mark = this.view.step === 0 ? find('section') : (find('.entered h3') ?? find('.now'));
+    this.follower.follow(find('.procedures'), mark, this.size.value);
   }
 }
 
