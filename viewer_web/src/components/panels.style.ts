@@ -21,7 +21,8 @@ export const panelsStyle = css`
   }
   .values {
     display: grid;
-    grid-template-columns: minmax(0, 1.2fr) minmax(0, 1.1fr) minmax(0, 1fr);
+    --values: minmax(0, 1.2fr) minmax(0, 1.1fr) minmax(0, 1fr);
+    grid-template-columns: var(--values);
     gap: 0.35rem 0.75rem;
   }
   .values div {

@@ -1,4 +1,5 @@
 import { css } from 'lit';
+import { leastPanel } from './least-picture.js';
 
 /** For a projector: as much as 850 pixels hold, as large as the screen allows. */
 export const presenterStyle = css`
@@ -8,8 +9,14 @@ export const presenterStyle = css`
     z-index: 10;
     padding: 0.5rem 0.5rem 0;
     gap: 0.5rem;
+    overflow: auto;
     background: var(--paper);
     --bar: 0px;
+    --hall: grid;
+    --hall-values: repeat(2, minmax(0, 1fr));
+    --hall-list: 5rem;
+    --hall-line: 0px;
+    --hall-wide: auto;
   }
   @media (min-width: 1000px) {
     :host([presenting]) {
@@ -43,8 +50,9 @@ export const presenterStyle = css`
   }
   :host([presenting]) .panels {
     flex: 1;
+    min-height: ${leastPanel};
     gap: 0.5rem;
-    grid-template: minmax(0, 1.5fr) minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1.05fr);
+    grid-template: minmax(0, 1fr) minmax(0, 1.2fr) / minmax(${leastPanel}, 1fr) minmax(0, 1.05fr);
   }
   :host([presenting]) .panels:has(> .solid) {
     grid-template-rows: minmax(0, 1fr) minmax(0, 1.5fr);

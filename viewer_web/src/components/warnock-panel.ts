@@ -1,4 +1,4 @@
-import { LitElement, html, nothing } from 'lit';
+import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
@@ -20,7 +20,40 @@ import { base } from './theme.js';
 /** The state of Warnock's algorithm: the window in hand, its list, its corners, and the stack. */
 @customElement('vidno-warnock')
 export class WarnockPanel extends LitElement {
-  static override styles = [base, panelsStyle];
+  static override styles = [
+    base,
+    panelsStyle,
+    css`
+      /* In a hall nobody scrolls: the lists are beside the window, not below it. */
+      :host(.one-list) {
+        display: var(--hall, flex);
+        grid:
+          'window polygons' auto
+          'window stack' auto
+          'depths depths' auto / minmax(0, 1fr) minmax(0, 1.1fr);
+      }
+      :host(.one-list) .values {
+        grid-template-columns: var(--hall-values, var(--values));
+      }
+      :host(.one-list) .apl {
+        height: var(--hall-list, 6.4rem);
+      }
+      .window {
+        grid-area: window;
+      }
+      .depths {
+        grid-area: depths;
+      }
+      .polygons {
+        grid-area: polygons;
+        border-top-width: var(--hall-line, 1px);
+      }
+      .stack {
+        grid-area: stack;
+        min-height: var(--hall-list, 8rem);
+      }
+    `,
+  ];
 
   @property({ attribute: false }) view!: View;
 
@@ -34,6 +67,7 @@ export class WarnockPanel extends LitElement {
 
   override render(): TemplateResult {
     const { method } = this.view.header;
+    this.classList.toggle('one-list', !hasThreeLists(method));
     const corners = method === 'warnock-simplest' ? nothing : this.corners();
     const lists = hasThreeLists(method) ? this.threeLists() : this.apl();
     return html`${this.window()} ${corners} ${lists} ${this.stack()}`;
@@ -47,7 +81,7 @@ export class WarnockPanel extends LitElement {
     const { now, old } = this;
     const { texts: page } = this.view;
     const color = this.isStale ? null : now.color;
-    return html`<section>
+    return html`<section class="window">
       <dl class="values">
         ${value(
           page.window,
@@ -98,7 +132,7 @@ export class WarnockPanel extends LitElement {
   }
 
   private corners(): TemplateResult {
-    return html`<section>
+    return html`<section class="depths">
       <h3>${this.view.texts.cornerDepths}</h3>
       <table class="corners">
         <tbody>
@@ -131,7 +165,7 @@ export class WarnockPanel extends LitElement {
   private apl(): TemplateResult {
     const { apl } = this.view.texts;
     const entries = this.now.apl?.entries ?? [];
-    return html`<section>
+    return html`<section class="polygons">
       <h3>${apl}</h3>
       ${listOf(apl, 'apl', entries, (entry) => this.entry(entry), this.view)}
     </section>`;

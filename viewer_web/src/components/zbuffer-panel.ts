@@ -1,4 +1,4 @@
-import { LitElement, html } from 'lit';
+import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
@@ -16,7 +16,15 @@ import { base } from './theme.js';
 /** The state of the Z-buffer algorithm: the scanline, S, AEL, and the depths around the scanline. */
 @customElement('vidno-zbuffer')
 export class ZBufferPanel extends LitElement {
-  static override styles = [base, panelsStyle];
+  static override styles = [
+    base,
+    panelsStyle,
+    css`
+      .values .wide {
+        grid-column: var(--hall-wide, 1 / -1);
+      }
+    `,
+  ];
 
   @property({ attribute: false }) view!: View;
 
