@@ -32,6 +32,7 @@ export const appStyle = [
       flex-direction: column;
       min-height: 0;
       min-width: 0;
+      overflow: auto;
     }
     .title {
       display: flex;
@@ -57,7 +58,7 @@ export const appStyle = [
     }
     vidno-player,
     vidno-comparison {
-      flex: 1;
+      flex: 1 0 auto;
     }
     .nothing {
       margin: auto;
@@ -70,6 +71,9 @@ export const appStyle = [
         grid-template: 'header' 3.25rem 'nav' auto 'main' 1fr / minmax(0, 1fr);
         gap: 0 0.75rem;
         padding: 0 0.6rem 0.6rem;
+      }
+      main {
+        overflow: visible;
       }
       nav {
         flex-flow: row wrap;
@@ -91,15 +95,22 @@ export const appStyle = [
         --panels: clamp(24rem, 100dvh - 14.5rem, 44rem);
       }
       vidno-comparison {
-        --panels: clamp(20rem, 100dvh - 24rem, 36rem);
+        --panels: clamp(20rem, 100dvh - 28.5rem, 36rem);
       }
     }
     @media (max-width: 640px) {
       :host {
         grid-template: 'header' 3.25rem 'main' auto 'nav' auto / minmax(0, 1fr);
+        padding-inline: 0;
+      }
+      :is(vidno-page-header, nav, .title) {
+        padding-inline: 0.6rem;
+      }
+      vidno-comparison {
+        --name-inset: 0.6rem;
       }
       nav {
-        padding: 0.75rem 0 0;
+        padding-block: 0.75rem 0;
       }
     }
     :host([comparing]) {
@@ -135,6 +146,11 @@ export const appStyle = [
         display: none;
       }
       main {
+        flex: 1;
+        overflow: visible;
+      }
+      vidno-player,
+      vidno-comparison {
         flex: 1;
       }
     }

@@ -13,6 +13,7 @@ export const comparedStyle = css`
     align-items: center;
     align-content: end;
     min-height: 2rem;
+    padding-inline: var(--name-inset, 0px);
   }
   .listing {
     grid-area: list-one;
@@ -50,6 +51,7 @@ export const comparedStyle = css`
   }
   .listing {
     display: var(--listing, flex);
+    contain: size;
   }
   /* Where there is little room the step, which may grow, has a line of its own. */
   h3 {

@@ -5,6 +5,13 @@ export const embeddedStyle = css`
   :host([src]) {
     height: 36rem;
   }
+  /* Its size is its page's affair: what does not fit is scrolled to, and never over the text around it. */
+  :host([src]:not([presenting])) {
+    overflow: auto;
+  }
+  :host(:is([controls='small'], [controls='none'])) {
+    --least-picture: 0px;
+  }
   :host(:is([controls='small'], [controls='none'])) :is(.side, vidno-travel) {
     display: none;
   }

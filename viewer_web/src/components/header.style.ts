@@ -30,4 +30,9 @@ export const headerStyle = css`
       display: none;
     }
   }
+  @media (max-width: 380px) {
+    header {
+      gap: 0.5rem;
+    }
+  }
 `;

@@ -24,6 +24,11 @@ export class LanguagesElement extends LitElement {
         border-radius: 0 6px 6px 0;
         border-left: 0;
       }
+      @media (max-width: 380px) {
+        button {
+          padding: 0 0.4rem;
+        }
+      }
       button[aria-pressed='true'] {
         background: var(--accent);
         border-color: var(--accent);

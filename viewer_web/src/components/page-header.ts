@@ -45,6 +45,14 @@ export class PageHeaderElement extends LitElement {
           display: none;
         }
       }
+      @media (max-width: 380px) {
+        .tools {
+          gap: 0.25rem;
+        }
+        button {
+          padding: 0 0.3rem;
+        }
+      }
     `,
   ];
 

@@ -30,7 +30,7 @@ export class PicturePanelElement extends LitElement {
       }
       .drawing {
         flex: 1;
-        min-height: 0;
+        min-height: var(--least-picture, 0px);
       }
       .layers,
       .switches,

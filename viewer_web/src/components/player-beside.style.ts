@@ -1,6 +1,7 @@
 import { css } from 'lit';
+import { leastPanel } from './least-picture.js';
 
-/** Beside the text of a lesson there is less room; where there is little, the picture, and what is further down is scrolled to. */
+/** Beside the text of a lesson there is less room: the picture, what does not fit is scrolled to. */
 export const playerBesideStyle = css`
   @media (max-width: 1699px) {
     :host([beside]) {
@@ -10,32 +11,41 @@ export const playerBesideStyle = css`
   @media (min-width: 900px) {
     @container (max-width: 960px) {
       :host([beside]) .panels {
-        flex: 1;
+        flex: 1 0 auto;
         grid-template:
-          minmax(0, var(--picture-share, 1.3fr)) minmax(0, 1fr) / minmax(0, 1fr)
-          minmax(0, 1fr);
+          'picture side' minmax(var(--least-side, 9rem), var(--side-share, 1fr))
+          'picture listing' minmax(7rem, var(--listing-share, 1fr)) / minmax(${leastPanel}, 1fr)
+          minmax(0, 18.5rem);
+      }
+      :host([beside]) .panels:has(> .side:not(.state)) {
+        --side-share: 2fr;
+      }
+      :host([beside]) .panels:has(> .side.solid) {
+        --side-share: 1fr;
+        --listing-share: 7rem;
+        --least-side: 22rem;
+        --caption: 4.4em;
       }
       :host([beside]) .panels > section {
         order: 0;
         height: auto;
+        min-height: 0;
+      }
+      :host([beside]) .panels > :is(.listing, .side) {
+        contain: size;
+      }
+      :host([beside]) .panels .picture {
+        grid-area: picture;
       }
       :host([beside]) .panels .side {
-        grid-row: 1;
-        grid-column: 2;
+        grid-area: side;
       }
       :host([beside]) .panels .listing {
-        grid-row: 2;
-        grid-column: 1 / -1;
-      }
-      :host([beside]) .dock {
-        position: static;
+        grid-area: listing;
       }
     }
   }
   @media (min-width: 900px) and (max-height: 860px) {
-    :host([beside]) {
-      --picture-share: 1.8fr;
-    }
     :host([beside]) vidno-travel {
       display: none;
     }
@@ -56,11 +66,14 @@ export const playerBesideStyle = css`
       display: none;
     }
     :host([beside]) .panels {
-      grid-template: calc(45dvh - 10.75rem) 20rem / minmax(0, 1.1fr) minmax(0, 1fr);
+      grid-template:
+        max(${leastPanel}, 45dvh - 10.75rem) 20rem / minmax(${leastPanel}, 1.1fr)
+        minmax(0, 1fr);
     }
     :host([beside]) .panels > section {
       order: 0;
       height: auto;
+      min-height: 0;
     }
     :host([beside]) .panels .listing {
       grid-row: 1;
@@ -85,7 +98,7 @@ export const playerBesideStyle = css`
       gap: 0.4rem;
     }
     :host([beside]) .panels {
-      grid-template: calc(45dvh - 10.75rem) 16rem 20rem / minmax(0, 1fr);
+      grid-template: max(${leastPanel}, 45dvh - 10.75rem) 16rem 20rem / minmax(0, 1fr);
     }
     :host([beside]) .panels > section {
       border-radius: 0;
@@ -101,6 +114,23 @@ export const playerBesideStyle = css`
     :host([beside]) .dock {
       border-radius: 0;
       border-inline: 0;
+    }
+  }
+  /* A phone held sideways, or a page enlarged: one column beside the text. */
+  @media (min-width: 600px) and (max-width: 899px) and (max-height: 599px) {
+    :host([beside]) .panels {
+      display: contents;
+    }
+    :host([beside]) .panels > section {
+      flex: none;
+      height: 16rem;
+    }
+    :host([beside]) .panels > .picture {
+      order: -2;
+      height: ${leastPanel};
+    }
+    :host([beside]) .dock {
+      order: -1;
     }
   }
 `;

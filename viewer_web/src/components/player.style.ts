@@ -1,4 +1,5 @@
 import { css } from 'lit';
+import { leastPicture } from './least-picture.js';
 
 export const playerStyle = css`
   :host {
@@ -7,6 +8,7 @@ export const playerStyle = css`
     gap: 0.75rem;
     min-height: 0;
     container-type: inline-size;
+    --least-picture: ${leastPicture};
   }
   /* What is only there to be pressed. */
   :host([presenting]),
@@ -25,11 +27,14 @@ export const playerStyle = css`
   }
   .panels {
     display: grid;
-    flex: 1;
-    min-height: 0;
+    flex: 1 0 auto;
     gap: 0.75rem;
     grid-template-columns: minmax(0, 1fr) minmax(0, 1fr) minmax(18.5rem, 0.62fr);
-    grid-template-rows: var(--panels, minmax(0, 1fr));
+    grid-template-rows: minmax(min-content, var(--panels, 1fr));
+  }
+  /* The picture alone says how high its row must be. */
+  .panels > :is(.listing, .side) {
+    contain: size;
   }
   .panels > section {
     display: flex;
@@ -94,7 +99,7 @@ export const playerStyle = css`
     .panels {
       flex: none;
       grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
-      grid-template-rows: 32rem 26rem;
+      grid-template-rows: minmax(min-content, clamp(24rem, 100dvh - 3rem, 32rem)) 26rem;
     }
     .listing {
       grid-row: 2;
@@ -106,9 +111,12 @@ export const playerStyle = css`
       grid-template-columns: minmax(0, 1fr);
       grid-template-rows: none;
     }
+    .panels > :is(.listing, .side) {
+      contain: none;
+    }
     .picture {
       order: -2;
-      height: 106cqw;
+      min-height: 106cqw;
     }
     .listing {
       grid-row: auto;
@@ -136,6 +144,18 @@ export const playerStyle = css`
       padding: 0.4rem 0.6rem 0.5rem;
     }
   }
+  @container (max-width: 400px) {
+    :host(:not([src])) :is(.panels > section, .dock) {
+      border-inline: 0;
+      border-radius: 0;
+    }
+  }
+  /* A dock that stays would hide the picture. */
+  @media (max-height: 599px) {
+    .dock {
+      position: static;
+    }
+  }
   /* One sheet, A4: what happened, the picture beside the state, the listing. */
   @media print {
     :host {
@@ -160,6 +180,7 @@ export const playerStyle = css`
     }
     .panels .side {
       order: 1;
+      contain: none;
       height: auto;
       zoom: 0.72;
     }

@@ -110,6 +110,12 @@ export const readerStyle = [
         display: block;
       }
     }
+    /* The page itself may scroll. */
+    @media (max-width: 899px) {
+      .box {
+        overscroll-behavior: auto;
+      }
+    }
   `,
   readerPrint,
 ];

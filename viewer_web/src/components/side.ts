@@ -63,7 +63,7 @@ export class SideElement extends LitElement {
       }
       button {
         min-height: 1.9rem;
-        padding: 0.1rem 0.22rem 0;
+        padding: 0.1rem 0.16rem 0;
         border: 0;
         border-bottom: 3px solid transparent;
         border-radius: 0;

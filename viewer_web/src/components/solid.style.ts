@@ -3,6 +3,7 @@ import { css } from 'lit';
 /** The scene in 3D: over what the picture has. */
 export const solidStyle = css`
   :host {
+    container-type: inline-size;
     padding: var(--bar, 2.5rem) 0 var(--foot, 0px);
   }
   :host([flat]) {
@@ -59,6 +60,12 @@ export const solidStyle = css`
   }
   .views :focus-visible {
     outline-offset: -3px;
+  }
+  @container (max-width: 290px) {
+    vidno-zoom-bar {
+      top: auto;
+      bottom: calc(var(--foot, 0px) + 0.375rem);
+    }
   }
   .missing {
     position: absolute;

@@ -27,7 +27,7 @@ export class SolidElement extends LitElement {
       }
       .caption {
         flex: none;
-        height: 11em;
+        height: var(--caption, 11em);
         padding: 0.4rem 0.75rem;
         overflow: auto;
         scrollbar-width: thin;

@@ -96,4 +96,19 @@ export const transportStyle = css`
       width: 4.4rem;
     }
   }
+  @container (max-width: 350px) {
+    button {
+      width: 1.75rem;
+    }
+    .play {
+      width: 2.25rem;
+    }
+    input[type='number'] {
+      width: 3.7rem;
+      padding: 0 0.25rem;
+    }
+    select {
+      padding: 0;
+    }
+  }
 `;

@@ -1,4 +1,5 @@
 import { css } from 'lit';
+import { leastPanel } from '../components/least-picture.js';
 
 /** The page with the text of a lesson: contents, text and run beside each other, or the run above the text. */
 export const besideStyle = css`
@@ -37,48 +38,60 @@ export const besideStyle = css`
     :host([reading]) {
       min-height: 0;
       grid-template:
-        'header header' 3.25rem 'reader main' minmax(0, 1fr) / minmax(22rem, 5fr)
-        minmax(0, 6fr);
+        'header header' 3.25rem 'reader main' minmax(0, 1fr) / minmax(0, 1fr)
+        minmax(36.5rem, 1.3fr);
       padding-bottom: 0.6rem;
     }
     :host([reading]) nav {
       display: none;
     }
+    :host([reading]) main {
+      overflow: auto;
+    }
+    /* Over the text: the lessons take the room, what else there is is scrolled to. */
     :host([reading][contents]) nav {
       z-index: 3;
       display: flex;
       grid-area: reader;
       flex-flow: column;
       margin-top: 2.25rem;
-      padding: 0;
-    }
-    :host([reading][contents]) vidno-lesson-list {
-      flex: 1;
-      max-height: none;
+      padding: 0 0.6rem 0.6rem;
+      overflow: auto;
+      border: 1px solid var(--line);
       border-radius: 0 0 var(--radius) var(--radius);
+      background: var(--panel);
     }
-    :host([reading]) vidno-file-drop {
+    :host([reading][contents]) nav > * {
       flex: none;
     }
+    :host([reading][contents]) vidno-lesson-list {
+      max-height: none;
+      border: 0;
+    }
   }
-  @media (max-width: 899px) {
-    :host([reading]) {
-      grid-template:
-        'header' 3.25rem
-        'main' 45dvh
-        'reader' minmax(0, 1fr) / minmax(0, 1fr);
-      gap: 0.5rem 0;
-    }
-    :host([reading]) main {
-      overflow: auto;
-      overscroll-behavior: contain;
-    }
+  /* There the text has its title. */
+  @media (max-width: 899px), (max-height: 599px) {
     :host([reading]) .title :is(h2, p) {
       display: none;
     }
     :host([reading]) .title {
       min-height: 0;
       padding: 0;
+    }
+  }
+  /* The run and under it the text, each in a box that scrolls; both together may be higher than the screen. */
+  @media (max-width: 899px) {
+    :host([reading]) {
+      height: auto;
+      min-height: 100dvh;
+      grid-template:
+        'header' 3.25rem
+        'main' max(45dvh, ${leastPanel} + 9.25rem)
+        'reader' minmax(min(18rem, 100dvh), 1fr) / minmax(0, 1fr);
+      gap: 0.5rem 0;
+    }
+    :host([reading]) :is(vidno-reader, nav) {
+      contain: size;
     }
   }
   @media (max-width: 640px) {
@@ -93,7 +106,21 @@ export const besideStyle = css`
       border-radius: 0;
     }
   }
+  /* The run in a column beside the text, each as high as the screen. */
+  @media (min-width: 600px) and (max-width: 899px) and (max-height: 599px) {
+    :host([reading]) {
+      grid-template:
+        'header header' 3.25rem
+        'main reader' 100dvh / ${leastPanel} minmax(0, 1fr);
+    }
+    :host([reading]) vidno-reader {
+      border-radius: 0;
+    }
+  }
   @media print {
+    :host([reading]) vidno-reader {
+      contain: none;
+    }
     :host([reading]) {
       display: block;
       height: auto;
