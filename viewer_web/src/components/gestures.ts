@@ -28,7 +28,9 @@ export class Gestures {
   /** A wheel that would make the whole smaller moves the page. */
   readonly onWheel = (event: WheelEvent): void => {
     const way = event.deltaY * (wheelUnits[event.deltaMode] ?? 1);
-    if (way === 0 || (way > 0 && this.frame().zoom === null && !event.ctrlKey)) return;
+    const { zoom, isSmallest } = this.frame();
+    const isWhole = zoom === null || isSmallest;
+    if (way === 0 || (way > 0 && isWhole && !event.ctrlKey)) return;
     event.preventDefault();
     const by = 2 ** (-way / (event.ctrlKey ? doubled.fingers : doubled.wheel));
     this.show(this.frame().zoomed(by, pointOf(event)));

@@ -5,6 +5,7 @@ import { guard } from 'lit/directives/guard.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../i18n/texts.js';
 import type { Editing } from '../live/editor.js';
+import { beyond } from '../picture/beyond.js';
 import type { Frame, Point } from '../picture/frame.js';
 import { cellsOf } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
@@ -77,6 +78,7 @@ export class PictureElement extends PlaneElement {
     const { header } = this.view;
     const { scale } = frame;
     const marks = marksOf(this.view, frame.sight);
+    const outside = beyond(marks, frame);
     return svg`${this.printing.now && this.cells !== null ? this.pixels() : nothing}
       ${this.under?.(frame)}
       ${guard([frame], () => gridShapes(frame).map(drawn))}
@@ -84,7 +86,7 @@ export class PictureElement extends PlaneElement {
       ${this.over?.(frame)}
       ${marks.flatMap((mark) => shapesOf(mark, scale).map(drawn))}
       ${guard([header, scale], () => labels(labelsOf(header.scene, frame), frame, true))}
-      ${labels(notesOf(marks, frame), frame)}`;
+      ${outside.shapes.map(drawn)} ${labels([...notesOf(marks, frame), ...outside.labels], frame)}`;
   }
 
   protected override cursorMark(at: Pixel, { scale }: Frame): unknown {

@@ -1,6 +1,7 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { property, query, state } from 'lit/decorators.js';
+import { extentOf } from '../picture/extent.js';
 import { Frame } from '../picture/frame.js';
 import type { Point, Zoom, Zooming } from '../picture/frame.js';
 import { isIn, moved, nearestIn } from '../picture/pixel.js';
@@ -47,10 +48,16 @@ export abstract class PlaneElement extends LitElement {
   /** The same one as long as nothing about it changes. */
   protected get frame(): Frame {
     const { size, zoom, known } = this;
-    const { area } = this.view.header.scene;
-    const isSame = known?.area === area && known.size === size.value && known.wanted === zoom;
+    const { scene } = this.view.header;
+    const { area } = scene;
+    const extent = extentOf(scene);
+    const isSame =
+      known?.area === area &&
+      known.extent === extent &&
+      known.size === size.value &&
+      known.wanted === zoom;
     if (isSame) return known;
-    return (this.known = new Frame(area, size.value, zoom));
+    return (this.known = new Frame(area, size.value, zoom, extent));
   }
 
   /** Gives the keyboard to the choice of a place. */
@@ -81,6 +88,7 @@ export abstract class PlaneElement extends LitElement {
   private zoomTo(way: Zooming): void {
     const { frame } = this;
     if (way === 'whole') this.zoom = null;
+    else if (way === 'all') this.zoom = frame.all;
     else this.zoom = frame.zoomed(way === 'in' ? zoomStep : 1 / zoomStep).zoom;
   }
 
@@ -89,7 +97,7 @@ export abstract class PlaneElement extends LitElement {
       '+': () => this.zoomTo('in'),
       '=': () => this.zoomTo('in'),
       '-': () => this.zoomTo('out'),
-      '0': () => this.zoomTo('whole'),
+      '0': () => this.zoomTo(this.frame.zoom === null ? 'all' : 'whole'),
     };
   }
 

@@ -95,7 +95,7 @@ export class SolidStageElement extends LitElement {
   }
 
   private zoomTo(to: Zooming): void {
-    if (to === 'whole') this.zoom = null;
+    if (to === 'whole' || to === 'all') this.zoom = null;
     else this.zoom = this.frame.zoomed(to === 'in' ? zoomStep : 1 / zoomStep).zoom;
   }
 

@@ -1,4 +1,4 @@
-import { LitElement, css, html, svg } from 'lit';
+import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { PictureTexts } from '../i18n/picture-texts.js';
@@ -10,6 +10,7 @@ const shapes: Readonly<Record<Zooming, string>> = {
   out: 'M4 10H16',
   in: 'M4 10H16M10 4V16',
   whole: 'M3 7.5V3H7.5M12.5 3H17V7.5M17 12.5V17H12.5M7.5 17H3V12.5',
+  all: 'M7 7H13V13H7ZM3 6V3H6M14 3H17V6M17 14V17H14M6 17H3V14',
 };
 
 /** Buttons that make what is shown smaller and larger: an event `zoom` tells which. */
@@ -72,8 +73,9 @@ export class ZoomBarElement extends LitElement {
     const { texts, frame } = this;
     const isWhole = frame.zoom === null;
     return html`<div role="group" aria-label=${texts.zoom}>
-      ${this.button('out', isWhole)} ${this.button('in', frame.isLargest)}
+      ${this.button('out', frame.isSmallest)} ${this.button('in', frame.isLargest)}
       ${this.button('whole', isWhole)}
+      ${frame.hasMore ? this.button('all', frame.isSmallest) : nothing}
     </div>`;
   }
 

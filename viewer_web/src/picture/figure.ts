@@ -1,5 +1,6 @@
 import type { View } from '../view.js';
 import { element, escaped } from '../xml.js';
+import { beyond } from './beyond.js';
 import { Frame } from './frame.js';
 import { lookOf, short } from './looks.js';
 import { marksOf } from './marks.js';
@@ -63,12 +64,13 @@ export function figureOf(view: View, { under, over }: Layers = { under: [], over
   // Neighbours must meet without a seam.
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
   const marked = marksOf({ ...view, pointed: null, asked: [] }, frame.sight);
-  const marks = marked.flatMap((mark) => shapesOf(mark, scale));
+  const outside = beyond(marked, frame);
+  const marks = [...marked.flatMap((mark) => shapesOf(mark, scale)), ...outside.shapes];
   const shapes = [...gridShapes(frame), ...under, ...outlineShapes(scene), ...over, ...marks].map(
     (shape) => pathOf(shape, scale),
   );
-  const names = [...labelsOf(scene, frame), ...notesOf(marked, frame)].map((each) =>
-    label(each, frame),
+  const names = [...labelsOf(scene, frame), ...notesOf(marked, frame), ...outside.labels].map(
+    (each) => label(each, frame),
   );
   return figureDocument(view, frame, `${sharp}${shapes.join('')}`, names.join(''));
 }

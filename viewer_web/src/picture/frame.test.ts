@@ -72,3 +72,44 @@ describe('what must be seen', () => {
     expect(y).toBeCloseTo(19);
   });
 });
+
+describe('a scene that reaches farther than the area', () => {
+  // From -8 to 24 and from -6 to 26 about the area from 0 to 16: 32 x 32 units.
+  const square = { x: 0, y: 0, width: 16, height: 16 };
+  const box = { width: 320, height: 320 };
+  const frame = new Frame(square, box, null, [-8, -6, 32, 32]);
+  const { all } = frame;
+
+  it('is first shown as far as the area is', () => {
+    expect(frame.zoom).toBeNull();
+    expect(frame.shown).toEqual(new Frame(square, box).shown);
+    expect(frame.hasMore).toBe(true);
+  });
+
+  it('can be shown as a whole, with the area in the middle', () => {
+    const [left, top, width, height] = frame.with(all).shown;
+    expect(left).toBeLessThan(-8);
+    expect(top).toBeLessThan(-6);
+    expect(left + width).toBeGreaterThan(24);
+    expect(top + height).toBeGreaterThan(26);
+    expect(frame.with(all).middle[0]).toBeCloseTo(8);
+    expect(frame.with(all).middle[1]).toBeCloseTo(8);
+    expect(frame.with(all).isSmallest).toBe(true);
+    expect(frame.with(all).zoomed(0.5).scale).toBe(frame.with(all).scale);
+  });
+
+  it('is shown as far as the area is on the way in and out', () => {
+    expect(frame.with(all).zoomed(10).zoom).toBeNull();
+    expect(frame.zoomed(1.5).zoomed(0.1).zoom).toBeNull();
+  });
+
+  it('may be moved to where its vertices are', () => {
+    const [x, y] = frame.zoomed(8).moved(1e6, 1e6).shown;
+    expect(x).toBeLessThan(-8);
+    expect(y).toBeLessThan(-6);
+  });
+
+  it('has no more to show where it ends within the margin', () => {
+    expect(new Frame(square, box, null, [-1, 0, 17, 16]).hasMore).toBe(false);
+  });
+});

@@ -14,11 +14,11 @@ export interface Zoom {
   readonly middle: Point;
 }
 
-/** Ways to another zoom. */
-export type Zooming = 'out' | 'in' | 'whole';
+/** Ways to another zoom; `all` has what lies outside of the area, too. */
+export type Zooming = 'out' | 'in' | 'whole' | 'all';
 
 export type Point = readonly [x: number, y: number];
-type Rectangle = readonly [x: number, y: number, width: number, height: number];
+export type Rectangle = readonly [x: number, y: number, width: number, height: number];
 
 /** CSS pixels that a pixel of the picture may always be enlarged to. */
 const large = 64;
@@ -37,27 +37,54 @@ export class Frame {
   readonly shown: Rectangle;
   /** The area and the margin around it. */
   readonly whole: Rectangle;
+  /** What one may move to: the whole, and as far around its middle as the scene reaches. */
+  private readonly bounds: Rectangle;
   /** CSS pixels per unit of the plane. */
   readonly scale: number;
   /** The same for the whole. */
   private readonly fit: number;
+  /** How much larger than the whole all that there is can be shown: 1, or less. */
+  private readonly least: number;
 
   constructor(
     readonly area: Area,
     readonly size: Size,
     readonly wanted: Zoom | null = null,
+    /** What the scene takes up. */
+    readonly extent: Rectangle = [area.x, area.y, area.width, area.height],
   ) {
     const { x, y, width, height } = area;
-    const around = Math.max(width, height) * margin;
-    this.whole = [x - around, y - around, width + 2 * around, height + 2 * around];
-    const fit = Math.min(size.width / this.whole[2], size.height / this.whole[3]);
-    this.fit = Math.max(fit, 1e-6);
+    this.whole = withMargin([x, y, width, height]);
+    const reach: Point = [farther(extent, this.whole, 0), farther(extent, this.whole, 1)];
+    const isWhole = reach[0] === 0 && reach[1] === 0;
+    const [left, top, wide, high] = this.whole;
+    this.bounds = isWhole
+      ? this.whole
+      : withMargin([left - reach[0], top - reach[1], wide + 2 * reach[0], high + 2 * reach[1]]);
+    const fit = (shown: Rectangle): number =>
+      Math.max(Math.min(size.width / shown[2], size.height / shown[3]), 1e-6);
+    this.fit = fit(this.whole);
+    this.least = Math.min(1, fit(this.bounds) / this.fit);
     const by = this.limited(wanted?.by ?? 1);
     this.scale = this.fit * by;
     const seen: Point = [size.width / this.scale, size.height / this.scale];
     const middle: Point = [this.middleOf(0, seen), this.middleOf(1, seen)];
     this.shown = [middle[0] - seen[0] / 2, middle[1] - seen[1] / 2, ...seen];
-    this.zoom = by > 1 ? { by, middle } : null;
+    this.zoom = by === 1 ? null : { by, middle };
+  }
+
+  /** Whether there is anything outside of the whole. */
+  get hasMore(): boolean {
+    return this.least < 1;
+  }
+
+  /** The zoom at which that is in sight, too. */
+  get all(): Zoom | null {
+    return this.hasMore ? { by: this.least, middle: this.middleOfWhole } : null;
+  }
+
+  get isSmallest(): boolean {
+    return (this.zoom?.by ?? 1) <= this.least;
   }
 
   get isLargest(): boolean {
@@ -70,27 +97,35 @@ export class Frame {
   }
 
   private limited(by: number): number {
-    return Math.min(Math.max(by, 1), Math.max(most, large / this.fit));
+    return Math.min(Math.max(by, this.least), Math.max(most, large / this.fit));
   }
 
-  /** Nothing beyond the whole is shown, but where there is room for more: then the whole is in the middle. */
+  private get middleOfWhole(): Point {
+    const [left, top, width, height] = this.whole;
+    return [left + width / 2, top + height / 2];
+  }
+
+  /** Nothing beyond the bounds is shown, but where there is room for more: then the whole is in the middle. */
   private middleOf(axis: 0 | 1, seen: Point): number {
-    const [from, length] =
-      axis === 0 ? [this.whole[0], this.whole[2]] : [this.whole[1], this.whole[3]];
+    const { bounds } = this;
+    const [from, length] = axis === 0 ? [bounds[0], bounds[2]] : [bounds[1], bounds[3]];
     const half = Math.min(seen[axis], length) / 2;
-    const wanted = this.wanted?.middle[axis] ?? from + length / 2;
+    const { by, middle } = this.wanted ?? { by: 1, middle: this.middleOfWhole };
+    const wanted = (by === 1 ? this.middleOfWhole : middle)[axis];
     return Math.min(Math.max(wanted, from + half), from + length - half);
   }
 
   /** The same plane and box with another zoom. */
   with(zoom: Zoom | null): Frame {
-    return new Frame(this.area, this.size, zoom);
+    return new Frame(this.area, this.size, zoom, this.extent);
   }
 
-  /** So much larger, with the same place under a point of the box. */
+  /** So much larger, with the same place under a point of the box; on the way past the whole one stops there. */
   zoomed(by: number, at: Point = this.center): Frame {
     const [x, y] = this.at(...at);
-    const now = this.limited((this.zoom?.by ?? 1) * by);
+    const old = this.zoom?.by ?? 1;
+    const isPast = (old - 1) * (old * by - 1) < 0;
+    const now = isPast ? 1 : this.limited(old * by);
     const scale = this.fit * now;
     const [left, top] = [at[0] - this.center[0], at[1] - this.center[1]];
     return this.with({ by: now, middle: [x - left / scale, y - top / scale] });
@@ -141,4 +176,17 @@ export class Frame {
     const [across, down] = this.at(x, y);
     return [Math.floor(across), Math.floor(down)];
   }
+}
+
+function withMargin([x, y, width, height]: Rectangle): Rectangle {
+  const around = Math.max(width, height) * margin;
+  return [x - around, y - around, width + 2 * around, height + 2 * around];
+}
+
+/** How far along an axis one rectangle reaches over another, at the end where it does so more. */
+function farther(one: Rectangle, other: Rectangle, axis: 0 | 1): number {
+  const size = axis === 0 ? 2 : 3;
+  const before = other[axis] - one[axis];
+  const after = one[axis] + one[size] - other[axis] - other[size];
+  return Math.max(before, after, 0);
 }

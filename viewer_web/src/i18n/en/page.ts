@@ -83,7 +83,7 @@ export const page: PageTexts = {
     speed: 'slower, faster',
     pixel: 'to the picture, to choose a pixel',
     cursor: 'there: another pixel, choose it, leave',
-    zoom: 'there: larger, smaller, the whole picture',
+    zoom: 'there: larger, smaller, the whole picture and then all vertices',
     layer: 'the next of what the pixels show',
     mark: 'mark the pixels that differ',
     predict: 'the next question, what will happen?',

@@ -5,6 +5,7 @@ export const picture: PictureTexts = {
   out: 'Мельче',
   in: 'Крупнее',
   whole: 'Всё изображение',
+  all: 'Все вершины, и те, что вне изображения',
   layer: 'Что показывают пиксели',
   layers: {
     picture: 'Закрашенное',

@@ -1,0 +1,62 @@
+import { point as sayPoint } from '../i18n/words.js';
+import type { Frame, Point } from './frame.js';
+import type { Mark, Role } from './mark.js';
+import { pathData } from './shapes.js';
+import type { Shape } from './shapes.js';
+import type { Label } from './still.js';
+
+/** What a step says of points. */
+const told: readonly Role[] = ['yes', 'no', 'point'];
+/** CSS pixels: of an arrow, how long it is, half its width and how far from the edge; half the width of a letter. */
+const arrow = { length: 14, half: 7, off: 3 };
+const letter = 4;
+
+/** For each point of a step that is out of sight, an arrow at the edge towards it, and where it is. */
+export interface Beyond {
+  readonly shapes: readonly Shape[];
+  readonly labels: readonly Label[];
+}
+
+export function beyond(marks: readonly Mark[], frame: Frame): Beyond {
+  const found = new Map<string, { readonly role: Role; readonly at: Point }>();
+  for (const mark of marks) {
+    if (mark.kind !== 'point' || !told.includes(mark.role) || isSeen(mark.at, frame)) continue;
+    found.set(sayPoint(mark.at), mark);
+  }
+  const all = [...found];
+  return {
+    shapes: all.map(([, { role, at }]) => ({ look: `dot ${role}`, d: arrowTo(at, frame) })),
+    labels: all.map(([text, { at }]) => ({ text, at: nearest(at, frame, besides(text)) })),
+  };
+}
+
+/** How far from the edge the middle of the letters stands, so that none is cut and the arrow is free. */
+const besides = (text: string): Point => [
+  Math.max(text.length * letter + 6, 2 * arrow.length),
+  2 * arrow.length,
+];
+
+function isSeen([x, y]: Point, { shown: [left, top, width, height] }: Frame): boolean {
+  return x >= left && x <= left + width && y >= top && y <= top + height;
+}
+
+/** The place in sight that is nearest to a point, so many CSS pixels from the edge. */
+function nearest([x, y]: Point, { shown, scale }: Frame, [across, down]: Point): Point {
+  const [left, top, width, height] = shown;
+  const within = (at: number, from: number, length: number, inset: number): number =>
+    Math.min(Math.max(at, from + inset), from + length - inset);
+  return [within(x, left, width, across / scale), within(y, top, height, down / scale)];
+}
+
+function arrowTo(at: Point, frame: Frame): string {
+  const tip = nearest(at, frame, [arrow.off, arrow.off]);
+  const [dx, dy] = [at[0] - tip[0], at[1] - tip[1]];
+  const unit = Math.hypot(dx, dy) * frame.scale;
+  const [ux, uy] = [dx / unit, dy / unit];
+  const back: Point = [tip[0] - ux * arrow.length, tip[1] - uy * arrow.length];
+  const [across, down] = [-uy * arrow.half, ux * arrow.half];
+  return pathData(
+    [tip, [back[0] + across, back[1] + down], [back[0] - across, back[1] - down]],
+    true,
+  );
+}
