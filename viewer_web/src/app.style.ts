@@ -48,6 +48,10 @@ export const appStyle = [
       letter-spacing: 0;
       color: var(--ink);
       overflow-wrap: anywhere;
+      display: -webkit-box;
+      -webkit-box-orient: vertical;
+      -webkit-line-clamp: 2;
+      overflow: hidden;
     }
     .title p {
       color: var(--soft);

@@ -18,7 +18,7 @@ import './components/rival-choice.js';
 import type { RivalChoiceElement } from './components/rival-choice.js';
 import './components/solid.js';
 import { base, tokens } from './components/theme.js';
-import { heading } from './heading.js';
+import { heading, invitation } from './heading.js';
 import { texts } from './i18n/index.js';
 import { preferredLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
@@ -49,6 +49,8 @@ export class AppElement extends LitElement implements Shown, Told {
   @query('vidno-rival-choice') private choice!: RivalChoiceElement;
 
   @state() private isAtContents = false;
+  /** What the address names is being looked for. */
+  @state() private isOpening = false;
   readonly lessons = embeddedLessons(document);
   readonly session = new Session(this, () => {
     this.requestUpdate();
@@ -82,7 +84,8 @@ export class AppElement extends LitElement implements Shown, Told {
     const { session } = this;
     const beside = this.isAsked ? null : rival;
     if (beside !== session.rival.word) session.rival.choose(withOf(beside ?? '', document));
-    void this.reading.follow(address);
+    this.isOpening = true;
+    void this.reading.follow(address).finally(() => (this.isOpening = false));
   };
 
   /** Keys that were pressed outside the player are passed on to it. */
@@ -221,7 +224,7 @@ export class AppElement extends LitElement implements Shown, Told {
       <main>
         ${heading(session, this.name, language)} ${alone(this)}
         ${isCompared ? besides(this) : nothing}
-        ${trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
+        ${this.isOpening ? nothing : invitation(session, language)}
       </main>
       <vidno-rival-choice
         .language=${language}

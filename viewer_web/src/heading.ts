@@ -16,6 +16,12 @@ export function heading(session: Session, name: string, language: Language): Tem
   </div>`;
 }
 
+/** What can be opened, where nothing is and nothing is about to be. */
+export function invitation(session: Session, language: Language): TemplateResult | typeof nothing {
+  if (session.trace !== null || session.isOpening) return nothing;
+  return html`<p class="nothing">${texts[language].page.nothingOpen}</p>`;
+}
+
 function runOf({ trace }: Session, language: Language): TemplateResult | typeof nothing {
   if (trace === null) return nothing;
   const { page } = texts[language];

@@ -86,6 +86,12 @@ export class Session implements ReactiveController {
     return this.trace !== null && this.rival.trace !== null;
   }
 
+  /** Whether there will soon be something to see, or a word about why not. */
+  get isOpening(): boolean {
+    const { notice, live } = this;
+    return notice === null ? live.editing !== null : notice.kind === 'reading';
+  }
+
   hostDisconnected(): void {
     this.stopReading();
   }

@@ -13,14 +13,10 @@ export function drawn({ look, d, color, fill, thing }: Shape): SVGTemplateResult
 }
 
 /** Labels as text of one size wherever one zooms; polygons are pointed at by their names. */
-export function labels(
-  all: readonly Label[],
-  { scale }: Frame,
-  areNames = false,
-): readonly SVGTemplateResult[] {
+export function labels(all: readonly Label[], { scale }: Frame): readonly SVGTemplateResult[] {
   const size = labelSize / scale;
   return all.map(
-    ({ text, at: [x, y] }) =>
-      svg`<text class="label" data-thing=${areNames ? polygonThing(text) : nothing} x=${x} y=${y} font-size=${size}>${text}</text>`,
+    ({ text, of, at: [x, y] }) =>
+      svg`<text class="label" data-thing=${of === undefined ? nothing : polygonThing(of)} x=${x} y=${y} font-size=${size}>${text}</text>`,
   );
 }

@@ -18,6 +18,12 @@ export const formulaStyle = css`
   .formula math {
     display: block math;
     margin: 0;
+    font-size: calc(1.04em * var(--fit, 1));
+  }
+  @media print {
+    :is(.formula, .table) {
+      --fit: 1 !important;
+    }
   }
   .glued {
     white-space: nowrap;

@@ -48,6 +48,9 @@ const only: Readonly<Record<'one' | 'pair', ReadonlySet<KeyUse>>> = {
   pair: new Set(['mark', 'parting']),
 };
 
+/** What there is only where there is something to be seen in 3D. */
+const solid: readonly KeyUse[] = ['solid', 'turn'];
+
 /** The map of keys. */
 @customElement('vidno-keys')
 export class KeysElement extends LitElement {
@@ -91,6 +94,8 @@ export class KeysElement extends LitElement {
   ];
 
   @property({ attribute: false }) texts!: PageTexts;
+  /** Whether there is nothing to be seen in 3D. */
+  @property({ type: Boolean }) flat = false;
   /** Whether two runs are compared. */
   @property({ type: Boolean }) pair = false;
   @query('dialog') private dialog!: HTMLDialogElement;
@@ -110,7 +115,7 @@ export class KeysElement extends LitElement {
 
   override render(): TemplateResult {
     const { texts } = this;
-    const missing = only[this.pair ? 'one' : 'pair'];
+    const missing = new Set([...only[this.pair ? 'one' : 'pair'], ...(this.flat ? solid : [])]);
     return html`<dialog aria-labelledby="title">
       <h2 id="title" tabindex="-1">${texts.keys}</h2>
       <dl>

@@ -102,7 +102,7 @@ export const listingStyle = css`
   var {
     float: right;
     box-sizing: border-box;
-    width: 6.5rem;
+    width: min(14rem, max(37%, min(60%, 8.75rem)));
     min-height: 1.4em;
     padding-left: 0.4rem;
     overflow: hidden;

@@ -6,10 +6,14 @@ import { polygonName } from './parts.js';
 /** A list may be far longer than anyone reads it. */
 const mostRows = 200;
 const mostChips = 12;
+/** The same on paper, where nobody scrolls. */
+export const mostPrinted = 9;
 
-function emptyOrMore(length: number, { texts }: View): TemplateResult | typeof nothing {
+function emptyOrMore(length: number, { texts }: View): TemplateResult {
   if (length === 0) return html`<p class="empty">${texts.empty}</p>`;
-  return length > mostRows ? html`<p class="empty">${texts.more(length - mostRows)}</p>` : nothing;
+  const more = (most: number, look: string): TemplateResult | typeof nothing =>
+    length > most ? html`<p class="empty ${look}">${texts.more(length - most)}</p>` : nothing;
+  return html`${more(mostRows, 'on-screen')} ${more(mostPrinted, 'on-paper')}`;
 }
 
 /** A table of what a list begins with, and how much more it has. */

@@ -85,7 +85,7 @@ export class PictureElement extends PlaneElement {
       ${guard([header], () => this.outlines())}
       ${this.over?.(frame)}
       ${marks.flatMap((mark) => shapesOf(mark, scale).map(drawn))}
-      ${guard([header, scale], () => labels(labelsOf(header.scene, frame), frame, true))}
+      ${guard([header, scale], () => labels(labelsOf(header.scene, frame), frame))}
       ${outside.shapes.map(drawn)} ${labels([...notesOf(marks, frame), ...outside.labels], frame)}`;
   }
 

@@ -116,6 +116,24 @@ export const playerBesideStyle = css`
       border-inline: 0;
     }
   }
+  /* A question is below the picture that it is about, as long as it is; the page scrolls. */
+  @media (max-width: 899px) {
+    :host([beside][asking]) .panels > .side {
+      contain: none;
+    }
+    :host([beside][asking]) .panels {
+      grid-template-rows: max(${leastPanel}, 45dvh - 10.75rem) auto;
+    }
+  }
+  @media (max-width: 640px) {
+    :host([beside][asking]) .panels > .side {
+      grid-row: 2;
+    }
+    :host([beside][asking]) .panels > .listing {
+      grid-row: 3;
+      height: 16rem;
+    }
+  }
   /* A phone held sideways, or a page enlarged: one column beside the text. */
   @media (min-width: 600px) and (max-width: 899px) and (max-height: 599px) {
     :host([beside]) .panels {

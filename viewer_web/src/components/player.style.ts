@@ -1,5 +1,5 @@
 import { css } from 'lit';
-import { leastPicture } from './least-picture.js';
+import { leastPanel, leastPicture } from './least-picture.js';
 
 export const playerStyle = css`
   :host {
@@ -98,7 +98,7 @@ export const playerStyle = css`
   @container (max-width: 960px) {
     .panels {
       flex: none;
-      grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+      grid-template-columns: minmax(${leastPanel}, 1fr) minmax(0, 1fr);
       grid-template-rows: minmax(min-content, clamp(24rem, 100dvh - 3rem, 32rem)) 26rem;
     }
     .listing {
@@ -150,12 +150,6 @@ export const playerStyle = css`
       border-radius: 0;
     }
   }
-  /* A dock that stays would hide the picture. */
-  @media (max-height: 599px) {
-    .dock {
-      position: static;
-    }
-  }
   /* One sheet, A4: what happened, the picture beside the state, the listing. */
   @media print {
     :host {
@@ -165,11 +159,8 @@ export const playerStyle = css`
     .panels {
       flex: 1;
       gap: 4mm;
-      grid-template: 92mm minmax(0, 1fr) / 92mm minmax(0, 1fr);
-    }
-    /* The score is to be read to its end. */
-    .panels:has(.side.predict) {
-      grid-template-rows: minmax(92mm, auto) minmax(0, 1fr);
+      /* The state is to be read to its end. */
+      grid-template: minmax(92mm, auto) minmax(0, 1fr) / 92mm minmax(0, 1fr);
     }
     .panels > section {
       border-radius: 0;

@@ -26,6 +26,7 @@ import { actionsOf } from './player-keys.js';
 import { PixelHistory } from './pixel-history.js';
 import { Pointing } from './pointing.js';
 import { playerBesideStyle } from './player-beside.style.js';
+import { playerLowStyle } from './player-low.style.js';
 import { playerStyle } from './player.style.js';
 import { Predictor } from './predictor.js';
 import { presenterStyle } from './presenter.style.js';
@@ -51,6 +52,7 @@ export class PlayerElement extends StageElement {
     base,
     hiddenStyle,
     playerStyle,
+    playerLowStyle,
     embeddedStyle,
     playerBesideStyle,
     presenterStyle,
@@ -95,6 +97,7 @@ export class PlayerElement extends StageElement {
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     this.chosen.follow(changed);
     if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
+    this.toggleAttribute('asking', this.side === 'predict');
     const { language, trace, step } = this;
     const pixel = this.chosen.history?.pixel ?? null;
     const { things: asked } = this.predictor;
@@ -212,7 +215,7 @@ export class PlayerElement extends StageElement {
         </vidno-transport>
       </div>
       ${this.presenter.curtain()}
-      <vidno-keys .texts=${texts}></vidno-keys>
+      <vidno-keys .texts=${texts} ?flat=${!this.isSolid}></vidno-keys>
     `;
   }
 

@@ -8,6 +8,7 @@ import type { Language } from '../i18n/language.js';
 import type { Lesson } from '../lessons.js';
 import { blocks } from '../reader/blocks.js';
 import { Drawings } from '../reader/drawings.js';
+import { Fitting } from '../reader/fitting.js';
 import { inlines } from '../reader/inlines.js';
 import { addressIn, runOf } from '../reader/links.js';
 import type { AddressOf } from '../reader/links.js';
@@ -46,6 +47,8 @@ export class ReaderElement extends LitElement {
   @query('article') readonly article!: HTMLElement;
 
   private readonly drawings = new Drawings();
+  // Before the place that is read is looked for: what is smaller is lower, too.
+  private readonly fitting = new Fitting(() => this.article);
   private readonly place = new ReadingPlace(this);
   protected readonly printed = new PrintedWhole(this);
 
@@ -62,10 +65,17 @@ export class ReaderElement extends LitElement {
   }
 
   override firstUpdated(): void {
+    this.fitting.watch(this.box);
     this.place.watch();
   }
 
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.fitting.stop();
+  }
+
   override updated(changed: PropertyValues<this>): void {
+    if (changed.has('story') || changed.has('setup')) this.fitting.fit();
     if (changed.has('story') || changed.has('goal')) void this.show();
     else if (changed.has('setup')) this.place.restore();
   }

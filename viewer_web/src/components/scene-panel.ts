@@ -21,12 +21,15 @@ export class ScenePanelElement extends FormElement {
 
   override render(): TemplateResult {
     const { editing, language } = this;
+    const { form, isSolid } = showsOfEdited(editing);
+    const run = html`<vidno-run-form .editing=${editing} .language=${language}></vidno-run-form>`;
+    // A surface is one formula: it must be in sight.
+    const [first, second] = isSolid
+      ? [run, form(editing, language)]
+      : [form(editing, language), run];
     return html`
       ${this.tools()} ${this.message()}
-      <div class="scroll">
-        <vidno-run-form .editing=${editing} .language=${language}></vidno-run-form>
-        ${showsOfEdited(editing).form(editing, language)}
-      </div>
+      <div class="scroll">${first} ${second}</div>
     `;
   }
 

@@ -88,17 +88,18 @@ export const sliderStyle = css`
   }
   .tip {
     position: absolute;
-    bottom: calc(100% + 0.25rem);
+    bottom: ${stripHeight + 2}px;
     left: calc(var(--at) * 100%);
     z-index: 2;
     width: max-content;
-    max-width: min(26rem, 100%);
+    max-width: 100%;
     padding: 0.25rem 0.55rem;
     border: 1px solid var(--line);
     border-radius: 6px;
     background: var(--panel);
     box-shadow: 0 2px 10px rgb(10 12 18 / 25%);
     font-size: 0.8125rem;
+    line-height: 1.25;
     overflow-wrap: anywhere;
     transform: translateX(calc(var(--at) * -100%));
     pointer-events: none;

@@ -137,7 +137,7 @@ export const storyStyle = [
     table {
       margin: 0 auto;
       border-block: 1.5px solid var(--soft);
-      font-size: 0.875em;
+      font-size: calc(0.875em * var(--fit, 1));
       line-height: 1.4;
       font-variant-numeric: lining-nums tabular-nums;
     }

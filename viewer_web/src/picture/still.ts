@@ -8,6 +8,7 @@ import { boxData, pathData } from './shapes.js';
 import type { Shape } from './shapes.js';
 
 const mostLabels = 26;
+const mostLetters = 32;
 const mostOutlines = 3000;
 /** More polygons than this are a crowd: their outlines are faint. */
 export const many = 40;
@@ -60,15 +61,26 @@ function faintOutline({ vertices, color }: Polygon): Shape {
   return { look: 'outline many', d: pathData(vertices, true), color };
 }
 
-/** A polygon's name, and where in the plane its middle stands. */
+/** A polygon's name, as much of it as there is room for, and where in the plane its middle stands. */
 export interface Label {
   readonly text: string;
+  /** Whose name it is. */
+  readonly of?: string;
   readonly at: readonly [x: number, y: number];
 }
 
 export function labelsOf({ polygons }: Scene, { whole }: Frame): readonly Label[] {
   if (polygons.length > mostLabels) return [];
-  return polygons.map(({ id, vertices }) => ({ text: id, at: labelSpot(vertices, whole) }));
+  return polygons.map(({ id, vertices }) => ({
+    text: clipped(id),
+    of: id,
+    at: labelSpot(vertices, whole),
+  }));
+}
+
+function clipped(name: string): string {
+  const letters = Array.from(name);
+  return letters.length > mostLetters ? `${letters.slice(0, mostLetters - 1).join('')}…` : name;
 }
 
 /** What marks say in letters, above and beside their places; none where that is out of sight. */

@@ -86,9 +86,16 @@ export const besideStyle = css`
       min-height: 100dvh;
       grid-template:
         'header' 3.25rem
-        'main' max(45dvh, ${leastPanel} + 9.25rem)
+        'main' auto
         'reader' minmax(min(18rem, 100dvh), 1fr) / minmax(0, 1fr);
       gap: 0.5rem 0;
+    }
+    :host([reading]) main {
+      height: max(45dvh, ${leastPanel} + 9.25rem);
+    }
+    :host([reading]) main:has(> vidno-player[asking]) {
+      height: auto;
+      overflow: visible;
     }
     :host([reading]) :is(vidno-reader, nav) {
       contain: size;
@@ -112,6 +119,11 @@ export const besideStyle = css`
       grid-template:
         'header header' 3.25rem
         'main reader' 100dvh / ${leastPanel} minmax(0, 1fr);
+    }
+    :host([reading]) main,
+    :host([reading]) main:has(> vidno-player[asking]) {
+      height: auto;
+      overflow: auto;
     }
     :host([reading]) vidno-reader {
       border-radius: 0;

@@ -80,11 +80,11 @@ function boxLines({ x, y, width, height }: Area, { far, near }: Space): readonly
 /** Where the picture has them, on the planes of the polygons. */
 function names(scene: Scene): Drawing['labels'] {
   const spots = labelsOf(scene, new Frame(scene.area, { width: 1, height: 1 }));
-  return spots.flatMap(({ text, at: [x, y] }) => {
-    const polygon = scene.byId.get(text);
+  return spots.flatMap(({ text, of = '', at: [x, y] }) => {
+    const polygon = scene.byId.get(of);
     if (polygon === undefined) return [];
     const z = planeOf(polygon)(x, y);
-    return [{ text, at: [x, y, z], side: [0, 0], strong: true, thing: polygonThing(text) }];
+    return [{ text, at: [x, y, z], side: [0, 0], strong: true, thing: polygonThing(of) }];
   });
 }
 
