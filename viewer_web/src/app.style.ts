@@ -50,7 +50,7 @@ export const appStyle = [
       overflow-wrap: anywhere;
       display: -webkit-box;
       -webkit-box-orient: vertical;
-      -webkit-line-clamp: 2;
+      -webkit-line-clamp: 4;
       overflow: hidden;
     }
     .title p {
@@ -91,6 +91,7 @@ export const appStyle = [
       }
       .own-surface {
         flex: 1 1 12rem;
+        align-self: start;
       }
     }
     /* The page scrolls: one screen holds the panels and the dock, of a comparison what is said, too. */
@@ -102,9 +103,16 @@ export const appStyle = [
         --panels: clamp(20rem, 100dvh - 28.5rem, 36rem);
       }
     }
-    @media (max-width: 640px) {
+    @media (max-width: 640px), (max-width: 1199px) and (max-height: 599px) {
       :host {
         grid-template: 'header' 3.25rem 'main' auto 'nav' auto / minmax(0, 1fr);
+      }
+      nav {
+        padding-block: 0.75rem 0;
+      }
+    }
+    @media (max-width: 640px) {
+      :host {
         padding-inline: 0;
       }
       :is(vidno-page-header, nav, .title) {
@@ -112,9 +120,6 @@ export const appStyle = [
       }
       vidno-comparison {
         --name-inset: 0.6rem;
-      }
-      nav {
-        padding-block: 0.75rem 0;
       }
     }
     :host([comparing]) {

@@ -134,8 +134,8 @@ export const playerBesideStyle = css`
       height: 16rem;
     }
   }
-  /* A phone held sideways, or a page enlarged: one column beside the text. */
-  @media (min-width: 600px) and (max-width: 899px) and (max-height: 599px) {
+  /* A phone held sideways, or a page enlarged: one column, with the dock next to the picture. */
+  @media (max-width: 899px) and (max-height: 599px) {
     :host([beside]) .panels {
       display: contents;
     }

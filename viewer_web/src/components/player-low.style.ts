@@ -1,6 +1,9 @@
 import { css } from 'lit';
 import { leastPanel } from './least-picture.js';
 
+/** The page's own player without a text beside it. */
+const alone = css`:host(:not([beside], [presenting], [src], [controls='small'], [controls='none']))`;
+
 /** On a low screen a dock that stays would hide the picture: it is next to it. */
 export const playerLowStyle = css`
   @media (max-height: 599px) {
@@ -9,34 +12,34 @@ export const playerLowStyle = css`
     }
   }
   @media (max-height: 599px) and (max-width: 1199px) {
-    :host(:not([beside], [presenting], [src], [controls='small'], [controls='none'])) {
+    ${alone} {
       display: grid;
       grid-template:
         'picture side' minmax(min-content, auto)
         'dock dock' auto
         'listing listing' 26rem / minmax(${leastPanel}, 1fr) minmax(0, 1fr);
     }
-    :host(:not([beside], [presenting], [src], [controls='small'], [controls='none'])) .panels {
+    ${alone} .panels {
       display: contents;
     }
-    .picture {
+    ${alone} .picture {
       grid-area: picture;
     }
-    .side {
+    ${alone} .side {
       grid-area: side;
     }
-    .listing {
+    ${alone} .listing {
       grid-area: listing;
     }
-    .dock {
+    ${alone} .dock {
       grid-area: dock;
     }
   }
   @media (max-height: 599px) and (max-width: 649px) {
-    .panels > .side {
+    ${alone} .panels > .side {
       contain: none;
     }
-    :host(:not([beside], [presenting], [src], [controls='small'], [controls='none'])) {
+    ${alone} {
       grid-template:
         'picture' auto
         'dock' auto
