@@ -54,6 +54,26 @@ describe('the element', () => {
     expect(faults).toEqual([]);
   });
 
+  it('with all controls stays within its place on a phone, and is scrolled there', async () => {
+    const { page } = await course(
+      `<p>Before</p><vidno-player src="#run" step="3"></vidno-player><p id="after">After</p>${block}`,
+    );
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.locator('.sentence').waitFor();
+    const after = page.locator('#after');
+    await after.scrollIntoViewIfNeeded();
+    const isCovered = await after.evaluate((e) => {
+      const { x, y, width, height } = e.getBoundingClientRect();
+      return document.elementFromPoint(x + width / 2, y + height / 2) !== e;
+    });
+    expect(isCovered).toBe(false);
+    const player = page.locator('vidno-player');
+    const [shown, all] = await player.evaluate((e) => [e.clientHeight, e.scrollHeight]);
+    expect(shown).toBe(576);
+    expect(all).toBeGreaterThan(576);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  });
+
   it('shows a run of curves, and asks about it', async () => {
     const curves = sampleTrace('crossing.floating-horizon.signs');
     const { page, faults } = await course(

@@ -2,6 +2,14 @@ import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
 import { goTo, open, opened, small } from './page.js';
 
+/** A trace that does nothing but put so many windows on the stack. */
+function stackOf(length: number): string {
+  const [header = '', ...lines] = small.split('\n');
+  const push = lines.find((line) => line.includes('"e":"push"')) ?? '';
+  const end = { end: { events: length, picture: `sha256:${'0'.repeat(64)}` } };
+  return [header, ...Array.from({ length }, () => push), JSON.stringify(end), ''].join('\n');
+}
+
 describe('on paper', () => {
   it.each([390, 1280])('a step is one sheet of A4, from a window of %s px', async (width) => {
     const { page, faults } = await open(browser, '#lang=ru', { viewport: { width, height: 800 } });
@@ -38,5 +46,22 @@ describe('on paper', () => {
     expect(ink).toBe('rgb(0, 0, 0)');
     await page.evaluate(() => dispatchEvent(new Event('afterprint')));
     await page.locator('.pixels').first().waitFor({ state: 'detached' });
+  });
+
+  it('a list that is longer than the sheet has room for says how much longer', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'stack.jsonl', stackOf(12));
+    await goTo(page, 12);
+    const rows = page.locator('vidno-warnock .windows tr');
+    expect(await rows.count()).toBe(12);
+    await page.emulateMedia({ media: 'print' });
+    expect(await rows.filter({ visible: true }).count()).toBe(9);
+    const more = page.locator('vidno-warnock .stack .on-paper');
+    expect(await more.textContent()).toBe('and 3 more');
+    const sheet = await page.locator('.side').boundingBox();
+    const last = await more.boundingBox();
+    expect((last?.y ?? NaN) + (last?.height ?? NaN)).toBeLessThanOrEqual(
+      (sheet?.y ?? NaN) + (sheet?.height ?? NaN),
+    );
   });
 });

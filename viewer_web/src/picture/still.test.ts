@@ -1,0 +1,29 @@
+import { describe, expect, it } from 'vitest';
+import type { Scene } from '../trace/header.js';
+import { Frame } from './frame.js';
+import { labelsOf } from './still.js';
+
+const area = { x: 0, y: 0, width: 8, height: 8 };
+const frame = new Frame(area, { width: 320, height: 320 });
+
+const sceneOf = (id: string): Scene => ({
+  name: '',
+  area,
+  background: '#ffffff',
+  polygons: [{ id, color: '#000000', vertices: [[1, 1, 0]] }],
+  byId: new Map(),
+  curves: null,
+});
+
+describe('the name of a polygon', () => {
+  it('stands on the picture as it is', () => {
+    expect(labelsOf(sceneOf('roof'), frame)[0]).toMatchObject({ text: 'roof', of: 'roof' });
+  });
+
+  it('is shortened where it would be painted across the picture, and is still its own', () => {
+    const long = 'я'.repeat(5000);
+    const [label] = labelsOf(sceneOf(long), frame);
+    expect(label?.text).toBe(`${'я'.repeat(31)}…`);
+    expect(label?.of).toBe(long);
+  });
+});
