@@ -23,7 +23,7 @@ export function rowsOf<T>(
   view: View,
   look = '',
 ): TemplateResult {
-  return html`<table class="rows ${look}">
+  return html`<table class="rows counted ${look}">
       <tbody>
         ${entries.slice(0, mostRows).map(row)}
       </tbody>

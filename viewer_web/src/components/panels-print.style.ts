@@ -11,7 +11,7 @@ export const panelsPrint = css`
     .list {
       overflow: hidden;
     }
-    .rows tbody tr:nth-child(n + ${mostPrinted + 1}),
+    .counted tr:nth-child(n + ${mostPrinted + 1}),
     .on-screen {
       display: none;
     }

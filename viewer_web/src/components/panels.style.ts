@@ -2,206 +2,205 @@ import { css } from 'lit';
 import { panelsPrint } from './panels-print.style.js';
 
 /** The panels of state: tables whose size does not change from step to step. */
-export const panelsStyle = [
-  css`
-    :host {
-      display: flex;
-      flex-direction: column;
-      min-height: 0;
-      overflow: auto;
-      scrollbar-width: thin;
-    }
-    section {
-      flex: none;
-      padding: 0.6rem 0.75rem;
-    }
-    section + section {
-      border-top: 1px solid var(--line);
-    }
-    h3 {
-      margin-bottom: 0.35rem;
-    }
-    .values {
-      display: grid;
-      --values: minmax(0, 1.2fr) minmax(0, 1.1fr) minmax(0, 1fr);
-      grid-template-columns: var(--values);
-      gap: 0.35rem 0.75rem;
-    }
-    .values div {
-      min-width: 0;
-    }
-    .values .wide {
-      grid-column: 1 / -1;
-    }
-    dt {
-      overflow: hidden;
-      font-size: 0.75rem;
-      line-height: 1.3;
-      color: var(--soft);
-      white-space: nowrap;
-      text-overflow: ellipsis;
-    }
-    dd {
-      width: fit-content;
-      min-height: 1.45em;
-      padding: 0 0.2em;
-      margin-left: -0.2em;
-      border-radius: 3px;
-      font-family: var(--mono);
-      white-space: nowrap;
-    }
-    .changed {
-      background: var(--changed);
-    }
-    .corners {
-      width: 100%;
-      table-layout: fixed;
-      border: 1px solid var(--line);
-    }
-    .corners td {
-      height: 2.6rem;
-      padding: 0.2rem 0.5rem;
-      border: 1px solid var(--line);
-      font-family: var(--mono);
-      line-height: 1.25;
-    }
-    .corners small {
-      display: block;
-      overflow: hidden;
-      font: 0.6875rem / 1.3 var(--sans);
-      color: var(--soft);
-      white-space: nowrap;
-      text-overflow: ellipsis;
-    }
-    .corners i {
-      float: right;
-      color: var(--soft);
-      font-size: 0.75rem;
-      font-style: normal;
-    }
-    .list {
-      display: block;
-      overflow: auto;
-      scrollbar-width: thin;
-    }
-    .apl {
-      height: 6.4rem;
-    }
-    .lists {
-      display: grid;
-      grid-template-columns: minmax(0, 0.85fr) minmax(0, 1.5fr) minmax(0, 0.85fr);
-      gap: 0 0.6rem;
-    }
-    h4 {
-      margin: 0 0 0.2rem;
-      font-size: 0.6875rem;
-      color: var(--soft);
-      white-space: nowrap;
-    }
-    .rows td.level {
-      color: var(--soft);
-      font-size: 0.75rem;
-      text-align: right;
-    }
-    .stack {
-      min-height: 8rem;
-      flex: 1 0 auto;
-    }
-    .ael {
-      height: 6.6rem;
-    }
-    .ael table {
-      table-layout: fixed;
-    }
-    .ael :is(th:first-child, th:nth-child(4)) {
-      width: 2.4rem;
-    }
+const onScreen = css`
+  :host {
+    display: flex;
+    flex-direction: column;
+    min-height: 0;
+    overflow: auto;
+    scrollbar-width: thin;
+  }
+  section {
+    flex: none;
+    padding: 0.6rem 0.75rem;
+  }
+  section + section {
+    border-top: 1px solid var(--line);
+  }
+  h3 {
+    margin-bottom: 0.35rem;
+  }
+  .values {
+    display: grid;
+    --values: minmax(0, 1.2fr) minmax(0, 1.1fr) minmax(0, 1fr);
+    grid-template-columns: var(--values);
+    gap: 0.35rem 0.75rem;
+  }
+  .values div {
+    min-width: 0;
+  }
+  .values .wide {
+    grid-column: 1 / -1;
+  }
+  dt {
+    overflow: hidden;
+    font-size: 0.75rem;
+    line-height: 1.3;
+    color: var(--soft);
+    white-space: nowrap;
+    text-overflow: ellipsis;
+  }
+  dd {
+    width: fit-content;
+    min-height: 1.45em;
+    padding: 0 0.2em;
+    margin-left: -0.2em;
+    border-radius: 3px;
+    font-family: var(--mono);
+    white-space: nowrap;
+  }
+  .changed {
+    background: var(--changed);
+  }
+  .corners {
+    width: 100%;
+    table-layout: fixed;
+    border: 1px solid var(--line);
+  }
+  .corners td {
+    height: 2.6rem;
+    padding: 0.2rem 0.5rem;
+    border: 1px solid var(--line);
+    font-family: var(--mono);
+    line-height: 1.25;
+  }
+  .corners small {
+    display: block;
+    overflow: hidden;
+    font: 0.6875rem / 1.3 var(--sans);
+    color: var(--soft);
+    white-space: nowrap;
+    text-overflow: ellipsis;
+  }
+  .corners i {
+    float: right;
+    color: var(--soft);
+    font-size: 0.75rem;
+    font-style: normal;
+  }
+  .list {
+    display: block;
+    overflow: auto;
+    scrollbar-width: thin;
+  }
+  .apl {
+    height: 6.4rem;
+  }
+  .lists {
+    display: grid;
+    grid-template-columns: minmax(0, 0.85fr) minmax(0, 1.5fr) minmax(0, 0.85fr);
+    gap: 0 0.6rem;
+  }
+  h4 {
+    margin: 0 0 0.2rem;
+    font-size: 0.6875rem;
+    color: var(--soft);
+    white-space: nowrap;
+  }
+  .rows td.level {
+    color: var(--soft);
+    font-size: 0.75rem;
+    text-align: right;
+  }
+  .stack {
+    min-height: 8rem;
+    flex: 1 0 auto;
+  }
+  .ael {
+    height: 6.6rem;
+  }
+  .ael table {
+    table-layout: fixed;
+  }
+  .ael :is(th:first-child, th:nth-child(4)) {
+    width: 2.4rem;
+  }
 
-    .rows {
-      width: 100%;
+  .rows {
+    width: 100%;
+  }
+  .rows th,
+  .rows td {
+    height: 1.6rem;
+    padding: 0 0.4rem 0 0;
+    text-align: left;
+    font-weight: 400;
+    white-space: nowrap;
+  }
+  .rows thead th {
+    font: 0.75rem / 1.3 var(--sans);
+    color: var(--soft);
+  }
+  .rows td.number {
+    font-size: 0.8125rem;
+  }
+  .ael .rows :is(td, th) {
+    padding-right: 0.2rem;
+  }
+  .ael .rows :is(th, td.number) {
+    font-size: 0.6875rem;
+  }
+  .rows tr.current td {
+    font-weight: 600;
+  }
+  .windows {
+    table-layout: fixed;
+  }
+  .windows td:first-child {
+    width: 9.6em;
+    overflow: hidden;
+    text-overflow: ellipsis;
+  }
+  .windows td:nth-child(2) {
+    width: 2.4rem;
+    color: var(--soft);
+  }
+  .pointed .pointed {
+    background: none;
+    box-shadow: none;
+  }
+  .pointed td {
+    color: var(--ink);
+  }
+  .chips {
+    overflow: hidden;
+    text-overflow: ellipsis;
+  }
+  .chip {
+    margin-right: 0.5em;
+    white-space: nowrap;
+  }
+  @container (min-width: 1500px) {
+    dt,
+    h3,
+    .rows thead th,
+    .corners small {
+      font-size: 0.8125rem;
+    }
+    dd,
+    .corners td,
+    .rows td,
+    .rows td.number {
+      font-size: 1rem;
     }
     .rows th,
     .rows td {
-      height: 1.6rem;
-      padding: 0 0.4rem 0 0;
-      text-align: left;
-      font-weight: 400;
-      white-space: nowrap;
+      height: 1.9rem;
     }
-    .rows thead th {
-      font: 0.75rem / 1.3 var(--sans);
-      color: var(--soft);
+    .ael .rows td.number {
+      font-size: 0.875rem;
     }
-    .rows td.number {
-      font-size: 0.8125rem;
+  }
+  @container (max-width: 960px) {
+    .stack {
+      flex: none;
+      height: 14rem;
+      overflow: auto;
     }
-    .ael .rows :is(td, th) {
-      padding-right: 0.2rem;
-    }
-    .ael .rows :is(th, td.number) {
-      font-size: 0.6875rem;
-    }
-    .rows tr.current td {
-      font-weight: 600;
-    }
-    .windows {
-      table-layout: fixed;
-    }
-    .windows td:first-child {
-      width: 9.6em;
-      overflow: hidden;
-      text-overflow: ellipsis;
-    }
-    .windows td:nth-child(2) {
-      width: 2.4rem;
-      color: var(--soft);
-    }
-    .pointed .pointed {
-      background: none;
-      box-shadow: none;
-    }
-    .pointed td {
-      color: var(--ink);
-    }
-    .chips {
-      overflow: hidden;
-      text-overflow: ellipsis;
-    }
-    .chip {
-      margin-right: 0.5em;
-      white-space: nowrap;
-    }
-    @container (min-width: 1500px) {
-      dt,
-      h3,
-      .rows thead th,
-      .corners small {
-        font-size: 0.8125rem;
-      }
-      dd,
-      .corners td,
-      .rows td,
-      .rows td.number {
-        font-size: 1rem;
-      }
-      .rows th,
-      .rows td {
-        height: 1.9rem;
-      }
-      .ael .rows td.number {
-        font-size: 0.875rem;
-      }
-    }
-    @container (max-width: 960px) {
-      .stack {
-        flex: none;
-        height: 14rem;
-        overflow: auto;
-      }
-    }
-    .empty {
-      color: var(--soft);
-    }
-  `,
-  panelsPrint,
-];
+  }
+  .empty {
+    color: var(--soft);
+  }
+`;
+
+export const panelsStyle = [onScreen, panelsPrint];
