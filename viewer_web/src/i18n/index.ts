@@ -1,5 +1,5 @@
 import type { Event } from '../trace/events.js';
-import type { Scene } from '../trace/header.js';
+import type { Header } from '../trace/header.js';
 import type { Unreadable } from '../trace/trace.js';
 import * as en from './en/index.js';
 import type { Language } from './language.js';
@@ -24,10 +24,10 @@ export function sentence(
   event: Event,
   before: Known,
   after: Known,
-  scene: Scene,
+  header: Pick<Header, 'scene' | 'detail'>,
   language: Language,
 ): string {
-  const words = new Words(before, after, scene, texts[language], rules[language]);
+  const words = new Words(before, after, header, texts[language], rules[language]);
   const say = texts[language].sentences[event.e] as (event: Event, words: Words) => string;
   return say(event, words);
 }

@@ -2,7 +2,8 @@ import type { FloatingHorizon } from '../curves/state.js';
 import type { Warnock } from '../state/warnock.js';
 import type { Regions } from '../regions/state.js';
 import type { ZBuffer } from '../state/zbuffer.js';
-import type { Scene } from '../trace/header.js';
+import type { Event } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
 import type { Texts } from './texts.js';
 
@@ -92,7 +93,8 @@ type WithLists = 'way' | 'joined' | 'contained';
 /** What of a state the sentences use. */
 export interface Known {
   readonly warnock:
-    (Pick<Warnock, 'window' | 'apl' | 'covering'> & Partial<Pick<Warnock, WithLists>>) | null;
+    | (Pick<Warnock, 'window' | 'apl' | 'covering' | 'nearest'> & Partial<Pick<Warnock, WithLists>>)
+    | null;
   readonly zbuffer: Pick<ZBuffer, 'polygon'> | null;
   readonly horizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'told'> | null;
   readonly regions?: Pick<Regions, 'inHand'> | null;
@@ -110,7 +112,7 @@ export class Words {
   constructor(
     readonly before: Known,
     readonly after: Known,
-    readonly scene: Scene,
+    readonly header: Pick<Header, 'scene' | 'detail'>,
     private readonly texts: Pick<Texts, 'places'>,
     private readonly rules: Intl.PluralRules,
   ) {}
@@ -129,10 +131,9 @@ export class Words {
     return corner && this.texts.places[corner];
   }
 
-  /** Whose colour it is: a polygon's id, or null for the background. */
-  owner(color: string): string | null {
-    const owner = this.scene.polygons.find((polygon) => polygon.color === color);
-    return color === this.scene.background || owner === undefined ? null : owner.id;
+  /** Whose colour it is that a window or a point gets. */
+  ownersOf(event: Event<'fill' | 'color'>): Owners {
+    return ownersOf(event, this.after, this.header);
   }
 
   ids(ids: readonly string[]): string {
@@ -167,4 +168,36 @@ export function containment(warnock: Known['warnock']): number {
 /** What hides all others in the window: as it was found, or the only one that surrounds it. */
 export function hidingOf({ warnock }: Known): string | null {
   return warnock?.covering ?? warnock?.joined?.surrounding.at(-1)?.polygon ?? null;
+}
+
+/** Whose a colour is: one polygon's or the background's; where the trace does not say which, all that have it. */
+export interface Owners {
+  readonly polygons: readonly string[];
+  readonly background: boolean;
+}
+
+const background: Owners = { polygons: [], background: true };
+
+/** The lines that fill a window with the background, whatever a polygon's colour is. */
+const fillsGround: readonly Event<'fill'>['at'][] = ['W7', 'W10', 'WS4', 'WF5', 'WF6'];
+/** Those at which PointColor has found the colour. */
+const fillsPoint: readonly Event<'fill' | 'color'>['at'][] = ['W9', 'WS5', 'WF11'];
+
+export function ownersOf(
+  { e, at, color }: Event<'fill' | 'color'>,
+  known: Known,
+  { scene, detail }: Pick<Header, 'scene' | 'detail'>,
+): Owners {
+  if (e === 'fill' && fillsGround.includes(at)) return background;
+  const isPoint = fillsPoint.includes(at);
+  const told = isPoint ? (known.warnock?.nearest?.polygon ?? null) : hidingOf(known);
+  if (told !== null && scene.byId.get(told)?.color === color) {
+    return { polygons: [told], background: false };
+  }
+  const isBackground = color === scene.background;
+  if (isPoint && told === null && isBackground && detail !== 'windows') return background;
+  return {
+    polygons: scene.polygons.filter((polygon) => polygon.color === color).map(({ id }) => id),
+    background: isBackground,
+  };
 }

@@ -1,3 +1,4 @@
+import type { Event } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
 import { cells, hidingOf, onlyOf, point, short, shortApart, windowText } from '../words.js';
 import type { Words } from '../words.js';
@@ -15,9 +16,15 @@ const vertices = { one: 'vertex', other: 'vertices' };
 const takes = (n: number, words: Words): string =>
   `${words.counted(n, pixels)} ${n === 1 ? 'takes' : 'take'}`;
 
-const colorOf = (color: string, words: Words): string => {
-  const owner = words.owner(color);
-  return owner === null ? 'the background' : `the colour of ${owner}`;
+/** "A, B and the background". */
+const listed = (names: readonly string[]): string =>
+  names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1) ?? ''}`;
+
+const colorOf = (event: Event<'fill'>, words: Words): string => {
+  const { polygons, background } = words.ownersOf(event);
+  if (polygons.length === 0) return background ? 'the background' : `the colour ${event.color}`;
+  if (polygons.length === 1 && !background) return `the colour of ${polygons.join('')}`;
+  return `the colour that ${listed([...polygons, ...(background ? ['the background'] : [])])} share`;
 };
 
 const place = (at: readonly (number | string)[], words: Words): string => {
@@ -119,10 +126,14 @@ export const sentences: Sentences = {
       split: 'None of the simple cases: the window is split.',
     }[event.case];
   },
-  fill: ({ rect, color }, words) => `${takes(rect[2] * rect[3], words)} ${colorOf(color, words)}.`,
+  fill: (event, words) =>
+    `${takes(event.rect[2] * event.rect[3], words)} ${colorOf(event, words)}.`,
   nearest: ({ polygon, z }) => `${polygon} is the nearest at the point so far: z = ${short(z)}.`,
-  color: ({ point: at, color }, words) =>
-    `At ${point(at)} one sees ${words.owner(color) ?? 'the background'}.`,
+  color: (event, words) => {
+    const { polygons, background } = words.ownersOf(event);
+    const seen = polygons.join(' / ') || (background ? 'the background' : event.color);
+    return `At ${point(event.point)} one sees ${seen}.`;
+  },
   orient: ({ at, polygon, edge, point: where, value, sign }, words) => {
     const name = at === 'S2' || at === 'S3' || at === 'ED3' ? null : family.side[at];
     const what = name === null ? 'The point' : name(where, words.placeOf(where));

@@ -1,3 +1,4 @@
+import type { Event } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
 import { cells, hidingOf, onlyOf, point, short, shortApart, windowText } from '../words.js';
 import type { Words } from '../words.js';
@@ -15,9 +16,15 @@ const vertices = { one: 'вершина', few: 'вершины', other: 'вер�
 const takes = (n: number, words: Words): string =>
   `${words.counted(n, pixels)} ${n % 10 === 1 && n % 100 !== 11 ? 'получает' : 'получают'}`;
 
-const colorOf = (color: string, words: Words): string => {
-  const owner = words.owner(color);
-  return owner === null ? 'цвет фона' : `цвет ${owner}`;
+/** «A, B и фона». */
+const listed = (names: readonly string[]): string =>
+  names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} и ${names.at(-1) ?? ''}`;
+
+const colorOf = (event: Event<'fill'>, words: Words): string => {
+  const { polygons, background } = words.ownersOf(event);
+  if (polygons.length === 0) return background ? 'цвет фона' : `цвет ${event.color}`;
+  if (polygons.length === 1 && !background) return `цвет ${polygons.join('')}`;
+  return `общий цвет ${listed([...polygons, ...(background ? ['фона'] : [])])}`;
 };
 
 const inCorner: Readonly<Record<string, string>> = {
@@ -133,11 +140,13 @@ export const sentences: Sentences = {
       split: 'Ни один из простых случаев: окно делится.',
     }[event.case];
   },
-  fill: ({ rect, color }, words) => `${takes(rect[2] * rect[3], words)} ${colorOf(color, words)}.`,
+  fill: (event, words) =>
+    `${takes(event.rect[2] * event.rect[3], words)} ${colorOf(event, words)}.`,
   nearest: ({ polygon, z }) => `Пока ближе всех в точке ${polygon}: z = ${short(z)}.`,
-  color: ({ point: at, color }, words) => {
-    const owner = words.owner(color);
-    return `В точке ${point(at)} виден ${owner ?? 'фон'}.`;
+  color: (event, words) => {
+    const { polygons, background } = words.ownersOf(event);
+    const seen = polygons.join(' / ') || (background ? 'фон' : event.color);
+    return `В точке ${point(event.point)} виден ${seen}.`;
   },
   orient: ({ at, polygon, edge, point: place, value, sign }, words) => {
     const name = at === 'S2' || at === 'S3' || at === 'ED3' ? null : family.side[at];
