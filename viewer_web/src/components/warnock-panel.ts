@@ -35,8 +35,25 @@ export class WarnockPanel extends LitElement {
   override render(): TemplateResult {
     const { method } = this.view.header;
     const corners = method === 'warnock-simplest' ? nothing : this.corners();
-    const lists = hasThreeLists(method) ? this.threeLists() : this.apl();
+    const lists = this.areListsTold
+      ? hasThreeLists(method)
+        ? this.threeLists()
+        : this.apl()
+      : this.listsUntold();
     return html`${this.window()} ${corners} ${lists} ${this.stack()}`;
+  }
+
+  /** Below the level of polygons nobody says which of them leave a list. */
+  private get areListsTold(): boolean {
+    return this.view.header.detail !== 'windows';
+  }
+
+  private listsUntold(): TemplateResult {
+    const { apl, notInTrace } = this.view.texts;
+    return html`<section>
+      <h3>${apl}</h3>
+      <p class="hint">${notInTrace}</p>
+    </section>`;
   }
 
   private get say(): FamilyTexts['panel'] {
@@ -46,7 +63,7 @@ export class WarnockPanel extends LitElement {
   private window(): TemplateResult {
     const { now, old } = this;
     const { texts: page } = this.view;
-    const color = this.isStale ? null : now.color;
+    const { color } = now;
     return html`<section>
       <dl class="values">
         ${value(
@@ -61,21 +78,17 @@ export class WarnockPanel extends LitElement {
     </section>`;
   }
 
-  /** With three lists not every window is tested at its corners: what was found in one before it is over. */
-  private get isStale(): boolean {
-    return hasThreeLists(this.view.header.method) && !this.now.isTested;
-  }
-
   /** What is known of the window so far. */
   private found(): readonly TemplateResult[] {
     const { now, old } = this;
     const { header, texts: page } = this.view;
-    const yesNo = (flag: boolean): string => (flag ? page.yes : page.no);
-    const k = value('k', this.isStale ? page.none : (now.k ?? page.none), now.k !== old.k);
+    const yesNo = (flag: boolean | null): string =>
+      flag === null ? page.none : flag ? page.yes : page.no;
+    const k = value('k', now.k ?? page.none, now.k !== old.k);
     if (header.method === 'warnock-simplest') return [];
     if (hasThreeLists(header.method)) return [...listValues(this.view, now, old), k];
     return [
-      value('polygonCount', now.count, now.count !== old.count),
+      value('polygonCount', now.count ?? page.none, now.count !== old.count),
       value('hasSurround', yesNo(now.hasSurround), now.hasSurround !== old.hasSurround),
       value('insider', yesNo(now.insider), now.insider !== old.insider),
       k,
@@ -114,7 +127,7 @@ export class WarnockPanel extends LitElement {
   }
 
   private corner(name: Corner): TemplateResult {
-    const z = this.isStale ? undefined : this.now.corners?.[name];
+    const z = this.now.corners?.[name];
     const changed = z !== this.old.corners?.[name];
     const thing = cornerThing(name);
     const pointed = thing === this.view.pointed;
@@ -200,8 +213,12 @@ export class WarnockPanel extends LitElement {
     const ids = entries.map(([id]) => id);
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ number: true, changed })}>${windowText(window)}</td>
-      <td class="number">${entries.length}</td>
-      ${chipsCell(ids, this.view)}
+      ${
+        this.areListsTold
+          ? html`<td class="number">${entries.length}</td>
+              ${chipsCell(ids, this.view)}`
+          : nothing
+      }
     </tr>`;
   }
 }

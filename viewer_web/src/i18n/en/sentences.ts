@@ -70,10 +70,14 @@ export const sentences: Sentences = {
     return `The part ${windowText(window)} goes on the stack with ${list}.`;
   },
   skip: ({ window }) => `The part ${windowText(window)} lies off the area: it is left out.`,
-  pop: ({ at, window }, words) =>
-    at === 'WF2'
-      ? `The window ${windowText(window)} comes off the stack: it is of level ${words.after.warnock?.way?.length ?? 0}.`
-      : `The window ${windowText(window)} comes off the stack with ${currentList(words) || 'an empty list'}.`,
+  pop: ({ at, window }, words) => {
+    const taken = `The window ${windowText(window)} comes off the stack`;
+    if (at === 'WF2') {
+      return `${taken}: it is of level ${words.after.warnock?.way?.length ?? 0}.`;
+    }
+    if (words.header.detail === 'windows') return `${taken}.`;
+    return `${taken} with ${currentList(words) || 'an empty list'}.`;
+  },
   corners: ({ z }) => `Nothing is seen yet: the depth at all four corners starts at ${short(z)}.`,
   box: ({ polygon, outside }) =>
     outside

@@ -77,10 +77,12 @@ export const sentences: Sentences = {
     return `Часть ${windowText(window)} кладётся в стек ${list}.`;
   },
   skip: ({ window }) => `Часть ${windowText(window)} лежит вне области: она пропускается.`,
-  pop: ({ at, window }, words) =>
-    at === 'WF2'
-      ? `Окно ${windowText(window)} берётся из стека, его уровень ${words.after.warnock?.way?.length ?? 0}.`
-      : `Окно ${windowText(window)} берётся из стека, его список: ${currentList(words) || 'пуст'}.`,
+  pop: ({ at, window }, words) => {
+    const taken = `Окно ${windowText(window)} берётся из стека`;
+    if (at === 'WF2') return `${taken}, его уровень ${words.after.warnock?.way?.length ?? 0}.`;
+    if (words.header.detail === 'windows') return `${taken}.`;
+    return `${taken}, его список: ${currentList(words) || 'пуст'}.`;
+  },
   corners: ({ z }) => `Пока ничего не видно: глубина во всех четырёх углах равна ${short(z)}.`,
   box: ({ polygon, outside }) =>
     outside
