@@ -10,6 +10,7 @@ export type Why =
   | 'centre'
   | 'alone'
   | 'nearest'
+  | 'notFarther'
   | 'empty'
   | 'nothing'
   | 'beside'
@@ -44,7 +45,10 @@ function ownerOf(event: Event<'fill'>, known: Known, header: Header): string | n
 /** Why the entry that painted the pixel gave it its colour. */
 export function reasonOf({ event, known }: Entry, header: Header): Reason {
   if (event.e === 'draw') return { why: 'alone', polygon: event.polygon };
-  if (event.e === 'span') return { why: 'nearest', polygon: known.zbuffer?.polygon ?? null };
+  if (event.e === 'span') {
+    const why = header.edition === 'printed' ? 'notFarther' : 'nearest';
+    return { why, polygon: known.zbuffer?.polygon ?? null };
+  }
   if (event.e === 'paint') return { why: 'region', polygon: event.polygon };
   if (event.e !== 'fill') return { why: 'untouched', polygon: null };
   const why = filled[event.at];

@@ -57,11 +57,11 @@ describe('sentences', () => {
 
   it('name the only polygon where the trace tells which it is', () => {
     const decide: Event = { e: 'decide', at: 'W10', case: 'single' };
-    expect(say(decide, 'en')).toBe('Only A is in the window: background first, then A.');
+    expect(say(decide, 'en')).toBe('Only A is left in the window: background first, then A.');
     const both = { entries: [...apl.entries, ['B', false]] as const };
     const coarse = { ...values, warnock: { ...emptyWarnock, apl: both } };
     expect(sentence(decide, coarse, coarse, header, 'en')).toBe(
-      'Only one polygon is in the window: background first, then the polygon.',
+      'Only one polygon is left in the window: background first, then the polygon.',
     );
   });
 

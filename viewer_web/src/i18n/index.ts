@@ -1,12 +1,11 @@
 import type { Event } from '../trace/events.js';
-import type { Header } from '../trace/header.js';
 import type { Unreadable } from '../trace/trace.js';
 import * as en from './en/index.js';
 import type { Language } from './language.js';
 import * as ru from './ru/index.js';
 import type { Texts } from './texts.js';
 import { Words, counted } from './words.js';
-import type { Known, PluralForms } from './words.js';
+import type { Known, PluralForms, ShownHeader } from './words.js';
 
 export const texts: Readonly<Record<Language, Texts>> = { en: en.texts, ru: ru.texts };
 
@@ -24,7 +23,7 @@ export function sentence(
   event: Event,
   before: Known,
   after: Known,
-  header: Pick<Header, 'scene' | 'detail'>,
+  header: ShownHeader,
   language: Language,
 ): string {
   const words = new Words(before, after, header, texts[language], rules[language]);

@@ -63,6 +63,27 @@ export function toNumber(value: N): number {
   return value === 'nan' || value.endsWith('/0') ? NaN : fractionValue(value);
 }
 
+function asFraction(value: string): readonly [bigint, bigint] | null {
+  const [, above, below] = /^(-?\d+)\/(\d+)$/.exec(value) ?? [];
+  if (above === undefined || below === undefined || below === '0') return null;
+  return [BigInt(above), BigInt(below)];
+}
+
+/** How a number stands to another one, as they are told: -1, 0 or 1; null where neither is less, equal or greater. */
+export function orderOf(a: N, b: N): -1 | 0 | 1 | null {
+  const [one, other] = [a, b].map((value) =>
+    typeof value === 'string' ? asFraction(value) : null,
+  );
+  const difference =
+    one && other ? one[0] * other[1] - other[0] * one[1] : comparable(toNumber(a), toNumber(b));
+  if (difference > 0) return 1;
+  if (difference < 0) return -1;
+  return difference == 0 ? 0 : null;
+}
+
+/** Their difference, of infinities too. */
+const comparable = (a: number, b: number): number => (a === b ? 0 : a - b);
+
 export function point(at: readonly N[]): string {
   return `(${at.map(short).join(', ')})`;
 }
@@ -79,6 +100,27 @@ export function cornerAt(at: readonly N[], window: Box | null): Corner | null {
   if ((px !== x && px !== x + width) || (py !== y && py !== y + height)) return null;
   if (px === x) return py === y ? 'lb' : 'lt';
   return py === y ? 'rb' : 'rt';
+}
+
+const sideNames = ['top', 'left', 'bottom', 'right'] as const;
+export type WindowSide = (typeof sideNames)[number];
+
+/** The side of a window that a line goes along; null if it goes along none. */
+export function sideAlong(
+  { from, to }: { readonly from: readonly N[]; readonly to: readonly N[] },
+  window: Box | null,
+): WindowSide | null {
+  if (window === null) return null;
+  const [x, y, width, height] = window;
+  const ends = [from, to].map((end) => end.map(toNumber));
+  const along = (axis: 0 | 1, value: number): boolean => ends.every((end) => end[axis] === value);
+  const isAlong = {
+    top: along(1, y),
+    left: along(0, x),
+    bottom: along(1, y + height),
+    right: along(0, x + width),
+  };
+  return sideNames.find((side) => isAlong[side]) ?? null;
 }
 
 export interface PluralForms {
@@ -107,12 +149,15 @@ export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules):
   return `${n} ${form === 'few' ? (forms.few ?? forms.other) : forms.other}`;
 }
 
+/** What of a header the sentences use. */
+export type ShownHeader = Pick<Header, 'scene' | 'detail' | 'edition'>;
+
 /** What the sentences of a step need beside its event. */
 export class Words {
   constructor(
     readonly before: Known,
     readonly after: Known,
-    readonly header: Pick<Header, 'scene' | 'detail'>,
+    readonly header: ShownHeader,
     private readonly texts: Pick<Texts, 'places'>,
     private readonly rules: Intl.PluralRules,
   ) {}

@@ -77,12 +77,15 @@ export const family: FamilyTexts = {
       meets
         ? `Одно из рёбер ${polygon} встречает окно.`
         : `Ни одно ребро ${polygon} не встречает окна: он охватывает окно или лежит вне его.`,
-    ray: ({ at, edge, counts }, { after }) => {
+    ray: ({ at, edge, counts }, { after, header }) => {
       const so = `пока ${containment(after.warnock)}`;
       if (at === 'CR4') {
         return counts === 1
           ? `Ребро ${edge} пересекает луч: ${so}.`
           : `Ребро ${edge} проходит левее начала луча: ${so}.`;
+      }
+      if (counts > 0 && header.edition === 'vertex-counted-twice') {
+        return `Начало ребра ${edge} лежит на луче: касание и протыкание здесь считаются за два: ${so}.`;
       }
       const where = `Начало ребра ${edge} лежит на луче, граница там`;
       if (counts === 2) return `${where} касается его, это считается за два: ${so}.`;
