@@ -88,6 +88,12 @@ export function point(at: readonly N[]): string {
   return `(${at.map(short).join(', ')})`;
 }
 
+/** Whole numbers from one to another, where a dash may stand between them. */
+export function rangeOf(first: number, last: number): string {
+  if (first === last) return short(first);
+  return `${short(first)}${first < 0 ? '…' : '–'}${short(last)}`;
+}
+
 export function windowText([x, y, width, height]: Box): string {
   return `${point([x, y])} ${short(width)} × ${short(height)}`;
 }
@@ -191,6 +197,8 @@ export class Words {
     return edges.join(', ');
   }
 }
+
+export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 export function cells(runs: readonly (readonly number[])[]): number {
   return runs.reduce((sum, run) => sum + (run.at(-1) ?? 0) - (run.at(-2) ?? 0), 0);

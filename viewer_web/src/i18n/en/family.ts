@@ -110,8 +110,8 @@ export const family: FamilyTexts = {
         : `${polygon} surrounds the window and lies before all others: it hides them.`,
     split_vertex: ({ polygon, vertex, column, row, splits }) =>
       splits
-        ? `Vertex ${vertex} of ${polygon} lies in the window, which is split next to it, at x = ${column}, y = ${row}.`
-        : `Vertex ${vertex} of ${polygon} lies in the window, but next to it, at x = ${column}, y = ${row}, there is nothing to split.`,
+        ? `Vertex ${vertex} of ${polygon} lies in the window, which is split next to it, at x = ${short(column)}, y = ${short(row)}.`
+        : `Vertex ${vertex} of ${polygon} lies in the window, but next to it, at x = ${short(column)}, y = ${short(row)}, there is nothing to split.`,
     edge_depth: ({ polygon, edge, z }) =>
       `${polygon} is seen edge-on; its edge ${edge} has depth ${short(z)} at the point.`,
   },

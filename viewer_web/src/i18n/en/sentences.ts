@@ -17,7 +17,7 @@ import { family } from './family.js';
 import { isOpenOutline } from '../../regions/events.js';
 import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
-import { takes, zbufferSentences } from './zbuffer.js';
+import { columnsOf, takes, zbufferSentences } from './zbuffer.js';
 
 const rows = { one: 'row', other: 'rows' };
 const vertices = { one: 'vertex', other: 'vertices' };
@@ -55,7 +55,7 @@ export const sentences: Sentences = {
     }
     return x === undefined || y === undefined
       ? `The printed text fails here: ${reason}. The run ends.`
-      : `The printed text fails here: ${reason}, pixel (${x}, ${y}).`;
+      : `The printed text fails here: ${reason}, pixel ${point([x, y])}.`;
   },
   disagree: ({ of, taken, exact, cause }) =>
     `Wrong, ${decided[of]}: ${answer(taken)} here, ${answer(exact)} exactly. ${causes[cause]}`,
@@ -176,8 +176,8 @@ export const sentences: Sentences = {
       : `Clipping leaves a part of ${polygon} with ${words.counted(left.length, vertices)}.`,
   row: ({ row, left, right, first, end }) =>
     first < end
-      ? `Row ${row} meets it from ${short(left)} to ${short(right)}: columns ${first} to ${end - 1}.`
-      : `Row ${row} meets it from ${short(left)} to ${short(right)}: no pixel's centre.`,
+      ? `Row ${short(row)} meets it from ${short(left)} to ${short(right)}: ${columnsOf(first, end - 1)}.`
+      : `Row ${short(row)} meets it from ${short(left)} to ${short(right)}: no pixel's centre.`,
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} the colour of ${polygon}, in ${words.counted(runs.length, rows)}.`,
 

@@ -1,9 +1,13 @@
 import type { ZBufferEvents } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
-import { cells, orderOf, short, shortApart } from '../words.js';
+import { capital, cells, orderOf, point, short, shortApart } from '../words.js';
 import type { Words } from '../words.js';
 
 const pixels = { one: 'pixel', other: 'pixels' };
+
+/** "column 3", "columns 3 to 5". */
+export const columnsOf = (first: number, last: number): string =>
+  first === last ? `column ${short(first)}` : `columns ${short(first)} to ${short(last)}`;
 
 /** "3 pixels take". */
 export const takes = (n: number, words: Words): string =>
@@ -22,10 +26,11 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
     const [first, last] = rows ?? [];
     if (first === undefined || last === undefined) return `Edge ${edge} joins S.`;
     if (last < first) return `Edge ${edge} joins S; it crosses the centre of no row.`;
-    return `Edge ${edge} joins S: rows ${first} to ${last}.`;
+    const which = first === last ? `row ${short(first)}` : `rows ${short(first)} to ${short(last)}`;
+    return `Edge ${edge} joins S: ${which}.`;
   },
   extent: ({ ymin, ymax }) => `The polygon reaches from y = ${short(ymin)} to ${short(ymax)}.`,
-  scanline: ({ y, row }) => `The scanline is row ${row}, y = ${short(y)}.`,
+  scanline: ({ y, row }) => `The scanline is row ${short(row)}, y = ${short(y)}.`,
   ael_add: ({ edge, x, z, until }) =>
     `Edge ${edge} begins: it joins AEL at x = ${short(x)}, z = ${short(z)}, until ${short(until)}.`,
   horizontal: ({ edge }) => `Edge ${edge} is level: it is shown at once and does not join AEL.`,
@@ -38,7 +43,7 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
       ? 'AEL is empty.'
       : `AEL from left to right: ${words.list(edges)}${when(next, 'the next change is at')}.`,
   line: ({ row, from, to }) =>
-    `Row ${row} from x = ${short(from[0])} (z = ${short(from[1])}) to x = ${short(to[0])} (z = ${short(to[1])}).`,
+    `Row ${short(row)} from x = ${short(from[0])} (z = ${short(from[1])}) to x = ${short(to[0])} (z = ${short(to[1])}).`,
   miss: ({ at }) =>
     at === 'L1'
       ? 'The row lies off the area: nothing to show.'
@@ -46,24 +51,24 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
   slope: ({ dz }) => `From pixel to pixel z changes by ${short(dz)}.`,
   columns: ({ first, end, z }) =>
     first < end
-      ? `Columns ${first} to ${end - 1}: z = ${short(z)} at the first.`
+      ? `${capital(columnsOf(first, end - 1))}: z = ${short(z)} at the first.`
       : 'No pixel centre lies between the ends.',
   pixel: ({ x, y, z, stored, shown }, { header }) => {
     const [depth, before] = shortApart(z, stored);
     const order = orderOf(z, stored);
     if (header.edition === 'printed' && shown !== (order === 1)) {
       return shown
-        ? `Pixel (${x}, ${y}): ${depth} is as near as ${before}, so it shows.`
-        : `Pixel (${x}, ${y}): ${depth} is nearer than ${before} but greater than 1, so it stays hidden.`;
+        ? `Pixel ${point([x, y])}: ${depth} is as near as ${before}, so it shows.`
+        : `Pixel ${point([x, y])}: ${depth} is nearer than ${before} but greater than 1, so it stays hidden.`;
     }
     return shown
-      ? `Pixel (${x}, ${y}): ${depth} is nearer than ${before}, so it shows.`
-      : `Pixel (${x}, ${y}): ${depth} is not nearer than ${before}, so it stays hidden.`;
+      ? `Pixel ${point([x, y])}: ${depth} is nearer than ${before}, so it shows.`
+      : `Pixel ${point([x, y])}: ${depth} is not nearer than ${before}, so it stays hidden.`;
   },
   span: ({ row, runs }, words) =>
     cells(runs) === 0
-      ? `No pixel of row ${row} changes.`
-      : `${takes(cells(runs), words)} the colour of ${words.after.zbuffer?.polygon ?? ''}, in row ${row}.`,
+      ? `No pixel of row ${short(row)} changes.`
+      : `${takes(cells(runs), words)} the colour of ${words.after.zbuffer?.polygon ?? ''}, in row ${short(row)}.`,
   ael_drop: ({ edges, next }, words) =>
     edges.length === 0
       ? 'No edge ends here.'

@@ -111,8 +111,8 @@ export const family: FamilyTexts = {
         : `${polygon} охватывает окно и лежит впереди всех: он закрывает остальные.`,
     split_vertex: ({ polygon, vertex, column, row, splits }) =>
       splits
-        ? `Вершина ${vertex} многоугольника ${polygon} лежит в окне: оно делится рядом с ней, x = ${column}, y = ${row}.`
-        : `Вершина ${vertex} многоугольника ${polygon} лежит в окне, но рядом с ней, x = ${column}, y = ${row}, делить нечего.`,
+        ? `Вершина ${vertex} многоугольника ${polygon} лежит в окне: оно делится рядом с ней, x = ${short(column)}, y = ${short(row)}.`
+        : `Вершина ${vertex} многоугольника ${polygon} лежит в окне, но рядом с ней, x = ${short(column)}, y = ${short(row)}, делить нечего.`,
     edge_depth: ({ polygon, edge, z }) =>
       `${polygon} повёрнут ребром; глубина его ребра ${edge} в этой точке равна ${short(z)}.`,
   },

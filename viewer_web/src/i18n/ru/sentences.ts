@@ -1,6 +1,7 @@
 import type { Event } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
 import {
+  capital,
   cells,
   hidingOf,
   onlyOf,
@@ -17,7 +18,7 @@ import { family } from './family.js';
 import { isOpenOutline } from '../../regions/events.js';
 import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
-import { takes, zbufferSentences } from './zbuffer.js';
+import { columnsOf, takes, zbufferSentences } from './zbuffer.js';
 
 const rows = { one: 'строке', other: 'строках' };
 const vertices = { one: 'вершина', few: 'вершины', other: 'вершин' };
@@ -43,8 +44,6 @@ const inCorner: Readonly<Record<string, string>> = {
 const where = (at: readonly (number | string)[], words: Words): string =>
   inCorner[words.placeOf(at) ?? ''] ?? `в точке ${point(at)}`;
 
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
-
 const currentList = (words: Words): string =>
   words.ids((words.after.warnock?.apl?.entries ?? []).map(([id]) => id));
 
@@ -63,7 +62,7 @@ export const sentences: Sentences = {
     }
     return x === undefined || y === undefined
       ? `Напечатанный текст здесь ошибается: ${reason}. Прогон окончен.`
-      : `Напечатанный текст здесь ошибается: ${reason}, пиксель (${x}, ${y}).`;
+      : `Напечатанный текст здесь ошибается: ${reason}, пиксель ${point([x, y])}.`;
   },
   disagree: ({ of, taken, exact, cause }) =>
     `Неверно, ${decided[of]}: здесь ${answer(taken)}, точно ${answer(exact)}. ${causes[cause]}`,
@@ -189,8 +188,8 @@ export const sentences: Sentences = {
       : `После отсечения от ${polygon} осталась часть: ${words.counted(left.length, vertices)}.`,
   row: ({ row, left, right, first, end }) =>
     first < end
-      ? `Строка ${row} пересекает его от ${short(left)} до ${short(right)}: столбцы ${first}–${end - 1}.`
-      : `Строка ${row} пересекает его от ${short(left)} до ${short(right)}: ни одного центра пикселя.`,
+      ? `Строка ${short(row)} пересекает его от ${short(left)} до ${short(right)}: ${columnsOf(first, end - 1)}.`
+      : `Строка ${short(row)} пересекает его от ${short(left)} до ${short(right)}: ни одного центра пикселя.`,
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} цвет ${polygon} в ${words.counted(runs.length, rows)}.`,
 

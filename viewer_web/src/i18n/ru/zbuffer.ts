@@ -1,9 +1,13 @@
 import type { ZBufferEvents } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
-import { cells, orderOf, short, shortApart } from '../words.js';
+import { capital, cells, orderOf, point, rangeOf, short, shortApart } from '../words.js';
 import type { Words } from '../words.js';
 
 const pixels = { one: 'пиксель', few: 'пикселя', other: 'пикселей' };
+
+/** «столбец 3», «столбцы 3–5». */
+export const columnsOf = (first: number, last: number): string =>
+  `${first === last ? 'столбец' : 'столбцы'} ${rangeOf(first, last)}`;
 
 /** «3 пикселя получают». */
 export const takes = (n: number, words: Words): string =>
@@ -22,10 +26,10 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
     const [first, last] = rows ?? [];
     if (first === undefined || last === undefined) return `Ребро ${edge} входит в S.`;
     if (last < first) return `Ребро ${edge} входит в S; оно не пересекает центра ни одной строки.`;
-    return `Ребро ${edge} входит в S: строки ${first}–${last}.`;
+    return `Ребро ${edge} входит в S: ${first === last ? 'строка' : 'строки'} ${rangeOf(first, last)}.`;
   },
   extent: ({ ymin, ymax }) => `Многоугольник простирается от y = ${short(ymin)} до ${short(ymax)}.`,
-  scanline: ({ y, row }) => `Строка растра ${row}, y = ${short(y)}.`,
+  scanline: ({ y, row }) => `Строка растра ${short(row)}, y = ${short(y)}.`,
   ael_add: ({ edge, x, z, until }) =>
     `Ребро ${edge} начинается: входит в AEL с x = ${short(x)}, z = ${short(z)}, до ${short(until)}.`,
   horizontal: ({ edge }) => `Ребро ${edge} горизонтально: оно рисуется сразу и в список не входит.`,
@@ -38,7 +42,7 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
       ? 'Список активных рёбер пуст.'
       : `Активные рёбра слева направо: ${words.list(edges)}${when(next, 'следующее изменение в')}.`,
   line: ({ row, from, to }) =>
-    `Строка ${row} от x = ${short(from[0])} (z = ${short(from[1])}) до x = ${short(to[0])} (z = ${short(to[1])}).`,
+    `Строка ${short(row)} от x = ${short(from[0])} (z = ${short(from[1])}) до x = ${short(to[0])} (z = ${short(to[1])}).`,
   miss: ({ at }) =>
     at === 'L1'
       ? 'Строка лежит вне области: показывать нечего.'
@@ -46,24 +50,24 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
   slope: ({ dz }) => `От пикселя к пикселю z меняется на ${short(dz)}.`,
   columns: ({ first, end, z }) =>
     first < end
-      ? `Столбцы ${first}–${end - 1}: z = ${short(z)} в первом.`
+      ? `${capital(columnsOf(first, end - 1))}: z = ${short(z)} в первом.`
       : 'Между концами нет ни одного центра пикселя.',
   pixel: ({ x, y, z, stored, shown }, { header }) => {
     const [depth, before] = shortApart(z, stored);
     const order = orderOf(z, stored);
     if (header.edition === 'printed' && shown !== (order === 1)) {
       return shown
-        ? `Пиксель (${x}, ${y}): ${depth} так же близко, как ${before}, — он виден.`
-        : `Пиксель (${x}, ${y}): ${depth} ближе, чем ${before}, но больше 1, — он закрыт.`;
+        ? `Пиксель ${point([x, y])}: ${depth} так же близко, как ${before}, — он виден.`
+        : `Пиксель ${point([x, y])}: ${depth} ближе, чем ${before}, но больше 1, — он закрыт.`;
     }
     return shown
-      ? `Пиксель (${x}, ${y}): ${depth} ближе, чем ${before}, — он виден.`
-      : `Пиксель (${x}, ${y}): ${depth} не ближе, чем ${before}, — он закрыт.`;
+      ? `Пиксель ${point([x, y])}: ${depth} ближе, чем ${before}, — он виден.`
+      : `Пиксель ${point([x, y])}: ${depth} не ближе, чем ${before}, — он закрыт.`;
   },
   span: ({ row, runs }, words) =>
     cells(runs) === 0
-      ? `В строке ${row} ничего не меняется.`
-      : `${takes(cells(runs), words)} цвет ${words.after.zbuffer?.polygon ?? ''} в строке ${row}.`,
+      ? `В строке ${short(row)} ничего не меняется.`
+      : `${takes(cells(runs), words)} цвет ${words.after.zbuffer?.polygon ?? ''} в строке ${short(row)}.`,
   ael_drop: ({ edges, next }, words) =>
     edges.length === 0
       ? 'Ни одно ребро здесь не кончается.'
