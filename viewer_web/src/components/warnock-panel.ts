@@ -14,7 +14,7 @@ import type { View } from '../view.js';
 import { listValues } from './list-values.js';
 import { chipsCell, listOf, rowsOf } from './lists.js';
 import { panelsStyle } from './panels.style.js';
-import { polygonName, swatch, value } from './parts.js';
+import { isSet, polygonName, swatch, value } from './parts.js';
 import { base } from './theme.js';
 
 /** The state of Warnock's algorithm: the window in hand, its list, its corners, and the stack. */
@@ -52,7 +52,7 @@ export class WarnockPanel extends LitElement {
     const { apl, notInTrace } = this.view.texts;
     return html`<section>
       <h3>${apl}</h3>
-      <p class="hint">${notInTrace}</p>
+      <p class="empty">${notInTrace}</p>
     </section>`;
   }
 
@@ -72,7 +72,8 @@ export class WarnockPanel extends LitElement {
           now.window !== old.window,
           'wide',
         )}
-        ${this.found()} ${value('C', color ? swatch(color) : page.none, now.color !== old.color)}
+        ${this.found()}
+        ${value('C', color ? swatch(color) : page.none, isSet(now.color, old.color))}
         ${this.inHand()}
       </dl>
     </section>`;
@@ -84,13 +85,13 @@ export class WarnockPanel extends LitElement {
     const { header, texts: page } = this.view;
     const yesNo = (flag: boolean | null): string =>
       flag === null ? page.none : flag ? page.yes : page.no;
-    const k = value('k', now.k ?? page.none, now.k !== old.k);
+    const k = value('k', now.k ?? page.none, isSet(now.k, old.k));
     if (header.method === 'warnock-simplest') return [];
     if (hasThreeLists(header.method)) return [...listValues(this.view, now, old), k];
     return [
-      value('polygonCount', now.count ?? page.none, now.count !== old.count),
-      value('hasSurround', yesNo(now.hasSurround), now.hasSurround !== old.hasSurround),
-      value('insider', yesNo(now.insider), now.insider !== old.insider),
+      value('polygonCount', now.count ?? page.none, isSet(now.count, old.count)),
+      value('hasSurround', yesNo(now.hasSurround), isSet(now.hasSurround, old.hasSurround)),
+      value('insider', yesNo(now.insider), isSet(now.insider, old.insider)),
       k,
     ];
   }
@@ -128,7 +129,7 @@ export class WarnockPanel extends LitElement {
 
   private corner(name: Corner): TemplateResult {
     const z = this.now.corners?.[name];
-    const changed = z !== this.old.corners?.[name];
+    const changed = isSet(z ?? null, this.old.corners?.[name] ?? null);
     const thing = cornerThing(name);
     const pointed = thing === this.view.pointed;
     return html`<td

@@ -36,16 +36,15 @@ export const scanlineFacts: Facts<keyof ZBufferEvents> = {
   }),
   slope: ({ dz }) => only(dz),
   columns: ({ first, end, z }) => (first < end ? only(...new Set([first, end - 1]), z) : none),
-  pixel: ({ x, y, z, stored, shown }) => {
+  pixel: ({ x, y, z, stored, shown }, { edition }) => {
     const isNearer = value(z) > value(stored);
     const isBeyond = isNearer && !shown && value(z) > 1;
+    const isTie = edition === 'printed' && shown && value(z) === value(stored);
     return {
       ...only(x, y, z, stored, ...(isBeyond ? [1] : [])),
       says: [
         ...answered(shown, said(/so it shows/u, /он виден/u), said(/stays hidden/u, /он закрыт/u)),
-        ...(shown && value(z) === value(stored)
-          ? [said(/as near as|nearer/u, /так же близко|ближе/u)]
-          : []),
+        ...(isTie ? [said(/is as near as/u, /так же близко/u)] : []),
       ],
     };
   },
