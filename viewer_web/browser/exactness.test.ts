@@ -31,15 +31,36 @@ const panel = (page: Page, part = ''): ReturnType<Page['locator']> =>
   page.locator(`vidno-exactness ${part}`);
 
 describe('what is right', () => {
-  it('is found by a check of the run, which stays at its step', async () => {
-    const page = await failing('orientation-inverted');
-    const [first = 0] = await steps(page, ({ e }) => e === 'orient');
-    await goTo(page, first);
+  it('is found by a check as the panel opens, and the run stays as it is', async () => {
+    // `vidno check` finds 167 wrong decisions in this run.
+    const { page } = await open(
+      browser,
+      '#lang=en&reader=off&trace=08-show-line.zbuffer.float.corrected.signs',
+    );
+    await page.locator(title, { hasText: /./u }).waitFor();
+    const { lines } = await run(page);
+    const legend = page.locator('vidno-strip-legend');
+    await legend.locator('button').click();
+    await legend.getByText('if the run was checked: not checked').waitFor();
     await page.locator('vidno-side button.exact').click();
-    await panel(page, '.verdict').getByText('not held against').waitFor();
-    await rerun(page, () => panel(page, '.check').click());
-    await panel(page, '.right').waitFor();
-    expect((await wrongOnes(page)).length).toBeGreaterThan(0);
+    await panel(page, '.checked').getByText('wrong at 167 steps').waitFor();
+    await legend.getByText('A wrong decision, if the run was checked', { exact: true }).waitFor();
+
+    const goals = page.locator('vidno-travel');
+    await goals.locator('select').selectOption('wrong');
+    expect(await goals.locator('.count').textContent()).toBe('167');
+    await goals.getByLabel('The next one').click();
+    await expect.poll(() => goals.locator('.count').textContent()).toBe('1 / 167');
+    await panel(page, '.verdict.wrong').getByText('right for its numbers').waitFor();
+    expect((await run(page)).lines).toEqual(lines);
+    expect(await violations(page)).toEqual([]);
+  });
+
+  it('is told by a run that is traced with its check', async () => {
+    const page = await failing('orientation-inverted');
+    await edit(page);
+    await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
+    await page.locator('vidno-side button.exact').click();
 
     // SurroundTest puts the centre of pixel (4, 6) on the wrong side of an edge.
     const [told = 0] = await wrongOnes(page);

@@ -5,6 +5,7 @@ import type { Notice } from './components/notice.js';
 import { firstSurface, isSurface, surfaceText } from './curves/surface.js';
 import { embeddedFile, idOf } from './lessons.js';
 import type { LessonTrace } from './lessons.js';
+import { Checks } from './live/checks.js';
 import { ExactPicture } from './live/exact.js';
 import { Live } from './live/live.js';
 import type { Carried } from './live/live.js';
@@ -42,6 +43,7 @@ export class Session implements ReactiveController {
   readonly live: Live;
   readonly exact: ExactPicture;
   readonly maps: SignMaps | null;
+  readonly checks: Checks | null;
   readonly rival: Rival;
 
   /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
@@ -57,6 +59,7 @@ export class Session implements ReactiveController {
     host.addController(this);
     const library = embeddedLibrary(document);
     this.maps = library && new SignMaps(library);
+    this.checks = library && new Checks(library, changed);
     this.exact = new ExactPicture(library, changed);
     this.rival = new Rival(library, changed);
     this.live = new Live(library, {

@@ -58,6 +58,7 @@ export function alone(page: Shown): TemplateResult {
       .layer=${layer}
       .exact=${exactOf(page)}
       .maps=${session.maps}
+      .check=${trace && (session.checks?.of(trace) ?? null)}
       .editing=${live.editing}
       .link=${live.link}
       @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
@@ -67,6 +68,7 @@ export function alone(page: Shown): TemplateResult {
       @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
       @vidno-ask=${({ detail: ask }: CustomEvent<Way>) => page.change({ setting: { ...setting, ask } })}
       @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
+      @vidno-check=${() => trace && session.checks?.ask(trace)}
       @vidno-save=${() => live.save()}
       @vidno-link=${() => page.copyLink()}
     ></vidno-player>
@@ -82,6 +84,7 @@ export function besides(page: Shown): TemplateResult {
     .trace=${session.trace}
     .length=${session.steps}
     .step=${place.step}
+    .check=${session.trace && (session.checks?.of(session.trace) ?? null)}
     .rival=${rival.trace}
     .rivalLength=${rival.steps}
     ?complete=${session.trace?.complete === true && rival.trace?.complete === true}
@@ -99,6 +102,7 @@ export function besides(page: Shown): TemplateResult {
     @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
     @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
     @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
+    @vidno-check=${() => session.trace && session.checks?.ask(session.trace)}
     @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
     @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
   ></vidno-comparison>`;

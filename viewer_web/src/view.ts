@@ -57,6 +57,6 @@ export function viewOf({ header, timeline }: Trace, step: number, choice: Choice
     columns,
     lines: timeline.lines,
     texts: page,
-    sentence: event ? sentence(event, before, after, header.scene, language) : page.start,
+    sentence: event ? sentence(event, before, after, header, language) : page.start,
   };
 }

@@ -1,3 +1,4 @@
+import { toldOf } from '../exactness/told.js';
 import { details, kinds, numberOf, tables } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
@@ -107,7 +108,7 @@ export class Counters {
       flags: named('visibility'),
       crossings: named('intersection'),
       lines: isOfCurves ? trace.timeline.lines.upTo(step).count : null,
-      wrong: survey.isChecked ? named('disagree') : null,
+      wrong: toldOf(trace) === 'unchecked' ? null : named('disagree'),
       steps: step,
     };
   }

@@ -1,5 +1,5 @@
 import { changesAel, indexFrom } from '../time/goals.js';
-import { eventNames, kinds } from '../trace/events.js';
+import { eventNames } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
 import { cells } from '../i18n/words.js';
@@ -21,8 +21,6 @@ const looked: readonly EventName[] = [
   'paint',
 ];
 const isLooked = eventNames.map((name) => looked.includes(name));
-/** In a checked run each of these says what is right. */
-const isDecision = eventNames.map((name) => 'exact' in kinds[name].fields);
 
 /** Steps in order, and how much there was of something up to each of them. */
 class Sums {
@@ -54,8 +52,6 @@ export class Survey {
   readonly splits = new Sums();
   readonly ael = new Sums();
   readonly painted = new Sums();
-  /** Whether each decision was held against exact arithmetic; null as long as none was seen. */
-  isChecked: boolean | null = null;
   private seen = 0;
   /** The window, the polygon or the curve in hand. */
   private inHand = '';
@@ -84,9 +80,6 @@ export class Survey {
     for (let some = 0; some < atOnce && this.seen < names.length;) {
       const step = ++this.seen;
       const name = names[step - 1] ?? 0;
-      if (this.isChecked === null && isDecision[name] === true) {
-        this.isChecked = timeline.line(step).includes('"exact":');
-      }
       if (isLooked[name] !== true) continue;
       const event = timeline.event(step);
       if (event !== null) this.look(event, step);

@@ -8,6 +8,7 @@ import type { Steps } from '../compare/parting.js';
 import type { CompareTexts } from '../i18n/compare-texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
+import { isChecked } from '../exactness/told.js';
 import { factsStyle } from './comparison-facts.style.js';
 import { hiddenStyle } from './hidden.style.js';
 import { textureStyle } from './texture.style.js';
@@ -115,7 +116,10 @@ export class ComparisonFactsElement extends LitElement {
     const { say, comparison } = this;
     const now = comparison.counts(this.steps);
     const all = comparison.counts();
-    const shown = counters.filter((each) => all.some((counts) => counts[each] !== null));
+    const areChecked = [comparison.one, comparison.other].some(isChecked);
+    const shown = counters.filter((each) =>
+      each === 'wrong' ? areChecked : all.some((counts) => counts[each] !== null),
+    );
     return html`<button
         class="fold"
         aria-expanded=${this.isUnfolded ? 'true' : 'false'}
@@ -142,7 +146,10 @@ export class ComparisonFactsElement extends LitElement {
 
   private count(whose: string, counter: Counter, now: Counts, all: Counts): TemplateResult {
     const [sofar, total] = [now[counter], all[counter]];
-    if (sofar === null || total === null) return html`<span class="heard">${whose}:</span>—`;
+    if (sofar === null || total === null) {
+      const missing = counter === 'wrong' ? texts[this.language].exact.notChecked : '—';
+      return html`<span class="heard">${whose}:</span>${missing}`;
+    }
     return html`<span class="heard">${whose}:</span
       ><span class="number">${this.number(sofar)}<small> / ${this.number(total)}</small></span>`;
   }

@@ -143,7 +143,8 @@ export class ComparisonElement extends StageElement {
   override render(): TemplateResult | typeof nothing {
     const { comparison, halves, otherStep } = this;
     if (comparison === null || halves === null) return nothing;
-    const [{ view }] = halves;
+    const [{ view, trace }] = halves;
+    const check = this.checkOf(trace);
     const steps: Steps = [view.step, otherStep];
     return html`
       <div class="runs" @pointerover=${this.pointing.onOver} @pointerleave=${this.pointing.onLeave}>
@@ -163,6 +164,7 @@ export class ComparisonElement extends StageElement {
         <vidno-transport
           .trace=${this.trace}
           .view=${view}
+          .check=${check}
           .bookmarks=${this.bookmarks}
           .first=${this.first}
           .last=${this.last}
@@ -174,6 +176,7 @@ export class ComparisonElement extends StageElement {
           <vidno-travel
             .trace=${this.trace}
             .view=${view}
+            .check=${check}
             .history=${this.history}
             .bookmarks=${this.bookmarks}
             @command=${this.onCommand}

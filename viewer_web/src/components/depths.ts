@@ -3,6 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { short, toNumber } from '../i18n/words.js';
+import { emptyZBuffer } from '../state/zbuffer.js';
 import type { N } from '../trace/values.js';
 import type { View } from '../view.js';
 import { base } from './theme.js';
@@ -79,7 +80,8 @@ export class DepthsElement extends LitElement {
     const missing = header.detail === 'windows' ? texts.notInTrace : texts.none;
     if (z === null) return html`<p>${missing}</p>`;
     const { area } = header.scene;
-    const row = (after.zbuffer?.row ?? area.y) - area.y;
+    const { row, last } = after.zbuffer ?? emptyZBuffer;
+    const shown = (row ?? last.row ?? area.y) - area.y;
     const columns = around(this.column - area.x, z.width, columnsShown);
     return html`<table>
       <thead>
@@ -89,9 +91,9 @@ export class DepthsElement extends LitElement {
         </tr>
       </thead>
       <tbody>
-        ${around(row, z.height, rowsShown).map(
+        ${around(shown, z.height, rowsShown).map(
           (j) =>
-            html`<tr class=${classMap({ row: j === row })}>
+            html`<tr class=${classMap({ row: j + area.y === row })}>
               <th scope="row">${j + area.y}</th>
               ${columns.map((i) => this.cell(z.row(j)[i] ?? 'nan', this.isTouched(i + area.x, j + area.y)))}
             </tr>`,

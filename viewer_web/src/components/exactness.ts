@@ -5,7 +5,9 @@ import { side } from '../exactness/places.js';
 import { questionOf } from '../exactness/question.js';
 import type { Question } from '../exactness/question.js';
 import type { SignMap } from '../exactness/sign-map.js';
-import { isCertain, isWrong, verdictOf } from '../exactness/verdict.js';
+import { verdictBy } from '../exactness/truth.js';
+import type { Check } from '../exactness/truth.js';
+import { isWrong } from '../exactness/verdict.js';
 import type { Verdict } from '../exactness/verdict.js';
 import type { ExactTexts } from '../i18n/exact-texts.js';
 import { texts } from '../i18n/index.js';
@@ -14,7 +16,7 @@ import type { SignMaps } from '../live/sign-maps.js';
 import type { Answer } from '../trace/values.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
-import { act } from './act.js';
+import { askCheck } from './ask-check.js';
 import { exactnessStyle } from './exactness.style.js';
 import './lens.js';
 import { panelsStyle } from './panels.style.js';
@@ -29,6 +31,9 @@ interface Drawn {
 /** Longer numbers, fractions most of all, are shown in part. */
 const longest = 60;
 
+/** A run with more steps is checked only when that is asked for: it takes seconds. */
+const longestAtOnce = 200_000;
+
 /** The decision of the step: by which numbers it fell, what is right, and what the same decision gives in its neighbourhood. */
 @customElement('vidno-exactness')
 export class ExactnessElement extends LitElement {
@@ -38,8 +43,8 @@ export class ExactnessElement extends LitElement {
   @property({ attribute: false }) trace!: Trace;
   /** Who draws maps; null where the page has no library. */
   @property({ attribute: false }) maps: SignMaps | null = null;
-  /** Whether the run may be made anew. */
-  @property({ type: Boolean }) editable = false;
+  /** How it is known what is right. */
+  @property({ attribute: false }) check!: Check;
   /** In a hall the map stands beside the numbers: nobody scrolls there. */
   @property({ type: Boolean, reflect: true }) bare = false;
   /** The map that was drawn last, with its question: while another is drawn it stays. */
@@ -61,6 +66,13 @@ export class ExactnessElement extends LitElement {
     if (question !== null && this.maps !== null) void this.ask(question, this.maps);
   }
 
+  /** To open this panel is to ask what is right. */
+  override updated(): void {
+    const { check, maps, trace, view } = this;
+    const isShort = view.length <= longestAtOnce;
+    if (check.is === 'unchecked' && maps !== null && trace.complete && isShort) askCheck(this);
+  }
+
   private async ask(question: Question, maps: SignMaps): Promise<void> {
     const map = await maps.of(question, this.trace.header.kernel);
     if (this.question !== question) return;
@@ -70,14 +82,49 @@ export class ExactnessElement extends LitElement {
 
   override render(): TemplateResult {
     const { question } = this;
-    const verdict = verdictOf(this.trace, this.view.step);
+    const verdict = verdictBy(this.check, this.trace, this.view.step);
     if (verdict === null && question === null) {
-      return html`<section><p class="hint">${this.texts.nothing}</p></section>`;
+      return html`${this.checked()}
+        <section><p class="hint">${this.texts.nothing} ${this.hintOfWrong()}</p></section>`;
     }
     return html`
-      ${verdict && this.decision(verdict)}
+      ${this.checked()} ${verdict && this.decision(verdict)}
       ${question === null ? this.noLens(this.texts.noLens) : this.lens(question, verdict)}
     `;
+  }
+
+  /** Whether the run was checked, and by whom, where the trace does not say so. */
+  private checked(): TemplateResult | typeof nothing {
+    const { check, texts: say } = this;
+    if (check.is === 'told' || check.is === 'certain') return nothing;
+    const words = this.sayCheck(check);
+    const offers = check.is === 'unchecked' && this.maps !== null;
+    return html`<section class="checked">
+      <p class="hint" role="status">${words}</p>
+      ${
+        offers
+          ? html`<button class="check" @click=${() => askCheck(this)}>${say.check}</button>`
+          : nothing
+      }
+    </section>`;
+  }
+
+  private sayCheck(check: Check): string {
+    const { texts: say } = this;
+    if (check.is === 'checking') return say.checking;
+    if (check.is === 'found') return say.found(check.truth.wrong.length);
+    if (check.is === 'unable') return `${say.unable[check.why]} ${check.messages}`;
+    return this.maps === null ? `${say.unchecked} ${this.noLibrary}` : say.unchecked;
+  }
+
+  private get noLibrary(): string {
+    return texts[this.view.language].compare.noLibrary;
+  }
+
+  private hintOfWrong(): string {
+    const { check } = this;
+    const isKnown = check.is === 'told' || (check.is === 'found' && check.truth.wrong.length > 0);
+    return isKnown ? this.texts.findWrong : '';
   }
 
   private decision(verdict: Verdict): TemplateResult {
@@ -120,28 +167,19 @@ export class ExactnessElement extends LitElement {
     const say = this.texts;
     if (verdict.exact === null) return html`<p class="verdict">${say.undefined}</p>`;
     if (verdict.exact === undefined) {
-      if (isCertain(this.trace.header.kernel)) return html`<p class="verdict">${say.certain}</p>`;
-      return html`<p class="verdict">${say.unchecked}</p>
-        ${this.editable ? this.offer() : nothing}`;
+      return html`<p class="verdict">
+        ${this.check.is === 'certain' ? say.certain : say.notChecked}
+      </p>`;
     }
     if (!isWrong(verdict)) return html`<p class="verdict right">✓ ${say.right}</p>`;
     const cause = verdict.cause === undefined ? '' : say.causes[verdict.cause];
     return html`<p class="verdict wrong">✗ ${say.wrong} ${cause}</p>`;
   }
 
-  private offer(): TemplateResult {
-    return html`<button
-      class="check"
-      @click=${() => act(this, { do: 'options', options: { check: true } })}
-    >
-      ${this.texts.check}
-    </button>`;
-  }
-
   private lens({ at }: Question, verdict: Verdict | null): TemplateResult {
     const say = this.texts;
     const { drawn, isDrawing } = this;
-    if (this.maps === null) return this.noLens(texts[this.view.language].compare.noLibrary);
+    if (this.maps === null) return this.noLens(this.noLibrary);
     if (drawn !== null) return this.map(drawn, isDrawing ? null : verdict);
     if (!isDrawing) return this.noLens(say.noLens);
     return html`<section>

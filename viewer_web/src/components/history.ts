@@ -150,7 +150,7 @@ export class HistoryElement extends LitElement {
         <span class="said"
           >${said === '' ? nothing : html`<span class="heard">${said}: </span>`}${sayEntry(
             entry,
-            view.header.scene,
+            view.header,
             view.language,
           )}</span
         >

@@ -20,6 +20,9 @@ export function polygonName(id: string, { header, pointed }: View): TemplateResu
   >`;
 }
 
+/** Whether a step gave a value: what is only not known any more was not altered. */
+export const isSet = <T>(now: T | null, old: T | null): boolean => now !== null && now !== old;
+
 /** A named value; `changed` marks what this step altered. */
 export function value(
   name: string,

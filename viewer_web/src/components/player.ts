@@ -140,12 +140,13 @@ export class PlayerElement extends StageElement {
   }
 
   override render(): TemplateResult | typeof nothing {
-    const { view } = this;
-    if (view === null) return this.source.excuse(this.language);
+    const { view, trace } = this;
+    if (view === null || trace === null) return this.source.excuse(this.language);
     const { texts } = view;
     // An open question is not to be answered by what shows the future.
     const { isOpen, isForced } = this.predictor;
     const history = isOpen ? null : this.chosen.history;
+    const check = this.checkOf(trace);
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
     return html`
       <div
@@ -170,6 +171,7 @@ export class PlayerElement extends StageElement {
             .view=${view}
             .trace=${this.trace}
             .maps=${this.maps}
+            .check=${check}
             .history=${history}
             .bookmarks=${this.bookmarks}
             .linked=${this.linked}
@@ -195,6 +197,7 @@ export class PlayerElement extends StageElement {
         <vidno-transport
           .trace=${this.trace}
           .view=${view}
+          .check=${check}
           .bookmarks=${this.bookmarks}
           .first=${this.first}
           .last=${this.last}
@@ -208,6 +211,7 @@ export class PlayerElement extends StageElement {
           <vidno-travel
             .trace=${this.trace}
             .view=${view}
+            .check=${check}
             .history=${history}
             .bookmarks=${this.bookmarks}
             @command=${this.onCommand}

@@ -7,6 +7,7 @@ import { flag } from '../strip/lanes.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
+import type { Check } from '../exactness/truth.js';
 import type { View } from '../view.js';
 import type { SignMaps } from '../live/sign-maps.js';
 import type { Trace } from '../trace/trace.js';
@@ -108,6 +109,7 @@ export class SideElement extends LitElement {
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) maps: SignMaps | null = null;
+  @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) history: History | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
@@ -166,7 +168,7 @@ export class SideElement extends LitElement {
           .view=${view}
           .trace=${this.trace}
           .maps=${this.maps}
-          ?editable=${editing !== null}
+          .check=${this.check}
           ?bare=${this.bare}
         ></vidno-exactness>`;
       case 'bookmarks':

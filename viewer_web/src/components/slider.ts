@@ -3,6 +3,7 @@ import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { texts } from '../i18n/index.js';
+import type { Check } from '../exactness/truth.js';
 import { flag, lanesOf, stripHeight } from '../strip/lanes.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import { aimedAt, placeOf } from '../time/columns.js';
@@ -28,6 +29,8 @@ export class SliderElement extends LitElement {
 
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
+  /** Where decisions are known to be wrong, if the trace does not say so. */
+  @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   /** The steps that can be reached. */
   @property({ attribute: false }) first = 0;
@@ -48,11 +51,15 @@ export class SliderElement extends LitElement {
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('trace')) {
-      this.course = new Course(this.trace);
       this.pointed = null;
       this.wait();
     }
+    if (changed.has('trace') || changed.has('check')) this.course = this.fresh();
     if (this.rested) this.reader.read(this.course);
+  }
+
+  private fresh(): Course {
+    return new Course(this.trace, this.check.is === 'found' ? this.check.truth.wrong : []);
   }
 
   private wait(): void {
@@ -84,7 +91,11 @@ export class SliderElement extends LitElement {
     const { view, course } = this;
     const { step, language } = view;
     return html`
-      <vidno-strip-legend .header=${view.header} .language=${language}></vidno-strip-legend>
+      <vidno-strip-legend
+        .header=${view.header}
+        .language=${language}
+        ?unchecked=${this.check.is !== 'told' && this.check.is !== 'certain' && this.check.is !== 'found'}
+      ></vidno-strip-legend>
       <div
         class="strip"
         @pointerdown=${this.onPress}

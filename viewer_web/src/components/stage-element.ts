@@ -1,6 +1,9 @@
 import { property, query } from 'lit/decorators.js';
+import { toldCheck } from '../exactness/truth.js';
+import type { Check } from '../exactness/truth.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
+import type { Trace } from '../trace/trace.js';
 import { Keyboard } from './keyboard.js';
 import type { Actions } from './keyboard.js';
 import './keys.js';
@@ -13,12 +16,18 @@ export abstract class StageElement extends TimedElement {
   @property() override lang = 'en';
   /** For a projector: told by `vidno-present` when keys change it. */
   @property({ type: Boolean, reflect: true }) presenting = false;
+  /** How decisions are known to be right or wrong; null where nobody checks runs. A check is asked for by `vidno-check`. */
+  @property({ attribute: false }) check: Check | null = null;
   @query('vidno-keys') readonly keys!: KeysElement;
   readonly presenter = new Presenter(this);
   private readonly keyboard = new Keyboard(this, (event) => this.actions(event));
 
   /** What keys do now. */
   protected abstract actions(event: KeyboardEvent): Actions;
+
+  protected checkOf(trace: Trace): Check {
+    return this.check ?? toldCheck(trace);
+  }
 
   get language(): Language {
     return isLanguage(this.lang) ? this.lang : 'en';

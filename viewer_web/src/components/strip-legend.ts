@@ -27,6 +27,8 @@ export class StripLegendElement extends LitElement {
 
   @property({ attribute: false }) header!: Header;
   @property({ attribute: false }) language: Language = 'en';
+  /** Nobody knows which decisions of the run are wrong. */
+  @property({ type: Boolean }) unchecked = false;
   @state() private open = false;
   @query('button') private button!: HTMLElement;
 
@@ -47,11 +49,17 @@ export class StripLegendElement extends LitElement {
         <h3>${strip.legend}</h3>
         <ul>
           ${lanesOf(this.header).map(({ name }) => this.lane(name))}
-          ${marks.map((name) => this.entry(name, strip.explain[name]))}
+          ${marks.map((name) => this.entry(name, this.explain(name)))}
         </ul>
         <p>${strip.columns}</p>
       </section>
     `;
+  }
+
+  private explain(name: StripMark): string {
+    const { strip, exact } = texts[this.language];
+    const words = strip.explain[name];
+    return name === 'wrong' && this.unchecked ? `${words}: ${exact.notChecked}` : words;
   }
 
   private lane(name: LaneName): TemplateResult {

@@ -2,6 +2,7 @@ import { LitElement, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
+import type { Check } from '../exactness/truth.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
@@ -34,6 +35,7 @@ export class TransportElement extends LitElement {
 
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   /** The steps that can be reached. */
   @property({ attribute: false }) first = 0;
@@ -70,6 +72,7 @@ export class TransportElement extends LitElement {
       <vidno-slider
         .trace=${this.trace}
         .view=${this.view}
+        .check=${this.check}
         .bookmarks=${this.bookmarks}
         .first=${first}
         .last=${last}

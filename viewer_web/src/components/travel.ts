@@ -6,12 +6,14 @@ import type { History } from '../history/history.js';
 import { texts } from '../i18n/index.js';
 import type { TravelTexts } from '../i18n/texts.js';
 import type { Bookmarks } from '../time/bookmarks.js';
+import type { Check } from '../exactness/truth.js';
 import { Calls } from '../time/calls.js';
 import type { Direction } from '../time/calls.js';
 import { Goals, around, goalsOf } from '../time/goals.js';
 import type { Goal, GoalName } from '../time/goals.js';
 import type { Trace } from '../trace/trace.js';
 import type { View } from '../view.js';
+import { askCheck } from './ask-check.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
 import { travelStyle } from './travel.style.js';
@@ -29,6 +31,7 @@ export class TravelElement extends LitElement {
 
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) history: History | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @state() private chosen: Goal | null = null;
@@ -52,6 +55,7 @@ export class TravelElement extends LitElement {
   }
 
   private stepsOf(goal: Goal): readonly number[] {
+    if (goal === 'wrong' && this.check.is === 'found') return this.check.truth.wrong;
     this.goals ??= new Goals(this.trace);
     return this.goals.stepsOf(goal, this.history, this.bookmarks);
   }
@@ -102,8 +106,18 @@ export class TravelElement extends LitElement {
   /** Where among the goals the step is. */
   private counted(steps: readonly number[]): string {
     const at = steps.indexOf(this.view.step);
-    if (steps.length === 0) return this.texts.noGoal;
+    if (steps.length === 0) return this.none();
     return at < 0 ? String(steps.length) : `${at + 1} / ${steps.length}`;
+  }
+
+  /** Of a run that was not checked nobody knows which decisions are wrong. */
+  private none(): string {
+    const { exact } = texts[this.view.language];
+    const { is } = this.check;
+    if (this.goal !== 'wrong' || is === 'told' || is === 'certain' || is === 'found') {
+      return this.texts.noGoal;
+    }
+    return is === 'checking' ? exact.checkingShort : exact.notChecked;
   }
 
   private options(): unknown {
@@ -132,6 +146,7 @@ export class TravelElement extends LitElement {
     const { value } = event.target as HTMLSelectElement;
     const id = value.startsWith('polygon ') ? value.slice('polygon '.length) : null;
     this.chosen = id === null ? (value as GoalName) : { polygon: id };
+    if (this.chosen === 'wrong') askCheck(this);
   }
 
   private button(

@@ -14,7 +14,7 @@ import type { View } from '../view.js';
 import { listValues } from './list-values.js';
 import { chipsCell, listOf, rowsOf } from './lists.js';
 import { panelsStyle } from './panels.style.js';
-import { polygonName, swatch, value } from './parts.js';
+import { isSet, polygonName, swatch, value } from './parts.js';
 import { base } from './theme.js';
 
 /** The state of Warnock's algorithm: the window in hand, its list, its corners, and the stack. */
@@ -69,8 +69,25 @@ export class WarnockPanel extends LitElement {
     const { method } = this.view.header;
     this.classList.toggle('one-list', !hasThreeLists(method));
     const corners = method === 'warnock-simplest' ? nothing : this.corners();
-    const lists = hasThreeLists(method) ? this.threeLists() : this.apl();
+    const lists = this.areListsTold
+      ? hasThreeLists(method)
+        ? this.threeLists()
+        : this.apl()
+      : this.listsUntold();
     return html`${this.window()} ${corners} ${lists} ${this.stack()}`;
+  }
+
+  /** Below the level of polygons nobody says which of them leave a list. */
+  private get areListsTold(): boolean {
+    return this.view.header.detail !== 'windows';
+  }
+
+  private listsUntold(): TemplateResult {
+    const { apl, notInTrace } = this.view.texts;
+    return html`<section class="polygons">
+      <h3>${apl}</h3>
+      <p class="empty">${notInTrace}</p>
+    </section>`;
   }
 
   private get say(): FamilyTexts['panel'] {
@@ -80,7 +97,7 @@ export class WarnockPanel extends LitElement {
   private window(): TemplateResult {
     const { now, old } = this;
     const { texts: page } = this.view;
-    const color = this.isStale ? null : now.color;
+    const { color } = now;
     return html`<section class="window">
       <dl class="values">
         ${value(
@@ -89,29 +106,26 @@ export class WarnockPanel extends LitElement {
           now.window !== old.window,
           'wide',
         )}
-        ${this.found()} ${value('C', color ? swatch(color) : page.none, now.color !== old.color)}
+        ${this.found()}
+        ${value('C', color ? swatch(color) : page.none, isSet(now.color, old.color))}
         ${this.inHand()}
       </dl>
     </section>`;
-  }
-
-  /** With three lists not every window is tested at its corners: what was found in one before it is over. */
-  private get isStale(): boolean {
-    return hasThreeLists(this.view.header.method) && !this.now.isTested;
   }
 
   /** What is known of the window so far. */
   private found(): readonly TemplateResult[] {
     const { now, old } = this;
     const { header, texts: page } = this.view;
-    const yesNo = (flag: boolean): string => (flag ? page.yes : page.no);
-    const k = value('k', this.isStale ? page.none : (now.k ?? page.none), now.k !== old.k);
+    const yesNo = (flag: boolean | null): string =>
+      flag === null ? page.none : flag ? page.yes : page.no;
+    const k = value('k', now.k ?? page.none, isSet(now.k, old.k));
     if (header.method === 'warnock-simplest') return [];
     if (hasThreeLists(header.method)) return [...listValues(this.view, now, old), k];
     return [
-      value('polygonCount', now.count, now.count !== old.count),
-      value('hasSurround', yesNo(now.hasSurround), now.hasSurround !== old.hasSurround),
-      value('insider', yesNo(now.insider), now.insider !== old.insider),
+      value('polygonCount', now.count ?? page.none, isSet(now.count, old.count)),
+      value('hasSurround', yesNo(now.hasSurround), isSet(now.hasSurround, old.hasSurround)),
+      value('insider', yesNo(now.insider), isSet(now.insider, old.insider)),
       k,
     ];
   }
@@ -148,8 +162,8 @@ export class WarnockPanel extends LitElement {
   }
 
   private corner(name: Corner): TemplateResult {
-    const z = this.isStale ? undefined : this.now.corners?.[name];
-    const changed = z !== this.old.corners?.[name];
+    const z = this.now.corners?.[name];
+    const changed = isSet(z ?? null, this.old.corners?.[name] ?? null);
     const thing = cornerThing(name);
     const pointed = thing === this.view.pointed;
     return html`<td
@@ -234,8 +248,12 @@ export class WarnockPanel extends LitElement {
     const ids = entries.map(([id]) => id);
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ number: true, changed })}>${windowText(window)}</td>
-      <td class="number">${entries.length}</td>
-      ${chipsCell(ids, this.view)}
+      ${
+        this.areListsTold
+          ? html`<td class="number">${entries.length}</td>
+              ${chipsCell(ids, this.view)}`
+          : nothing
+      }
     </tr>`;
   }
 }

@@ -10,7 +10,7 @@ import type { N } from '../trace/values.js';
 import type { View } from '../view.js';
 import './depths.js';
 import { panelsStyle } from './panels.style.js';
-import { numberCell, polygonName, value } from './parts.js';
+import { isSet, numberCell, polygonName, value } from './parts.js';
 import { base } from './theme.js';
 
 /** The state of the Z-buffer algorithm: the scanline, S, AEL, and the depths around the scanline. */
@@ -59,10 +59,10 @@ export class ZBufferPanel extends LitElement {
     return html`<section>
       <dl class="values">
         ${value('P', polygon, now.polygon !== old.polygon)}
-        ${value(texts.row, now.row ?? texts.none, now.row !== old.row)}
-        ${value('yₜ', number(now.y), now.y !== old.y)}
-        ${value('ySnext', number(now.nextS), now.nextS !== old.nextS)}
-        ${value('yAELnext', number(now.nextAel), now.nextAel !== old.nextAel)}
+        ${value(texts.row, now.row ?? texts.none, isSet(now.row, old.row))}
+        ${value('yₜ', number(now.y), isSet(now.y, old.y))}
+        ${value('ySnext', number(now.nextS), isSet(now.nextS, old.nextS))}
+        ${value('yAELnext', number(now.nextAel), isSet(now.nextAel, old.nextAel))}
         ${value(texts.unsorted, edgeList(now.edges, texts.none), now.edges !== old.edges, 'wide')}
       </dl>
     </section>`;

@@ -11,8 +11,11 @@ export interface Group {
   readonly entries: readonly Entry[];
 }
 
-const headingOf = ({ known }: Entry): Heading | null =>
-  known.warnock?.window ?? known.zbuffer?.polygon ?? known.horizon?.curve ?? clipOf(known);
+const headingOf = ({ event, known }: Entry): Heading | null => {
+  // Once regions are painted no list is in hand.
+  if (event.e === 'paint' || event.e === 'order') return event.polygon;
+  return known.warnock?.window ?? known.zbuffer?.polygon ?? known.horizon?.curve ?? clipOf(known);
+};
 
 /** Whose piece the clip polygon of the list in hand is. */
 const clipOf = ({ regions }: Known): string | null => regions?.inHand?.pieces[0]?.[0] ?? null;

@@ -130,6 +130,7 @@ export class WarnockWatch implements Watch {
     else if (event.e === 'rejoin') this.lists.rejoin(event);
     else if (event.e === 'pop') this.enter(event.window);
     else if (event.e === 'decide' || event.e === 'summary') this.knowLists();
+    else if (event.e === 'nearest') this.know({ nearest: event });
     else if (event.e === 'cover') this.covering = event.polygon;
     else if (event.e === 'hiding') this.covering = event.polygon ?? null;
     else if (event.e === 'call') this.place.centre = event.at === 'PC2';
@@ -145,7 +146,7 @@ export class WarnockWatch implements Watch {
     this.window = window;
     this.inside = overlaps(window, this.place.pixel);
     this.covering = null;
-    if (this.inside) this.know({ window, way: this.way, ...this.lists.known });
+    if (this.inside) this.know({ window, way: this.way, nearest: null, ...this.lists.known });
   }
 
   private knowLists(): void {
@@ -154,7 +155,7 @@ export class WarnockWatch implements Watch {
 
   private know(news: Partial<NonNullable<Known['warnock']>>): void {
     if (!this.inside) return;
-    const old = this.known.warnock ?? { window: null, apl: null, covering: null };
+    const old = this.known.warnock ?? { window: null, apl: null, covering: null, nearest: null };
     this.known = { warnock: { ...old, ...news }, zbuffer: null };
   }
 }

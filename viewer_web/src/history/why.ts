@@ -1,7 +1,8 @@
+import type { Known } from '../i18n/words.js';
 import type { Event } from '../trace/events.js';
-import type { Scene } from '../trace/header.js';
+import { ownersOf } from '../i18n/words.js';
+import type { Header } from '../trace/header.js';
 import type { Entry } from './entry.js';
-import type { History } from './history.js';
 
 /** The ways in which a pixel comes by its colour. */
 export type Why =
@@ -9,6 +10,7 @@ export type Why =
   | 'centre'
   | 'alone'
   | 'nearest'
+  | 'notFarther'
   | 'empty'
   | 'nothing'
   | 'beside'
@@ -31,31 +33,27 @@ export interface Reason {
   readonly polygon: string | null;
 }
 
-/** The polygon that the entries of the window name with the colour, or else all that have it: few, as a rule. */
-function ownerOf({ step, event }: Entry, history: History, { polygons }: Scene): string | null {
-  if (event.e !== 'fill') return null;
-  for (let i = history.indexAt(step) - 1; i >= 0; i--) {
-    const before = history.entries[i]?.event;
-    if (before === undefined || before.e === 'pop') break;
-    if ((before.e === 'cover' || before.e === 'nearest') && before.color === event.color) {
-      return before.polygon;
-    }
-  }
-  const owners = polygons.filter(({ color }) => color === event.color).map(({ id }) => id);
-  if (owners.length === 0) return null;
-  return owners.length > most ? `${owners.slice(0, most).join(' / ')} / …` : owners.join(' / ');
+/** The polygon whose colour it is, or all that look the same where the trace does not say which; null for the background. */
+function ownerOf(event: Event<'fill'>, known: Known, header: Header): string | null {
+  const { polygons } = ownersOf(event, known, header);
+  if (polygons.length === 0) return null;
+  return polygons.length > most
+    ? `${polygons.slice(0, most).join(' / ')} / …`
+    : polygons.join(' / ');
 }
 
 /** Why the entry that painted the pixel gave it its colour. */
-export function reasonOf(entry: Entry, history: History, scene: Scene): Reason {
-  const { event, known } = entry;
+export function reasonOf({ event, known }: Entry, header: Header): Reason {
   if (event.e === 'draw') return { why: 'alone', polygon: event.polygon };
-  if (event.e === 'span') return { why: 'nearest', polygon: known.zbuffer?.polygon ?? null };
+  if (event.e === 'span') {
+    const why = header.edition === 'printed' ? 'notFarther' : 'nearest';
+    return { why, polygon: known.zbuffer?.polygon ?? null };
+  }
   if (event.e === 'paint') return { why: 'region', polygon: event.polygon };
   if (event.e !== 'fill') return { why: 'untouched', polygon: null };
   const why = filled[event.at];
   if (why === 'empty' || why === 'beside') return { why, polygon: null };
-  const polygon = ownerOf(entry, history, scene);
+  const polygon = ownerOf(event, known, header);
   if (why === 'hides') return { why, polygon };
   return { why: polygon === null ? 'nothing' : 'centre', polygon };
 }

@@ -1,3 +1,4 @@
+import type { Unable } from '../exactness/truth.js';
 import type { Stage } from '../exactness/verdict.js';
 import type { Cell } from '../exactness/sign-map.js';
 import type { Decision, Event } from '../trace/events.js';
@@ -18,9 +19,17 @@ export interface ExactTexts {
   readonly wrong: string;
   readonly undefined: string;
   readonly unchecked: string;
+  /** In place of how many are wrong. */
+  readonly notChecked: string;
+  readonly checking: string;
+  /** In place of how many are wrong, while it is found out. */
+  readonly checkingShort: string;
+  readonly found: (wrong: number) => string;
+  readonly unable: Readonly<Record<Unable, string>>;
   readonly certain: string;
   readonly check: string;
   readonly nothing: string;
+  readonly findWrong: string;
   readonly lens: (at: string) => string;
   readonly apart: (ulp: string) => string;
   readonly noLens: string;

@@ -6,6 +6,7 @@ import { emptyRegions } from '../regions/state.js';
 import { emptyWarnock } from '../state/warnock.js';
 import { emptyZBuffer } from '../state/zbuffer.js';
 import type { Values } from '../state/state.js';
+import type { Warnock } from '../state/warnock.js';
 import type { Event } from '../trace/events.js';
 import { parseHeader } from '../trace/header.js';
 import { Unreadable } from '../trace/trace.js';
@@ -15,7 +16,7 @@ import { languages } from './language.js';
 import type { Language } from './language.js';
 import { short, shortApart, toNumber } from './words.js';
 
-const { scene } = parseHeader(headerOf('warnock'));
+const header = parseHeader(headerOf('warnock'));
 const apl = { entries: [['A', false]] as const };
 const values: Values = {
   step: 1,
@@ -26,7 +27,7 @@ const values: Values = {
   regions: emptyRegions,
 };
 const say = (event: Event, language: Language): string =>
-  sentence(event, values, values, scene, language);
+  sentence(event, values, values, header, language);
 
 describe.each(languages)('in %s', (language) => {
   it.each(allSamples.map((event) => [event.e, event] as const))(
@@ -56,26 +57,26 @@ describe('sentences', () => {
 
   it('name the only polygon where the trace tells which it is', () => {
     const decide: Event = { e: 'decide', at: 'W10', case: 'single' };
-    expect(say(decide, 'en')).toBe('Only A is in the window: background first, then A.');
+    expect(say(decide, 'en')).toBe('Only A is left in the window: background first, then A.');
     const both = { entries: [...apl.entries, ['B', false]] as const };
     const coarse = { ...values, warnock: { ...emptyWarnock, apl: both } };
-    expect(sentence(decide, coarse, coarse, scene, 'en')).toBe(
-      'Only one polygon is in the window: background first, then the polygon.',
+    expect(sentence(decide, coarse, coarse, header, 'en')).toBe(
+      'Only one polygon is left in the window: background first, then the polygon.',
     );
   });
 
   it('name what hides everything, and what it no longer hides', () => {
     const uncover: Event = { e: 'uncover', at: 'PW7', polygon: 'B' };
     const covered = { ...values, warnock: { ...emptyWarnock, hasSurround: true, covering: 'A' } };
-    expect(sentence(uncover, covered, values, scene, 'en')).toBe(
+    expect(sentence(uncover, covered, values, header, 'en')).toBe(
       'B is nearer somewhere, so A no longer hides everything.',
     );
-    expect(sentence(uncover, covered, values, scene, 'ru')).toBe(
+    expect(sentence(uncover, covered, values, header, 'ru')).toBe(
       'B где-то ближе, и A больше не закрывает всего.',
     );
     expect(say(uncover, 'en')).toMatch(/nothing is known to hide/u);
     const surrounded: Event = { e: 'decide', at: 'W8', case: 'surrounded' };
-    expect(sentence(surrounded, covered, covered, scene, 'en')).toMatch(/^A hides everything/u);
+    expect(sentence(surrounded, covered, covered, header, 'en')).toMatch(/^A hides everything/u);
   });
 
   it('count as the language does', () => {
@@ -93,6 +94,75 @@ describe('sentences', () => {
       '21 пиксель получает цвет A.',
     ]);
     expect(say(fill(1), 'en')).toBe('1 pixel takes the colour of A.');
+  });
+});
+
+describe('a colour', () => {
+  // A and B look alike, and C looks like the background.
+  const twins = parseHeader({
+    ...headerOf('warnock'),
+    scene: {
+      format: 'vidno-scene/1',
+      window: { x: 0, y: 0, width: 8, height: 8 },
+      background: '#ffffff',
+      polygons: ['A', 'B', 'C'].map((id) => ({
+        id,
+        color: id === 'C' ? '#ffffff' : '#112233',
+        vertices: [],
+      })),
+    },
+  });
+  const coarse = { ...twins, detail: 'windows' as const };
+  const shared = '#112233';
+  const saying = (event: Event, warnock: Partial<Warnock>, of = twins): readonly string[] => {
+    const known = { ...values, warnock: { ...emptyWarnock, ...warnock } };
+    return languages.map((language) => sentence(event, known, known, of, language));
+  };
+  const color = (seen: string): Event => ({
+    e: 'color',
+    at: 'W9',
+    point: [0.5, 0.5],
+    color: seen,
+  });
+  const fill = (at: Event<'fill'>['at'], seen: string): Event => ({
+    e: 'fill',
+    at,
+    rect: [0, 0, 2, 1],
+    color: seen,
+  });
+
+  it('is that of the polygon which PointColor found, not of one that looks alike', () => {
+    const ofB = { nearest: { polygon: 'B', z: 0.5 } };
+    expect(saying(color(shared), ofB)).toEqual([
+      'At (0.5, 0.5) one sees B.',
+      'В точке (0.5, 0.5) виден B.',
+    ]);
+    expect(saying(fill('W9', shared), ofB)[0]).toBe('2 pixels take the colour of B.');
+    expect(saying(color('#ffffff'), { nearest: { polygon: 'C', z: 0.5 } })[0]).toMatch(
+      /sees C\.$/u,
+    );
+    expect(saying(color('#ffffff'), {})[0]).toMatch(/sees the background\.$/u);
+  });
+
+  it('is that of the polygon which hides the others', () => {
+    expect(saying(fill('W8', shared), { covering: 'B' })).toEqual([
+      '2 pixels take the colour of B.',
+      '2 пикселя получают цвет B.',
+    ]);
+    const joined = { surrounding: [{ polygon: 'B', level: 0 }], outside: [] };
+    expect(saying(fill('WF9', shared), { joined })[0]).toMatch(/of B\.$/u);
+    expect(saying(fill('W7', '#ffffff'), {})[0]).toMatch(/take the background\.$/u);
+  });
+
+  it('is that of all that have it where the trace does not say whose it is', () => {
+    expect(saying(fill('W8', shared), {}, coarse)).toEqual([
+      '2 pixels take the colour that A and B share.',
+      '2 пикселя получают общий цвет A и B.',
+    ]);
+    expect(saying(fill('W9', '#ffffff'), {}, coarse)[0]).toMatch(
+      /that C and the background share/u,
+    );
+    expect(saying(fill('W8', '#abcdef'), {}, coarse)[0]).toMatch(/the colour #abcdef\.$/u);
   });
 });
 

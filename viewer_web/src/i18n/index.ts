@@ -1,12 +1,11 @@
 import type { Event } from '../trace/events.js';
-import type { Scene } from '../trace/header.js';
 import type { Unreadable } from '../trace/trace.js';
 import * as en from './en/index.js';
 import type { Language } from './language.js';
 import * as ru from './ru/index.js';
 import type { Texts } from './texts.js';
 import { Words, counted } from './words.js';
-import type { Known, PluralForms } from './words.js';
+import type { Known, PluralForms, ShownHeader } from './words.js';
 
 export const texts: Readonly<Record<Language, Texts>> = { en: en.texts, ru: ru.texts };
 
@@ -24,10 +23,10 @@ export function sentence(
   event: Event,
   before: Known,
   after: Known,
-  scene: Scene,
+  header: ShownHeader,
   language: Language,
 ): string {
-  const words = new Words(before, after, scene, texts[language], rules[language]);
+  const words = new Words(before, after, header, texts[language], rules[language]);
   const say = texts[language].sentences[event.e] as (event: Event, words: Words) => string;
   return say(event, words);
 }

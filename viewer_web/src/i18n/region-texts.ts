@@ -2,7 +2,7 @@ import type { Region } from '../regions/events.js';
 import { boundsOf, verticesOf } from '../regions/geometry.js';
 import type { RegionLayer } from '../regions/layers.js';
 import type { RegionEvents } from '../trace/events.js';
-import { point } from './words.js';
+import { point, toNumber } from './words.js';
 import type { PluralForms, Words } from './words.js';
 
 /** What a run with regions has to say of its own. */
@@ -36,10 +36,11 @@ export function sized(
   return region.length > 1 ? `${size}, ${counted(region.length, loops)}` : size;
 }
 
-/** The corners of the box around a region. */
+/** The corners of the box around a region, after a comma; nothing where rounding has left a vertex nowhere. */
 export function boxOf(region: Region): string {
   const { from, to } = boundsOf(region);
-  return `${point(from)} – ${point(to)}`;
+  const isSomewhere = region.flat(2).every((value) => Number.isFinite(toNumber(value)));
+  return isSomewhere ? `, ${point(from)} – ${point(to)}` : '';
 }
 
 export type RegionSentences = {

@@ -2,7 +2,8 @@ import type { FloatingHorizon } from '../curves/state.js';
 import type { Warnock } from '../state/warnock.js';
 import type { Regions } from '../regions/state.js';
 import type { ZBuffer } from '../state/zbuffer.js';
-import type { Scene } from '../trace/header.js';
+import type { Event } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
 import type { Texts } from './texts.js';
 
@@ -62,8 +63,35 @@ export function toNumber(value: N): number {
   return value === 'nan' || value.endsWith('/0') ? NaN : fractionValue(value);
 }
 
+function asFraction(value: string): readonly [bigint, bigint] | null {
+  const [, above, below] = /^(-?\d+)\/(\d+)$/.exec(value) ?? [];
+  if (above === undefined || below === undefined || below === '0') return null;
+  return [BigInt(above), BigInt(below)];
+}
+
+/** How a number stands to another one, as they are told: -1, 0 or 1; null where neither is less, equal or greater. */
+export function orderOf(a: N, b: N): -1 | 0 | 1 | null {
+  const [one, other] = [a, b].map((value) =>
+    typeof value === 'string' ? asFraction(value) : null,
+  );
+  const difference =
+    one && other ? one[0] * other[1] - other[0] * one[1] : comparable(toNumber(a), toNumber(b));
+  if (difference > 0) return 1;
+  if (difference < 0) return -1;
+  return difference == 0 ? 0 : null;
+}
+
+/** Their difference, of infinities too. */
+const comparable = (a: number, b: number): number => (a === b ? 0 : a - b);
+
 export function point(at: readonly N[]): string {
   return `(${at.map(short).join(', ')})`;
+}
+
+/** Whole numbers from one to another, where a dash may stand between them. */
+export function rangeOf(first: number, last: number): string {
+  if (first === last) return short(first);
+  return `${short(first)}${first < 0 ? '…' : '–'}${short(last)}`;
 }
 
 export function windowText([x, y, width, height]: Box): string {
@@ -80,6 +108,27 @@ export function cornerAt(at: readonly N[], window: Box | null): Corner | null {
   return py === y ? 'rb' : 'rt';
 }
 
+const sideNames = ['top', 'left', 'bottom', 'right'] as const;
+export type WindowSide = (typeof sideNames)[number];
+
+/** The side of a window that a line goes along; null if it goes along none. */
+export function sideAlong(
+  { from, to }: { readonly from: readonly N[]; readonly to: readonly N[] },
+  window: Box | null,
+): WindowSide | null {
+  if (window === null) return null;
+  const [x, y, width, height] = window;
+  const ends = [from, to].map((end) => end.map(toNumber));
+  const along = (axis: 0 | 1, value: number): boolean => ends.every((end) => end[axis] === value);
+  const isAlong = {
+    top: along(1, y),
+    left: along(0, x),
+    bottom: along(1, y + height),
+    right: along(0, x + width),
+  };
+  return sideNames.find((side) => isAlong[side]) ?? null;
+}
+
 export interface PluralForms {
   readonly one: string;
   readonly few?: string;
@@ -92,7 +141,8 @@ type WithLists = 'way' | 'joined' | 'contained';
 /** What of a state the sentences use. */
 export interface Known {
   readonly warnock:
-    (Pick<Warnock, 'window' | 'apl' | 'covering'> & Partial<Pick<Warnock, WithLists>>) | null;
+    | (Pick<Warnock, 'window' | 'apl' | 'covering' | 'nearest'> & Partial<Pick<Warnock, WithLists>>)
+    | null;
   readonly zbuffer: Pick<ZBuffer, 'polygon'> | null;
   readonly horizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'told'> | null;
   readonly regions?: Pick<Regions, 'inHand'> | null;
@@ -105,12 +155,15 @@ export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules):
   return `${n} ${form === 'few' ? (forms.few ?? forms.other) : forms.other}`;
 }
 
+/** What of a header the sentences use. */
+export type ShownHeader = Pick<Header, 'scene' | 'detail' | 'edition'>;
+
 /** What the sentences of a step need beside its event. */
 export class Words {
   constructor(
     readonly before: Known,
     readonly after: Known,
-    readonly scene: Scene,
+    readonly header: ShownHeader,
     private readonly texts: Pick<Texts, 'places'>,
     private readonly rules: Intl.PluralRules,
   ) {}
@@ -129,10 +182,9 @@ export class Words {
     return corner && this.texts.places[corner];
   }
 
-  /** Whose colour it is: a polygon's id, or null for the background. */
-  owner(color: string): string | null {
-    const owner = this.scene.polygons.find((polygon) => polygon.color === color);
-    return color === this.scene.background || owner === undefined ? null : owner.id;
+  /** Whose colour it is that a window or a point gets. */
+  ownersOf(event: Event<'fill' | 'color'>): Owners {
+    return ownersOf(event, this.after, this.header);
   }
 
   ids(ids: readonly string[]): string {
@@ -145,6 +197,8 @@ export class Words {
     return edges.join(', ');
   }
 }
+
+export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 export function cells(runs: readonly (readonly number[])[]): number {
   return runs.reduce((sum, run) => sum + (run.at(-1) ?? 0) - (run.at(-2) ?? 0), 0);
@@ -167,4 +221,36 @@ export function containment(warnock: Known['warnock']): number {
 /** What hides all others in the window: as it was found, or the only one that surrounds it. */
 export function hidingOf({ warnock }: Known): string | null {
   return warnock?.covering ?? warnock?.joined?.surrounding.at(-1)?.polygon ?? null;
+}
+
+/** Whose a colour is: one polygon's or the background's; where the trace does not say which, all that have it. */
+export interface Owners {
+  readonly polygons: readonly string[];
+  readonly background: boolean;
+}
+
+const background: Owners = { polygons: [], background: true };
+
+/** The lines that fill a window with the background, whatever a polygon's colour is. */
+const fillsGround: readonly Event<'fill'>['at'][] = ['W7', 'W10', 'WS4', 'WF5', 'WF6'];
+/** Those at which PointColor has found the colour. */
+const fillsPoint: readonly Event<'fill' | 'color'>['at'][] = ['W9', 'WS5', 'WF11'];
+
+export function ownersOf(
+  { e, at, color }: Event<'fill' | 'color'>,
+  known: Known,
+  { scene, detail }: Pick<Header, 'scene' | 'detail'>,
+): Owners {
+  if (e === 'fill' && fillsGround.includes(at)) return background;
+  const isPoint = fillsPoint.includes(at);
+  const told = isPoint ? (known.warnock?.nearest?.polygon ?? null) : hidingOf(known);
+  if (told !== null && scene.byId.get(told)?.color === color) {
+    return { polygons: [told], background: false };
+  }
+  const isBackground = color === scene.background;
+  if (isPoint && told === null && isBackground && detail !== 'windows') return background;
+  return {
+    polygons: scene.polygons.filter((polygon) => polygon.color === color).map(({ id }) => id),
+    background: isBackground,
+  };
 }

@@ -1,5 +1,5 @@
 import { curveNotes } from '../curves/notes.js';
-import { point, short, shortApart, windowText } from '../i18n/words.js';
+import { orderOf, point, short, shortApart, toNumber, windowText } from '../i18n/words.js';
 import { regionNotes } from '../regions/notes.js';
 import { plainOf } from '../trace/check.js';
 import { common, details, tables } from '../trace/events.js';
@@ -14,6 +14,12 @@ const signOf = ({ value, sign }: { readonly value: N; readonly sign: number }): 
   `${short(value)} ${order[sign] ?? ''} 0`;
 const nearer = (z: N, against: N, is: boolean): string =>
   shortApart(z, against).join(is ? ' > ' : ' ≯ ');
+/** The printed text shows what is as near, too, and nothing beyond 1. */
+function shownBy({ z, stored, shown }: Event<'pixel'>): string {
+  const order = orderOf(z, stored);
+  if (shown) return shortApart(z, stored).join(order === 0 ? ' ≥ ' : ' > ');
+  return order === 1 && toNumber(z) > 1 ? `${short(z)} > 1` : nearer(z, stored, false);
+}
 const vertexOf = ({ vertex }: { readonly vertex: readonly N[] }): string => point(vertex);
 const windowOf = ({ window }: { readonly window: Box }): string => windowText(window);
 const polygonOf = ({ polygon }: { readonly polygon: string }): string => polygon;
@@ -92,7 +98,7 @@ const notes: { readonly [K in EventName]: Note<K> } = {
   miss: () => 'true',
   slope: ({ dz }) => `Δz = ${short(dz)}`,
   columns: ({ first, end }) => half(first, end),
-  pixel: ({ z, stored, shown }) => nearer(z, stored, shown),
+  pixel: shownBy,
   span: ({ runs }) => runs.map((run) => half(...run)).join(' ') || '∅',
   ael_drop: edgesOf,
   ael_step: ({ edge, x }) => `${edge}: ${short(x)}`,

@@ -115,6 +115,17 @@ describe('polygons', () => {
     expect(ids(sketch.addPolygon(sketch.addPolygon(two, square), square))).toBe('CBAD');
   });
 
+  it('have colours of their own as long as the palette has any', () => {
+    const taken = ['#0072b2', '#d55e00'].map((color, i) => ({
+      id: String(i),
+      color,
+      vertices: triangle,
+    }));
+    const added = sketch.addPolygon({ ...sketch.emptySketch, polygons: taken }, triangle);
+    // Two are taken, and the third of the palette is one of them.
+    expect(added.polygons.map(({ color }) => color)).toEqual(['#0072b2', '#d55e00', '#56b4e9']);
+  });
+
   it('keep their names apart', () => {
     const two = drawing(triangle, triangle);
     expect(sketch.rename(two, 0, 'B')).toBe(two);

@@ -110,8 +110,18 @@ export function removeVertex(sketch: Sketch, { polygon, vertex }: Spot): Sketch 
 
 export function addPolygon(sketch: Sketch, vertices: readonly Vertex[]): Sketch {
   const { polygons } = sketch;
-  const color = palette[polygons.length % palette.length] ?? '#000000';
-  return { ...sketch, polygons: [...polygons, { id: freeId(sketch), color, vertices }] };
+  return {
+    ...sketch,
+    polygons: [...polygons, { id: freeId(sketch), color: freeColor(sketch), vertices }],
+  };
+}
+
+/** The palette's next colour that nothing in the scene has yet; its next one if all are taken. */
+function freeColor({ polygons, background }: Sketch): string {
+  const taken = new Set([background, ...polygons.map(({ color }) => color)]);
+  const next = polygons.length % palette.length;
+  const inTurn = [...palette.slice(next), ...palette.slice(0, next)];
+  return inTurn.find((color) => !taken.has(color)) ?? inTurn[0] ?? '#000000';
 }
 
 export function removePolygon(sketch: Sketch, polygon: number): Sketch {

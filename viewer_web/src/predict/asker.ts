@@ -1,4 +1,4 @@
-import { point, short, toNumber } from '../i18n/words.js';
+import { orderOf, point, short, toNumber } from '../i18n/words.js';
 import type { Detail, EventName, Method } from '../trace/events.js';
 import type { Header, Polygon } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
@@ -32,14 +32,15 @@ export function depthOptions(depths: readonly N[]): readonly Option[] {
 
 export type Relation = '>' | '=' | '<';
 const relations: readonly Relation[] = ['>', '=', '<'];
+export const relationBy = { '-1': '<', 0: '=', 1: '>' } as const satisfies Record<string, Relation>;
 export const relationOptions = optionsOf(relations);
 
 /** How a depth stands to the one before it; null where the numbers that are told do not show it. */
 export function relationOf(z: N, against: N, nearer: boolean, { kernel }: Header): Relation | null {
-  if (z === 'nan' || against === 'nan') return null;
-  if (z !== against) return nearer ? '>' : '<';
+  const order = orderOf(z, against);
+  if (order === null || (order === 1) !== nearer) return null;
   // Under `filtered` the numbers stand for others, which decide.
-  return nearer || kernel === 'filtered' ? null : '=';
+  return order === 0 && kernel === 'filtered' ? null : relationBy[order];
 }
 
 /** An edge by its ends. */

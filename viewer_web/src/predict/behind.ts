@@ -3,16 +3,14 @@ import { polygonThing } from '../pointed.js';
 import { boundsOf } from '../regions/geometry.js';
 import type { Piece } from '../regions/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
-import { mostOptions, optionsOf, relationOptions } from './asker.js';
-import type { Asker, Relation } from './asker.js';
+import { mostOptions, optionsOf, relationBy, relationOptions } from './asker.js';
+import type { Asker } from './asker.js';
 import { hasRegions } from './pieces.js';
 import type { Option, Part } from './question.js';
 
 /** What comes of the clip polygon: it is visible, or its list is looked at once more. */
 export const becomes = ['visible', 'again'] as const;
 export type Becomes = (typeof becomes)[number];
-
-const relationBy = { '-1': '<', 0: '=', 1: '>' } as const satisfies Record<string, Relation>;
 
 /** A part by the box around it. */
 function optionOf([id, region]: Piece): Option {

@@ -19,6 +19,6 @@ export function reasonsOf(
     const event = timeline.event(step);
     const before = timeline.seek(step - 1).values;
     const after = timeline.seek(step).values;
-    return event ? [{ step, said: sentence(event, before, after, header.scene, language) }] : [];
+    return event ? [{ step, said: sentence(event, before, after, header, language) }] : [];
   });
 }

@@ -1,3 +1,4 @@
+import { ownersOf } from '../i18n/words.js';
 import { shownIn } from '../state/lists.js';
 import { windowThing } from '../pointed.js';
 import { cases } from '../time/course.js';
@@ -10,7 +11,7 @@ import type { Asker } from './asker.js';
 import { none } from './question.js';
 import type { Part } from './question.js';
 
-/** Which polygon hides the others in a window, by what it is painted if nothing else tells; null if that does not. */
+/** Which polygon hides the others in a window; null where the trace does not tell. */
 function hidingIn(
   trace: Trace,
   decide: Step<'decide'>,
@@ -19,9 +20,12 @@ function hidingIn(
   if (decide.event.case !== 'surrounded') return none;
   const cover = covers.at(-1);
   if (cover !== undefined) return cover.event.polygon;
-  const painted = eventAt(trace, decide.step + 1, 'fill')?.color;
-  const [owner, ...others] = trace.header.scene.polygons.filter(({ color }) => color === painted);
-  return owner === undefined || others.length > 0 ? null : owner.id;
+  const fill = eventAt(trace, decide.step + 1, 'fill');
+  if (fill === null) return null;
+  const known = trace.timeline.seek(decide.step).values;
+  const { polygons, background } = ownersOf(fill, known, trace.header);
+  const [owner, ...others] = polygons;
+  return owner === undefined || others.length > 0 || background ? null : owner;
 }
 
 /** Which case is this window? */

@@ -25,10 +25,10 @@ export function comparedPolygon({ event }: View): string | null {
 /** The four corners with their depths; none where the trace does not tell them. */
 export function cornerDepths(view: View): readonly CornerDepth[] {
   const { event, before, after } = view;
-  const { window = null, depths = [], corners: now, isTested = false } = after.warnock ?? {};
+  const { window = null, depths = [], corners: now } = after.warnock ?? {};
   // The step that copies the nearer depths shows what they were compared with.
   const stored = event?.e === 'nearer' ? before.warnock?.corners : now;
-  if (window === null || !stored || !isTested) return [];
+  if (window === null || !stored) return [];
   const isInHand = comparedPolygon(view) !== null;
   return corners.map((corner, i) => ({
     corner,

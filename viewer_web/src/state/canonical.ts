@@ -48,7 +48,8 @@ function depthRows({ z }: Screen, detail: Header['detail']): unknown {
 }
 
 function warnockValues(warnock: Warnock): object {
-  const { stack, window, apl, corners, k, count, hasSurround, color, insider, clip } = warnock;
+  const { stack, window, apl, clip, last } = warnock;
+  const { corners, k, count, hasSurround, color, insider } = last;
   return {
     stack: stack.map((each) => ({ window: each.window, apl: each.apl.entries })),
     window,
@@ -68,7 +69,8 @@ function otherLists({ joined: { surrounding, outside } }: Warnock): object {
   return { surrounding: written(surrounding), outside: written(outside) };
 }
 
-function zbufferValues({ polygon, edges, ael, y, row, nextS, nextAel }: ZBuffer): object {
+function zbufferValues({ polygon, edges, ael, last }: ZBuffer): object {
+  const { y, row, nextS, nextAel } = last;
   return {
     polygon,
     S: edges,

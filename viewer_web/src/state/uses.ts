@@ -30,17 +30,9 @@ export interface Use {
   readonly reads?: readonly Field[];
 }
 
-const ofWindow: readonly Field[] = [
-  'corners',
-  'isTested',
-  'k',
-  'count',
-  'hasSurround',
-  'covering',
-  'color',
-  'insider',
-  'depths',
-];
+const ofWindow: readonly Field[] = ['corners', 'k', 'count', 'hasSurround', 'color', 'insider'];
+/** The state's copy of some of these, which outlives the window, or the polygon. */
+const kept: readonly Field[] = ['last'];
 
 /** A list of active polygons may be that of windows on the stack too. */
 const list: Use = { changes: ['apl', 'stack'] };
@@ -59,25 +51,25 @@ export const uses: Readonly<Record<EventName, Use>> = {
   skip: none,
   pop: {
     changes: ['stack', 'way'],
-    sets: ['window', 'apl', 'nearest', 'covering', 'isTested'],
+    sets: ['window', 'apl', 'nearest', 'covering', ...ofWindow],
     reads: ['window'],
   },
-  corners: { sets: ofWindow },
+  corners: { sets: [...ofWindow, 'covering', 'depths', 'last'] },
   box: none,
   discard: list,
-  count: { sets: ['count', 'depths'] },
+  count: { sets: ['count', 'depths'], changes: kept },
   compare: none,
-  nearer: { changes: ['corners'], sets: ['k'], reads: ['depths'] },
-  uncover: { sets: ['hasSurround', 'covering'] },
+  nearer: { changes: ['corners', ...kept], sets: ['k'], reads: ['depths'] },
+  uncover: { sets: ['hasSurround', 'covering'], changes: kept },
   surround: none,
   mark: list,
-  cover: { sets: ['hasSurround', 'covering', 'color'] },
-  insider: { sets: ['insider'] },
-  summary: { sets: ['count', 'hasSurround', 'color', 'insider'] },
+  cover: { sets: ['hasSurround', 'covering', 'color'], changes: kept },
+  insider: { sets: ['insider'], changes: kept },
+  summary: { sets: ['count', 'hasSurround', 'color', 'insider'], changes: kept },
   decide: none,
   fill: { changes: ['picture'] },
   nearest: { sets: ['nearest'] },
-  color: { sets: ['color'] },
+  color: { sets: ['color'], changes: kept },
   orient: none,
   clip_begin: { sets: ['clip'] },
   clip_side: vertex,
@@ -100,26 +92,26 @@ export const uses: Readonly<Record<EventName, Use>> = {
   crossings: none,
   octants: { changes: ['contained'] },
   angle: none,
-  hiding: { sets: ['hasSurround', 'covering'] },
+  hiding: { sets: ['hasSurround', 'covering'], changes: kept },
   split_vertex: none,
   edge_depth: none,
 
   clear: { sets: ['picture', 'z'] },
-  polygon: { sets: ['polygon', 'edges', 'ael'] },
+  polygon: { sets: ['polygon', 'edges', 'ael', 'y', 'row', 'nextS', 'nextAel'] },
   edge: { changes: ['edges'] },
   extent: none,
-  scanline: { sets: ['y', 'row'] },
+  scanline: { sets: ['y', 'row'], changes: kept },
   ael_add: { changes: ['ael'] },
   horizontal: none,
-  leave: { changes: ['edges'], sets: ['nextS'] },
-  ael_sort: { changes: ['ael'], sets: ['nextAel'] },
+  leave: { changes: ['edges', ...kept], sets: ['nextS'] },
+  ael_sort: { changes: ['ael', ...kept], sets: ['nextAel'] },
   line: none,
   miss: none,
   slope: none,
   columns: none,
   pixel: none,
   span: { changes: ['picture', 'z'], reads: ['polygon'] },
-  ael_drop: { changes: ['ael'], sets: ['nextAel'] },
+  ael_drop: { changes: ['ael', ...kept], sets: ['nextAel'] },
   ael_step: { changes: ['ael'] },
 
   horizons: { sets: ['horizons'] },

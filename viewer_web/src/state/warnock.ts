@@ -26,7 +26,18 @@ export interface Clip {
 /** Polygons that surround a window or are outside of it, and the level of the one at which each joined the list. */
 export type Joined = readonly { readonly polygon: string; readonly level: number }[];
 
-export interface Warnock {
+/** What is found out about a window. */
+interface Found {
+  readonly corners: Readonly<Record<Corner, N>> | null;
+  readonly k: number | null;
+  readonly count: number | null;
+  readonly hasSurround: boolean | null;
+  readonly color: Color | null;
+  readonly insider: boolean | null;
+}
+
+/** Of the current window; what the trace has not told of it yet is null. */
+export interface Warnock extends Found {
   /** The first window, which all others are parts of. */
   readonly root: Box | null;
   /** The windows that were divided on the way to the current one, from the first on: its level is their number. */
@@ -38,22 +49,25 @@ export interface Warnock {
   readonly joined: Readonly<Record<'surrounding' | 'outside', Joined>>;
   /** What the edges of the outline that is gone round count so far, for containment. */
   readonly contained: readonly (Event<'ray'> | Event<'octants'>)[];
-  readonly corners: Readonly<Record<Corner, N>> | null;
-  /** Whether the depths at the corners are those of the current window, and not of one before it. */
-  readonly isTested: boolean;
-  readonly k: number | null;
-  readonly count: number;
-  readonly hasSurround: boolean;
   /** Which polygon surrounds the window and hides all so far; a coarse trace does not tell it. */
   readonly covering: string | null;
-  readonly color: Color | null;
-  readonly insider: boolean;
   readonly clip: Clip | null;
   /** The depths of the polygon in hand at the corners so far, in the order of their names. */
   readonly depths: readonly N[];
   /** What PointColor has found so far. */
   readonly nearest: { readonly polygon: string; readonly z: N } | null;
+  /** What was told last, if of a window before: the program's variables hold it until they are set again. */
+  readonly last: Found;
 }
+
+const nothingFound: Found = {
+  corners: null,
+  k: null,
+  count: null,
+  hasSurround: null,
+  color: null,
+  insider: null,
+};
 
 export const emptyWarnock: Warnock = {
   root: null,
@@ -63,17 +77,12 @@ export const emptyWarnock: Warnock = {
   apl: null,
   joined: { surrounding: [], outside: [] },
   contained: [],
-  corners: null,
-  isTested: false,
-  k: null,
-  count: 0,
-  hasSurround: false,
+  ...nothingFound,
   covering: null,
-  color: null,
-  insider: false,
   clip: null,
   depths: [],
   nearest: null,
+  last: { ...nothingFound, count: 0, hasSurround: false, insider: false },
 };
 
 type Name = keyof (CommonEvents & WarnockEvents);
@@ -90,6 +99,12 @@ const nothing = (): Partial<Warnock> => unchanged;
 function sameWindow(a: Box, b: Box): boolean {
   return a.every((value, i) => value === b[i]);
 }
+
+/** This is found out about the current window. */
+const finding = (news: Partial<Found>, { last }: Warnock): Partial<Warnock> => ({
+  ...news,
+  last: { ...last, ...news },
+});
 
 function currentClip(now: Warnock): Clip {
   if (now.clip === null) throw new Refusal('', 'noClip');
@@ -124,23 +139,27 @@ const handlers: Handlers = {
     const top = stack.at(-1);
     if (top === undefined) throw new Refusal('', 'emptyStack');
     if (!sameWindow(top.window, window)) throw new Refusal('window', 'notTop');
-    const found = { nearest: null, covering: null, isTested: false };
+    const found = { ...nothingFound, nearest: null, covering: null };
     return { stack: stack.slice(0, -1), way: wayTo(window, now), window, apl: top.apl, ...found };
   },
-  corners: ({ z }) => ({
-    corners: { lb: z, lt: z, rb: z, rt: z },
-    isTested: true,
-    k: null,
-    count: 0,
-    hasSurround: false,
+  corners: ({ z }, now) => ({
+    ...finding(
+      {
+        corners: { lb: z, lt: z, rb: z, rt: z },
+        k: null,
+        count: 0,
+        hasSurround: false,
+        color: null,
+        insider: false,
+      },
+      now,
+    ),
     covering: null,
-    color: null,
-    insider: false,
     depths: [],
   }),
   box: nothing,
   discard: ({ polygon }, now) => without(polygon, now),
-  count: ({ count }) => ({ count, depths: [] }),
+  count: ({ count }, now) => ({ ...finding({ count }, now), depths: [] }),
   compare: nothing,
   nearer: ({ corners, k }, now) => {
     const depths: Partial<Record<Corner, N>> = {};
@@ -150,26 +169,25 @@ const handlers: Handlers = {
       depths[corner] = z;
     }
     if (now.corners === null) throw new Refusal('', 'noWindow');
-    return { k, corners: { ...now.corners, ...depths } };
+    return finding({ k, corners: { ...now.corners, ...depths } }, now);
   },
-  uncover: () => ({ hasSurround: false, covering: null }),
+  uncover: (_event, now) => ({ ...finding({ hasSurround: false }, now), covering: null }),
   surround: nothing,
   mark: ({ polygon }, now) => marked(polygon, now),
-  cover: ({ polygon, color }) => ({ hasSurround: true, covering: polygon, color }),
-  insider: ({ inside }) => ({ insider: inside }),
-  summary: ({ count, hasSurround, color, insider }) => ({
-    count,
-    hasSurround,
-    color: color ?? null,
-    insider,
+  cover: ({ polygon, color }, now) => ({
+    ...finding({ hasSurround: true, color }, now),
+    covering: polygon,
   }),
+  insider: ({ inside }, now) => finding({ insider: inside }, now),
+  summary: ({ count, hasSurround, color = null, insider }, now) =>
+    finding({ count, hasSurround, color, insider }, now),
   decide: nothing,
   fill: ({ rect, color }, _now, screen) => {
     screen.paint(rect[0], rect[1], rect[2], rect[3], color);
     return unchanged;
   },
   nearest: ({ polygon, z }) => ({ nearest: { polygon, z } }),
-  color: ({ color }) => ({ color }),
+  color: ({ color }, now) => finding({ color }, now),
   orient: nothing,
   clip_begin: ({ polygon }, _now, screen) => ({
     clip: { vertices: screen.polygon(polygon).vertices, next: [] },
@@ -203,7 +221,10 @@ const handlers: Handlers = {
   crossings: nothing,
   octants: counted,
   angle: nothing,
-  hiding: ({ polygon }) => ({ hasSurround: polygon !== undefined, covering: polygon ?? null }),
+  hiding: ({ polygon }, now) => ({
+    ...finding({ hasSurround: polygon !== undefined }, now),
+    covering: polygon ?? null,
+  }),
   split_vertex: nothing,
   edge_depth: nothing,
 };

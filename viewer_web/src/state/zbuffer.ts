@@ -13,24 +13,31 @@ export interface ActiveEdge {
   readonly dz: N;
 }
 
-export interface ZBuffer {
-  readonly polygon: string | null;
-  readonly edges: readonly number[];
-  readonly ael: readonly ActiveEdge[];
+/** Where a polygon's scan has come to. */
+interface Scanned {
   readonly y: N | null;
   readonly row: number | null;
   readonly nextS: N | null;
   readonly nextAel: N | null;
 }
 
+/** Of the current polygon; what the trace has not told of it yet is null. */
+export interface ZBuffer extends Scanned {
+  readonly polygon: string | null;
+  readonly edges: readonly number[];
+  readonly ael: readonly ActiveEdge[];
+  /** What was told last, if of a polygon before: the program's variables hold it until they are set again. */
+  readonly last: Scanned;
+}
+
+const notScanned: Scanned = { y: null, row: null, nextS: null, nextAel: null };
+
 export const emptyZBuffer: ZBuffer = {
   polygon: null,
   edges: [],
   ael: [],
-  y: null,
-  row: null,
-  nextS: null,
-  nextAel: null,
+  ...notScanned,
+  last: notScanned,
 };
 
 type Name = keyof (CommonEvents & ZBufferEvents);
@@ -43,6 +50,12 @@ type Handlers = { readonly [K in Name]: Handler<K> };
 
 const unchanged: Partial<ZBuffer> = {};
 const nothing = (): Partial<ZBuffer> => unchanged;
+
+/** The scan of the current polygon has come to this. */
+const scanning = (news: Partial<Scanned>, { last }: ZBuffer): Partial<ZBuffer> => ({
+  ...news,
+  last: { ...last, ...news },
+});
 
 function entry(now: ZBuffer, edge: number): ActiveEdge {
   const found = now.ael.find((each) => each.edge === edge);
@@ -95,11 +108,11 @@ const handlers: Handlers = {
   },
   polygon: ({ polygon }, _now, screen) => {
     screen.polygon(polygon);
-    return { polygon, edges: [], ael: [] };
+    return { polygon, edges: [], ael: [], ...notScanned };
   },
   edge: ({ edge }, { edges }) => ({ edges: [...edges, edge] }),
   extent: nothing,
-  scanline: ({ y, row }) => ({ y, row }),
+  scanline: ({ y, row }, now) => scanning({ y, row }, now),
   ael_add: ({ edge, x, z, until, dx, dz }, { ael }) => {
     if (ael.some((each) => each.edge === edge)) {
       throw new Refusal('edge', 'twiceInAel', String(edge));
@@ -109,13 +122,13 @@ const handlers: Handlers = {
   horizontal: nothing,
   leave: ({ edges, next }, now) => ({
     edges: without(now.edges, edges, 'notInS'),
-    nextS: next,
+    ...scanning({ nextS: next }, now),
   }),
   ael_sort: ({ edges, next }, now) => {
     if (edges.length !== now.ael.length || new Set(edges).size !== edges.length) {
       throw new Refusal('edges', 'notAnOrder');
     }
-    return { ael: edges.map((edge) => entry(now, edge)), nextAel: next };
+    return { ael: edges.map((edge) => entry(now, edge)), ...scanning({ nextAel: next }, now) };
   },
   line: nothing,
   miss: nothing,
@@ -132,7 +145,8 @@ const handlers: Handlers = {
       edges,
       'notInAel',
     );
-    return { ael: now.ael.filter(({ edge }) => !edges.includes(edge)), nextAel: next };
+    const ael = now.ael.filter(({ edge }) => !edges.includes(edge));
+    return { ael, ...scanning({ nextAel: next }, now) };
   },
   ael_step: ({ edge, x, z }, now) => {
     const stepped = { ...entry(now, edge), x, z };

@@ -38,7 +38,7 @@ export class Course {
   /** How deep the calls are nested after each step. */
   depths: Uint8Array;
   readonly ael: number[] = [];
-  readonly wrong: number[] = [];
+  readonly wrong: number[];
   readonly faults: number[] = [];
   deepest = 1;
   finest = 1;
@@ -52,7 +52,12 @@ export class Course {
   private readonly watch: readonly (((step: number) => void) | undefined)[];
   private readonly indices: ReadonlyMap<string, number>;
 
-  constructor(readonly trace: Trace) {
+  /** The steps are those at which decisions are known to be wrong though the trace does not say so. */
+  constructor(
+    readonly trace: Trace,
+    wrong: readonly number[] = [],
+  ) {
+    this.wrong = [...wrong];
     const { header, timeline } = trace;
     this.depths = new Uint8Array(timeline.length + 1).fill(1, 0, 1);
     this.depthChange = depthChanges(header.detail);

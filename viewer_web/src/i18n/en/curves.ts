@@ -6,7 +6,9 @@ import { point, short, shortApart } from '../words.js';
 const columns = { one: 'column', other: 'columns' };
 
 const where = ([left, right]: readonly [number, number]): string =>
-  left === right ? `over column ${left}` : `between the columns ${left} and ${right}`;
+  left === right
+    ? `over column ${short(left)}`
+    : `between the columns ${short(left)} and ${short(right)}`;
 
 const names = { upper: 'the upper horizon', lower: 'the lower horizon' } as const;
 
@@ -29,7 +31,7 @@ export const curveSentences: CurveSentences = {
   visibility: ({ x, flag }, { after }) => {
     const told = after.horizon?.told ?? null;
     const at = told?.x === x ? ` at ${short(told.y)}` : '';
-    return `Over column ${x} the curve${at} is ${flags[flag]}.`;
+    return `Over column ${short(x)} the curve${at} is ${flags[flag]}.`;
   },
   intersection: ({ at, point: met, columns: between }, { after }) => {
     const horizon = metBy(at, after.horizon ?? null);
@@ -47,7 +49,8 @@ export const curveSentences: CurveSentences = {
   },
   horizon: ({ first, last, upper, lower }, words) => {
     if (last < first) return 'No column lies between: the horizons stay as they are.';
-    const over = first === last ? `Column ${first}` : `Columns ${first} to ${last}`;
+    const over =
+      first === last ? `Column ${short(first)}` : `Columns ${short(first)} to ${short(last)}`;
     if (upper.length + lower.length === 0) return `${over}: both horizons stay as they are.`;
     const raised = `the upper horizon rises over ${words.counted(upper.length, columns)}`;
     const lowered = `the lower horizon falls over ${words.counted(lower.length, columns)}`;
@@ -56,18 +59,18 @@ export const curveSentences: CurveSentences = {
   },
   height: ({ x, y, upper, lower }) => {
     if (upper === undefined || lower === undefined) {
-      return `Over column ${x} the curve is at ${short(y)}; no horizon is there.`;
+      return `Over column ${short(x)} the curve is at ${short(y)}; no horizon is there.`;
     }
     const [own, above] = shortApart(y, upper);
     const [, below] = shortApart(y, lower);
-    return `Over column ${x} the curve is at ${own}; the upper horizon is at ${above}, the lower one at ${below}.`;
+    return `Over column ${short(x)} the curve is at ${own}; the upper horizon is at ${above}, the lower one at ${below}.`;
   },
-  raise: ({ x, y }) => `Over column ${x} the upper horizon comes to ${short(y)}.`,
-  lower: ({ x, y }) => `Over column ${x} the lower horizon comes to ${short(y)}.`,
+  raise: ({ x, y }) => `Over column ${short(x)} the upper horizon comes to ${short(y)}.`,
+  lower: ({ x, y }) => `Over column ${short(x)} the lower horizon comes to ${short(y)}.`,
   step: ({ x, changes }) =>
     changes
-      ? `Over column ${x} the segment is on the other side of the horizon: they meet on the way here.`
-      : `Over column ${x} the segment is still on the same side of the horizon.`,
+      ? `Over column ${short(x)} the segment is on the other side of the horizon: they meet on the way here.`
+      : `Over column ${short(x)} the segment is still on the same side of the horizon.`,
 };
 
 export const curves: CurveTexts = {

@@ -46,11 +46,25 @@ export const exact: ExactTexts = {
   right: 'Right.',
   wrong: 'Wrong.',
   undefined: 'After a wrong turn there is no right answer here.',
-  unchecked: 'This run was not held against exact arithmetic.',
+  unchecked: 'Not checked: this run was not held against exact arithmetic.',
+  notChecked: 'not checked',
+  checking: 'Checking every decision of this run…',
+  checkingShort: 'checking…',
+  found: (wrong) =>
+    wrong === 0
+      ? 'Checked: every decision of this run is right.'
+      : `Checked: decisions of this run are wrong at ${wrong} ${wrong === 1 ? 'step' : 'steps'}.`,
+  unable: {
+    otherRun:
+      'Not checked: the library runs this scene otherwise. Another program, or another version, made this trace.',
+    notHere: 'Not checked: the library does not run this text under these numbers.',
+    tooLong: 'Not checked: checked, the run would be too long for this page.',
+    failed: 'Not checked: the library could not run this scene again.',
+  },
   certain: 'Under these numbers every decision is exact.',
   check: 'Check every decision',
-  nothing:
-    'This step decides nothing by numbers. Go to a sign, a comparison or a range; “Go to: a wrong decision” finds those that are wrong.',
+  nothing: 'This step decides nothing by numbers. Go to a sign, a comparison or a range.',
+  findWrong: '“Go to: a wrong decision” finds those that are wrong.',
   lens: (at) => `The same decision around ${at}`,
   apart: (ulp) => `Each square is a neighbouring number, ${ulp} apart.`,
   noLens:

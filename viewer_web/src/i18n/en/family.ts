@@ -76,12 +76,15 @@ export const family: FamilyTexts = {
       meets
         ? `An edge of ${polygon} meets the window.`
         : `No edge of ${polygon} meets the window: it surrounds the window, or lies outside.`,
-    ray: ({ at, edge, counts }, { after }) => {
+    ray: ({ at, edge, counts }, { after, header }) => {
       const so = `${containment(after.warnock)} so far`;
       if (at === 'CR4') {
         return counts === 1
           ? `Edge ${edge} crosses the ray: ${so}.`
           : `Edge ${edge} passes to the left of where the ray begins: ${so}.`;
+      }
+      if (counts > 0 && header.edition === 'vertex-counted-twice') {
+        return `The beginning of edge ${edge} lies on the ray, which counts two here, touched or pierced: ${so}.`;
       }
       const where = `The beginning of edge ${edge} lies on the ray, where the outline`;
       if (counts === 2) return `${where} touches it, which counts two: ${so}.`;
@@ -107,8 +110,8 @@ export const family: FamilyTexts = {
         : `${polygon} surrounds the window and lies before all others: it hides them.`,
     split_vertex: ({ polygon, vertex, column, row, splits }) =>
       splits
-        ? `Vertex ${vertex} of ${polygon} lies in the window, which is split next to it, at x = ${column}, y = ${row}.`
-        : `Vertex ${vertex} of ${polygon} lies in the window, but next to it, at x = ${column}, y = ${row}, there is nothing to split.`,
+        ? `Vertex ${vertex} of ${polygon} lies in the window, which is split next to it, at x = ${short(column)}, y = ${short(row)}.`
+        : `Vertex ${vertex} of ${polygon} lies in the window, but next to it, at x = ${short(column)}, y = ${short(row)}, there is nothing to split.`,
     edge_depth: ({ polygon, edge, z }) =>
       `${polygon} is seen edge-on; its edge ${edge} has depth ${short(z)} at the point.`,
   },

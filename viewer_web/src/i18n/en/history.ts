@@ -22,6 +22,8 @@ export const history: HistoryTexts = {
     alone: (polygon) => `${polygon} is alone in this window and covers the centre of the pixel.`,
     nearest: (polygon) =>
       `${polygon} is nearer here than all drawn before, and nothing drawn later took the pixel.`,
+    notFarther: (polygon) =>
+      `${polygon} is here as near as all drawn before, or nearer, and nothing drawn later took the pixel.`,
     empty: () => 'no polygon is left in this window.',
     nothing: () => 'no polygon covers its centre.',
     beside: () => 'the only polygon in this window does not cover the centre of the pixel.',

@@ -52,7 +52,8 @@ export const regionSentences: RegionSentences = {
     const { pieces: all = [], seen = 0 } = after.regions?.inHand ?? {};
     const [piece, clip] = [all[seen - 1], all[0]];
     if (piece === undefined || clip === undefined) return `${polygon} lies outside.`;
-    return `The box of ${polygon}, ${boxOf(piece[1])}, lies beside that of ${clip[0]}, ${boxOf(clip[1])}: all of the piece is outside.`;
+    const box = boxOf(piece[1]);
+    return `The box of ${polygon}${box && `${box},`} lies beside that of ${clip[0]}${boxOf(clip[1])}: all of the piece is outside.`;
   },
   clipped: ({ at, polygon, clip, inside, outside }, words) => {
     if (inside.length === 0) return `No part of ${polygon} lies inside ${clip}.`;

@@ -1,5 +1,15 @@
+import type { Event } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
-import { cells, hidingOf, onlyOf, point, short, shortApart, windowText } from '../words.js';
+import {
+  cells,
+  hidingOf,
+  onlyOf,
+  point,
+  short,
+  shortApart,
+  sideAlong,
+  windowText,
+} from '../words.js';
 import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
@@ -7,17 +17,20 @@ import { family } from './family.js';
 import { isOpenOutline } from '../../regions/events.js';
 import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
+import { columnsOf, takes, zbufferSentences } from './zbuffer.js';
 
-const pixels = { one: 'pixel', other: 'pixels' };
 const rows = { one: 'row', other: 'rows' };
 const vertices = { one: 'vertex', other: 'vertices' };
 
-const takes = (n: number, words: Words): string =>
-  `${words.counted(n, pixels)} ${n === 1 ? 'takes' : 'take'}`;
+/** "A, B and the background". */
+const listed = (names: readonly string[]): string =>
+  names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1) ?? ''}`;
 
-const colorOf = (color: string, words: Words): string => {
-  const owner = words.owner(color);
-  return owner === null ? 'the background' : `the colour of ${owner}`;
+const colorOf = (event: Event<'fill'>, words: Words): string => {
+  const { polygons, background } = words.ownersOf(event);
+  if (polygons.length === 0) return background ? 'the background' : `the colour ${event.color}`;
+  if (polygons.length === 1 && !background) return `the colour of ${polygons.join('')}`;
+  return `the colour that ${listed([...polygons, ...(background ? ['the background'] : [])])} share`;
 };
 
 const place = (at: readonly (number | string)[], words: Words): string => {
@@ -25,15 +38,8 @@ const place = (at: readonly (number | string)[], words: Words): string => {
   return corner === null ? `point ${point(at)}` : `${corner} corner`;
 };
 
-const edgesOf = (list: readonly number[], words: Words): string =>
-  `${list.length === 1 ? 'Edge' : 'Edges'} ${words.list(list)}`;
-
 const currentList = (words: Words): string =>
   words.ids((words.after.warnock?.apl?.entries ?? []).map(([id]) => id));
-
-const sides = ['top', 'left', 'bottom', 'right'];
-const when = (next: number | string, before: string): string =>
-  next === 'inf' ? '' : `; ${before} ${short(next)}`;
 
 const { answer, causes, decided } = exact;
 
@@ -49,7 +55,7 @@ export const sentences: Sentences = {
     }
     return x === undefined || y === undefined
       ? `The printed text fails here: ${reason}. The run ends.`
-      : `The printed text fails here: ${reason}, pixel (${x}, ${y}).`;
+      : `The printed text fails here: ${reason}, pixel ${point([x, y])}.`;
   },
   disagree: ({ of, taken, exact, cause }) =>
     `Wrong, ${decided[of]}: ${answer(taken)} here, ${answer(exact)} exactly. ${causes[cause]}`,
@@ -63,18 +69,22 @@ export const sentences: Sentences = {
     return `The part ${windowText(window)} goes on the stack with ${list}.`;
   },
   skip: ({ window }) => `The part ${windowText(window)} lies off the area: it is left out.`,
-  pop: ({ at, window }, words) =>
-    at === 'WF2'
-      ? `The window ${windowText(window)} comes off the stack: it is of level ${words.after.warnock?.way?.length ?? 0}.`
-      : `The window ${windowText(window)} comes off the stack with ${currentList(words) || 'an empty list'}.`,
+  pop: ({ at, window }, words) => {
+    const taken = `The window ${windowText(window)} comes off the stack`;
+    if (at === 'WF2') {
+      return `${taken}: it is of level ${words.after.warnock?.way?.length ?? 0}.`;
+    }
+    if (words.header.detail === 'windows') return `${taken}.`;
+    return `${taken} with ${currentList(words) || 'an empty list'}.`;
+  },
   corners: ({ z }) => `Nothing is seen yet: the depth at all four corners starts at ${short(z)}.`,
   box: ({ polygon, outside }) =>
     outside
       ? `The box of ${polygon} lies outside the window.`
       : `The box of ${polygon} meets the window.`,
-  discard: ({ polygon }) => `${polygon} cannot show in this window: it leaves the list.`,
+  discard: ({ polygon }) => `${polygon} is not counted in this window: it leaves the list.`,
   count: ({ polygon, count }) =>
-    `${polygon} may show in this window: polygonCount is now ${count}.`,
+    `${polygon} is counted in this window: polygonCount is now ${count}.`,
   compare: ({ polygon, corner, z, against, nearer }, words) => {
     const where = corner === undefined ? 'At the point' : `At the ${words.places([corner])}`;
     const sign = nearer ? '>' : '≯';
@@ -101,12 +111,12 @@ export const sentences: Sentences = {
     at === 'RE2'
       ? `The box of ${polygon} ${inside ? 'lies' : 'does not lie'} strictly inside the window.`
       : inside
-        ? `${polygon}, the first in the window, lies wholly inside it.`
-        : `${polygon}, the first in the window, does not lie wholly inside it.`,
+        ? `The box of ${polygon}, the first that is counted, lies strictly inside the window.`
+        : `The box of ${polygon}, the first that is counted, does not lie strictly inside the window.`,
   summary: ({ count, hasSurround }, words) => {
     const found = words.counted(count, { one: 'polygon', other: 'polygons' });
     const one = words.after.warnock?.covering ?? 'one';
-    return `${found} in the window; ${hasSurround ? `${one} hides all others` : 'none is known to hide the others'}.`;
+    return `${found} counted in the window; ${hasSurround ? `${one} hides all others` : 'none is known to hide the others'}.`;
   },
   decide: (event, { after }) => {
     const only = onlyOf(after);
@@ -115,14 +125,18 @@ export const sentences: Sentences = {
       empty: 'No polygon is left in the window: it takes the background.',
       surrounded: `${covering} hides everything: the window takes its colour.`,
       pixel: 'The window is no larger than a pixel: the point at its centre decides.',
-      single: `Only ${only ?? 'one polygon'} is in the window: background first, then ${only ?? 'the polygon'}.`,
+      single: `Only ${only ?? 'one polygon'} is left in the window: background first, then ${only ?? 'the polygon'}.`,
       split: 'None of the simple cases: the window is split.',
     }[event.case];
   },
-  fill: ({ rect, color }, words) => `${takes(rect[2] * rect[3], words)} ${colorOf(color, words)}.`,
+  fill: (event, words) =>
+    `${takes(event.rect[2] * event.rect[3], words)} ${colorOf(event, words)}.`,
   nearest: ({ polygon, z }) => `${polygon} is the nearest at the point so far: z = ${short(z)}.`,
-  color: ({ point: at, color }, words) =>
-    `At ${point(at)} one sees ${words.owner(color) ?? 'the background'}.`,
+  color: (event, words) => {
+    const { polygons, background } = words.ownersOf(event);
+    const seen = polygons.join(' / ') || (background ? 'the background' : event.color);
+    return `At ${point(event.point)} one sees ${seen}.`;
+  },
   orient: ({ at, polygon, edge, point: where, value, sign }, words) => {
     const name = at === 'S2' || at === 'S3' || at === 'ED3' ? null : family.side[at];
     const what = name === null ? 'The point' : name(where, words.placeOf(where));
@@ -134,78 +148,42 @@ export const sentences: Sentences = {
     return `${what} lies ${side[sign]} edge ${edge} of ${polygon} (${short(value)}).`;
   },
   clip_begin: ({ polygon }) => `${polygon} is clipped by the window's four sides in turn.`,
-  clip_side: ({ side }) =>
-    `Side ${side} of 4, the ${sides[side - 1] ?? ''} one: the new list is empty.`,
+  clip_side: (event, { after }) => {
+    const along = sideAlong(event, after.warnock?.window ?? null);
+    const which = along === null ? '' : `, the ${along} one`;
+    return `Side ${event.side} of 4${which}: the new list is empty.`;
+  },
   clip_sign: ({ vertex, sign }) => {
-    const where = { '-1': 'on the inner side of', 0: 'on', 1: 'on the outer side of' }[sign];
-    return `The vertex ${point(vertex.slice(0, 2))} lies ${where} this line.`;
+    const where = {
+      '-1': 'on the negative side of this line and counts as inside',
+      0: 'on this line and counts as inside',
+      1: 'on the positive side of this line and counts as outside',
+    }[sign];
+    return `The vertex ${point(vertex.slice(0, 2))} lies ${where}.`;
   },
   clip_cross: ({ vertex }) =>
     `The edge crosses the side at ${point(vertex.slice(0, 2))}: the crossing joins the new list.`,
   clip_keep: ({ vertex }) => `The vertex ${point(vertex.slice(0, 2))} joins the new list.`,
-  clip_drop: ({ vertex }) => `The vertex ${point(vertex.slice(0, 2))} lies outside and is dropped.`,
+  clip_drop: ({ vertex }) =>
+    `The vertex ${point(vertex.slice(0, 2))} counts as outside and is dropped.`,
   clip_list: ({ count }, words) =>
     count === 0
       ? 'Nothing is left.'
       : `This side is done: ${words.counted(count, vertices)} in the list.`,
   clip_result: ({ polygon, vertices: left }, words) =>
     left.length === 0
-      ? `No part of ${polygon} lies in the window.`
-      : `The part of ${polygon} in the window has ${words.counted(left.length, vertices)}.`,
+      ? `Clipping leaves nothing of ${polygon}.`
+      : `Clipping leaves a part of ${polygon} with ${words.counted(left.length, vertices)}.`,
   row: ({ row, left, right, first, end }) =>
     first < end
-      ? `Row ${row} meets it from ${short(left)} to ${short(right)}: columns ${first} to ${end - 1}.`
-      : `Row ${row} meets it from ${short(left)} to ${short(right)}: no pixel's centre.`,
+      ? `Row ${short(row)} meets it from ${short(left)} to ${short(right)}: ${columnsOf(first, end - 1)}.`
+      : `Row ${short(row)} meets it from ${short(left)} to ${short(right)}: no pixel's centre.`,
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} the colour of ${polygon}, in ${words.counted(runs.length, rows)}.`,
 
   ...family.sentences,
 
-  clear: ({ z }) => `The picture is background; every cell of Z holds ${short(z)}.`,
-  polygon: ({ polygon }) => `Now ${polygon}: S and AEL are empty.`,
-  edge: ({ edge, rows }) => {
-    const [first, last] = rows ?? [];
-    if (first === undefined || last === undefined) return `Edge ${edge} joins S.`;
-    if (last < first) return `Edge ${edge} joins S; it crosses the centre of no row.`;
-    return `Edge ${edge} joins S: rows ${first} to ${last}.`;
-  },
-  extent: ({ ymin, ymax }) => `The polygon reaches from y = ${short(ymin)} to ${short(ymax)}.`,
-  scanline: ({ y, row }) => `The scanline is row ${row}, y = ${short(y)}.`,
-  ael_add: ({ edge, x, z, until }) =>
-    `Edge ${edge} begins: it joins AEL at x = ${short(x)}, z = ${short(z)}, until ${short(until)}.`,
-  horizontal: ({ edge }) => `Edge ${edge} is level: it is shown at once and does not join AEL.`,
-  leave: ({ edges, next }, words) =>
-    edges.length === 0
-      ? 'No edge leaves S.'
-      : `${edgesOf(edges, words)} of S done with${when(next, 'the next begins at')}.`,
-  ael_sort: ({ edges, next }, words) =>
-    edges.length === 0
-      ? 'AEL is empty.'
-      : `AEL from left to right: ${words.list(edges)}${when(next, 'the next change is at')}.`,
-  line: ({ row, from, to }) =>
-    `Row ${row} from x = ${short(from[0])} (z = ${short(from[1])}) to x = ${short(to[0])} (z = ${short(to[1])}).`,
-  miss: () => 'The line lies off the area: nothing to show.',
-  slope: ({ dz }) => `From pixel to pixel z changes by ${short(dz)}.`,
-  columns: ({ first, end, z }) =>
-    first < end
-      ? `Columns ${first} to ${end - 1}: z = ${short(z)} at the first.`
-      : 'No pixel centre lies between the ends.',
-  pixel: ({ x, y, z, stored, shown }) => {
-    const [depth, before] = shortApart(z, stored);
-    return shown
-      ? `Pixel (${x}, ${y}): ${depth} is nearer than ${before}, so it shows.`
-      : `Pixel (${x}, ${y}): ${depth} is not nearer than ${before}, so it stays hidden.`;
-  },
-  span: ({ row, runs }, words) =>
-    cells(runs) === 0
-      ? `No pixel of row ${row} changes.`
-      : `${takes(cells(runs), words)} the colour of ${words.after.zbuffer?.polygon ?? ''}, in row ${row}.`,
-  ael_drop: ({ edges, next }, words) =>
-    edges.length === 0
-      ? 'No edge ends here.'
-      : `${edgesOf(edges, words)} ended: out of AEL${when(next, 'the next change is at')}.`,
-  ael_step: ({ edge, x, z }) => `Edge ${edge} steps to x = ${short(x)}, z = ${short(z)}.`,
-
+  ...zbufferSentences,
   ...curveSentences,
   ...regionSentences,
 };

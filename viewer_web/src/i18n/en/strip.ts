@@ -30,7 +30,7 @@ export const strip: StripTexts = {
     levels: 'How often the area was split to get the window',
     ael: 'Where AEL changes',
     calls: 'How deep the calls are nested',
-    wrong: 'A wrong decision, in a trace made with --check',
+    wrong: 'A wrong decision, if the run was checked',
     fault: 'The printed text fails, or rounding leaves an outline open',
     bookmark: 'A bookmark',
     now: 'The step that is shown',

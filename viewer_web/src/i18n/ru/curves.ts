@@ -1,12 +1,14 @@
 import type { Flag } from '../../curves/events.js';
 import { isPoint, metBy } from '../../curves/sides.js';
 import type { CurveSentences, CurveTexts } from '../curve-texts.js';
-import { point, short, shortApart } from '../words.js';
+import { point, rangeOf, short, shortApart } from '../words.js';
 
 const columns = { one: 'столбцом', other: 'столбцами' };
 
 const where = ([left, right]: readonly [number, number]): string =>
-  left === right ? `над столбцом ${left}` : `между столбцами ${left} и ${right}`;
+  left === right
+    ? `над столбцом ${short(left)}`
+    : `между столбцами ${short(left)} и ${short(right)}`;
 
 const names = { upper: 'с верхним горизонтом', lower: 'с нижним горизонтом' } as const;
 
@@ -29,7 +31,7 @@ export const curveSentences: CurveSentences = {
   visibility: ({ x, flag }, { after }) => {
     const told = after.horizon?.told ?? null;
     const at = told?.x === x ? ` на высоте ${short(told.y)}` : '';
-    return `Над столбцом ${x} кривая${at} — ${flags[flag]}.`;
+    return `Над столбцом ${short(x)} кривая${at} — ${flags[flag]}.`;
   },
   intersection: ({ at, point: met, columns: between }, { after }) => {
     const horizon = metBy(at, after.horizon ?? null);
@@ -47,7 +49,7 @@ export const curveSentences: CurveSentences = {
   },
   horizon: ({ first, last, upper, lower }, words) => {
     if (last < first) return 'Между ними нет ни одного столбца: горизонты прежние.';
-    const over = first === last ? `Столбец ${first}` : `Столбцы ${first}–${last}`;
+    const over = first === last ? `Столбец ${short(first)}` : `Столбцы ${rangeOf(first, last)}`;
     if (upper.length + lower.length === 0) return `${over}: оба горизонта прежние.`;
     const raised = `верхний горизонт поднимается над ${words.counted(upper.length, columns)}`;
     const lowered = `нижний горизонт опускается над ${words.counted(lower.length, columns)}`;
@@ -56,18 +58,18 @@ export const curveSentences: CurveSentences = {
   },
   height: ({ x, y, upper, lower }) => {
     if (upper === undefined || lower === undefined) {
-      return `Над столбцом ${x} кривая на высоте ${short(y)}; горизонта там нет.`;
+      return `Над столбцом ${short(x)} кривая на высоте ${short(y)}; горизонта там нет.`;
     }
     const [own, above] = shortApart(y, upper);
     const [, below] = shortApart(y, lower);
-    return `Над столбцом ${x} кривая на высоте ${own}; верхний горизонт на ${above}, нижний на ${below}.`;
+    return `Над столбцом ${short(x)} кривая на высоте ${own}; верхний горизонт на ${above}, нижний на ${below}.`;
   },
-  raise: ({ x, y }) => `Над столбцом ${x} верхний горизонт теперь на ${short(y)}.`,
-  lower: ({ x, y }) => `Над столбцом ${x} нижний горизонт теперь на ${short(y)}.`,
+  raise: ({ x, y }) => `Над столбцом ${short(x)} верхний горизонт теперь на ${short(y)}.`,
+  lower: ({ x, y }) => `Над столбцом ${short(x)} нижний горизонт теперь на ${short(y)}.`,
   step: ({ x, changes }) =>
     changes
-      ? `Над столбцом ${x} отрезок по другую сторону горизонта: встреча на пути сюда.`
-      : `Над столбцом ${x} отрезок по ту же сторону горизонта.`,
+      ? `Над столбцом ${short(x)} отрезок по другую сторону горизонта: встреча на пути сюда.`
+      : `Над столбцом ${short(x)} отрезок по ту же сторону горизонта.`,
 };
 
 export const curves: CurveTexts = {

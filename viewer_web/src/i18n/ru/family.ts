@@ -77,12 +77,15 @@ export const family: FamilyTexts = {
       meets
         ? `Одно из рёбер ${polygon} встречает окно.`
         : `Ни одно ребро ${polygon} не встречает окна: он охватывает окно или лежит вне его.`,
-    ray: ({ at, edge, counts }, { after }) => {
+    ray: ({ at, edge, counts }, { after, header }) => {
       const so = `пока ${containment(after.warnock)}`;
       if (at === 'CR4') {
         return counts === 1
           ? `Ребро ${edge} пересекает луч: ${so}.`
           : `Ребро ${edge} проходит левее начала луча: ${so}.`;
+      }
+      if (counts > 0 && header.edition === 'vertex-counted-twice') {
+        return `Начало ребра ${edge} лежит на луче: касание и протыкание здесь считаются за два: ${so}.`;
       }
       const where = `Начало ребра ${edge} лежит на луче, граница там`;
       if (counts === 2) return `${where} касается его, это считается за два: ${so}.`;
@@ -108,8 +111,8 @@ export const family: FamilyTexts = {
         : `${polygon} охватывает окно и лежит впереди всех: он закрывает остальные.`,
     split_vertex: ({ polygon, vertex, column, row, splits }) =>
       splits
-        ? `Вершина ${vertex} многоугольника ${polygon} лежит в окне: оно делится рядом с ней, x = ${column}, y = ${row}.`
-        : `Вершина ${vertex} многоугольника ${polygon} лежит в окне, но рядом с ней, x = ${column}, y = ${row}, делить нечего.`,
+        ? `Вершина ${vertex} многоугольника ${polygon} лежит в окне: оно делится рядом с ней, x = ${short(column)}, y = ${short(row)}.`
+        : `Вершина ${vertex} многоугольника ${polygon} лежит в окне, но рядом с ней, x = ${short(column)}, y = ${short(row)}, делить нечего.`,
     edge_depth: ({ polygon, edge, z }) =>
       `${polygon} повёрнут ребром; глубина его ребра ${edge} в этой точке равна ${short(z)}.`,
   },

@@ -53,7 +53,8 @@ export const regionSentences: RegionSentences = {
     const { pieces: all = [], seen = 0 } = after.regions?.inHand ?? {};
     const [piece, clip] = [all[seen - 1], all[0]];
     if (piece === undefined || clip === undefined) return `${polygon} лежит снаружи.`;
-    return `Габариты ${polygon}, ${boxOf(piece[1])}, лежат в стороне от габаритов ${clip[0]}, ${boxOf(clip[1])}: вся часть снаружи.`;
+    const box = boxOf(piece[1]);
+    return `Габариты ${polygon}${box && `${box},`} лежат в стороне от габаритов ${clip[0]}${boxOf(clip[1])}: вся часть снаружи.`;
   },
   clipped: ({ at, polygon, clip, inside, outside }, words) => {
     if (inside.length === 0) return `Внутри ${clip} нет ничего от ${polygon}.`;

@@ -1,5 +1,16 @@
+import type { Event } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
-import { cells, hidingOf, onlyOf, point, short, shortApart, windowText } from '../words.js';
+import {
+  capital,
+  cells,
+  hidingOf,
+  onlyOf,
+  point,
+  short,
+  shortApart,
+  sideAlong,
+  windowText,
+} from '../words.js';
 import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
@@ -7,17 +18,20 @@ import { family } from './family.js';
 import { isOpenOutline } from '../../regions/events.js';
 import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
+import { columnsOf, takes, zbufferSentences } from './zbuffer.js';
 
-const pixels = { one: 'пиксель', few: 'пикселя', other: 'пикселей' };
 const rows = { one: 'строке', other: 'строках' };
 const vertices = { one: 'вершина', few: 'вершины', other: 'вершин' };
 
-const takes = (n: number, words: Words): string =>
-  `${words.counted(n, pixels)} ${n % 10 === 1 && n % 100 !== 11 ? 'получает' : 'получают'}`;
+/** «A, B и фона». */
+const listed = (names: readonly string[]): string =>
+  names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} и ${names.at(-1) ?? ''}`;
 
-const colorOf = (color: string, words: Words): string => {
-  const owner = words.owner(color);
-  return owner === null ? 'цвет фона' : `цвет ${owner}`;
+const colorOf = (event: Event<'fill'>, words: Words): string => {
+  const { polygons, background } = words.ownersOf(event);
+  if (polygons.length === 0) return background ? 'цвет фона' : `цвет ${event.color}`;
+  if (polygons.length === 1 && !background) return `цвет ${polygons.join('')}`;
+  return `общий цвет ${listed([...polygons, ...(background ? ['фона'] : [])])}`;
 };
 
 const inCorner: Readonly<Record<string, string>> = {
@@ -30,18 +44,10 @@ const inCorner: Readonly<Record<string, string>> = {
 const where = (at: readonly (number | string)[], words: Words): string =>
   inCorner[words.placeOf(at) ?? ''] ?? `в точке ${point(at)}`;
 
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
-
-const edgesOf = (list: readonly number[], words: Words): string =>
-  `${list.length === 1 ? 'Ребро' : 'Рёбра'} ${words.list(list)}`;
-
 const currentList = (words: Words): string =>
   words.ids((words.after.warnock?.apl?.entries ?? []).map(([id]) => id));
 
-const sides = ['верхняя', 'левая', 'нижняя', 'правая'];
-const when = (next: number | string, before: string): string =>
-  next === 'inf' ? '' : `; ${before} ${short(next)}`;
-
+const sides = { top: 'верхняя', left: 'левая', bottom: 'нижняя', right: 'правая' } as const;
 const { answer, causes, decided } = exact;
 
 export const sentences: Sentences = {
@@ -56,7 +62,7 @@ export const sentences: Sentences = {
     }
     return x === undefined || y === undefined
       ? `Напечатанный текст здесь ошибается: ${reason}. Прогон окончен.`
-      : `Напечатанный текст здесь ошибается: ${reason}, пиксель (${x}, ${y}).`;
+      : `Напечатанный текст здесь ошибается: ${reason}, пиксель ${point([x, y])}.`;
   },
   disagree: ({ of, taken, exact, cause }) =>
     `Неверно, ${decided[of]}: здесь ${answer(taken)}, точно ${answer(exact)}. ${causes[cause]}`,
@@ -70,18 +76,20 @@ export const sentences: Sentences = {
     return `Часть ${windowText(window)} кладётся в стек ${list}.`;
   },
   skip: ({ window }) => `Часть ${windowText(window)} лежит вне области: она пропускается.`,
-  pop: ({ at, window }, words) =>
-    at === 'WF2'
-      ? `Окно ${windowText(window)} берётся из стека, его уровень ${words.after.warnock?.way?.length ?? 0}.`
-      : `Окно ${windowText(window)} берётся из стека, его список: ${currentList(words) || 'пуст'}.`,
+  pop: ({ at, window }, words) => {
+    const taken = `Окно ${windowText(window)} берётся из стека`;
+    if (at === 'WF2') return `${taken}, его уровень ${words.after.warnock?.way?.length ?? 0}.`;
+    if (words.header.detail === 'windows') return `${taken}.`;
+    return `${taken}, его список: ${currentList(words) || 'пуст'}.`;
+  },
   corners: ({ z }) => `Пока ничего не видно: глубина во всех четырёх углах равна ${short(z)}.`,
   box: ({ polygon, outside }) =>
     outside
       ? `Габаритный прямоугольник ${polygon} лежит вне окна.`
       : `Габаритный прямоугольник ${polygon} пересекается с окном.`,
-  discard: ({ polygon }) => `${polygon} не может быть виден в этом окне: он удаляется из списка.`,
+  discard: ({ polygon }) => `${polygon} в этом окне не учитывается: он удаляется из списка.`,
   count: ({ polygon, count }) =>
-    `${polygon} может быть виден в окне: polygonCount теперь ${count}.`,
+    `${polygon} учитывается в этом окне: polygonCount теперь ${count}.`,
   compare: ({ polygon, corner, z, against, nearer }, words) => {
     const place =
       corner === undefined ? 'В точке' : capital(inCorner[words.places([corner])] ?? '');
@@ -111,8 +119,8 @@ export const sentences: Sentences = {
     at === 'RE2'
       ? `Габаритный прямоугольник ${polygon} ${inside ? 'лежит' : 'не лежит'} строго внутри окна.`
       : inside
-        ? `${polygon}, первый в окне, лежит целиком внутри него.`
-        : `${polygon}, первый в окне, не лежит целиком внутри него.`,
+        ? `Габаритный прямоугольник ${polygon}, первого из учтённых, лежит строго внутри окна.`
+        : `Габаритный прямоугольник ${polygon}, первого из учтённых, не лежит строго внутри окна.`,
   summary: ({ count, hasSurround }, words) => {
     const found = words.counted(count, {
       one: 'многоугольник',
@@ -120,7 +128,7 @@ export const sentences: Sentences = {
       other: 'многоугольников',
     });
     const one = words.after.warnock?.covering ?? 'один из них';
-    return `В окне ${found}; ${hasSurround ? `${one} закрывает остальные` : 'неизвестно, закрывает ли один остальные'}.`;
+    return `В окне учтено ${found}; ${hasSurround ? `${one} закрывает остальные` : 'неизвестно, закрывает ли один остальные'}.`;
   },
   decide: (event, { after }) => {
     const only = onlyOf(after);
@@ -129,15 +137,17 @@ export const sentences: Sentences = {
       empty: 'В окне не осталось многоугольников: оно получает цвет фона.',
       surrounded: `${covering} закрывает всё: окно получает его цвет.`,
       pixel: 'Окно не больше пикселя: решает точка в его центре.',
-      single: `В окне только ${only ?? 'один многоугольник'}: сначала фон, затем ${only ?? 'он сам'}.`,
+      single: `В окне остался только ${only ?? 'один многоугольник'}: сначала фон, затем ${only ?? 'он сам'}.`,
       split: 'Ни один из простых случаев: окно делится.',
     }[event.case];
   },
-  fill: ({ rect, color }, words) => `${takes(rect[2] * rect[3], words)} ${colorOf(color, words)}.`,
+  fill: (event, words) =>
+    `${takes(event.rect[2] * event.rect[3], words)} ${colorOf(event, words)}.`,
   nearest: ({ polygon, z }) => `Пока ближе всех в точке ${polygon}: z = ${short(z)}.`,
-  color: ({ point: at, color }, words) => {
-    const owner = words.owner(color);
-    return `В точке ${point(at)} виден ${owner ?? 'фон'}.`;
+  color: (event, words) => {
+    const { polygons, background } = words.ownersOf(event);
+    const seen = polygons.join(' / ') || (background ? 'фон' : event.color);
+    return `В точке ${point(event.point)} виден ${seen}.`;
   },
   orient: ({ at, polygon, edge, point: place, value, sign }, words) => {
     const name = at === 'S2' || at === 'S3' || at === 'ED3' ? null : family.side[at];
@@ -150,77 +160,42 @@ export const sentences: Sentences = {
     return `${what} лежит ${side} ${edge} многоугольника ${polygon} (${short(value)}).`;
   },
   clip_begin: ({ polygon }) => `${polygon} отсекается по очереди четырьмя сторонами окна.`,
-  clip_side: ({ side }) => `Сторона ${side} из 4, ${sides[side - 1] ?? ''}: новый список пуст.`,
+  clip_side: (event, { after }) => {
+    const along = sideAlong(event, after.warnock?.window ?? null);
+    const which = along === null ? '' : `, ${sides[along]}`;
+    return `Сторона ${event.side} из 4${which}: новый список пуст.`;
+  },
   clip_sign: ({ vertex, sign }) => {
-    const place = { '-1': 'с внутренней стороны', 0: 'на самой', 1: 'с внешней стороны' }[sign];
-    return `Вершина ${point(vertex.slice(0, 2))} лежит ${place} прямой.`;
+    const place = {
+      '-1': 'по отрицательную сторону этой прямой и считается внутренней',
+      0: 'на этой прямой и считается внутренней',
+      1: 'по положительную сторону этой прямой и считается внешней',
+    }[sign];
+    return `Вершина ${point(vertex.slice(0, 2))} лежит ${place}.`;
   },
   clip_cross: ({ vertex }) =>
     `Ребро пересекает сторону в ${point(vertex.slice(0, 2))}: точка входит в новый список.`,
   clip_keep: ({ vertex }) => `Вершина ${point(vertex.slice(0, 2))} входит в новый список.`,
-  clip_drop: ({ vertex }) => `Вершина ${point(vertex.slice(0, 2))} лежит снаружи и отбрасывается.`,
+  clip_drop: ({ vertex }) =>
+    `Вершина ${point(vertex.slice(0, 2))} считается внешней и отбрасывается.`,
   clip_list: ({ count }, words) =>
     count === 0
       ? 'Ничего не осталось.'
       : `Сторона пройдена: в списке ${words.counted(count, vertices)}.`,
   clip_result: ({ polygon, vertices: left }, words) =>
     left.length === 0
-      ? `В окне нет ни одной части ${polygon}.`
-      : `У части ${polygon} в окне ${words.counted(left.length, vertices)}.`,
+      ? `После отсечения от ${polygon} ничего не осталось.`
+      : `После отсечения от ${polygon} осталась часть: ${words.counted(left.length, vertices)}.`,
   row: ({ row, left, right, first, end }) =>
     first < end
-      ? `Строка ${row} пересекает его от ${short(left)} до ${short(right)}: столбцы ${first}–${end - 1}.`
-      : `Строка ${row} пересекает его от ${short(left)} до ${short(right)}: ни одного центра пикселя.`,
+      ? `Строка ${short(row)} пересекает его от ${short(left)} до ${short(right)}: ${columnsOf(first, end - 1)}.`
+      : `Строка ${short(row)} пересекает его от ${short(left)} до ${short(right)}: ни одного центра пикселя.`,
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} цвет ${polygon} в ${words.counted(runs.length, rows)}.`,
 
   ...family.sentences,
 
-  clear: ({ z }) => `Изображение заполнено фоном, каждая ячейка Z-буфера — значением ${short(z)}.`,
-  polygon: ({ polygon }) => `Теперь ${polygon}: S и список активных рёбер пусты.`,
-  edge: ({ edge, rows }) => {
-    const [first, last] = rows ?? [];
-    if (first === undefined || last === undefined) return `Ребро ${edge} входит в S.`;
-    if (last < first) return `Ребро ${edge} входит в S; оно не пересекает центра ни одной строки.`;
-    return `Ребро ${edge} входит в S: строки ${first}–${last}.`;
-  },
-  extent: ({ ymin, ymax }) => `Многоугольник простирается от y = ${short(ymin)} до ${short(ymax)}.`,
-  scanline: ({ y, row }) => `Строка растра ${row}, y = ${short(y)}.`,
-  ael_add: ({ edge, x, z, until }) =>
-    `Ребро ${edge} начинается: входит в AEL с x = ${short(x)}, z = ${short(z)}, до ${short(until)}.`,
-  horizontal: ({ edge }) => `Ребро ${edge} горизонтально: оно рисуется сразу и в список не входит.`,
-  leave: ({ edges, next }, words) =>
-    edges.length === 0
-      ? 'Из S ничего не удаляется.'
-      : `${edgesOf(edges, words)} — вон из S${when(next, 'следующее начинается в')}.`,
-  ael_sort: ({ edges, next }, words) =>
-    edges.length === 0
-      ? 'Список активных рёбер пуст.'
-      : `Активные рёбра слева направо: ${words.list(edges)}${when(next, 'следующее изменение в')}.`,
-  line: ({ row, from, to }) =>
-    `Строка ${row} от x = ${short(from[0])} (z = ${short(from[1])}) до x = ${short(to[0])} (z = ${short(to[1])}).`,
-  miss: () => 'Отрезок лежит вне области: показывать нечего.',
-  slope: ({ dz }) => `От пикселя к пикселю z меняется на ${short(dz)}.`,
-  columns: ({ first, end, z }) =>
-    first < end
-      ? `Столбцы ${first}–${end - 1}: z = ${short(z)} в первом.`
-      : 'Между концами нет ни одного центра пикселя.',
-  pixel: ({ x, y, z, stored, shown }) => {
-    const [depth, before] = shortApart(z, stored);
-    return shown
-      ? `Пиксель (${x}, ${y}): ${depth} ближе, чем ${before}, — он виден.`
-      : `Пиксель (${x}, ${y}): ${depth} не ближе, чем ${before}, — он закрыт.`;
-  },
-  span: ({ row, runs }, words) =>
-    cells(runs) === 0
-      ? `В строке ${row} ничего не меняется.`
-      : `${takes(cells(runs), words)} цвет ${words.after.zbuffer?.polygon ?? ''} в строке ${row}.`,
-  ael_drop: ({ edges, next }, words) =>
-    edges.length === 0
-      ? 'Ни одно ребро здесь не кончается.'
-      : `${edgesOf(edges, words)}: конец, удаление из списка${when(next, 'следующее изменение в')}.`,
-  ael_step: ({ edge, x, z }) => `Ребро ${edge} делает шаг: x = ${short(x)}, z = ${short(z)}.`,
-
+  ...zbufferSentences,
   ...curveSentences,
   ...regionSentences,
 };

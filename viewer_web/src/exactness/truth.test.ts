@@ -1,0 +1,83 @@
+import { describe, expect, it } from 'vitest';
+import { headerOf, pop, push, textWith, traceOf } from '../testing/traces.js';
+import type { Event } from '../trace/events.js';
+import type { Trace } from '../trace/trace.js';
+import { toldOf } from './told.js';
+import { Truth, verdictBy } from './truth.js';
+import { isWrong } from './verdict.js';
+
+const orient = (value: number): Event<'orient'> => ({
+  e: 'orient',
+  at: 'S3',
+  polygon: 'A',
+  edge: 0,
+  point: [4, 0],
+  value,
+  sign: value < 0 ? -1 : 1,
+});
+const disagree: Event = {
+  e: 'disagree',
+  at: 'S3',
+  of: 'orientation',
+  taken: -1,
+  exact: 1,
+  cause: 'rounded',
+};
+const trace = (...events: readonly Event[]): Promise<Trace> =>
+  traceOf(textWith(headerOf('warnock'), events));
+
+const unchecked = [push, pop, orient(1), orient(-2), orient(3)] as const;
+const checked = [
+  push,
+  pop,
+  { ...orient(1), exact: 1 },
+  { ...orient(-2), exact: 1 },
+  disagree,
+  { ...orient(3), exact: 1 },
+] as const;
+
+describe('the truth beside a run that was not checked', () => {
+  it('is that of the same run, checked, at each step of its own', async () => {
+    const run = await trace(...unchecked);
+    const truth = Truth.of(run, await trace(...checked));
+    if (truth === null) throw new Error('another run');
+    expect(truth.wrong).toEqual([4]);
+    const verdicts = [1, 3, 4, 5].map((step) => verdictBy({ is: 'found', truth }, run, step));
+    expect(verdicts.map((verdict) => verdict && isWrong(verdict))).toEqual([
+      null,
+      false,
+      true,
+      false,
+    ]);
+    expect(verdicts[2]).toMatchObject({ taken: -1, exact: 1, cause: 'rounded' });
+    expect(verdictBy({ is: 'unchecked' }, run, 4)?.exact).toBeUndefined();
+  });
+
+  it('is that of no other run', async () => {
+    const other = await trace(...checked);
+    expect(Truth.of(await trace(push, pop, orient(1), orient(-2), orient(4)), other)).toBeNull();
+    expect(Truth.of(await trace(...unchecked, orient(5)), other)).toBeNull();
+    // A run that was cut short is the beginning of the whole one.
+    expect(Truth.of(await trace(push, pop, orient(1)), other)?.wrong).toEqual([]);
+  });
+
+  it('does not depend on how the trace was written', async () => {
+    const spaced = textWith(headerOf('warnock'), unchecked).replaceAll('"sign":', '"sign": ');
+    expect(Truth.of(await traceOf(spaced), await trace(...checked))?.wrong).toEqual([4]);
+  });
+});
+
+describe('what a trace tells of its decisions', () => {
+  it.each([
+    ['unchecked', 'double', unchecked],
+    ['told', 'double', checked],
+    // Decisions of `windows` are not told, wrong ones are.
+    ['told', 'double', [push, pop, disagree]],
+    ['unchecked', 'double', [push, pop]],
+    ['certain', 'exact', unchecked],
+    ['told', 'exact', checked],
+  ] as const)('%s, under %s', async (told, kernel, events) => {
+    const header = { ...headerOf('warnock'), kernel };
+    expect(toldOf(await traceOf(textWith(header, events)))).toBe(told);
+  });
+});

@@ -1,0 +1,82 @@
+import type { Timeline } from '../state/timeline.js';
+import { numberOf } from '../trace/events.js';
+import type { Event } from '../trace/events.js';
+import type { Trace } from '../trace/trace.js';
+import { toldOf } from './told.js';
+import type { Told } from './told.js';
+import { verdictOf } from './verdict.js';
+import type { Verdict } from './verdict.js';
+
+const disagree = numberOf.get('disagree');
+
+/** The truth beside the steps of a run that was not checked: the same run once more, checked. */
+export class Truth {
+  private constructor(
+    private readonly checked: Trace,
+    /** For each step of the run, from 1, that of the checked one. */
+    private readonly places: Uint32Array,
+    /** The steps of the run at which a decision is wrong. */
+    readonly wrong: readonly number[],
+  ) {}
+
+  /** Null if the checked run is another one. */
+  static of({ timeline }: Trace, checked: Trace): Truth | null {
+    const { names } = checked.timeline;
+    const places = new Uint32Array(timeline.length + 1);
+    const wrong: number[] = [];
+    let step = 0;
+    for (let i = 0; i < names.length; i++) {
+      if (names[i] === disagree) {
+        if (wrong.at(-1) !== step) wrong.push(step);
+      } else if (step === timeline.length) break;
+      else {
+        places[++step] = i + 1;
+        if (!isSame(timeline, step, checked.timeline, i + 1)) return null;
+      }
+    }
+    return step === timeline.length ? new Truth(checked, places, wrong) : null;
+  }
+
+  verdictAt(step: number): Verdict | null {
+    return verdictOf(this.checked, this.places[step] ?? 0);
+  }
+}
+
+/** Whether both steps tell the same, but for what is right. */
+function isSame(one: Timeline, step: number, checked: Timeline, place: number): boolean {
+  const line = checked.line(place).trimEnd();
+  const own = one.line(step).trimEnd();
+  if (line === own || line.startsWith(`${own.slice(0, -1)},"exact":`)) return true;
+  const [event, truth] = [one.event(step), checked.event(place)];
+  if (event === null || truth === null) return false;
+  return written(event) === written(truth);
+}
+
+const written = (event: Event): string =>
+  JSON.stringify(
+    Object.entries(event)
+      .filter(([key]) => key !== 'exact' && key !== 'by')
+      .sort(([a], [b]) => (a < b ? -1 : 1)),
+  );
+
+/** Why the library cannot check a run. */
+export type Unable = 'otherRun' | 'notHere' | 'tooLong' | 'failed';
+
+/** How a run's decisions are known to be right or wrong. */
+export type Check =
+  | { readonly is: Told | 'checking' }
+  | { readonly is: 'found'; readonly truth: Truth }
+  | { readonly is: 'unable'; readonly why: Unable; readonly messages: string };
+
+const asTold: Readonly<Record<Told, Check>> = {
+  told: { is: 'told' },
+  certain: { is: 'certain' },
+  unchecked: { is: 'unchecked' },
+};
+
+/** What is known from the trace alone. */
+export const toldCheck = (trace: Trace): Check => asTold[toldOf(trace)];
+
+/** The verdict on a step, of the trace itself or of the check. */
+export const verdictBy = (check: Check, trace: Trace, step: number): Verdict | null =>
+  check.is === 'found' ? check.truth.verdictAt(step) : verdictOf(trace, step);

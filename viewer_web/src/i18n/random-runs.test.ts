@@ -1,0 +1,75 @@
+import { describe, expect, it } from 'vitest';
+import { canonical } from '../state/canonical.js';
+import { curveFacts } from '../testing/facts/curves.js';
+import { familyFacts } from '../testing/facts/family.js';
+import type { Fact, Facts, Moment, ProgramState } from '../testing/facts/fact.js';
+import { Moments } from '../testing/facts/moments.js';
+import { regionFacts } from '../testing/facts/regions.js';
+import { scanlineFacts } from '../testing/facts/scanlines.js';
+import { faultOf } from '../testing/facts/told.js';
+import { windowFacts } from '../testing/facts/windows.js';
+import { make } from '../testing/made.js';
+import { randomRuns } from '../testing/random-runs.js';
+import type { RandomRun } from '../testing/random-runs.js';
+import { traceOf } from '../testing/traces.js';
+import type { Event, EventName } from '../trace/events.js';
+import { viewOf } from '../view.js';
+import { sentence } from './index.js';
+import { languages } from './language.js';
+
+/** The program that makes the runs; `./dev test` names it. */
+const program = process.env['VIDNO_PROGRAM'];
+
+const facts: Facts<EventName> = {
+  ...windowFacts,
+  ...familyFacts,
+  ...scanlineFacts,
+  ...curveFacts,
+  ...regionFacts,
+};
+
+/** What is wrong with the sentences of a run, and which events it has. */
+async function faultsOf(made: string, run: RandomRun): Promise<readonly string[]> {
+  const { trace: text, states } = await make(made, run);
+  const [header, ...lines] = text.trim().split('\n').slice(0, -1);
+  const file = JSON.parse(header ?? '') as ConstructorParameters<typeof Moments>[0];
+  const ids = (file.scene.polygons ?? []).map(({ id }) => id);
+  const trace = await traceOf(text);
+  const moments = new Moments(file);
+  return lines.flatMap((line, i) => {
+    const event = JSON.parse(line) as Event;
+    const after = JSON.parse(states[i + 1] ?? '') as ProgramState;
+    const moment = moments.take(event, after);
+    const fact = (facts[event.e] as (event: Event, moment: Moment) => Fact)(event, moment);
+    met.add(event.e);
+    const { before, after: now } = viewOf(trace, i + 1, shown);
+    const own = canonical(trace.timeline.seek(i + 1), trace.header, trace.timeline.lines.at(i + 1));
+    if (JSON.stringify(own) !== JSON.stringify(after)) return [`${line}: another state`];
+    return languages.flatMap((language) => {
+      const said = sentence(event, before, now, trace.header, language);
+      const fault = faultOf(said, fact, ids, language);
+      return fault === null ? [] : [`${line} “${said}” ${fault}`];
+    });
+  });
+}
+
+const shown = { language: 'en', pixel: null, pointed: null } as const;
+const met = new Set<EventName>();
+const inTurn = 4;
+
+describe.runIf(program !== undefined)('the sentences of 200 random runs', () => {
+  it('state what the events and the program’s states do, in both languages', async () => {
+    const waiting = [...randomRuns(200, 7)];
+    const wrong: string[] = [];
+    const work = async (): Promise<void> => {
+      for (let run = waiting.pop(); run !== undefined; run = waiting.pop()) {
+        const [first] = await faultsOf(program ?? '', run);
+        if (first !== undefined) wrong.push(`${Object.values(run.options).join(' ')}: ${first}`);
+      }
+    };
+    await Promise.all(Array.from({ length: inTurn }, work));
+    expect(wrong).toEqual([]);
+    const unmet = Object.keys(facts).filter((name) => !met.has(name as EventName));
+    expect(unmet).toEqual([]);
+  }, 300_000);
+});

@@ -1,0 +1,76 @@
+import type { ZBufferEvents } from '../../trace/events.js';
+import type { Sentences } from '../texts.js';
+import { capital, cells, orderOf, point, rangeOf, short, shortApart } from '../words.js';
+import type { Words } from '../words.js';
+
+const pixels = { one: 'пиксель', few: 'пикселя', other: 'пикселей' };
+
+/** «столбец 3», «столбцы 3–5». */
+export const columnsOf = (first: number, last: number): string =>
+  `${first === last ? 'столбец' : 'столбцы'} ${rangeOf(first, last)}`;
+
+/** «3 пикселя получают». */
+export const takes = (n: number, words: Words): string =>
+  `${words.counted(n, pixels)} ${n % 10 === 1 && n % 100 !== 11 ? 'получает' : 'получают'}`;
+
+const edgesOf = (list: readonly number[], words: Words): string =>
+  `${list.length === 1 ? 'Ребро' : 'Рёбра'} ${words.list(list)}`;
+
+const when = (next: number | string, before: string): string =>
+  next === 'inf' ? '' : `; ${before} ${short(next)}`;
+
+export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
+  clear: ({ z }) => `Изображение заполнено фоном, каждая ячейка Z-буфера — значением ${short(z)}.`,
+  polygon: ({ polygon }) => `Теперь ${polygon}: S и список активных рёбер пусты.`,
+  edge: ({ edge, rows }) => {
+    const [first, last] = rows ?? [];
+    if (first === undefined || last === undefined) return `Ребро ${edge} входит в S.`;
+    if (last < first) return `Ребро ${edge} входит в S; оно не пересекает центра ни одной строки.`;
+    return `Ребро ${edge} входит в S: ${first === last ? 'строка' : 'строки'} ${rangeOf(first, last)}.`;
+  },
+  extent: ({ ymin, ymax }) => `Многоугольник простирается от y = ${short(ymin)} до ${short(ymax)}.`,
+  scanline: ({ y, row }) => `Строка растра ${short(row)}, y = ${short(y)}.`,
+  ael_add: ({ edge, x, z, until }) =>
+    `Ребро ${edge} начинается: входит в AEL с x = ${short(x)}, z = ${short(z)}, до ${short(until)}.`,
+  horizontal: ({ edge }) => `Ребро ${edge} горизонтально: оно рисуется сразу и в список не входит.`,
+  leave: ({ edges, next }, words) =>
+    edges.length === 0
+      ? 'Из S ничего не удаляется.'
+      : `${edgesOf(edges, words)} — вон из S${when(next, 'следующее начинается в')}.`,
+  ael_sort: ({ edges, next }, words) =>
+    edges.length === 0
+      ? 'Список активных рёбер пуст.'
+      : `Активные рёбра слева направо: ${words.list(edges)}${when(next, 'следующее изменение в')}.`,
+  line: ({ row, from, to }) =>
+    `Строка ${short(row)} от x = ${short(from[0])} (z = ${short(from[1])}) до x = ${short(to[0])} (z = ${short(to[1])}).`,
+  miss: ({ at }) =>
+    at === 'L1'
+      ? 'Строка лежит вне области: показывать нечего.'
+      : 'Между концами нет ни одного пикселя области: показывать нечего.',
+  slope: ({ dz }) => `От пикселя к пикселю z меняется на ${short(dz)}.`,
+  columns: ({ first, end, z }) =>
+    first < end
+      ? `${capital(columnsOf(first, end - 1))}: z = ${short(z)} в первом.`
+      : 'Между концами нет ни одного центра пикселя.',
+  pixel: ({ x, y, z, stored, shown }, { header }) => {
+    const [depth, before] = shortApart(z, stored);
+    const order = orderOf(z, stored);
+    if (header.edition === 'printed' && shown !== (order === 1)) {
+      return shown
+        ? `Пиксель ${point([x, y])}: ${depth} так же близко, как ${before}, — он виден.`
+        : `Пиксель ${point([x, y])}: ${depth} ближе, чем ${before}, но больше 1, — он закрыт.`;
+    }
+    return shown
+      ? `Пиксель ${point([x, y])}: ${depth} ближе, чем ${before}, — он виден.`
+      : `Пиксель ${point([x, y])}: ${depth} не ближе, чем ${before}, — он закрыт.`;
+  },
+  span: ({ row, runs }, words) =>
+    cells(runs) === 0
+      ? `В строке ${short(row)} ничего не меняется.`
+      : `${takes(cells(runs), words)} цвет ${words.after.zbuffer?.polygon ?? ''} в строке ${short(row)}.`,
+  ael_drop: ({ edges, next }, words) =>
+    edges.length === 0
+      ? 'Ни одно ребро здесь не кончается.'
+      : `${edgesOf(edges, words)}: конец, удаление из списка${when(next, 'следующее изменение в')}.`,
+  ael_step: ({ edge, x, z }) => `Ребро ${edge} делает шаг: x = ${short(x)}, z = ${short(z)}.`,
+};

@@ -1,0 +1,98 @@
+import { describe, expect, it } from 'vitest';
+import { headerOf } from '../testing/traces.js';
+import { emptyWarnock } from '../state/warnock.js';
+import type { Event } from '../trace/events.js';
+import { parseHeader } from '../trace/header.js';
+import type { Edition } from '../trace/editions.js';
+import { sentence } from './index.js';
+import { languages } from './language.js';
+import { orderOf } from './words.js';
+import type { Known } from './words.js';
+
+const known: Known = {
+  warnock: { ...emptyWarnock, window: [0, 0, 4, 2] },
+  zbuffer: { polygon: 'A' },
+};
+
+/** What is said of an event of a run of this edition, in each language. */
+function saying(event: Event, edition: Edition, detail = 'signs'): readonly string[] {
+  const header = parseHeader({ ...headerOf('warnock'), edition, detail });
+  return languages.map((language) => sentence(event, known, known, header, language));
+}
+
+const pixel = (z: number, stored: number, shown: boolean): Event => ({
+  e: 'pixel',
+  at: 'L6',
+  x: 3,
+  y: 1,
+  z,
+  stored,
+  shown,
+});
+
+describe('a sentence says no more than the step', () => {
+  it('of a pixel: the printed text shows ties, and nothing beyond 1', () => {
+    expect(saying(pixel(0.5, 0.5, true), 'printed')).toEqual([
+      'Pixel (3, 1): 0.5 is as near as 0.5, so it shows.',
+      'Пиксель (3, 1): 0.5 так же близко, как 0.5, — он виден.',
+    ]);
+    expect(saying(pixel(1.5, -1, false), 'printed')[0]).toBe(
+      'Pixel (3, 1): 1.5 is nearer than −1 but greater than 1, so it stays hidden.',
+    );
+    expect(saying(pixel(0.5, 0.25, true), 'printed')[0]).toMatch(/0\.5 is nearer than 0\.25, so/u);
+  });
+
+  it('of a line: one that covers no centre need not lie off the area', () => {
+    const miss = (at: Event<'miss'>['at']): string =>
+      saying({ e: 'miss', at }, 'corrected')[0] ?? '';
+    expect(miss('L1')).toMatch(/^The row lies off the area/u);
+    expect(miss('L2')).toMatch(/^No pixel of the area lies between the ends/u);
+  });
+
+  it('of a side: it is where it lies, in whatever order the sides come', () => {
+    const side = (
+      from: Event<'clip_side'>['from'],
+      to: Event<'clip_side'>['to'],
+    ): string | undefined =>
+      saying({ e: 'clip_side', at: 'PL2', side: 2, from, to }, 'clip-order-reversed')[0];
+    expect(side([4, 0], [4, 2])).toBe('Side 2 of 4, the right one: the new list is empty.');
+    expect(side([0, 0], ['0/1', '2/1'])).toMatch(/the left one/u);
+    expect(side([4, 0], [0, 0])).toMatch(/the top one/u);
+    expect(side([0, 2], [4, 2])).toMatch(/the bottom one/u);
+  });
+
+  it('of a ray: who counts each vertex twice does not say which are touched', () => {
+    const ray: Event = { e: 'ray', at: 'CR3', polygon: 'A', edge: 1, counts: 2 };
+    expect(saying(ray, 'corrected')[0]).toMatch(/touches it, which counts two/u);
+    expect(saying(ray, 'vertex-counted-twice')[0]).toMatch(/touched or pierced/u);
+  });
+
+  it('of a box: one that touches the window’s side is not strictly inside, and yet inside', () => {
+    const insider: Event = { e: 'insider', at: 'PW10', polygon: 'A', inside: false };
+    expect(saying(insider, 'corrected')).toEqual([
+      'The box of A, the first that is counted, does not lie strictly inside the window.',
+      'Габаритный прямоугольник A, первого из учтённых, не лежит строго внутри окна.',
+    ]);
+  });
+
+  it('of a list: at the level of windows nobody says which polygons have left it', () => {
+    const pop: Event = { e: 'pop', at: 'W5', window: [0, 0, 4, 2] };
+    expect(saying(pop, 'corrected', 'windows')).toEqual([
+      'The window (0, 0) 4 × 2 comes off the stack.',
+      'Окно (0, 0) 4 × 2 берётся из стека.',
+    ]);
+  });
+});
+
+it.each([
+  [0.5, 0.25, 1],
+  [0.5, 0.5, 0],
+  ['-inf', -3, -1],
+  ['-inf', '-inf', 0],
+  ['nan', 0, null],
+  ['1/3', '333333333333333333333/1000000000000000000000', 1],
+  ['-1/2', '-2/4', 0],
+  ['1/2', 'inf', -1],
+] as const)('%s and %s are told apart: %s', (a, b, order) => {
+  expect(orderOf(a, b)).toBe(order);
+});

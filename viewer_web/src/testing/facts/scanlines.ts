@@ -1,0 +1,55 @@
+import type { ZBufferEvents } from '../../trace/events.js';
+import type { N } from '../../trace/values.js';
+import { answered, none, of, only, said, total } from './fact.js';
+import type { Fact, Facts } from './fact.js';
+import { value } from './told.js';
+
+/** Edges, and what comes next if anything does. */
+const edgesAnd = ({
+  edges,
+  next,
+}: {
+  readonly edges: readonly number[];
+  readonly next: N;
+}): Fact => (edges.length === 0 ? none : only(...edges, ...(next === 'inf' ? [] : [next])));
+
+export const scanlineFacts: Facts<keyof ZBufferEvents> = {
+  clear: ({ z }) => only(z),
+  polygon: ({ polygon }) => of(polygon),
+  edge: ({ edge, rows }) => {
+    const [first, last] = rows ?? [0, -1];
+    return last < first ? only(edge) : only(edge, ...new Set([first, last]));
+  },
+  extent: ({ ymin, ymax }) => only(ymin, ymax),
+  scanline: ({ y, row }) => only(row, y),
+  ael_add: ({ edge, x, z, until }) => only(edge, x, z, until),
+  horizontal: ({ edge }) => only(edge),
+  leave: edgesAnd,
+  ael_sort: edgesAnd,
+  line: ({ row, from, to }) => only(row, ...from, ...to),
+  miss: ({ at }) => ({
+    says: answered(
+      at === 'L1',
+      said(/The row lies off/u, /Строка лежит вне/u),
+      said(/No pixel of the area/u, /ни одного пикселя области/u),
+    ),
+  }),
+  slope: ({ dz }) => only(dz),
+  columns: ({ first, end, z }) => (first < end ? only(...new Set([first, end - 1]), z) : none),
+  pixel: ({ x, y, z, stored, shown }, { edition }) => {
+    const isNearer = value(z) > value(stored);
+    const isBeyond = isNearer && !shown && value(z) > 1;
+    const isTie = edition === 'printed' && shown && value(z) === value(stored);
+    return {
+      ...only(x, y, z, stored, ...(isBeyond ? [1] : [])),
+      says: [
+        ...answered(shown, said(/so it shows/u, /он виден/u), said(/stays hidden/u, /он закрыт/u)),
+        ...(isTie ? [said(/is as near as/u, /так же близко/u)] : []),
+      ],
+    };
+  },
+  span: ({ row, runs }, { after }) =>
+    total(runs) === 0 ? only(row) : of(after.zbuffer?.polygon ?? '', row, total(runs)),
+  ael_drop: edgesAnd,
+  ael_step: ({ edge, x, z }) => only(edge, x, z),
+};

@@ -1,0 +1,65 @@
+import type { Language } from '../../i18n/language.js';
+import type { N } from '../../trace/values.js';
+import type { Fact } from './fact.js';
+
+/** A number of a trace, by arithmetic of its own. */
+export function value(n: N): number {
+  if (typeof n === 'number') return n;
+  if (n.endsWith('inf')) return n.startsWith('-') ? -Infinity : Infinity;
+  const [above = '', below = '1'] = n.split('/');
+  if (!/^-?\d+$/.test(above) || below === '0') return NaN;
+  return Number((BigInt(above) * 10n ** 18n) / BigInt(below)) / 1e18;
+}
+
+const number =
+  /(?<![\p{L}\d])[−+]?(?:∞|nan|\d+(?:[.,]\d+)?(?:e[+−-]?\d+)?(?:\/\d+)?)(?![\p{L}\d])/giu;
+
+/** A number as a sentence shows it, and by how much that may be off. */
+interface Shown {
+  readonly value: number;
+  readonly off: number;
+}
+
+function shown(text: string): Shown {
+  const plain = text.replaceAll('−', '-').replace('+', '').replace('∞', 'inf').replace(',', '.');
+  if (plain.includes('/') || /inf|nan/iu.test(plain)) return { value: value(plain), off: 1e-15 };
+  const [, decimals = '', power = '0'] = /^-?\d+(?:\.(\d+))?(?:e(.*))?$/u.exec(plain) ?? [];
+  const isCut = decimals !== '' || power !== '0';
+  return {
+    value: Number(plain),
+    off: isCut ? 0.5001 * 10 ** (Number(power) - decimals.length) : 0,
+  };
+}
+
+/** What is no number comes last. */
+const rising = (a: number, b: number): number =>
+  a < b || Number.isNaN(b) ? -1 : a > b || Number.isNaN(a) ? 1 : 0;
+
+/** Whole numbers are exact; one that is nearly whole looks as if it were, at four digits. */
+function isOf({ value: told, off }: Shown, right: number): boolean {
+  if (Object.is(told, right) || told === right) return true;
+  const most = off === 0 && !Number.isInteger(right) ? 0.0005 * Math.abs(told) : off;
+  return Math.abs(told - right) <= most;
+}
+
+/** What is wrong with a sentence that should state this, in words; null if nothing. */
+export function faultOf(
+  sentence: string,
+  { ids = [], numbers = [], says = [] }: Fact,
+  all: readonly string[],
+  language: Language,
+): string | null {
+  const found = all.filter((id) => sentence.includes(id));
+  const expected = all.filter((id) => ids.includes(id));
+  if (found.join() !== expected.join()) return `names ${found.join()}, not ${expected.join()}`;
+  const stated = [...sentence.matchAll(number)]
+    .map(([text]) => shown(text))
+    .sort((a, b) => rising(a.value, b.value));
+  const right = numbers.map(value).sort(rising);
+  const areRight =
+    stated.length === right.length && stated.every((each, i) => isOf(each, right[i] ?? NaN));
+  if (!areRight)
+    return `states ${stated.map((each) => each.value).join(' ')}, not ${right.join(' ')}`;
+  const missing = says.find((each) => !each[language].test(sentence));
+  return missing === undefined ? null : `does not say ${String(missing[language])}`;
+}

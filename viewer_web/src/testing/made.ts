@@ -1,0 +1,33 @@
+import { execFile } from 'node:child_process';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { promisify } from 'node:util';
+import type { RandomRun } from './random-runs.js';
+
+const start = promisify(execFile);
+
+/** A run that the program made, and the state that it had after each step. */
+export interface Made {
+  readonly trace: string;
+  readonly states: readonly string[];
+}
+
+/** Makes a run by the program. */
+export async function make(program: string, { scene, options }: RandomRun): Promise<Made> {
+  const folder = await mkdtemp(join(tmpdir(), 'vidno-'));
+  const [file, trace, states] = ['scene.json', 'run.jsonl', 'states.jsonl'].map((name) =>
+    join(folder, name),
+  ) as [string, string, string];
+  const { method, edition, kernel, detail, check } = options;
+  const how = ['--method', method, '--edition', edition, '--kernel', kernel, '--detail', detail];
+  try {
+    await writeFile(file, scene);
+    await start(program, ['trace', file, ...how, ...(check ? ['--check'] : []), '-o', trace]);
+    await start(program, ['replay', trace, '-o', states]);
+    const lines = (await readFile(states, 'utf8')).trim().split('\n');
+    return { trace: await readFile(trace, 'utf8'), states: lines };
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
