@@ -69,7 +69,7 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
   window: ({ trace, after, right }) => {
     const { warnock } = after;
     const isSummed = right['stay'] !== undefined && !hasThreeLists(trace.header.method);
-    if (isSummed) expect(right['hides']?.[0] !== '').toBe(warnock?.hasSurround);
+    if (isSummed) expect(right['hides']?.[0] !== '').toBe(warnock?.hasSurround ?? false);
     expect(right['case']?.[0] === 'surrounded').toBe(right['hides']?.[0] !== '');
   },
   relation: ({ trace, question, right }) => {
