@@ -1,6 +1,7 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { Address } from './address.js';
 import { Rival } from './compare/rival.js';
+import { noticeOf } from './components/notice.js';
 import type { Notice } from './components/notice.js';
 import { firstSurface, isSurface, surfaceText } from './curves/surface.js';
 import { embeddedFile, idOf } from './lessons.js';
@@ -14,6 +15,7 @@ import { optionsOf, unpacked } from './live/packed.js';
 import { isScene } from './live/scene-file.js';
 import { embeddedLibrary } from './live/maker.js';
 import { SignMaps } from './live/sign-maps.js';
+import { textOf } from './text-file.js';
 import { ownStep } from './time/own-step.js';
 import { openTrace } from './trace/open.js';
 import type { Trace } from './trace/trace.js';
@@ -21,12 +23,6 @@ import type { Trace } from './trace/trace.js';
 /** Where in a trace the page is, and what is marked in it. */
 export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };
 const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
-
-/** What is to be said about a trace that is shown. */
-function noticeOf({ complete, shortened, timeline, read }: Trace): Notice | null {
-  if (!complete) return { kind: 'growing', steps: timeline.length, read };
-  return shortened && { kind: 'shortened', ...shortened };
-}
 
 /** What is open: a lesson, a file, or a scene that is edited; and where in it one is. Each change is told. */
 export class Session implements ReactiveController {
@@ -95,11 +91,11 @@ export class Session implements ReactiveController {
     const file = embeddedFile(document, name);
     if (file === null) return;
     if (!name.endsWith('.json')) this.open(file, name, idOf(chosen), place);
-    else this.openScene(await file.text(), name, { ...run, check: false }, place);
+    else this.openScene(await textOf(file), name, { ...run, check: false }, place);
   }
 
   async openFile(file: File): Promise<void> {
-    if (await isScene(file)) this.openOwn(await file.text(), file.name);
+    if (await isScene(file)) this.openOwn(await textOf(file), file.name);
     else this.open(file, file.name, null, beginning);
   }
 

@@ -138,13 +138,14 @@ export class PlayerElement extends StageElement {
 
   override render(): TemplateResult | typeof nothing {
     const { view } = this;
-    if (view === null) return this.source.excuse(this.language);
+    if (view === null) return this.source.remark(this.language);
     const { texts } = view;
     // An open question is not to be answered by what shows the future.
     const { isOpen, isForced } = this.predictor;
     const history = isOpen ? null : this.chosen.history;
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
     return html`
+      ${this.source.remark(this.language)}
       <div
         class="panels"
         @pointerover=${this.pointing.onOver}

@@ -6,7 +6,7 @@ import type { GoalName } from '../time/goals.js';
 import type { Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Edition } from '../trace/editions.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
-import type { Shortened } from '../trace/read.js';
+import type { Ended } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
 import type { ExactTexts } from './exact-texts.js';
 import type { CurveTexts } from './curve-texts.js';
@@ -137,7 +137,9 @@ export interface PageTexts extends FileTexts {
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
   readonly broken: (name: string) => string;
   readonly refusedScene: (name: string, why: string) => string;
-  readonly shortened: Readonly<Record<Shortened['why'], (line: number) => string>>;
+  readonly emptyFile: (name: string) => string;
+  readonly shortened: Readonly<Record<Ended['why'], (line: number) => string>>;
+  readonly wrongLine: (line: number, where: string, reason: string) => string;
   readonly methods: Readonly<Record<Method, string>>;
   readonly editions: Readonly<Record<Edition, string>>;
   /** Of a run: its decisions were held against exact arithmetic. */

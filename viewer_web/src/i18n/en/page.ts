@@ -12,6 +12,7 @@ export const page: PageTexts = {
   growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent} % of the file`,
   unreadable: (name, line, where, reason) =>
     `${name} is not a trace that can be read. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
+  emptyFile: (name) => `${name}: the file is empty.`,
   broken: (name) => `${name || 'The scene in the link'} could not be read.`,
   refusedScene: (name, why) => `${name} is no scene that can be run: ${why}.`,
   shortened: {
@@ -19,6 +20,8 @@ export const page: PageTexts = {
     partial: () => 'The run was stopped by its limit of events: you see its beginning.',
     limit: (line) => `The trace is too long for this page: you see its first ${line} lines.`,
   },
+  wrongLine: (line, where, reason) =>
+    `Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}. You see the run up to there.`,
   methods: {
     warnock: 'Warnock',
     zbuffer: 'Z-buffer',

@@ -12,6 +12,7 @@ export const page: PageTexts = {
   growing: (steps, percent) => `Чтение: шагов пока ${steps}, ${percent} % файла`,
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
+  emptyFile: (name) => `Файл ${name} пуст.`,
   broken: (name) =>
     name === '' ? 'Сцену из ссылки не удалось прочитать.' : `Файл ${name} не удалось прочитать.`,
   refusedScene: (name, why) => `Сцену ${name} нельзя запустить: ${why}.`,
@@ -20,6 +21,8 @@ export const page: PageTexts = {
     partial: () => 'Прогон остановлен по пределу числа событий: показано его начало.',
     limit: (line) => `Трасса слишком длинна для страницы: показаны первые ${line} строк.`,
   },
+  wrongLine: (line, where, reason) =>
+    `Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}. Показан прогон до этого места.`,
   methods: {
     warnock: 'Алгоритм Варнока',
     zbuffer: 'Z-буфер',
