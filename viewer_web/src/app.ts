@@ -1,7 +1,7 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
-import { formatAddress, parseAddress } from './address.js';
+import { parseAddress } from './address.js';
 import type { Setup } from './address.js';
 import { appStyle } from './app.style.js';
 import { withOf } from './compare/rival.js';
@@ -26,7 +26,9 @@ import { embeddedLessons, idOf } from './lessons.js';
 import { contents, reader } from './reader/beside.js';
 import type { Told } from './reader/beside.js';
 import { Reading } from './reader/reading.js';
+import { embeddedAddress } from './page-file.js';
 import { Session } from './session.js';
+import { addressOf, share } from './sharing.js';
 import { alone, besides, ownSurface } from './stage.js';
 import type { Shown } from './stage.js';
 import { plain } from './setting.js';
@@ -75,7 +77,7 @@ export class AppElement extends LitElement implements Shown, Told {
   }
 
   private readonly followAddress = (): void => {
-    const address = parseAddress(location.hash);
+    const address = parseAddress(location.hash || embeddedAddress(document));
     const { setup, rival } = address;
     this.setup = { ...setup, language: setup.language ?? this.setup.language };
     this.toggleAttribute('embed', setup.setting.embed);
@@ -157,23 +159,12 @@ export class AppElement extends LitElement implements Shown, Told {
   private writeAddress(): void {
     clearTimeout(this.addressTimer);
     this.addressTimer = window.setTimeout(() => {
-      void this.address().then((address) => history.replaceState(null, '', address));
+      void addressOf(this).then((address) => history.replaceState(null, '', address));
     }, 250);
   }
 
-  private async address(): Promise<string> {
-    const live = await this.session.live.carried();
-    const { session, reading, setup } = this;
-    const { lesson: trace, place, rival } = session;
-    const lesson = reading.lesson?.story === undefined ? null : reading.lesson.id;
-    const at = reading.reached.place;
-    return formatAddress({ setup, ...place, lesson, at, trace, live, rival: rival.word });
-  }
-
-  async copyLink(): Promise<void> {
-    const { live, lesson } = this.session;
-    const isHeld = lesson !== null || (await live.carried()) !== null;
-    await live.copyLink(isHeld ? new URL(await this.address(), location.href).href : null);
+  copyLink(): Promise<void> {
+    return share(this);
   }
 
   change(part: Partial<Setup>): void {

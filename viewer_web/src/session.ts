@@ -32,6 +32,8 @@ export class Session implements ReactiveController {
   name = '';
   lesson: string | null = null;
   place = beginning;
+  /** The file of one's own that is open. */
+  file: Blob | null = null;
   notice: Notice | null = null;
   /** What was shown before the scene was changed last. */
   earlier: Trace | null = null;
@@ -91,7 +93,7 @@ export class Session implements ReactiveController {
     const file = embeddedFile(document, name);
     if (file === null) return;
     if (!name.endsWith('.json')) this.open(file, name, idOf(chosen), place);
-    else this.openScene(await textOf(file), name, { ...run, check: false }, place);
+    else this.openScene(await textOf(file), name, { check: false, ...run }, place);
   }
 
   async openFile(file: File): Promise<void> {
@@ -137,6 +139,7 @@ export class Session implements ReactiveController {
     const old = this.trace?.timeline ?? trace.timeline;
     const step = atEnd ? length : ownStep(old, this.place.step, trace.timeline);
     if (this.goal !== null) this.earlier = null;
+    this.file = null;
     this.show(trace, trace.header.scene.name, null, this.goal ?? { ...this.place, step });
     this.goal = null;
     this.say(noticeOf(trace));
@@ -152,6 +155,7 @@ export class Session implements ReactiveController {
         const { length } = trace.timeline;
         if (this.trace === trace) this.steps = length;
         else if (trace.complete || length >= place.step) {
+          this.file = lesson === null ? file : null;
           this.show(trace, name, lesson, place);
           this.live.open(trace.header);
         }

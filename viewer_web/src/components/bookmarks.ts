@@ -4,6 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
 import { texts } from '../i18n/index.js';
 import type { BookmarkTexts } from '../i18n/texts.js';
+import { isOnDisk } from '../page-file.js';
 import {
   bookmarkAt,
   longestNote,
@@ -98,8 +99,15 @@ export class BookmarksElement extends LitElement {
         )}
       </ol>
       <p class="hint">${say.hint}</p>
-      <p class="hint">${this.linked ? say.linked : say.unlinked}</p>
+      <p class="hint">${this.lasting()}</p>
     `;
+  }
+
+  /** How long they last, and how they are passed on. */
+  private lasting(): string {
+    const { texts: say } = this;
+    if (!this.linked) return say.unlinked;
+    return isOnDisk() ? say.onDisk : say.linked;
   }
 
   private sayLimit(limit: 'full' | 'long'): string {

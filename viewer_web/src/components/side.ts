@@ -200,6 +200,7 @@ export class SideElement extends LitElement {
       .editing=${editing}
       .language=${this.view.language}
       .link=${this.link}
+      ?linked=${this.linked}
     ></vidno-scene-panel>`;
   }
 

@@ -24,7 +24,9 @@ export interface SceneTexts {
   readonly link: string;
   readonly linkHint: string;
   readonly linkCopied: string;
-  readonly linkLong: string;
+  readonly page: string;
+  readonly pageHint: string;
+  readonly pageSaved: string;
   readonly area: string;
   readonly areaFields: Readonly<Record<keyof Area, string>>;
   readonly background: string;

@@ -118,6 +118,8 @@ export interface BookmarkTexts {
   readonly long: (most: number) => string;
   readonly hint: string;
   readonly linked: string;
+  /** The same of a page on a disk, whose address leads nobody else here. */
+  readonly onDisk: string;
   readonly unlinked: string;
 }
 

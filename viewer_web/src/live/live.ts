@@ -13,7 +13,7 @@ export interface Carried {
 }
 
 /** What came of the wish for a link. */
-export type LinkMade = 'copied' | 'long';
+export type LinkMade = 'copied' | 'saved';
 
 /** The scene that the page edits, if it was built with the library to run it. */
 export class Live {
@@ -82,10 +82,8 @@ export class Live {
     return scene === null ? null : { run: wordOf(editing.options), scene };
   }
 
-  /** Null: there is no address that would show this again. */
-  async copyLink(address: string | null): Promise<void> {
-    if (address !== null) await navigator.clipboard.writeText(address);
-    this.link = address === null ? 'long' : 'copied';
+  tell(link: LinkMade): void {
+    this.link = link;
     this.followers.changed();
   }
 }
