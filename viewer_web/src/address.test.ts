@@ -8,7 +8,7 @@ const usual = {
   layer: 'picture',
   setting: plain,
   reader: true,
-  follows: true,
+  follows: false,
 } as const;
 const noLesson = { lesson: null, at: null } as const;
 
@@ -29,7 +29,7 @@ describe('the address', () => {
           ask: 'forced',
         },
         reader: false,
-        follows: false,
+        follows: true,
       },
       lesson: '01-near & far',
       at: 'split.2',

@@ -8,6 +8,8 @@ import { withOf } from './compare/rival.js';
 import type { With } from './compare/rival.js';
 import './components/comparison.js';
 import type { ComparisonElement } from './components/comparison.js';
+import './components/discard.js';
+import type { DiscardElement } from './components/discard.js';
 import './components/file-drop.js';
 import { Keyboard } from './components/keyboard.js';
 import type { Actions } from './components/keyboard.js';
@@ -26,9 +28,10 @@ import { embeddedLessons, idOf } from './lessons.js';
 import { contents, reader } from './reader/beside.js';
 import type { Told } from './reader/beside.js';
 import { Reading } from './reader/reading.js';
+import { Navigation } from './navigation.js';
 import { embeddedAddress } from './page-file.js';
 import { Session } from './session.js';
-import { addressOf, share } from './sharing.js';
+import { share } from './sharing.js';
 import { alone, besides, ownSurface } from './stage.js';
 import type { Shown } from './stage.js';
 import { plain } from './setting.js';
@@ -44,39 +47,43 @@ export class AppElement extends LitElement implements Shown, Told {
     layer: 'picture',
     setting: plain,
     reader: true,
-    follows: true,
+    follows: false,
   };
   @query('vidno-player') private player!: PlayerElement;
   @query('vidno-comparison') private comparison!: ComparisonElement | null;
   @query('vidno-rival-choice') private choice!: RivalChoiceElement;
+  @query('vidno-discard') readonly discard!: DiscardElement;
 
   @state() private isAtContents = false;
   readonly lessons = embeddedLessons(document);
+  readonly ways: Navigation = new Navigation(this);
   readonly session = new Session(this, () => {
     this.requestUpdate();
-    this.writeAddress();
+    this.ways.write();
   });
-  readonly reading = new Reading(this.lessons, this.session, () => {
-    this.requestUpdate();
-    this.writeAddress();
-  });
+  readonly reading = new Reading(
+    this.lessons,
+    this.session,
+    () => {
+      this.requestUpdate();
+      this.ways.write();
+    },
+    () => this.ways.leave(),
+  );
   private readonly keyboard = new Keyboard(this, () => this.actions());
-  private addressTimer = 0;
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.followAddress();
-    window.addEventListener('hashchange', this.followAddress);
     window.addEventListener('keydown', this.onKey);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    window.removeEventListener('hashchange', this.followAddress);
     window.removeEventListener('keydown', this.onKey);
   }
 
-  private readonly followAddress = (): void => {
+  followAddress(): void {
     const address = parseAddress(location.hash || embeddedAddress(document));
     const { setup, rival } = address;
     this.setup = { ...setup, language: setup.language ?? this.setup.language };
@@ -85,11 +92,11 @@ export class AppElement extends LitElement implements Shown, Told {
     const beside = this.isAsked ? null : rival;
     if (beside !== session.rival.word) session.rival.choose(withOf(beside ?? '', document));
     void this.reading.follow(address);
-  };
+  }
 
   /** Keys that were pressed outside the player are passed on to it. */
   private readonly onKey = (event: KeyboardEvent): void => {
-    if (this.choice.open || this.session.live.handleKey(event)) return;
+    if (this.choice.open || this.discard.open || this.session.live.handleKey(event)) return;
     this.keyboard.handle(event);
     if (!event.composedPath().includes(this.stage)) this.stage.handleKey(event);
   };
@@ -119,6 +126,7 @@ export class AppElement extends LitElement implements Shown, Told {
   }
 
   private openFile(file: File): void {
+    this.ways.leave();
     this.reading.close();
     void this.session.openFile(file);
   }
@@ -155,21 +163,13 @@ export class AppElement extends LitElement implements Shown, Told {
     };
   }
 
-  /** Later, since browsers limit how often an address may change. */
-  private writeAddress(): void {
-    clearTimeout(this.addressTimer);
-    this.addressTimer = window.setTimeout(() => {
-      void addressOf(this).then((address) => history.replaceState(null, '', address));
-    }, 250);
-  }
-
   copyLink(): Promise<void> {
     return share(this);
   }
 
   change(part: Partial<Setup>): void {
     this.setup = { ...this.setup, ...part };
-    this.writeAddress();
+    this.ways.write();
   }
 
   override updated(): void {
@@ -204,9 +204,9 @@ export class AppElement extends LitElement implements Shown, Told {
         ${contents(this)}
         <vidno-file-drop
           .texts=${page}
-          @file=${({ detail }: CustomEvent<File>) => this.openFile(detail)}
+          @file=${({ detail }: CustomEvent<File>) => this.ways.replace(() => this.openFile(detail))}
         ></vidno-file-drop>
-        ${ownSurface(session, language, (name) => this.openSurface(name))}
+        ${ownSurface(session, language, (name) => void this.ways.replace(() => this.openSurface(name)))}
       </nav>
       ${this.hasText ? reader(this) : nothing}
       <main>
@@ -221,10 +221,12 @@ export class AppElement extends LitElement implements Shown, Told {
         .earlier=${session.earlier}
         @with=${({ detail }: CustomEvent<With>) => rival.choose(detail)}
       ></vidno-rival-choice>
+      <vidno-discard .language=${language} .name=${live.editing?.sketch.name ?? ''}></vidno-discard>
     `;
   }
 
   private openSurface(name: string): void {
+    this.ways.leave();
     this.reading.close();
     this.session.openSurface(name);
     this.player.side = 'scene';

@@ -112,11 +112,21 @@ export class Session implements ReactiveController {
   }
 
   async openCarried({ run, scene }: Carried, place: Place): Promise<void> {
+    const now = await this.live.carried();
+    if (now?.run === run && now.scene === scene) {
+      this.move(place);
+      return;
+    }
     try {
       this.openScene(await unpacked(scene), '', optionsOf(run), place);
     } catch (error) {
       this.fail('', error);
     }
+  }
+
+  /** An address names a run that is not here. */
+  miss(name: string): void {
+    this.say({ kind: 'unknown', name });
   }
 
   move(change: Partial<Place>): void {

@@ -3,6 +3,7 @@ import type { Setup } from './address.js';
 import { download, fileName } from './download.js';
 import { idOf } from './lessons.js';
 import type { Lesson, LessonTrace } from './lessons.js';
+import type { Carried } from './live/live.js';
 import { sceneFile } from './live/sketch.js';
 import { isOnDisk, pageFile } from './page-file.js';
 import type { Reading } from './reader/reading.js';
@@ -23,15 +24,27 @@ interface Own {
   readonly file: Blob;
 }
 
-/** The address of what is shown; in a page that brings along what no address holds, with the name of that. */
-export async function addressOf(page: Shared, own: Own | null = null): Promise<string> {
-  const { session, reading, setup } = page;
+const written = (
+  { session, reading, setup }: Shared,
+  live: Carried | null,
+  trace: string | null,
+): string => {
   const { place, rival } = session;
-  const live = await session.live.carried();
   const lesson = reading.lesson?.story === undefined ? null : reading.lesson.id;
   const at = reading.reached.place;
-  const trace = own === null ? session.lesson : idOf(own.run);
   return formatAddress({ setup, ...place, lesson, at, trace, live, rival: rival.word });
+};
+
+/** The address of what is shown, where it is known at once. */
+export function addressNow(page: Shared): string | null {
+  const live = page.session.live.carriedNow;
+  return live === undefined ? null : written(page, live, page.session.lesson);
+}
+
+/** The address of what is shown; in a page that brings along what no address holds, with the name of that. */
+export async function addressOf(page: Shared, own: Own | null = null): Promise<string> {
+  const { session } = page;
+  return written(page, await session.live.carried(), own === null ? session.lesson : idOf(own.run));
 }
 
 /** Copies the address of what is shown; where none leads others here, saves a page that does. */

@@ -6,6 +6,7 @@ import './components/player.js';
 import { texts } from './i18n/index.js';
 import type { Language } from './i18n/language.js';
 import type { Act } from './live/editor.js';
+import type { Navigation } from './navigation.js';
 import { needsExact } from './picture/layers.js';
 import type { Exact, Layer } from './picture/layers.js';
 import type { Pixel } from './picture/pixel.js';
@@ -21,6 +22,7 @@ export interface Shown {
   readonly isReading: boolean;
   change(part: Partial<Setup>): void;
   copyLink(): Promise<void>;
+  readonly ways: Navigation;
 }
 
 /** The exact picture is asked for only when it is shown; there is none of curves. */
@@ -60,7 +62,7 @@ export function alone(page: Shown): TemplateResult {
       .maps=${session.maps}
       .editing=${live.editing}
       .link=${live.link}
-      @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
+      @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
       @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
       @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
       @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
@@ -95,7 +97,7 @@ export function besides(page: Shown): TemplateResult {
     ?presenting=${presenting}
     .layer=${layer}
     .editing=${live.editing}
-    @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
+    @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
     @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
     @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
     @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}

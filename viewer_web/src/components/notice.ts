@@ -16,6 +16,7 @@ export type Notice =
   | { readonly kind: 'reading'; readonly name: string }
   | { readonly kind: 'growing'; readonly steps: number; readonly read: number }
   | { readonly kind: 'refused'; readonly name: string; readonly messages: string }
+  | { readonly kind: 'unknown'; readonly name: string }
   | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
   | ({ readonly kind: 'shortened' } & Shortened);
 
@@ -29,6 +30,7 @@ export function noticeOf({ complete, shortened, timeline, read }: Trace): Notice
 const roles = {
   reading: 'status',
   growing: nothing,
+  unknown: 'alert',
   failed: 'alert',
   refused: 'alert',
   shortened: 'status',
@@ -51,6 +53,7 @@ export class NoticeElement extends LitElement {
   private say(notice: Notice): string {
     const { page } = texts[this.language];
     if (notice.kind === 'reading') return page.reading(notice.name);
+    if (notice.kind === 'unknown') return page.unknown(notice.name);
     if (notice.kind === 'refused') {
       const { scene } = texts[this.language];
       return page.refusedScene(notice.name, whyRefused(notice.messages, emptySketch, scene));

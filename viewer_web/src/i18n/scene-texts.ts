@@ -27,6 +27,9 @@ export interface SceneTexts {
   readonly page: string;
   readonly pageHint: string;
   readonly pageSaved: string;
+  readonly discard: Readonly<
+    Record<'text' | 'stay' | 'save' | 'discard', string> & { title: (name: string) => string }
+  >;
   readonly area: string;
   readonly areaFields: Readonly<Record<keyof Area, string>>;
   readonly background: string;

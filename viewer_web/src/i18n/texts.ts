@@ -137,6 +137,7 @@ export interface PageTexts extends FileTexts {
   readonly reading: (name: string) => string;
   readonly growing: (steps: string, percent: number) => string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
+  readonly unknown: (name: string) => string;
   readonly broken: (name: string) => string;
   readonly refusedScene: (name: string, why: string) => string;
   readonly emptyFile: (name: string) => string;

@@ -13,6 +13,7 @@ export const page: PageTexts = {
   unreadable: (name, line, where, reason) =>
     `${name} is not a trace that can be read. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   emptyFile: (name) => `${name}: the file is empty.`,
+  unknown: (name) => `The link names “${name}”, which this page does not contain.`,
   broken: (name) => `${name || 'The scene in the link'} could not be read.`,
   refusedScene: (name, why) => `${name} is no scene that can be run: ${why}.`,
   shortened: {

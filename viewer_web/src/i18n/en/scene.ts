@@ -26,6 +26,13 @@ export const scene: SceneTexts = {
   page: 'Save page',
   pageHint: 'Saves this page as a file to send: with what is shown, this step and the bookmarks',
   pageSaved: 'Saved as a page that opens here. Send the file.',
+  discard: {
+    title: (name) => `Discard the changes${name === '' ? '' : ` of “${name}”`}?`,
+    text: 'You have changed the scene, and something else is about to take its place.',
+    stay: 'Stay here',
+    save: 'Save the scene and go on',
+    discard: 'Discard',
+  },
   area: 'Area',
   areaFields: { x: 'left', y: 'top', width: 'width', height: 'height' },
   background: 'background',

@@ -13,6 +13,7 @@ export const page: PageTexts = {
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   emptyFile: (name) => `Файл ${name} пуст.`,
+  unknown: (name) => `Ссылка ведёт к «${name}», а на этой странице такого нет.`,
   broken: (name) =>
     name === '' ? 'Сцену из ссылки не удалось прочитать.' : `Файл ${name} не удалось прочитать.`,
   refusedScene: (name, why) => `Сцену ${name} нельзя запустить: ${why}.`,
