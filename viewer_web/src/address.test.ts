@@ -27,6 +27,7 @@ describe('the address', () => {
           controls: 'none',
           play: true,
           ask: 'forced',
+          keys: 'off.VX.XV',
         },
         reader: false,
         follows: true,

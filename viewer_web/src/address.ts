@@ -76,6 +76,7 @@ export function formatAddress(address: Address): string {
   const { language, presenting, layer, setting, reader, follows } = setup;
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
+  if (setup.setting.keys !== '') fields.set('keys', setup.setting.keys);
   if (lesson !== null) fields.set('lesson', lesson);
   if (lesson !== null && at !== null) fields.set('at', at);
   if (trace !== null) fields.set('trace', trace);

@@ -22,6 +22,7 @@ import './components/solid.js';
 import { base, tokens } from './components/theme.js';
 import { heading } from './heading.js';
 import { texts } from './i18n/index.js';
+import { keyMap } from './key-map.js';
 import { preferredLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
 import { embeddedLessons, idOf } from './lessons.js';
@@ -70,7 +71,7 @@ export class AppElement extends LitElement implements Shown, Told {
     },
     () => this.ways.leave(),
   );
-  private readonly keyboard = new Keyboard(this, () => this.actions());
+  private readonly keyboard = new Keyboard(this, () => this.actions(), true);
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -88,6 +89,7 @@ export class AppElement extends LitElement implements Shown, Told {
     const { setup, rival } = address;
     this.setup = { ...setup, language: setup.language ?? this.setup.language };
     this.toggleAttribute('embed', setup.setting.embed);
+    keyMap.word = setup.setting.keys;
     const { session } = this;
     const beside = this.isAsked ? null : rival;
     if (beside !== session.rival.word) session.rival.choose(withOf(beside ?? '', document));
@@ -139,7 +141,8 @@ export class AppElement extends LitElement implements Shown, Told {
   private compare(): void {
     const { rival, trace } = this.session;
     if (rival.chosen !== null) rival.choose(null);
-    else if (trace !== null && !this.isAsked) this.choice.show();
+    else if (this.isAsked) this.player.refuse('noComparison');
+    else if (trace !== null) this.choice.show();
   }
 
   /** To the scene and back to the state; to the drawing of a polygon; to the comparison. */
@@ -149,8 +152,8 @@ export class AppElement extends LitElement implements Shown, Told {
     const compare = { KeyD: () => this.compare(), KeyR: () => this.turnText() };
     if (live.editing === null) return compare;
     const edit = (on: boolean): void => {
-      if (comparison === null) player.side = on ? 'scene' : 'state';
-      else comparison.isEdited = on;
+      if (comparison !== null) comparison.isEdited = on;
+      else if (on !== (player.side === 'scene')) player.toggleSide('scene');
     };
     return {
       ...compare,
@@ -194,12 +197,19 @@ export class AppElement extends LitElement implements Shown, Told {
         ?alone=${this.isAsked}
         ?told=${this.hasText && !isCompared}
         ?reading=${this.isReading}
+        .keys=${this.setup.setting.keys}
+        @skip=${() => this.stage.focusPlay()}
         @text=${() => this.turnText()}
         @keys=${() => this.stage.showKeys()}
         @compare=${() => this.compare()}
         @present=${() => this.stage.present(true)}
         @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
       ></vidno-page-header>
+      <main>
+        ${heading(session, this.name, language)} ${alone(this)}
+        ${isCompared ? besides(this) : nothing}
+        ${trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
+      </main>
       <nav ?inert=${presenting}>
         ${contents(this)}
         <vidno-file-drop
@@ -209,11 +219,6 @@ export class AppElement extends LitElement implements Shown, Told {
         ${ownSurface(session, language, (name) => void this.ways.replace(() => this.openSurface(name)))}
       </nav>
       ${this.hasText ? reader(this) : nothing}
-      <main>
-        ${heading(session, this.name, language)} ${alone(this)}
-        ${isCompared ? besides(this) : nothing}
-        ${trace === null ? html`<p class="nothing">${page.nothingOpen}</p>` : nothing}
-      </main>
       <vidno-rival-choice
         .language=${language}
         .lessons=${this.lessons}

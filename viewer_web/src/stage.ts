@@ -69,6 +69,7 @@ export function alone(page: Shown): TemplateResult {
       @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
       @vidno-ask=${({ detail: ask }: CustomEvent<Way>) => page.change({ setting: { ...setting, ask } })}
       @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
+      @vidno-keys=${({ detail: keys }: CustomEvent<string>) => page.change({ setting: { ...setting, keys } })}
       @vidno-save=${() => live.save()}
       @vidno-link=${() => page.copyLink()}
     ></vidno-player>
@@ -103,6 +104,7 @@ export function besides(page: Shown): TemplateResult {
     @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
     @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
     @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
+    @vidno-keys=${({ detail: keys }: CustomEvent<string>) => page.change({ setting: { ...setting, keys } })}
   ></vidno-comparison>`;
 }
 

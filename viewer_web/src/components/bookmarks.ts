@@ -15,6 +15,7 @@ import {
 import type { Bookmark, Bookmarks } from '../time/bookmarks.js';
 import type { View } from '../view.js';
 import { bookmarksStyle } from './bookmarks.style.js';
+import { keyName } from '../key-map.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
 
@@ -86,7 +87,7 @@ export class BookmarksElement extends LitElement {
     return html`
       <div class="head">
         <button class="add" @click=${() => this.mark()}>
-          ${known ? say.edit(step) : say.add(step)} <kbd>B</kbd>
+          ${known ? say.edit(step) : say.add(step)} <kbd>${keyName('B')}</kbd>
         </button>
         <span class="count">${say.count(bookmarks.length, mostBookmarks)}</span>
       </div>

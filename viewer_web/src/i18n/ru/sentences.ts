@@ -1,5 +1,6 @@
 import type { Sentences } from '../texts.js';
-import { cells, hidingOf, onlyOf, point, short, shortApart, windowText } from '../words.js';
+import { cells, hidingOf, onlyOf } from '../words.js';
+import { point, short, shortApart, windowText } from './numbers.js';
 import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
