@@ -32,11 +32,11 @@ import { Predictor } from './predictor.js';
 import { presenterStyle } from './presenter.style.js';
 import { hasSolid, sideName } from './side-name.js';
 import type { Side } from './side-name.js';
+import './side.js';
 import type { SideElement } from './side.js';
 import { Source } from './source.js';
 import { StageElement } from './stage-element.js';
 import { base, tokens } from './theme.js';
-import './transport.js';
 import type { Command } from './transport.js';
 import './travel.js';
 import type { TravelElement } from './travel.js';
@@ -132,11 +132,8 @@ export class PlayerElement extends StageElement {
   /** Leaves the questions, unless the run waits for an answer. */
   escape(): void {
     if (this.side !== 'predict') return;
-    if (this.predictor.isOpen && this.predictor.isForced) this.refuse('answerFirst');
-    else {
-      this.predictor.withdraw();
-      this.toggleSide('predict');
-    }
+    if (this.predictor.leave()) this.toggleSide('predict');
+    else this.refuse('answerFirst');
   }
 
   refuse(why: 'answerFirst' | 'noComparison'): void {

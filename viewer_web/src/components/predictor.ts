@@ -170,10 +170,12 @@ export class Predictor {
     );
   }
 
-  /** The question is not asked any more. */
-  withdraw(): void {
+  /** The question is not asked any more; says whether that may be. */
+  leave(): boolean {
+    if (this.isOpen && this.isForced) return false;
     this.current = null;
     this.isOver = false;
+    return true;
   }
 
   /** The answer is asked for once more, but not counted. */
