@@ -30,8 +30,8 @@ describe('a file of one’s own', () => {
 
   const header = small.slice(0, small.indexOf('\n'));
   const hostile: readonly (readonly [string, string | Buffer, RegExp])[] = [
-    ['text.jsonl', 'hello', /Line 1: (this is not JSON|nothing stands here)/],
-    ['empty.jsonl', '', /Line 1: nothing stands here/],
+    ['text.jsonl', 'hello', /Line 1: this is not JSON: "hello"/],
+    ['empty.jsonl', '', /empty.jsonl: the file is empty/],
     ['bad.jsonl.gz', Buffer.from([0x1f, 0x8b, 8, 0, 1, 2, 3]), /broken gzip/],
     ['unknown.jsonl', `${header}\n{"e":"boom","at":"W1"}\n`, /Line 2, e: "boom" is no event/],
     ['nan.jsonl', `${header}\n{"e":"corners","at":"PW1","z":NaN}\n`, /Line 2: this is not JSON/],
@@ -56,15 +56,30 @@ describe('a file of one’s own', () => {
     expect(faults).toEqual([]);
   });
 
-  it('takes back what it showed when a late line is no event', async () => {
+  it('is shown up to a late line that is no event, with the place and the reason', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const long = repeated(small, /"at":"W3"/, 60_000);
-    await openFile(page, 'late.jsonl', long.replace(/\n\{"end".*\n/, '\n{"e":"boom","at":"W1"}\n'));
-    await page.locator('vidno-notice .failed').waitFor();
-    expect(await page.locator('vidno-notice .failed').textContent()).toMatch(
-      /Line 6\d{4}, e: "boom" is no event/,
-    );
-    expect(await page.locator('vidno-player').isVisible()).toBe(false);
+    const late = long.replace(/\n\{"end".*\n/, '\n{"e":"boom","at":"W1"}\n');
+    const wrong = late.trim().split('\n').length;
+    await openFile(page, 'late.jsonl', late);
+    const notice = page.locator('vidno-notice .shortened');
+    await notice.waitFor();
+    expect(await notice.textContent()).toContain(`Line ${wrong}, e: "boom" is no event`);
+    expect((await shown(page)).length).toBe(wrong - 2);
+    await page.keyboard.press('End');
+    expect((await shown(page)).step).toBe(wrong - 2);
+    expect(faults).toEqual([]);
+  });
+
+  it('may be what an editor of Windows writes, a scene too', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const utf16 = (text: string): Buffer => Buffer.from(`\ufeff${text}`, 'utf16le');
+    await opened(page, 'utf16.jsonl', utf16(small.replaceAll('\n', '\r\n')));
+    expect((await shown(page)).length).toBe(small.trim().split('\n').length - 2);
+    const { scene } = JSON.parse(small.slice(0, small.indexOf('\n'))) as { scene: object };
+    await openFile(page, 'utf16.json.gz', gzipSync(utf16(JSON.stringify(scene, null, 2))));
+    await page.locator('.title h2', { hasText: (scene as { name: string }).name }).waitFor();
+    expect(await page.locator('vidno-notice :is(.failed, .refused)').count()).toBe(0);
     expect(faults).toEqual([]);
   });
 

@@ -40,7 +40,7 @@ describe('the table of contents', () => {
   });
 
   it('leads to other lessons, and the way back to the place where one was', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en');
+    const { page, faults } = await openReader(browser, '#lang=en&follow=on');
     await readTo(page, 'second');
     await page.waitForFunction(() => location.hash.endsWith('step=60'));
     const before = await below(page, 'second');
@@ -123,7 +123,7 @@ describe('the address', () => {
 
 describe('the place in the text', () => {
   it('is kept when the language is switched, the window resized, the text hidden', async () => {
-    const { page } = await openReader(browser, '#lang=en');
+    const { page } = await openReader(browser, '#lang=en&follow=on');
     await readTo(page, 'second');
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
     const before = await below(page, 'second');
@@ -168,7 +168,9 @@ describe('beside the text', () => {
     [1440, 900],
     [1920, 1080],
   ])('at %s x %s px the run is in sight, and nothing is cut off', async (width, height) => {
-    const { page, faults } = await openReader(browser, '#lang=ru', { viewport: { width, height } });
+    const { page, faults } = await openReader(browser, '#lang=ru&follow=on', {
+      viewport: { width, height },
+    });
     await readTo(page, 'first');
     await expect.poll(() => standing(page)).toEqual(['warnock', 5, 'first']);
     const size = await page.evaluate(() => {

@@ -7,7 +7,7 @@ import { openReader, pin, readTo, scrolled, standing } from './reader.js';
 
 describe('the text of a lesson', () => {
   it('is followed by the run as one scrolls, into another run too, and back', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en');
+    const { page, faults } = await openReader(browser, '#lang=en&follow=on');
     expect(await standing(page)).toEqual(['warnock', 0, undefined]);
     for (const [place, now] of [
       ['first', ['warnock', 5, 'first']],
@@ -22,7 +22,7 @@ describe('the text of a lesson', () => {
   });
 
   it('does not pull the reader back who steps by himself, until he comes to another pin', async () => {
-    const { page } = await openReader(browser, '#lang=en');
+    const { page } = await openReader(browser, '#lang=en&follow=on');
     await readTo(page, 'first');
     await expect.poll(() => standing(page)).toEqual(['warnock', 5, 'first']);
     await page.keyboard.press('ArrowRight');
@@ -38,7 +38,7 @@ describe('the text of a lesson', () => {
   });
 
   it('goes to a pin at once by a click or Enter, and does not move', async () => {
-    const { page } = await openReader(browser, '#lang=en');
+    const { page } = await openReader(browser, '#lang=en&follow=on');
     await readTo(page, 'second');
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
     await pin(page, 'scanline').scrollIntoViewIfNeeded();
@@ -52,18 +52,39 @@ describe('the text of a lesson', () => {
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
   });
 
-  it('is not followed if the reader does not want it, which the address remembers', async () => {
+  it('is followed only if the reader asks for it, which the address remembers', async () => {
     const { page } = await openReader(browser, '#lang=en');
-    const follow = page.getByRole('checkbox', { name: 'Follow the text' });
-    await follow.click();
     await readTo(page, 'second');
-    await page.waitForFunction(() => /follow=off.*step=0/.test(location.hash));
-    await expect.poll(() => scrolled(page)).toBeGreaterThan(0);
+    await page.waitForFunction(() => /at=second.*step=0/.test(location.hash));
     await settled(page);
     expect(await standing(page)).toEqual(['warnock', 0, undefined]);
+    const follow = page.getByRole('checkbox', { name: 'Follow the text' });
     await follow.click();
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
+    await page.waitForFunction(() => location.hash.includes('follow=on'));
+    await follow.click();
     await page.waitForFunction(() => !location.hash.includes('follow='));
+  });
+
+  it('is passed through by Tab, which changes neither the run nor its step', async () => {
+    const { page } = await openReader(browser, '#lang=en&follow=on');
+    await page.locator('vidno-reader .box').focus();
+    const focused = (): Promise<string | null> =>
+      page.evaluate(() => {
+        const root = document.querySelector('vidno-app')?.shadowRoot;
+        const mark = root?.querySelector('vidno-reader')?.shadowRoot?.activeElement;
+        return mark?.getAttribute('data-place') ?? null;
+      });
+    const seen = new Set<string | null>();
+    while (!seen.has('scanline')) {
+      await page.keyboard.press('Tab');
+      seen.add(await focused());
+      await settled(page);
+      expect(await standing(page)).toEqual(['warnock', 0, undefined]);
+    }
+    expect(seen).toContain('second');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => standing(page)).toEqual(['zbuffer', 33, 'scanline']);
   });
 
   it('is not there for a lesson without one, nor for a file of one’s own', async () => {

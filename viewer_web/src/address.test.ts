@@ -8,7 +8,7 @@ const usual = {
   layer: 'picture',
   setting: plain,
   reader: true,
-  follows: true,
+  follows: false,
 } as const;
 const noLesson = { lesson: null, at: null } as const;
 
@@ -27,9 +27,10 @@ describe('the address', () => {
           controls: 'none',
           play: true,
           ask: 'forced',
+          keys: 'off.VX.XV',
         },
         reader: false,
-        follows: false,
+        follows: true,
       },
       lesson: '01-near & far',
       at: 'split.2',

@@ -58,7 +58,7 @@ export function parseAddress(hash: string): Address {
       layer: isLayer(layer) ? layer : 'picture',
       setting: parseSetting(fields),
       reader: fields.get('reader') !== 'off',
-      follows: fields.get('follow') !== 'off',
+      follows: fields.get('follow') === 'on',
     },
     lesson: fields.get('lesson'),
     at: fields.get('at'),
@@ -76,6 +76,7 @@ export function formatAddress(address: Address): string {
   const { language, presenting, layer, setting, reader, follows } = setup;
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
+  if (setup.setting.keys !== '') fields.set('keys', setup.setting.keys);
   if (lesson !== null) fields.set('lesson', lesson);
   if (lesson !== null && at !== null) fields.set('at', at);
   if (trace !== null) fields.set('trace', trace);
@@ -85,7 +86,7 @@ export function formatAddress(address: Address): string {
   }
   if (lesson !== null || trace !== null || live !== null) {
     if (!reader) fields.set('reader', 'off');
-    if (!follows) fields.set('follow', 'off');
+    if (follows) fields.set('follow', 'on');
     writeSetting(setting, fields);
     if (rival !== null) fields.set('with', rival);
     if (presenting) fields.set('view', 'present');

@@ -1,13 +1,15 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
-import { formatAddress, parseAddress } from './address.js';
+import { parseAddress } from './address.js';
 import type { Setup } from './address.js';
 import { appStyle } from './app.style.js';
 import { withOf } from './compare/rival.js';
 import type { With } from './compare/rival.js';
 import './components/comparison.js';
 import type { ComparisonElement } from './components/comparison.js';
+import './components/discard.js';
+import type { DiscardElement } from './components/discard.js';
 import './components/file-drop.js';
 import { Keyboard } from './components/keyboard.js';
 import type { Actions } from './components/keyboard.js';
@@ -20,13 +22,17 @@ import './components/solid.js';
 import { base, tokens } from './components/theme.js';
 import { heading, invitation } from './heading.js';
 import { texts } from './i18n/index.js';
+import { keyMap } from './key-map.js';
 import { preferredLanguage } from './i18n/language.js';
 import type { Language } from './i18n/language.js';
 import { embeddedLessons, idOf } from './lessons.js';
 import { contents, reader } from './reader/beside.js';
 import type { Told } from './reader/beside.js';
 import { Reading } from './reader/reading.js';
+import { Navigation } from './navigation.js';
+import { embeddedAddress } from './page-file.js';
 import { Session } from './session.js';
+import { share } from './sharing.js';
 import { alone, besides, ownSurface } from './stage.js';
 import type { Shown } from './stage.js';
 import { plain } from './setting.js';
@@ -42,55 +48,60 @@ export class AppElement extends LitElement implements Shown, Told {
     layer: 'picture',
     setting: plain,
     reader: true,
-    follows: true,
+    follows: false,
   };
   @query('vidno-player') private player!: PlayerElement;
   @query('vidno-comparison') private comparison!: ComparisonElement | null;
   @query('vidno-rival-choice') private choice!: RivalChoiceElement;
+  @query('vidno-discard') readonly discard!: DiscardElement;
 
   @state() private isAtContents = false;
   /** What the address names is being looked for. */
   @state() private isOpening = false;
   readonly lessons = embeddedLessons(document);
+  readonly ways: Navigation = new Navigation(this);
   readonly session = new Session(this, () => {
     this.requestUpdate();
-    this.writeAddress();
+    this.ways.write();
   });
-  readonly reading = new Reading(this.lessons, this.session, () => {
-    this.requestUpdate();
-    this.writeAddress();
-  });
-  private readonly keyboard = new Keyboard(this, () => this.actions());
-  private addressTimer = 0;
+  readonly reading = new Reading(
+    this.lessons,
+    this.session,
+    () => {
+      this.requestUpdate();
+      this.ways.write();
+    },
+    () => this.ways.leave(),
+  );
+  private readonly keyboard = new Keyboard(this, () => this.actions(), true);
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.followAddress();
-    window.addEventListener('hashchange', this.followAddress);
     window.addEventListener('keydown', this.onKey);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    window.removeEventListener('hashchange', this.followAddress);
     window.removeEventListener('keydown', this.onKey);
   }
 
-  private readonly followAddress = (): void => {
-    const address = parseAddress(location.hash);
+  followAddress(): void {
+    const address = parseAddress(location.hash || embeddedAddress(document));
     const { setup, rival } = address;
     this.setup = { ...setup, language: setup.language ?? this.setup.language };
     this.toggleAttribute('embed', setup.setting.embed);
+    keyMap.word = setup.setting.keys;
     const { session } = this;
     const beside = this.isAsked ? null : rival;
     if (beside !== session.rival.word) session.rival.choose(withOf(beside ?? '', document));
     this.isOpening = true;
     void this.reading.follow(address).finally(() => (this.isOpening = false));
-  };
+  }
 
   /** Keys that were pressed outside the player are passed on to it. */
   private readonly onKey = (event: KeyboardEvent): void => {
-    if (this.choice.open || this.session.live.handleKey(event)) return;
+    if (this.choice.open || this.discard.open || this.session.live.handleKey(event)) return;
     this.keyboard.handle(event);
     if (!event.composedPath().includes(this.stage)) this.stage.handleKey(event);
   };
@@ -120,6 +131,7 @@ export class AppElement extends LitElement implements Shown, Told {
   }
 
   private openFile(file: File): void {
+    this.ways.leave();
     this.reading.close();
     void this.session.openFile(file);
   }
@@ -132,7 +144,8 @@ export class AppElement extends LitElement implements Shown, Told {
   private compare(): void {
     const { rival, trace } = this.session;
     if (rival.chosen !== null) rival.choose(null);
-    else if (trace !== null && !this.isAsked) this.choice.show();
+    else if (this.isAsked) this.player.refuse('noComparison');
+    else if (trace !== null) this.choice.show();
   }
 
   /** To the scene and back to the state; to the drawing of a polygon; to the comparison. */
@@ -142,8 +155,8 @@ export class AppElement extends LitElement implements Shown, Told {
     const compare = { KeyD: () => this.compare(), KeyR: () => this.turnText() };
     if (live.editing === null) return compare;
     const edit = (on: boolean): void => {
-      if (comparison === null) player.side = on ? 'scene' : 'state';
-      else comparison.isEdited = on;
+      if (comparison !== null) comparison.isEdited = on;
+      else if (on !== (player.side === 'scene')) player.toggleSide('scene');
     };
     return {
       ...compare,
@@ -156,32 +169,13 @@ export class AppElement extends LitElement implements Shown, Told {
     };
   }
 
-  /** Later, since browsers limit how often an address may change. */
-  private writeAddress(): void {
-    clearTimeout(this.addressTimer);
-    this.addressTimer = window.setTimeout(() => {
-      void this.address().then((address) => history.replaceState(null, '', address));
-    }, 250);
-  }
-
-  private async address(): Promise<string> {
-    const live = await this.session.live.carried();
-    const { session, reading, setup } = this;
-    const { lesson: trace, place, rival } = session;
-    const lesson = reading.lesson?.story === undefined ? null : reading.lesson.id;
-    const at = reading.reached.place;
-    return formatAddress({ setup, ...place, lesson, at, trace, live, rival: rival.word });
-  }
-
-  async copyLink(): Promise<void> {
-    const { live, lesson } = this.session;
-    const isHeld = lesson !== null || (await live.carried()) !== null;
-    await live.copyLink(isHeld ? new URL(await this.address(), location.href).href : null);
+  copyLink(): Promise<void> {
+    return share(this);
   }
 
   change(part: Partial<Setup>): void {
     this.setup = { ...this.setup, ...part };
-    this.writeAddress();
+    this.ways.write();
   }
 
   override updated(): void {
@@ -206,26 +200,28 @@ export class AppElement extends LitElement implements Shown, Told {
         ?alone=${this.isAsked}
         ?told=${this.hasText && !isCompared}
         ?reading=${this.isReading}
+        .keys=${this.setup.setting.keys}
+        @skip=${() => this.stage.focusPlay()}
         @text=${() => this.turnText()}
         @keys=${() => this.stage.showKeys()}
         @compare=${() => this.compare()}
         @present=${() => this.stage.present(true)}
         @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
       ></vidno-page-header>
-      <nav ?inert=${presenting}>
-        ${contents(this)}
-        <vidno-file-drop
-          .texts=${page}
-          @file=${({ detail }: CustomEvent<File>) => this.openFile(detail)}
-        ></vidno-file-drop>
-        ${ownSurface(session, language, (name) => this.openSurface(name))}
-      </nav>
-      ${this.hasText ? reader(this) : nothing}
       <main>
         ${heading(session, this.name, language)} ${alone(this)}
         ${isCompared ? besides(this) : nothing}
         ${this.isOpening ? nothing : invitation(session, language)}
       </main>
+      <nav ?inert=${presenting}>
+        ${contents(this)}
+        <vidno-file-drop
+          .texts=${page}
+          @file=${({ detail }: CustomEvent<File>) => this.ways.replace(() => this.openFile(detail))}
+        ></vidno-file-drop>
+        ${ownSurface(session, language, (name) => void this.ways.replace(() => this.openSurface(name)))}
+      </nav>
+      ${this.hasText ? reader(this) : nothing}
       <vidno-rival-choice
         .language=${language}
         .lessons=${this.lessons}
@@ -233,10 +229,12 @@ export class AppElement extends LitElement implements Shown, Told {
         .earlier=${session.earlier}
         @with=${({ detail }: CustomEvent<With>) => rival.choose(detail)}
       ></vidno-rival-choice>
+      <vidno-discard .language=${language} .name=${live.editing?.sketch.name ?? ''}></vidno-discard>
     `;
   }
 
   private openSurface(name: string): void {
+    this.ways.leave();
     this.reading.close();
     this.session.openSurface(name);
     this.player.side = 'scene';

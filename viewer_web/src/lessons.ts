@@ -1,5 +1,5 @@
 import { fileIn } from './base64.js';
-import { list, oneOf, optional, part, text } from './trace/check.js';
+import { bool, list, oneOf, optional, part, text } from './trace/check.js';
 import type { Checked } from './trace/check.js';
 import { editions } from './trace/editions.js';
 import { details, methods } from './trace/events.js';
@@ -14,6 +14,8 @@ const entry = part({
   kernel: text,
   edition: oneOf(...editions),
   detail: oneOf(...details),
+  /** Whether a scene is run with every decision held against exact arithmetic. */
+  check: optional(bool),
   /** Its name among the scenes of the lesson, if it has others. */
   scene: optional(text),
 });

@@ -1,6 +1,7 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { Address } from './address.js';
 import { Rival } from './compare/rival.js';
+import { noticeOf } from './components/notice.js';
 import type { Notice } from './components/notice.js';
 import { firstSurface, isSurface, surfaceText } from './curves/surface.js';
 import { embeddedFile, idOf } from './lessons.js';
@@ -15,6 +16,7 @@ import { optionsOf, unpacked } from './live/packed.js';
 import { isScene } from './live/scene-file.js';
 import { embeddedLibrary } from './live/maker.js';
 import { SignMaps } from './live/sign-maps.js';
+import { textOf } from './text-file.js';
 import { ownStep } from './time/own-step.js';
 import { openTrace } from './trace/open.js';
 import type { Trace } from './trace/trace.js';
@@ -22,12 +24,6 @@ import type { Trace } from './trace/trace.js';
 /** Where in a trace the page is, and what is marked in it. */
 export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };
 const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
-
-/** What is to be said about a trace that is shown. */
-function noticeOf({ complete, shortened, timeline, read }: Trace): Notice | null {
-  if (!complete) return { kind: 'growing', steps: timeline.length, read };
-  return shortened && { kind: 'shortened', ...shortened };
-}
 
 /** What is open: a lesson, a file, or a scene that is edited; and where in it one is. Each change is told. */
 export class Session implements ReactiveController {
@@ -37,6 +33,8 @@ export class Session implements ReactiveController {
   name = '';
   lesson: string | null = null;
   place = beginning;
+  /** The file of one's own that is open. */
+  file: Blob | null = null;
   notice: Notice | null = null;
   /** What was shown before the scene was changed last. */
   earlier: Trace | null = null;
@@ -104,11 +102,11 @@ export class Session implements ReactiveController {
     const file = embeddedFile(document, name);
     if (file === null) return;
     if (!name.endsWith('.json')) this.open(file, name, idOf(chosen), place);
-    else this.openScene(await file.text(), name, { ...run, check: false }, place);
+    else this.openScene(await textOf(file), name, { check: false, ...run }, place);
   }
 
   async openFile(file: File): Promise<void> {
-    if (await isScene(file)) this.openOwn(await file.text(), file.name);
+    if (await isScene(file)) this.openOwn(await textOf(file), file.name);
     else this.open(file, file.name, null, beginning);
   }
 
@@ -123,11 +121,21 @@ export class Session implements ReactiveController {
   }
 
   async openCarried({ run, scene }: Carried, place: Place): Promise<void> {
+    const now = await this.live.carried();
+    if (now?.run === run && now.scene === scene) {
+      this.move(place);
+      return;
+    }
     try {
       this.openScene(await unpacked(scene), '', optionsOf(run), place);
     } catch (error) {
       this.fail('', error);
     }
+  }
+
+  /** An address names a run that is not here. */
+  miss(name: string): void {
+    this.say({ kind: 'unknown', name });
   }
 
   move(change: Partial<Place>): void {
@@ -150,6 +158,7 @@ export class Session implements ReactiveController {
     const old = this.trace?.timeline ?? trace.timeline;
     const step = atEnd ? length : ownStep(old, this.place.step, trace.timeline);
     if (this.goal !== null) this.earlier = null;
+    this.file = null;
     this.show(trace, trace.header.scene.name, null, this.goal ?? { ...this.place, step });
     this.goal = null;
     this.say(noticeOf(trace));
@@ -165,6 +174,7 @@ export class Session implements ReactiveController {
         const { length } = trace.timeline;
         if (this.trace === trace) this.steps = length;
         else if (trace.complete || length >= place.step) {
+          this.file = lesson === null ? file : null;
           this.show(trace, name, lesson, place);
           this.live.open(trace.header);
         }

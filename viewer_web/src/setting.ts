@@ -1,3 +1,5 @@
+import { KeyMap } from './key-map.js';
+
 export const controlSets = ['full', 'small', 'none'] as const;
 
 /**
@@ -25,6 +27,8 @@ export interface Setting {
   readonly play: boolean;
   /** Whether there are questions from the beginning, and how they are asked. */
   readonly ask: Way | null;
+  /** Which keys of one letter do what, see `KeyMap`. */
+  readonly keys: string;
 }
 
 /** The page by itself. */
@@ -36,7 +40,15 @@ export const plain: Setting = {
   controls: 'full',
   play: false,
   ask: null,
+  keys: '',
 };
+
+/** Only what means keys. */
+function keysIn(written: string): string {
+  const map = new KeyMap();
+  map.word = written;
+  return map.word;
+}
 
 /** The number of a step, if that is what is written. */
 export function stepIn(written: string | null): number | null {
@@ -68,6 +80,7 @@ export function parseSetting(fields: URLSearchParams): Setting {
     controls: isControls(controls) ? controls : plain.controls,
     play: fields.has('play'),
     ask: isWay(ask) ? ask : plain.ask,
+    keys: keysIn(fields.get('keys') ?? plain.keys),
   };
 }
 

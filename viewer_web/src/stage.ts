@@ -6,6 +6,7 @@ import './components/player.js';
 import { texts } from './i18n/index.js';
 import type { Language } from './i18n/language.js';
 import type { Act } from './live/editor.js';
+import type { Navigation } from './navigation.js';
 import { needsExact } from './picture/layers.js';
 import type { Exact, Layer } from './picture/layers.js';
 import type { Pixel } from './picture/pixel.js';
@@ -21,6 +22,7 @@ export interface Shown {
   readonly isReading: boolean;
   change(part: Partial<Setup>): void;
   copyLink(): Promise<void>;
+  readonly ways: Navigation;
 }
 
 /** The exact picture is asked for only when it is shown; there is none of curves. */
@@ -61,7 +63,7 @@ export function alone(page: Shown): TemplateResult {
       .check=${trace && (session.checks?.of(trace) ?? null)}
       .editing=${live.editing}
       .link=${live.link}
-      @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
+      @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
       @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
       @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
       @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
@@ -69,6 +71,7 @@ export function alone(page: Shown): TemplateResult {
       @vidno-ask=${({ detail: ask }: CustomEvent<Way>) => page.change({ setting: { ...setting, ask } })}
       @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
       @vidno-check=${() => trace && session.checks?.ask(trace)}
+      @vidno-keys=${({ detail: keys }: CustomEvent<string>) => page.change({ setting: { ...setting, keys } })}
       @vidno-save=${() => live.save()}
       @vidno-link=${() => page.copyLink()}
     ></vidno-player>
@@ -98,13 +101,14 @@ export function besides(page: Shown): TemplateResult {
     ?presenting=${presenting}
     .layer=${layer}
     .editing=${live.editing}
-    @vidno-step=${({ detail: step }: CustomEvent<number>) => session.move({ step })}
+    @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
     @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
     @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
     @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
     @vidno-check=${() => session.trace && session.checks?.ask(session.trace)}
     @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
     @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
+    @vidno-keys=${({ detail: keys }: CustomEvent<string>) => page.change({ setting: { ...setting, keys } })}
   ></vidno-comparison>`;
 }
 

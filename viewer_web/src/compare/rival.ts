@@ -1,3 +1,4 @@
+import { noticeOf } from '../components/notice.js';
 import type { Notice } from '../components/notice.js';
 import { embeddedFile, embeddedLessons, idOf } from '../lessons.js';
 import type { LessonTrace } from '../lessons.js';
@@ -110,7 +111,7 @@ export class Rival {
   private show(trace: Trace): void {
     this.trace = trace;
     this.steps = trace.timeline.length;
-    this.say(null);
+    this.say(trace.complete ? noticeOf(trace) : null);
   }
 
   private say(notice: Notice | null): void {

@@ -4,6 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
 import { texts } from '../i18n/index.js';
 import type { BookmarkTexts } from '../i18n/texts.js';
+import { isOnDisk } from '../page-file.js';
 import {
   bookmarkAt,
   longestNote,
@@ -14,6 +15,7 @@ import {
 import type { Bookmark, Bookmarks } from '../time/bookmarks.js';
 import type { View } from '../view.js';
 import { bookmarksStyle } from './bookmarks.style.js';
+import { keyName } from '../key-map.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
 
@@ -85,7 +87,7 @@ export class BookmarksElement extends LitElement {
     return html`
       <div class="head">
         <button class="add" @click=${() => this.mark()}>
-          ${known ? say.edit(step) : say.add(step)} <kbd>B</kbd>
+          ${known ? say.edit(step) : say.add(step)} <kbd>${keyName('B')}</kbd>
         </button>
         <span class="count">${say.count(bookmarks.length, mostBookmarks)}</span>
       </div>
@@ -98,8 +100,15 @@ export class BookmarksElement extends LitElement {
         )}
       </ol>
       <p class="hint">${say.hint}</p>
-      <p class="hint">${this.linked ? say.linked : say.unlinked}</p>
+      <p class="hint">${this.lasting()}</p>
     `;
+  }
+
+  /** How long they last, and how they are passed on. */
+  private lasting(): string {
+    const { texts: say } = this;
+    if (!this.linked) return say.unlinked;
+    return isOnDisk() ? say.onDisk : say.linked;
   }
 
   private sayLimit(limit: 'full' | 'long'): string {

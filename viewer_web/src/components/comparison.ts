@@ -17,12 +17,14 @@ import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
 import { viewOf } from '../view.js';
 import type { Choice, View } from '../view.js';
+import { announcerStyle } from './announcer.style.js';
 import './compared-run.js';
 import type { ComparedRunElement } from './compared-run.js';
 import './comparison-facts.js';
 import type { Switch } from './comparison-facts.js';
 import { pairActions } from './comparison-keys.js';
 import { comparisonStyle } from './comparison.style.js';
+import { hiddenStyle } from './hidden.style.js';
 import type { Actions } from './keyboard.js';
 import { askForLayer } from './layers.js';
 import { Pointing } from './pointing.js';
@@ -58,7 +60,14 @@ interface Beside {
  */
 @customElement('vidno-comparison')
 export class ComparisonElement extends StageElement {
-  static override styles = [tokens, base, presenterStyle, comparisonStyle];
+  static override styles = [
+    tokens,
+    base,
+    hiddenStyle,
+    presenterStyle,
+    comparisonStyle,
+    announcerStyle,
+  ];
 
   /** The other run, and how many of its steps are there. */
   @property({ attribute: false }) rival: Trace | null = null;
@@ -161,6 +170,7 @@ export class ComparisonElement extends StageElement {
         ></vidno-comparison-facts>
       </div>
       <div class="dock">
+        ${this.announcer.render()}
         <vidno-transport
           .trace=${this.trace}
           .view=${view}
@@ -185,7 +195,7 @@ export class ComparisonElement extends StageElement {
         ${this.presenter.corner(view)}
       </div>
       ${this.presenter.curtain()}
-      <vidno-keys .texts=${view.texts} pair></vidno-keys>
+      <vidno-keys .texts=${view.texts} pair @vidno-keys=${() => this.requestUpdate()}></vidno-keys>
     `;
   }
 

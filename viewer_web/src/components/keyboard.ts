@@ -1,4 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import { keyMap } from '../key-map.js';
 
 const isSummary = (target: EventTarget | undefined): boolean =>
   target instanceof HTMLElement && target.localName === 'summary';
@@ -7,7 +8,9 @@ const isSummary = (target: EventTarget | undefined): boolean =>
 export function takesKey(event: KeyboardEvent): boolean {
   const [target] = event.composedPath();
   if (target instanceof HTMLInputElement) {
+    if (event.key === 'Escape') return false;
     if (target.type === 'checkbox') return event.key === ' ';
+    if (target.type === 'radio') return event.key === ' ' || event.key.startsWith('Arrow');
     return target.type === 'range' ? !['?', ' ', '+', '-'].includes(event.key) : event.key !== '?';
   }
   if (target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement) return true;
@@ -23,6 +26,8 @@ export class Keyboard implements ReactiveController {
   constructor(
     private readonly host: ReactiveControllerHost & HTMLElement,
     private readonly actions: (event: KeyboardEvent) => Actions,
+    /** Whether it listens wherever the focus is, so that the reader may change its keys or turn them off. */
+    private readonly isEverywhere = false,
   ) {
     host.addController(this);
   }
@@ -37,9 +42,10 @@ export class Keyboard implements ReactiveController {
 
   readonly handle = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (takesKey(event)) return;
+    if (takesKey(event) || (this.isEverywhere && !keyMap.allows(event))) return;
+    const code = this.isEverywhere ? keyMap.meant(event.code) : event.code;
     const actions = this.actions(event);
-    const act = actions[event.key] ?? actions[event.code];
+    const act = actions[event.key] ?? actions[code];
     if (act === undefined) return;
     event.preventDefault();
     act();

@@ -1,7 +1,9 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
-import type { KeyUse, PageTexts } from '../i18n/texts.js';
+import type { KeyUse } from '../i18n/key-texts.js';
+import type { PageTexts } from '../i18n/texts.js';
+import { keyMap, keyName, letters } from '../key-map.js';
 import { dialogStyle } from './dialog.style.js';
 import { base } from './theme.js';
 
@@ -51,7 +53,7 @@ const only: Readonly<Record<'one' | 'pair', ReadonlySet<KeyUse>>> = {
 /** What there is only where there is something to be seen in 3D. */
 const solid: readonly KeyUse[] = ['solid', 'turn'];
 
-/** The map of keys. */
+/** The map of keys, and what may be changed about it, which an event `vidno-keys` tells in a word. */
 @customElement('vidno-keys')
 export class KeysElement extends LitElement {
   static override styles = [
@@ -86,9 +88,42 @@ export class KeysElement extends LitElement {
         background: var(--well);
         font: 0.8125rem var(--mono);
       }
+      kbd:has(input) {
+        padding: 0;
+      }
+      kbd input {
+        width: 1.75rem;
+        min-height: 1.5rem;
+        padding: 0;
+        border: 0;
+        background: none;
+        font: inherit;
+        text-align: center;
+        text-transform: uppercase;
+        caret-color: transparent;
+      }
+      .own {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 0.25rem 1rem;
+        align-items: center;
+        margin-bottom: 0.75rem;
+        font-size: 0.875rem;
+      }
+      .own label {
+        display: flex;
+        gap: 0.4rem;
+        align-items: center;
+      }
+      .own p {
+        flex-basis: 100%;
+        color: var(--soft);
+      }
       button {
-        margin-top: 1rem;
         padding: 0 1rem;
+      }
+      dialog > button {
+        margin-top: 1rem;
       }
     `,
   ];
@@ -113,18 +148,67 @@ export class KeysElement extends LitElement {
     return this.dialog.open;
   }
 
+  /** Whether keys of one character do anything, and what is said of changing them. */
+  private own(): TemplateResult {
+    const { ownKeys: say } = this.texts;
+    return html`<div class="own">
+      <label>
+        <input
+          class="everywhere"
+          type="checkbox"
+          .checked=${!keyMap.isOff}
+          @change=${() => this.change(() => (keyMap.isOff = !keyMap.isOff))}
+        />
+        ${say.everywhere}
+      </label>
+      <button ?disabled=${keyMap.word === ''} @click=${() => this.change(() => keyMap.reset())}>
+        ${say.reset}
+      </button>
+      <p>${say.everywhereHint}. ${say.changeHint}</p>
+    </div>`;
+  }
+
+  /** A letter is a field that takes another one. */
+  private key(name: string, use: string): TemplateResult {
+    if (!letters.some((letter) => letter === name)) return html`<kbd>${keyName(name)}</kbd>`;
+    return html`<kbd
+      ><input
+        type="text"
+        readonly
+        data-key=${name}
+        aria-label=${this.texts.ownKeys.change(use)}
+        .value=${keyMap.pressed(name)}
+        @keydown=${(event: KeyboardEvent) => this.onKey(event, name)}
+    /></kbd>`;
+  }
+
+  private onKey(event: KeyboardEvent, name: string): void {
+    const [, letter] = /^Key([A-Z])$/.exec(event.code) ?? [];
+    if (letter === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    this.change(() => keyMap.assign(name, letter));
+  }
+
+  private change(change: () => void): void {
+    change();
+    this.requestUpdate();
+    const told = { detail: keyMap.word, bubbles: true, composed: true };
+    this.dispatchEvent(new CustomEvent<string>('vidno-keys', told));
+  }
+
   override render(): TemplateResult {
     const { texts } = this;
     const missing = new Set([...only[this.pair ? 'one' : 'pair'], ...(this.flat ? solid : [])]);
     return html`<dialog aria-labelledby="title">
       <h2 id="title" tabindex="-1">${texts.keys}</h2>
+      ${this.own()}
       <dl>
         ${keys
           .filter(([use]) => !missing.has(use))
           .map(
             ([use, names]) =>
               html`<div>
-                <dt>${names.map((name) => html`<kbd>${name}</kbd>`)}</dt>
+                <dt>${names.map((name) => this.key(name, texts.keyMap[use]))}</dt>
                 <dd>${texts.keyMap[use]}</dd>
               </div>`,
           )}

@@ -2,7 +2,7 @@ import { css } from 'lit';
 
 /** One line about a file. */
 export const noticeStyle = css`
-  p:is(.reading, .failed, .refused, .shortened) {
+  p:is(.reading, .failed, .refused, .unknown, .shortened) {
     margin-top: 0.3rem;
     padding: 0.45rem 0.7rem;
     border-radius: 6px;
@@ -15,7 +15,7 @@ export const noticeStyle = css`
     font-size: 0.8125rem;
     font-variant-numeric: tabular-nums;
   }
-  p:is(.failed, .refused) {
+  p:is(.failed, .refused, .unknown) {
     background: var(--bad-wash);
     color: var(--bad);
   }

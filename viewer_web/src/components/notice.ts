@@ -1,9 +1,10 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
-import { complaint, texts } from '../i18n/index.js';
+import { complaint, texts, wrongLine } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
 import type { Shortened } from '../trace/read.js';
+import type { Trace } from '../trace/trace.js';
 import { whyRefused } from '../live/refusal.js';
 import { emptySketch } from '../live/sketch.js';
 import { Unreadable } from '../trace/trace.js';
@@ -15,13 +16,21 @@ export type Notice =
   | { readonly kind: 'reading'; readonly name: string }
   | { readonly kind: 'growing'; readonly steps: number; readonly read: number }
   | { readonly kind: 'refused'; readonly name: string; readonly messages: string }
+  | { readonly kind: 'unknown'; readonly name: string }
   | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
   | ({ readonly kind: 'shortened' } & Shortened);
+
+/** What is to be said of a trace that is shown, or being read. */
+export function noticeOf({ complete, shortened, timeline, read }: Trace): Notice | null {
+  if (!complete) return { kind: 'growing', steps: timeline.length, read };
+  return shortened && { kind: 'shortened', ...shortened };
+}
 
 /** What grows is not told each time. */
 const roles = {
   reading: 'status',
   growing: nothing,
+  unknown: 'alert',
   failed: 'alert',
   refused: 'alert',
   shortened: 'status',
@@ -44,6 +53,7 @@ export class NoticeElement extends LitElement {
   private say(notice: Notice): string {
     const { page } = texts[this.language];
     if (notice.kind === 'reading') return page.reading(notice.name);
+    if (notice.kind === 'unknown') return page.unknown(notice.name);
     if (notice.kind === 'refused') {
       const { scene } = texts[this.language];
       return page.refusedScene(notice.name, whyRefused(notice.messages, emptySketch, scene));
@@ -52,7 +62,11 @@ export class NoticeElement extends LitElement {
       const steps = notice.steps.toLocaleString(this.language);
       return page.growing(steps, Math.round(100 * notice.read));
     }
-    if (notice.kind === 'shortened') return page.shortened[notice.why](notice.line);
+    if (notice.kind === 'shortened') {
+      return notice.why === 'wrong'
+        ? wrongLine(notice, this.language)
+        : page.shortened[notice.why](notice.line);
+    }
     if (notice.error instanceof Unreadable) {
       return complaint(notice.name, notice.error, this.language);
     }

@@ -3,12 +3,17 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
+import { keyMap, keyName } from '../key-map.js';
 import { headerStyle } from './header.style.js';
 import './languages.js';
 import { base } from './theme.js';
 
+/** What opens it, besides its button; nothing where keys of one character do nothing. */
+const kbd = (name: string): TemplateResult | typeof nothing =>
+  keyMap.isOff ? nothing : html`<kbd>${keyName(name)}</kbd>`;
+
 /**
- * The line at the top of the page. Events `keys`, `text`, `compare`, `present` and `choose`, of a language, tell what
+ * The line at the top of the page. Events `skip`, to the run, `keys`, `text`, `compare`, `present` and `choose`, of a language, tell what
  * is asked for.
  */
 @customElement('vidno-page-header')
@@ -31,6 +36,14 @@ export class PageHeaderElement extends LitElement {
       button[aria-pressed='true'] {
         border-color: var(--accent);
         background: var(--accent-wash);
+      }
+      .skip:not(:focus-visible) {
+        position: absolute;
+        width: 1px;
+        min-height: 1px;
+        padding: 0;
+        overflow: hidden;
+        clip-path: inset(50%);
       }
       @media (max-width: 640px) {
         .tools {
@@ -67,10 +80,13 @@ export class PageHeaderElement extends LitElement {
   /** Whether the lesson has a text, and whether that is shown. */
   @property({ type: Boolean, reflect: true }) told = false;
   @property({ type: Boolean }) reading = false;
+  /** Which keys there are, as an address has it. */
+  @property({ attribute: false }) keys = '';
 
   override render(): TemplateResult {
     const { page, compare, reader } = texts[this.language];
     return html`<header>
+      <button class="skip" @click=${() => this.ask('skip')}>${page.skip}</button>
       <h1>vidno</h1>
       <p class="tagline">${page.tagline}</p>
       <div class="tools">
@@ -81,12 +97,12 @@ export class PageHeaderElement extends LitElement {
                 title=${this.reading ? reader.hide : nothing}
                 @click=${() => this.ask('text')}
               >
-                ${reader.text} <kbd>R</kbd>
+                ${reader.text} ${kbd('R')}
               </button>`
             : nothing
         }
         <button class="keys" @click=${() => this.ask('keys')} ?disabled=${!this.open}>
-          ${page.keys} <kbd>?</kbd>
+          ${page.keys} ${kbd('?')}
         </button>
         <button
           aria-pressed=${this.comparing ? 'true' : 'false'}
@@ -94,10 +110,10 @@ export class PageHeaderElement extends LitElement {
           @click=${() => this.ask('compare')}
           ?disabled=${!this.open || this.alone}
         >
-          ${compare.compare} <kbd>D</kbd>
+          ${compare.compare} ${kbd('D')}
         </button>
         <button class="present" @click=${() => this.ask('present')} ?disabled=${!this.open}>
-          ${page.present} <kbd>F</kbd>
+          ${page.present} ${kbd('F')}
         </button>
         <vidno-languages
           .chosen=${this.language}
@@ -108,7 +124,7 @@ export class PageHeaderElement extends LitElement {
   }
 
   private ask(
-    what: 'keys' | 'text' | 'compare' | 'present' | 'choose',
+    what: 'skip' | 'keys' | 'text' | 'compare' | 'present' | 'choose',
     detail: Language | null = null,
   ): void {
     this.dispatchEvent(new CustomEvent(what, { detail }));

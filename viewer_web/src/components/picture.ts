@@ -14,6 +14,7 @@ import { marksOf } from '../picture/marks.js';
 import { paint } from '../picture/paint.js';
 import type { Cells } from '../picture/paint.js';
 import { patchesOf } from '../picture/patches.js';
+import { factsAt } from '../picture/pixel-facts.js';
 import type { Pixel } from '../picture/pixel.js';
 import { shapesOf } from '../picture/shapes.js';
 import { gridShapes, labelsOf, notesOf, outlineShapes, shapesToPoint } from '../picture/still.js';
@@ -68,6 +69,10 @@ export class PictureElement extends PlaneElement {
 
   protected override get words(): HistoryTexts {
     return texts[this.view.language].history;
+  }
+
+  protected override spoken(at: Pixel): string {
+    return this.words.spoken(at, factsAt(this.view.screen, at));
   }
 
   protected override below(): unknown {

@@ -4,7 +4,7 @@ import type { History } from '../history/history.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Trace } from '../trace/trace.js';
 import { ReadOn } from './read-on.js';
-import type { Side } from './side.js';
+import type { Side } from './side-name.js';
 
 const mostPerFrame = 60;
 

@@ -76,6 +76,11 @@ export abstract class PlaneElement extends LitElement {
   protected abstract cursorMark(at: Pixel, frame: Frame): unknown;
   /** What is said of places. */
   protected abstract readonly words: Pick<HistoryTexts, 'at' | 'how'>;
+  /** What is said of the place where the keyboard is. */
+  protected spoken(at: Pixel): string {
+    return this.words.at(...at);
+  }
+
   /** What lies under the drawing, and above it. */
   protected below?(): unknown;
   protected above?(frame: Frame): unknown;
@@ -180,7 +185,7 @@ export abstract class PlaneElement extends LitElement {
         @zoom=${({ detail }: CustomEvent<Zooming>) => this.zoomTo(detail)}
       ></vidno-zoom-bar>
       <p class="heard" id="how">${words.how}</p>
-      <p class="heard" aria-live="polite">${cursor === null ? '' : words.at(...cursor)}</p>
+      <p class="heard" aria-live="polite">${cursor === null ? '' : this.spoken(cursor)}</p>
     `;
   }
 }

@@ -5,7 +5,7 @@ import type { ListingElement } from './listing.js';
 import type { PicturePanelElement } from './picture-panel.js';
 import type { Predictor } from './predictor.js';
 import type { Presenter } from './presenter.js';
-import type { Side } from './side.js';
+import type { Side } from './side-name.js';
 import type { TravelElement } from './travel.js';
 
 /** What goes through time. */
@@ -33,6 +33,7 @@ export interface Steered extends Timed {
   present(on: boolean): void;
   point(by: 1 | -1): void;
   toggleSide(side: Side): void;
+  escape(): void;
   openBookmarks(way: 'mark' | 'enter'): Promise<void>;
 }
 
@@ -50,6 +51,7 @@ function usualActions(player: Steered, shift: boolean): Actions {
   const { picture } = player;
   return {
     ...timeActions(player, shift),
+    Escape: () => player.escape(),
     KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
     KeyC: () => player.listing.toggleSource(),
     KeyX: () => player.toggleSide('exact'),

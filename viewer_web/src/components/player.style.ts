@@ -54,6 +54,8 @@ export const playerStyle = css`
     position: sticky;
     bottom: 0;
     z-index: 1;
+    /* Below the panels; by keyboard one comes to it first. */
+    order: 1;
     display: grid;
     grid-template-columns: minmax(0, 1fr);
     flex: none;

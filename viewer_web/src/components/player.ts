@@ -14,6 +14,7 @@ import { bookmarksUpTo } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import { viewOf } from '../view.js';
 import type { View } from '../view.js';
+import { announcerStyle } from './announcer.style.js';
 import { embeddedStyle } from './embedded.style.js';
 import { hiddenStyle } from './hidden.style.js';
 import type { Actions } from './keyboard.js';
@@ -30,12 +31,13 @@ import { playerLowStyle } from './player-low.style.js';
 import { playerStyle } from './player.style.js';
 import { Predictor } from './predictor.js';
 import { presenterStyle } from './presenter.style.js';
-import { hasSolid } from './side.js';
-import type { Side, SideElement } from './side.js';
+import { hasSolid, sideName } from './side-name.js';
+import type { Side } from './side-name.js';
+import './side.js';
+import type { SideElement } from './side.js';
 import { Source } from './source.js';
 import { StageElement } from './stage-element.js';
 import { base, tokens } from './theme.js';
-import './transport.js';
 import type { Command } from './transport.js';
 import './travel.js';
 import type { TravelElement } from './travel.js';
@@ -56,6 +58,7 @@ export class PlayerElement extends StageElement {
     embeddedStyle,
     playerBesideStyle,
     presenterStyle,
+    announcerStyle,
   ];
 
   /** The address of a trace, or `#id` of a block of JSON Lines in the page; else `trace` and `length` are set. */
@@ -119,12 +122,25 @@ export class PlayerElement extends StageElement {
 
   /** Opens a panel, or the state where it is open. */
   toggleSide(side: Side): void {
-    if (!this.isFull || (side === 'solid' && !this.isSolid)) return;
-    this.side = this.side === side ? 'state' : side;
+    const { view } = this;
+    if (!this.isFull || view === null) return;
+    const { news } = view.texts;
+    if (side === 'solid' && !hasSolid(view)) this.announcer.refuse(news.noSolid);
+    else {
+      this.side = this.side === side ? 'state' : side;
+      this.announcer.say(news.panel(sideName(this.side, view)));
+    }
   }
 
-  private get isSolid(): boolean {
-    return this.view !== null && hasSolid(this.view);
+  /** Leaves the questions, unless the run waits for an answer. */
+  escape(): void {
+    if (this.side !== 'predict') return;
+    if (this.predictor.leave()) this.toggleSide('predict');
+    else this.refuse('answerFirst');
+  }
+
+  refuse(why: 'answerFirst' | 'noComparison'): void {
+    this.announcer.refuse(this.view?.texts.news[why] ?? '');
   }
 
   async openBookmarks(way: 'mark' | 'enter'): Promise<void> {
@@ -141,7 +157,7 @@ export class PlayerElement extends StageElement {
 
   override render(): TemplateResult | typeof nothing {
     const { view, trace } = this;
-    if (view === null || trace === null) return this.source.excuse(this.language);
+    if (view === null || trace === null) return this.source.remark(this.language);
     const { texts } = view;
     // An open question is not to be answered by what shows the future.
     const { isOpen, isForced } = this.predictor;
@@ -149,6 +165,39 @@ export class PlayerElement extends StageElement {
     const check = this.checkOf(trace);
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
     return html`
+      ${this.source.remark(this.language)}
+      <div class="dock">
+        ${this.announcer.render()}
+        <div class="said">
+          <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
+            <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
+          </p>
+          ${this.presenter.corner(view)}
+        </div>
+        <vidno-transport
+          .trace=${this.trace}
+          .view=${view}
+          .check=${check}
+          .bookmarks=${this.bookmarks}
+          .first=${this.first}
+          .last=${this.last}
+          ?bounded=${this.isBounded}
+          ?plain=${!this.isFull}
+          ?veiled=${isOpen || isForced}
+          .playing=${this.clock.playing}
+          .speed=${this.clock.speed}
+          @command=${this.onCommand}
+        >
+          <vidno-travel
+            .trace=${this.trace}
+            .view=${view}
+            .check=${check}
+            .history=${history}
+            .bookmarks=${this.bookmarks}
+            @command=${this.onCommand}
+          ></vidno-travel>
+        </vidno-transport>
+      </div>
       <div
         class="panels"
         @pointerover=${this.pointing.onOver}
@@ -187,39 +236,12 @@ export class PlayerElement extends StageElement {
         </section>
       </div>
       <p class="heard pointed-at" aria-live="polite">${sayThing(view)}</p>
-      <div class="dock">
-        <div class="said">
-          <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
-            <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
-          </p>
-          ${this.presenter.corner(view)}
-        </div>
-        <vidno-transport
-          .trace=${this.trace}
-          .view=${view}
-          .check=${check}
-          .bookmarks=${this.bookmarks}
-          .first=${this.first}
-          .last=${this.last}
-          ?bounded=${this.isBounded}
-          ?plain=${!this.isFull}
-          ?veiled=${isOpen || isForced}
-          .playing=${this.clock.playing}
-          .speed=${this.clock.speed}
-          @command=${this.onCommand}
-        >
-          <vidno-travel
-            .trace=${this.trace}
-            .view=${view}
-            .check=${check}
-            .history=${history}
-            .bookmarks=${this.bookmarks}
-            @command=${this.onCommand}
-          ></vidno-travel>
-        </vidno-transport>
-      </div>
       ${this.presenter.curtain()}
-      <vidno-keys .texts=${texts} ?flat=${!this.isSolid}></vidno-keys>
+      <vidno-keys
+        .texts=${texts}
+        ?flat=${!hasSolid(view)}
+        @vidno-keys=${() => this.requestUpdate()}
+      ></vidno-keys>
     `;
   }
 

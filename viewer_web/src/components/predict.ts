@@ -12,6 +12,7 @@ import type { View } from '../view.js';
 import { predictStyle } from './predict.style.js';
 import type { Current, Predictor } from './predictor.js';
 import './question.js';
+import { keyName } from '../key-map.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
 
@@ -43,7 +44,9 @@ export class PredictElement extends LitElement {
     return html`<section>
       <p class="hint">${predictor.isOver ? nothing : say.hint}</p>
       <p role="status">${predictor.isOver ? say.none : nothing}</p>
-      <button class="next" @click=${() => predictor.next()}>${say.next} <kbd>Q</kbd></button>
+      <button class="next" @click=${() => predictor.next()}>
+        ${say.next} <kbd>${keyName('Q')}</kbd>
+      </button>
     </section>`;
   }
 

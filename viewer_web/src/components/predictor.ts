@@ -12,7 +12,7 @@ import { runOf } from '../predict/score.js';
 import type { Answered } from '../predict/score.js';
 import type { Way } from '../setting.js';
 import type { Trace } from '../trace/trace.js';
-import type { Side } from './side.js';
+import type { Side } from './side-name.js';
 
 /** What is replayed while one predicts. */
 export interface Predicted extends ReactiveControllerHost, HTMLElement {
@@ -168,6 +168,14 @@ export class Predictor {
       null,
       parts.map(() => false),
     );
+  }
+
+  /** The question is not asked any more; says whether that may be. */
+  leave(): boolean {
+    if (this.isOpen && this.isForced) return false;
+    this.current = null;
+    this.isOver = false;
+    return true;
   }
 
   /** The answer is asked for once more, but not counted. */

@@ -14,6 +14,7 @@ import { optionName, valueName } from './answers.js';
 import { hiddenStyle } from './hidden.style.js';
 import type { Current, Predictor } from './predictor.js';
 import { questionStyle } from './question.style.js';
+import { keyName } from '../key-map.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
 
@@ -201,7 +202,7 @@ export class QuestionElement extends LitElement {
       </ol>
       <div class="buttons">
         <button class="main" type="button" @click=${() => this.predictor.next()}>
-          ${say.next} <kbd>Q</kbd>
+          ${say.next} <kbd>${keyName('Q')}</kbd>
         </button>
         ${
           how === 'right'

@@ -2,6 +2,7 @@ import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { download, fileName } from '../download.js';
+import { withKey } from '../key-map.js';
 import { figureOfStep } from '../picture/figures.js';
 import { pngOf } from '../picture/png.js';
 import type { View } from '../view.js';
@@ -56,7 +57,7 @@ export class SaveElement extends LitElement {
     const label = this.view.texts.savePicture(kind.toUpperCase());
     return html`<button
       aria-label=${label}
-      title="${label} (${key})"
+      title=${withKey(label, key)}
       @click=${() => void this.save(kind)}
     >
       ${kind.toUpperCase()}

@@ -5,6 +5,7 @@ import { texts } from '../i18n/index.js';
 import type { Act } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
 import { whyRefused } from '../live/refusal.js';
+import { isOnDisk } from '../page-file.js';
 import { ask } from './act.js';
 import { FormElement } from './form.js';
 import './run-form.js';
@@ -18,6 +19,8 @@ export class ScenePanelElement extends FormElement {
   static override styles = [base, scenePanelStyle];
 
   @property({ attribute: false }) link: LinkMade | null = null;
+  /** Whether an address can lead here again. */
+  @property({ type: Boolean }) linked = false;
 
   override render(): TemplateResult {
     const { editing, language } = this;
@@ -40,7 +43,7 @@ export class ScenePanelElement extends FormElement {
       ${this.icon('↷', `${say.redo} (Ctrl+Y)`, !editing.canRedo, { do: 'redo' })}
       ${showsOfEdited(editing).isSolid ? this.drawing() : nothing}
       <button title=${say.saveHint} @click=${() => ask(this, 'vidno-save')}>${say.save}</button>
-      <button title=${say.linkHint} @click=${() => ask(this, 'vidno-link')}>${say.link}</button>
+      ${this.sharing()}
     </div>`;
   }
 
@@ -56,6 +59,17 @@ export class ScenePanelElement extends FormElement {
         ${say.draw}
       </button>
       <button title=${say.clearHint} @click=${() => this.act({ do: 'new' })}>${say.clear}</button>`;
+  }
+
+  private sharing(): TemplateResult {
+    const { say, linked } = this;
+    const isLink = linked && !isOnDisk();
+    return html`<button
+      title=${isLink ? say.linkHint : say.pageHint}
+      @click=${() => ask(this, 'vidno-link')}
+    >
+      ${isLink ? say.link : say.page}
+    </button>`;
   }
 
   private icon(sign: string, label: string, off: boolean, act: Act): TemplateResult {
@@ -87,7 +101,7 @@ export class ScenePanelElement extends FormElement {
 
   private news(link: LinkMade | null, messages: string): string {
     const { say, editing } = this;
-    if (link !== null) return link === 'copied' ? say.linkCopied : say.linkLong;
+    if (link !== null) return link === 'copied' ? say.linkCopied : say.pageSaved;
     if (editing.drawn !== null) return say.drawing;
     return messages === '' ? showsOfEdited(editing).how(texts[this.language]) : messages;
   }

@@ -2,8 +2,8 @@ import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import type { History } from '../history/history.js';
-import { texts } from '../i18n/index.js';
 import { flag } from '../strip/lanes.js';
+import { withKey } from '../key-map.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Editing } from '../live/editor.js';
 import type { LinkMade } from '../live/live.js';
@@ -19,9 +19,9 @@ import './predict.js';
 import type { Predictor } from './predictor.js';
 import './scene-panel.js';
 import { placesOf, showsOf } from './shows.js';
+import { hasSolid, sideName } from './side-name.js';
+import type { Side } from './side-name.js';
 import { base } from './theme.js';
-
-export type Side = 'state' | 'pixel' | 'exact' | 'solid' | 'predict' | 'bookmarks' | 'scene';
 
 /** What opens it, besides its button. */
 const keys: Readonly<Partial<Record<Side, string>>> = {
@@ -32,10 +32,6 @@ const keys: Readonly<Partial<Record<Side, string>>> = {
   predict: 'Q',
   bookmarks: 'Shift B',
 };
-
-/** Whether there is a scene in 3D, and the page brings along what shows it, which is large; a player alone does not. */
-export const hasSolid = (view: View): boolean =>
-  showsOf(view).isSolid && customElements.get('vidno-solid') !== undefined;
 
 /** One of the panels: the state of the procedure, the history of a pixel, the truth of a decision, and so on. */
 @customElement('vidno-side')
@@ -130,18 +126,17 @@ export class SideElement extends LitElement {
 
   override render(): TemplateResult {
     const { view, history, editing } = this;
-    const { bookmarks: marks, scene, exact, solid, predict } = texts[view.language];
-    const say = placesOf(view);
-    const pixel = history === null ? say.pixel : say.at(...history.pixel);
+    const name = (side: Side): string => sideName(side, view);
+    const pixel = history === null ? name('pixel') : placesOf(view).at(...history.pixel);
     return html`
       <div class="choice" role="group">
-        ${this.button('state', view.texts.state)} ${this.button('pixel', pixel)}
-        ${this.button('exact', exact.exactness)}
-        ${hasSolid(view) ? this.button('solid', solid.solid) : nothing}
-        ${editing === null ? nothing : this.button('scene', scene.scene)}
+        ${this.button('state', name('state'))} ${this.button('pixel', pixel)}
+        ${this.button('exact', name('exact'))}
+        ${hasSolid(view) ? this.button('solid', name('solid')) : nothing}
+        ${editing === null ? nothing : this.button('scene', name('scene'))}
         <div class="asides">
-          ${this.button('predict', predict.title, html`<span>?</span>`)}
-          ${this.button('bookmarks', `${marks.title}: ${this.bookmarks.length}`, this.count())}
+          ${this.button('predict', name('predict'), html`<span>Q</span>`)}
+          ${this.button('bookmarks', `${name('bookmarks')}: ${this.bookmarks.length}`, this.count())}
         </div>
       </div>
       ${this.panel()}
@@ -202,6 +197,7 @@ export class SideElement extends LitElement {
       .editing=${editing}
       .language=${this.view.language}
       .link=${this.link}
+      ?linked=${this.linked}
     ></vidno-scene-panel>`;
   }
 
@@ -215,7 +211,7 @@ export class SideElement extends LitElement {
       class=${side}
       aria-pressed=${side === this.side ? 'true' : 'false'}
       aria-label=${label === shown ? nothing : label}
-      title=${key === undefined ? label : `${label} (${key})`}
+      title=${key === undefined ? label : withKey(label, key)}
       @click=${() => this.dispatchEvent(new CustomEvent('side', { detail: side }))}
     >
       ${shown}

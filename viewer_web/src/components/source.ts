@@ -1,9 +1,9 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import type { ReactiveController, ReactiveControllerHost, TemplateResult } from 'lit';
 import type { Language } from '../i18n/language.js';
 import { openTrace } from '../trace/open.js';
 import type { Trace } from '../trace/trace.js';
-import './notice.js';
+import { noticeOf } from './notice.js';
 import type { Notice } from './notice.js';
 
 /** What shows the trace that `src` names. */
@@ -63,8 +63,9 @@ export class Source implements ReactiveController {
     this.opened = '';
   }
 
-  /** What there is to say instead of a trace. */
-  excuse(language: Language): TemplateResult {
+  /** What there is to say instead of a trace, or of one that is not whole. */
+  remark(language: Language): TemplateResult | typeof nothing {
+    if (this.notice === null) return nothing;
     return html`<vidno-notice .notice=${this.notice} .language=${language}></vidno-notice>`;
   }
 
@@ -84,7 +85,7 @@ export class Source implements ReactiveController {
       grown: (trace) => {
         const { length } = trace.timeline;
         if (!trace.complete && length < host.step) return;
-        this.notice = null;
+        this.notice = trace.complete ? noticeOf(trace) : null;
         host.length = length;
         host.trace = trace;
       },

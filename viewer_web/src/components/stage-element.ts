@@ -1,15 +1,19 @@
 import { property, query } from 'lit/decorators.js';
 import { toldCheck } from '../exactness/truth.js';
 import type { Check } from '../exactness/truth.js';
+import { texts } from '../i18n/index.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
 import type { Trace } from '../trace/trace.js';
+import { Announcer } from './announcer.js';
 import { Keyboard } from './keyboard.js';
 import type { Actions } from './keyboard.js';
 import './keys.js';
 import type { KeysElement } from './keys.js';
 import { Presenter } from './presenter.js';
 import { TimedElement } from './timed.js';
+import './transport.js';
+import type { TransportElement } from './transport.js';
 
 /** What shows one run or two: in a language, steered by keys, and to a hall. */
 export abstract class StageElement extends TimedElement {
@@ -19,8 +23,10 @@ export abstract class StageElement extends TimedElement {
   /** How decisions are known to be right or wrong; null where nobody checks runs. A check is asked for by `vidno-check`. */
   @property({ attribute: false }) check: Check | null = null;
   @query('vidno-keys') readonly keys!: KeysElement;
+  @query('vidno-transport') private transport!: TransportElement;
   readonly presenter = new Presenter(this);
-  private readonly keyboard = new Keyboard(this, (event) => this.actions(event));
+  private readonly keyboard = new Keyboard(this, (event) => this.actions(event), true);
+  protected readonly announcer = new Announcer(this);
 
   /** What keys do now. */
   protected abstract actions(event: KeyboardEvent): Actions;
@@ -37,9 +43,16 @@ export abstract class StageElement extends TimedElement {
     this.keys.toggle();
   }
 
+  /** Gives the keyboard to what plays. */
+  focusPlay(): void {
+    this.transport.focusPlay();
+  }
+
   /** Shows itself to a hall, or no longer. */
   present(on: boolean): void {
     this.presenting = on;
+    const { news } = texts[this.language].page;
+    this.announcer.say(on ? news.presented : news.notPresented);
     this.dispatchEvent(new CustomEvent('vidno-present', { detail: on }));
   }
 

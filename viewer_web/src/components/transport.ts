@@ -1,6 +1,6 @@
 import { LitElement, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { customElement, property, query } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import type { Check } from '../exactness/truth.js';
 import type { Bookmarks } from '../time/bookmarks.js';
@@ -49,7 +49,12 @@ export class TransportElement extends LitElement {
   @property({ type: Boolean }) playing = false;
   @property({ type: Number }) speed = 5;
 
+  @query('.play') private play!: HTMLElement;
   private readonly typed = new Typed(this);
+
+  focusPlay(): void {
+    this.play.focus();
+  }
 
   override render(): TemplateResult {
     const { first, last } = this;

@@ -5,6 +5,7 @@ import { guard } from 'lit/directives/guard.js';
 import type { History } from '../history/history.js';
 import { texts } from '../i18n/index.js';
 import type { TravelTexts } from '../i18n/texts.js';
+import { withKey } from '../key-map.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Check } from '../exactness/truth.js';
 import { Calls } from '../time/calls.js';
@@ -86,18 +87,18 @@ export class TravelElement extends LitElement {
     return html`
       <div class="group" role="group" aria-label=${say.procedure}>
         <span class="name" aria-hidden="true">${say.procedure}</span>
-        ${this.button('out', -1, say.outBack, step === 0, () => this.call('out', -1))}
-        ${this.button('over', -1, say.overBack, step === 0, () => this.call('over', -1))}
-        ${this.button('over', 1, say.over, step === length, () => this.call('over', 1))}
-        ${this.button('out', 1, say.out, step === length, () => this.call('out', 1))}
+        ${this.button('out', -1, [say.outBack, 'Shift ['], step === 0, () => this.call('out', -1))}
+        ${this.button('over', -1, [say.overBack, '['], step === 0, () => this.call('over', -1))}
+        ${this.button('over', 1, [say.over, ']'], step === length, () => this.call('over', 1))}
+        ${this.button('out', 1, [say.out, 'Shift ]'], step === length, () => this.call('out', 1))}
       </div>
       <div class="group goal" role="group" aria-label=${say.goTo}>
         <span class="name" aria-hidden="true">${say.goTo}</span>
-        ${this.button('next', -1, say.previous, back === null, () => this.next(-1))}
+        ${this.button('next', -1, [say.previous, ','], back === null, () => this.next(-1))}
         <select aria-label=${say.goTo} @change=${this.onChoose}>
           ${this.options()}
         </select>
-        ${this.button('next', 1, say.next, forward === null, () => this.next(1))}
+        ${this.button('next', 1, [say.next, '.'], forward === null, () => this.next(1))}
         <span class="count" role="status">${this.counted(steps)}</span>
       </div>
     `;
@@ -152,14 +153,14 @@ export class TravelElement extends LitElement {
   private button(
     shape: keyof typeof shapes,
     direction: Direction,
-    label: string,
+    [label, key]: readonly [string, string],
     off: boolean,
     act: () => void,
   ): TemplateResult {
     return html`<button
       class=${direction === -1 ? 'back' : nothing}
       aria-label=${label}
-      title=${label}
+      title=${withKey(label, key)}
       aria-disabled=${off ? 'true' : 'false'}
       @click=${act}
     >

@@ -1,5 +1,5 @@
 import type { Event } from '../trace/events.js';
-import type { Unreadable } from '../trace/trace.js';
+import type { Complaint } from '../trace/read.js';
 import * as en from './en/index.js';
 import type { Language } from './language.js';
 import * as ru from './ru/index.js';
@@ -31,9 +31,21 @@ export function sentence(
   return say(event, words);
 }
 
+function reasonOf({ refusal }: Complaint, language: Language): string {
+  const say: (...details: string[]) => string = texts[language].reasons[refusal.reason];
+  return say(...refusal.details);
+}
+
 /** What is wrong with a file: line, place and reason. */
-export function complaint(name: string, { line, refusal }: Unreadable, language: Language): string {
-  const { reasons, page } = texts[language];
-  const say: (...details: string[]) => string = reasons[refusal.reason];
-  return page.unreadable(name, line, refusal.path, say(...refusal.details));
+export function complaint(name: string, wrong: Complaint, language: Language): string {
+  const { page } = texts[language];
+  const { line, refusal } = wrong;
+  if (refusal.reason === 'emptyFile') return page.emptyFile(name);
+  return page.unreadable(name, line, refusal.path, reasonOf(wrong, language));
+}
+
+/** The same of a line up to which the file is a trace. */
+export function wrongLine(wrong: Complaint, language: Language): string {
+  const { line, refusal } = wrong;
+  return texts[language].page.wrongLine(line, refusal.path, reasonOf(wrong, language));
 }

@@ -24,7 +24,12 @@ export interface SceneTexts {
   readonly link: string;
   readonly linkHint: string;
   readonly linkCopied: string;
-  readonly linkLong: string;
+  readonly page: string;
+  readonly pageHint: string;
+  readonly pageSaved: string;
+  readonly discard: Readonly<
+    Record<'text' | 'stay' | 'save' | 'discard', string> & { title: (name: string) => string }
+  >;
   readonly area: string;
   readonly areaFields: Readonly<Record<keyof Area, string>>;
   readonly background: string;

@@ -5,13 +5,16 @@ import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
 import type { Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Edition } from '../trace/editions.js';
+import type { PixelFacts } from '../picture/pixel-facts.js';
+import type { Pixel } from '../picture/pixel.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
-import type { Shortened } from '../trace/read.js';
+import type { Ended } from '../trace/read.js';
 import type { Corner } from '../trace/values.js';
 import type { ExactTexts } from './exact-texts.js';
 import type { CurveTexts } from './curve-texts.js';
 import type { CompareTexts } from './compare-texts.js';
 import type { FamilyTexts } from './family-texts.js';
+import type { KeyTexts, KeyUse, NewsTexts } from './key-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { PredictTexts } from './predict-texts.js';
 import type { RegionTexts } from './region-texts.js';
@@ -56,6 +59,8 @@ export interface Texts {
 export interface HistoryTexts {
   readonly pixel: string;
   readonly at: (x: number, y: number) => string;
+  /** Of the pixel where the keyboard is, for those who hear the picture. */
+  readonly spoken: (at: Pixel, facts: PixelFacts) => string;
   readonly hint: string;
   readonly how: string;
   readonly forget: string;
@@ -118,6 +123,8 @@ export interface BookmarkTexts {
   readonly long: (most: number) => string;
   readonly hint: string;
   readonly linked: string;
+  /** The same of a page on a disk, whose address leads nobody else here. */
+  readonly onDisk: string;
   readonly unlinked: string;
 }
 
@@ -135,9 +142,12 @@ export interface PageTexts extends FileTexts {
   readonly reading: (name: string) => string;
   readonly growing: (steps: string, percent: number) => string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
+  readonly unknown: (name: string) => string;
   readonly broken: (name: string) => string;
   readonly refusedScene: (name: string, why: string) => string;
-  readonly shortened: Readonly<Record<Shortened['why'], (line: number) => string>>;
+  readonly emptyFile: (name: string) => string;
+  readonly shortened: Readonly<Record<Ended['why'], (line: number) => string>>;
+  readonly wrongLine: (line: number, where: string, reason: string) => string;
   readonly methods: Readonly<Record<Method, string>>;
   readonly editions: Readonly<Record<Edition, string>>;
   /** Of a run: its decisions were held against exact arithmetic. */
@@ -165,9 +175,12 @@ export interface PageTexts extends FileTexts {
   readonly perSecond: (n: number) => string;
   readonly keys: string;
   readonly close: string;
+  readonly skip: string;
+  readonly news: NewsTexts;
   readonly present: string;
   readonly leave: string;
   readonly keyMap: Readonly<Record<KeyUse, string>>;
+  readonly ownKeys: KeyTexts;
   readonly window: string;
   readonly none: string;
   readonly legend: Readonly<Record<LegendEntry, string>>;
@@ -197,39 +210,3 @@ export interface ThingTexts {
   readonly corner: (place: string) => string;
   readonly window: (window: string) => string;
 }
-
-export type KeyUse =
-  | 'step'
-  | 'ten'
-  | 'over'
-  | 'out'
-  | 'goal'
-  | 'ends'
-  | 'play'
-  | 'speed'
-  | 'pixel'
-  | 'cursor'
-  | 'zoom'
-  | 'layer'
-  | 'mark'
-  | 'predict'
-  | 'answer'
-  | 'bookmark'
-  | 'bookmarks'
-  | 'toBookmark'
-  | 'thing'
-  | 'source'
-  | 'exact'
-  | 'solid'
-  | 'turn'
-  | 'edit'
-  | 'draw'
-  | 'undo'
-  | 'corner'
-  | 'present'
-  | 'remote'
-  | 'compare'
-  | 'parting'
-  | 'save'
-  | 'reader'
-  | 'map';

@@ -5,6 +5,7 @@ import type { Act, Editing, Followers } from './editor.js';
 import type { Options } from './options.js';
 import { packed, wordOf } from './packed.js';
 import { sceneFile, sceneText } from './sketch.js';
+import type { Sketch } from './sketch.js';
 
 /** A scene as an address carries it, and how it is run. */
 export interface Carried {
@@ -13,7 +14,10 @@ export interface Carried {
 }
 
 /** What came of the wish for a link. */
-export type LinkMade = 'copied' | 'long';
+export type LinkMade = 'copied' | 'saved';
+
+const isSame = (one: Editing, other: Editing): boolean =>
+  one.sketch === other.sketch && one.options === other.options;
 
 /** The scene that the page edits, if it was built with the library to run it. */
 export class Live {
@@ -21,6 +25,10 @@ export class Live {
   link: LinkMade | null = null;
   /** Whether what is shown is a run of this scene, and no trace that was opened. */
   isRun = false;
+  /** The scene as it was opened or saved last. */
+  private kept: Sketch | null = null;
+  /** What was packed last: to pack takes a while. */
+  private last: { readonly editing: Editing; readonly carried: Carried | null } | null = null;
   private readonly editor: Editor | null;
 
   constructor(
@@ -29,6 +37,7 @@ export class Live {
   ) {
     const changed = (editing: Editing): void => {
       this.editing = editing;
+      if (!editing.canUndo && !editing.canRedo) this.kept = editing.sketch;
       followers.changed();
     };
     const traced: Followers['traced'] = (trace) => {
@@ -36,6 +45,11 @@ export class Live {
       followers.traced(trace);
     };
     this.editor = library && new Editor(library, { ...followers, changed, traced });
+  }
+
+  /** Whether there are changes of the scene that nobody has saved. */
+  get isChanged(): boolean {
+    return this.editing !== null && this.editing.sketch !== this.kept;
   }
 
   /** Goes on from the scene of a trace that was opened. */
@@ -70,6 +84,7 @@ export class Live {
   save(): void {
     if (this.editing === null) return;
     const { sketch } = this.editing;
+    this.kept = sketch;
     const file = new Blob([sceneFile(sketch)], { type: 'application/json' });
     download(file, `${fileName(sketch.name) || 'scene'}.json`);
   }
@@ -78,14 +93,23 @@ export class Live {
   async carried(): Promise<Carried | null> {
     const { editing } = this;
     if (editing === null || !this.isRun) return null;
+    const { last } = this;
+    if (last !== null && isSame(last.editing, editing)) return last.carried;
     const scene = await packed(sceneText(editing.sketch));
-    return scene === null ? null : { run: wordOf(editing.options), scene };
+    const carried = scene === null ? null : { run: wordOf(editing.options), scene };
+    this.last = { editing, carried };
+    return carried;
   }
 
-  /** Null: there is no address that would show this again. */
-  async copyLink(address: string | null): Promise<void> {
-    if (address !== null) await navigator.clipboard.writeText(address);
-    this.link = address === null ? 'long' : 'copied';
+  /** The same at once, where it is known; undefined where it is not. */
+  get carriedNow(): Carried | null | undefined {
+    const { editing, last } = this;
+    if (editing === null || !this.isRun) return null;
+    return last !== null && isSame(last.editing, editing) ? last.carried : undefined;
+  }
+
+  tell(link: LinkMade): void {
+    this.link = link;
     this.followers.changed();
   }
 }

@@ -5,6 +5,7 @@ import '../components/lesson-list.js';
 import '../components/reader.js';
 import type { Read } from '../components/reader.js';
 import type { Lesson, LessonTrace } from '../lessons.js';
+import type { Navigation } from '../navigation.js';
 import type { Session } from '../session.js';
 import type { Reading } from './reading.js';
 
@@ -17,6 +18,7 @@ export interface Told {
   /** Whether the text of a lesson is beside the run. */
   readonly isReading: boolean;
   change(part: Partial<Setup>): void;
+  readonly ways: Navigation;
   /** Opens the table of contents, or closes it, where there is no room for it. */
   turnToContents(isOpen: boolean): void;
 }
@@ -32,7 +34,7 @@ export function contents(page: Told): TemplateResult {
     .read=${reading.lesson?.id ?? null}
     .story=${reading.story?.story[language] ?? null}
     .heading=${reading.reached.heading}
-    @choose=${({ detail }: CustomEvent<LessonTrace>) => reading.choose(detail)}
+    @choose=${({ detail }: CustomEvent<LessonTrace>) => page.ways.replace(() => reading.choose(detail))}
     @visit=${({ detail }: CustomEvent<string>) => reading.visit(detail)}
     @leave=${() => page.turnToContents(false)}
   ></vidno-lesson-list>`;
@@ -53,10 +55,10 @@ export function reader(page: Told): TemplateResult {
     .previous=${reading.neighbour(-1)}
     .next=${reading.neighbour(1)}
     @read=${({ detail }: CustomEvent<Read>) => reading.reach(detail, detail.isScrolled && setup.follows)}
-    @pin=${({ detail }: CustomEvent<string>) => reading.go(detail)}
+    @pin=${({ detail }: CustomEvent<string>) => page.ways.replace(() => reading.go(detail))}
     @follow=${({ detail }: CustomEvent<boolean>) => {
       page.change({ follows: detail });
-      if (detail) reading.go(reading.reached.pin);
+      if (detail) void page.ways.replace(() => reading.go(reading.reached.pin));
     }}
     @contents=${() => page.turnToContents(true)}
   ></vidno-reader>`;

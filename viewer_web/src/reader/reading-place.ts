@@ -32,6 +32,8 @@ export class ReadingPlace implements ReactiveController {
   /** Where the page itself has scrolled to. */
   private own = 0;
   private last = '';
+  /** The keyboard has come to a part of the text, which the browser brings into sight. */
+  private isFocusing = false;
   private readonly sizes = new ResizeObserver(() => this.restore());
 
   constructor(private readonly host: Read) {
@@ -42,6 +44,7 @@ export class ReadingPlace implements ReactiveController {
   watch(): void {
     const { box } = this.host;
     box.addEventListener('scroll', this.onScroll, { passive: true });
+    box.addEventListener('focusin', this.onFocus);
     // A drawing has its height only when it is read.
     box.addEventListener('load', () => this.restore(), { capture: true });
     this.sizes.observe(box);
@@ -88,7 +91,13 @@ export class ReadingPlace implements ReactiveController {
     if (box.clientHeight === 0 || Math.abs(box.scrollTop - this.own) < 1) return;
     this.own = -1;
     this.kept = this.keep();
-    this.tell(true);
+    this.tell(!this.isFocusing);
+  };
+
+  /** What moves the focus is no reading on: its scrolling is told in the next frame. */
+  private readonly onFocus = (): void => {
+    this.isFocusing = true;
+    requestAnimationFrame(() => requestAnimationFrame(() => (this.isFocusing = false)));
   };
 
   /** Tells what stands above the reading line; or which place it is that was asked for. */

@@ -21,6 +21,16 @@ export function pinAt(place: string, { pins }: LessonStory): Pin | null {
   return pins.get(place) ?? pins.get(place.replace(/\.\d+$/, '')) ?? null;
 }
 
+/** What an address names that is not here: a run, or a lesson. */
+function missingIn(
+  { trace, lesson }: Address,
+  found: LessonTrace | undefined,
+  lessons: readonly Lesson[],
+): string | null {
+  if (trace !== null && found === undefined) return trace;
+  return lesson === null || lessons.some(({ id }) => id === lesson) ? null : lesson;
+}
+
 /** Which lesson is read, where in its text one is, and what of the runs belongs to that. Each change is told. */
 export class Reading {
   lesson: Lesson | null = null;
@@ -39,6 +49,8 @@ export class Reading {
     private readonly lessons: readonly Lesson[],
     private readonly session: Session,
     private readonly changed: () => void,
+    /** The run is about to be elsewhere. */
+    private readonly leave: () => void,
   ) {}
 
   /** Opens what an address names; without any the first lesson. A step that is named there stays, whatever the text says. */
@@ -46,9 +58,12 @@ export class Reading {
     const { lesson: id, at, trace: name, live, step, pixel, bookmarks } = address;
     const trace = this.lessons.flatMap(({ traces }) => traces).find((each) => idOf(each) === name);
     const named = this.lessons.find((each) => each.id === id) ?? this.lessonOf(trace);
-    const lesson = named ?? (name === null && live === null ? this.lessons[0] : undefined) ?? null;
+    const isOpen = id === null && name === null && live === null;
+    const lesson = named ?? (isOpen ? this.lessons[0] : undefined) ?? null;
     const place = { step: step ?? 0, pixel, bookmarks };
     const opened = this.open(lesson, at);
+    const missing = missingIn(address, trace, this.lessons);
+    if (missing !== null) this.session.miss(missing);
     if (live !== null) void this.session.openCarried(live, place);
     else if (trace !== undefined) this.show(trace, place);
     else if (lesson !== null && (await opened)) {
@@ -59,6 +74,7 @@ export class Reading {
 
   /** Opens a run by itself, with the text of its lesson. */
   choose(trace: LessonTrace): void {
+    this.leave();
     const lesson = this.lessonOf(trace) ?? null;
     if (lesson !== this.lesson) void this.open(lesson, null);
     void this.session.openLesson(trace);
@@ -168,6 +184,7 @@ export class Reading {
     const { session } = this;
     const trace = this.traceOf(pin);
     if (trace === undefined) return;
+    this.leave();
     if (idOf(trace) === session.lesson) session.move({ step: pin.step });
     else void session.openLesson(trace, { step: pin.step, pixel: null, bookmarks: [] });
   }

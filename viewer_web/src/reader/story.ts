@@ -13,6 +13,7 @@ import type { Check } from '../trace/check.js';
 import { parseJson } from '../trace/parse.js';
 import { Refusal, describe } from '../trace/refusal.js';
 import { boundedText } from '../bounded-text.js';
+import { toUtf8 } from '../text-file.js';
 import { placesIn } from './places.js';
 import type { Mark } from './places.js';
 
@@ -181,6 +182,8 @@ const longestStory = 16_000_000;
 
 /** The lesson in a file of JSON, packed by gzip. Throws a Refusal where it is none, else what the browser throws. */
 export async function readStory(file: Blob): Promise<LessonStory> {
-  const stream = file.stream().pipeThrough<Uint8Array>(new DecompressionStream('gzip'));
-  return lessonStory(parseJson(await boundedText(stream, longestStory)));
+  const stream = file
+    .stream()
+    .pipeThrough<Uint8Array<ArrayBuffer>>(new DecompressionStream('gzip'));
+  return lessonStory(parseJson(await boundedText(stream.pipeThrough(toUtf8()), longestStory)));
 }

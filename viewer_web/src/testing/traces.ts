@@ -4,7 +4,7 @@ import { Timeline } from '../state/timeline.js';
 import { common, methods, tables } from '../trace/events.js';
 import type { Detail, Event, EventName, Method } from '../trace/events.js';
 import { read } from '../trace/read.js';
-import { follow } from '../trace/trace.js';
+import { follow, keep } from '../trace/trace.js';
 import type { Trace } from '../trace/trace.js';
 
 const directory = fileURLToPath(new URL('../../test-data/', import.meta.url));
@@ -24,6 +24,14 @@ export async function traceOf(
 ): Promise<Trace> {
   let trace: Trace | null = null;
   for await (const news of read(new Blob([text]), most)) trace = follow(trace, news);
+  if (trace === null) throw new Error('a file without news');
+  return trace;
+}
+
+/** The same as a page shows it: up to the line that is wrong. */
+export async function keptOf(text: string): Promise<Trace> {
+  let trace: Trace | null = null;
+  for await (const news of read(new Blob([text]))) trace = keep(trace, news);
   if (trace === null) throw new Error('a file without news');
   return trace;
 }

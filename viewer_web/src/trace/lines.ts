@@ -1,3 +1,5 @@
+import { isGzip, toUtf8 } from '../text-file.js';
+
 /** What ended the stream of bytes before its time. */
 export type Break = 'gzip' | 'long';
 
@@ -7,15 +9,10 @@ const longestLine = 2 ** 27;
 const smallest = 2 ** 16;
 const largest = 2 ** 20;
 
-async function isGzip(file: Blob): Promise<boolean> {
-  const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
-  return first === 0x1f && second === 0x8b;
-}
-
 const pause = (milliseconds: number): Promise<void> =>
   new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-/** The lines of a text, plain or gzip, in blocks of bytes: each of whole lines, but the last line may be cut. */
+/** The lines of a text, plain or gzip, in blocks of UTF-8: each of whole lines, but the last line may be cut. */
 export class Lines {
   broken: Break | null = null;
   /** The bytes of the file that were read. */
@@ -93,7 +90,10 @@ export class Lines {
       flush: () => this.drained(),
     });
     const stream = this.file.stream().pipeThrough(counted);
-    return (await isGzip(this.file)) ? stream.pipeThrough(new DecompressionStream('gzip')) : stream;
+    const plain = (await isGzip(this.file))
+      ? stream.pipeThrough<Uint8Array<ArrayBuffer>>(new DecompressionStream('gzip'))
+      : stream;
+    return plain.pipeThrough(toUtf8());
   }
 
   /** A cut gzip stream fails when closed and throws away what still waits to be read: let it wait. */

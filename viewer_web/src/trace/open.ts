@@ -1,4 +1,4 @@
-import { follow } from './trace.js';
+import { keep } from './trace.js';
 import type { Trace } from './trace.js';
 import { read } from './read.js';
 import type { News } from './read.js';
@@ -14,7 +14,7 @@ const pause = 200;
 export interface Readers {
   /** There is more of the trace: at first its beginning, at last all of it. */
   grown(trace: Trace): void;
-  /** The file is no trace, or could not be read. */
+  /** The file is no trace, from its first event on, or could not be read. */
   failed(error: unknown): void;
 }
 
@@ -30,7 +30,7 @@ export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
   let trace: Trace | null = null;
   let told = -Infinity;
   const take = (news: News): void => {
-    trace = follow(trace, news);
+    trace = keep(trace, news);
     if (trace === null || news.is === 'header') return;
     if (trace.complete) stop();
     else if (performance.now() < told + pause) return;

@@ -1,7 +1,15 @@
 import { gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { samples } from '../testing/samples.js';
-import { headerOf, linesOf, textOf, textWith, traceNames, traceOf } from '../testing/traces.js';
+import {
+  headerOf,
+  keptOf,
+  linesOf,
+  textOf,
+  textWith,
+  traceNames,
+  traceOf,
+} from '../testing/traces.js';
 import { Unreadable } from './trace.js';
 import type { Reason } from './refusal.js';
 
@@ -61,9 +69,10 @@ describe('a trace that was cut short is read up to the break', () => {
 });
 
 const broken: readonly (readonly [string, string | Uint8Array<ArrayBuffer>, number, Reason])[] = [
-  ['nothing', '', 1, 'empty'],
+  ['nothing', '', 1, 'emptyFile'],
   ['an empty line', '\n', 1, 'empty'],
   ['no JSON', 'hello\n', 1, 'notJson'],
+  ['no JSON, without a newline', 'hello', 1, 'notJson'],
   ['a picture', bytes('\u0089PNG\r\n\u001a\n'), 1, 'notJson'],
   ['not UTF-8', new Uint8Array([0x7b, 0xff, 0xfe, 0x0a]), 1, 'notUtf8'],
   ['bad gzip', new Uint8Array([0x1f, 0x8b, 1, 2, 3, 4]), 1, 'notGzip'],
@@ -105,6 +114,49 @@ const broken: readonly (readonly [string, string | Uint8Array<ArrayBuffer>, numb
   ['an id twice', whole.replace('"id":"B"', '"id":"A"'), 1, 'twice'],
   ['a bad colour', whole.replace('#112233', 'url(x)'), 1, 'color'],
 ];
+
+describe('a line that is wrong leaves the run before it', () => {
+  const lines = textOf('small.warnock.signs.jsonl').trimEnd().split('\n');
+  const wrong = 201;
+
+  it.each<[string, string, string, Reason]>([
+    ['no JSON', '{"e":', '', 'notJson'],
+    ['no event', '{"e":"boom","at":"W1"}', 'e', 'noEvent'],
+    ['a wrong value', '{"e":"push","at":"W3","window":[0,0,8,"x"]}', 'window[3]', 'number'],
+    ['what cannot happen', '{"e":"ael_drop","at":"Z9","edges":[1]}', 'e', 'noEvent'],
+  ])('%s', async (_what, line, path, reason) => {
+    const text = [...lines.slice(0, wrong - 1), line, ...lines.slice(wrong)].join('\n');
+    const { shortened, complete, timeline } = await keptOf(`${text}\n`);
+    expect(complete).toBe(true);
+    expect(shortened).toMatchObject({ why: 'wrong', line: wrong, refusal: { path, reason } });
+    expect(timeline.length).toBe(wrong - 2);
+    expect(timeline.event(wrong - 2)).toEqual(JSON.parse(lines[wrong - 2] ?? ''));
+    expect(timeline.event(wrong - 1)).toBeNull();
+  });
+
+  it('in a later block of the file, with the state that it had come to', async () => {
+    const [first = '', ...others] = lines.slice(0, -1);
+    const events = others.slice(0, wrong - 2);
+    const plane = events.find((line) => line.startsWith('{"e":"plane"')) ?? '';
+    const long = [...events, ...Array.from({ length: 1500 }, () => plane)];
+    const { shortened, timeline } = await keptOf(`${[first, ...long, 'oops'].join('\n')}\n`);
+    expect(shortened).toMatchObject({ line: long.length + 2, refusal: { reason: 'notJson' } });
+    expect(timeline.length).toBe(long.length);
+    const sound = await traceOf(`${lines.join('\n')}\n`);
+    const { values } = sound.timeline.seek(wrong - 2);
+    expect(timeline.seek(long.length).values.warnock?.stack).toEqual(values.warnock?.stack);
+  });
+
+  it('at the last line, all of it', async () => {
+    const { shortened, timeline } = await keptOf(whole + linesOf(push));
+    expect(shortened).toMatchObject({ why: 'wrong', line: 4, refusal: { reason: 'afterEnd' } });
+    expect(timeline.length).toBe(1);
+  });
+
+  it('but there is no run before the first event', async () => {
+    await expect(keptOf(linesOf(header, { e: 'boom' }))).rejects.toBeInstanceOf(Unreadable);
+  });
+});
 
 describe('names beyond ASCII', () => {
   const named = textOf('small.warnock.signs.jsonl').replaceAll('"A"', '"Ёлка"');

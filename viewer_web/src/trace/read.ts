@@ -9,17 +9,20 @@ import { Run } from './run.js';
 import { BlockText } from './store.js';
 import type { Block } from './store.js';
 
-/** The trace is shorter than the run: the file broke off, the run was stopped, or it is too long for a page. */
-export interface Shortened {
-  readonly why: 'cut' | 'partial' | 'limit';
-  readonly line: number;
-}
-
-/** What is wrong with a file that is no trace: the line, from 1, and the reason. */
+/** What is wrong with a file that is no trace, or no longer one: the line, from 1, and the reason. */
 export interface Complaint {
   readonly line: number;
   readonly refusal: Pick<Refusal, 'path' | 'reason' | 'details'>;
 }
+
+/** The file broke off, the run was stopped, or it is too long for a page. */
+export interface Ended {
+  readonly why: 'cut' | 'partial' | 'limit';
+  readonly line: number;
+}
+
+/** The trace is shorter than the run, or than its file, of which a line is wrong. */
+export type Shortened = Ended | ({ readonly why: 'wrong' } & Complaint);
 
 /** Further events, each of them checked and applied once, and the keyframes among them. */
 export interface Part {
@@ -33,7 +36,7 @@ export interface Part {
 export interface Ending {
   readonly is: 'end';
   readonly end: End | null;
-  readonly shortened: Shortened | null;
+  readonly shortened: Ended | null;
 }
 
 /** What is found in a file, as plain data: first the header, then parts, then the end; or a complaint, the last. */
@@ -58,7 +61,9 @@ function lineStarts(bytes: Uint8Array): Uint32Array<ArrayBuffer> {
 class Reader {
   line = 0;
   header: Header | null = null;
-  shortened: Shortened | null = null;
+  shortened: Ended | null = null;
+  /** Why a line is none of a trace; the lines before it stand. */
+  refusal: Refusal | null = null;
   private run: Run | null = null;
   private end: End | null = null;
 
@@ -70,13 +75,14 @@ class Reader {
     const names = new Uint8Array(starts.length - 1);
     let count = 0;
     for (let i = 0; i < starts.length - 1; i++) {
-      if (bytes[(starts[i + 1] ?? 0) - 1] !== newline && !isJson(text, i)) {
-        this.line++;
+      this.line++;
+      const isCut = bytes[(starts[i + 1] ?? 0) - 1] !== newline && !isJson(text, i);
+      if (isCut && this.header !== null) {
         this.shorten('cut');
         break;
       }
-      this.line++;
-      const name = this.takeLine(text, i);
+      const name = this.tryLine(text, i);
+      if (this.refusal !== null) break;
       if (name !== null) names[count++] = name;
     }
     return {
@@ -89,14 +95,24 @@ class Reader {
     };
   }
 
-  shorten(why: Shortened['why']): void {
+  shorten(why: Ended['why']): void {
     this.shortened ??= { why, line: this.line };
   }
 
   ending(): Ending {
-    if (this.header === null) throw new Refusal('', 'empty');
+    if (this.header === null) throw new Refusal('', 'emptyFile');
     if (this.end === null) this.shorten('cut');
     return { is: 'end', end: this.end, shortened: this.shortened };
+  }
+
+  private tryLine(text: BlockText, i: number): number | null {
+    try {
+      return this.takeLine(text, i);
+    } catch (error) {
+      if (!isRefusal(error)) throw error;
+      this.refusal = error;
+      return null;
+    }
   }
 
   /** The number of the event's name, or null for the first line and the last. */
@@ -148,7 +164,8 @@ async function* readInto(reader: Reader, file: Blob, most: number): AsyncGenerat
     const known = reader.header !== null;
     const part = reader.take(text);
     if (!known && reader.header !== null) yield { is: 'header', header: reader.header };
-    yield { is: 'part', ...part, read: lines.read / file.size };
+    if (reader.header !== null) yield { is: 'part', ...part, read: lines.read / file.size };
+    if (reader.refusal !== null) throw reader.refusal;
   }
   refuseBreak(lines, reader);
   yield reader.ending();

@@ -26,6 +26,7 @@ export interface Reasons {
   noWebAddress: [found: string];
   // A line is not what may stand there.
   empty: [];
+  emptyFile: [];
   notJson: [found: string];
   noEvent: [name: string, method: string];
   tooDetailed: [name: string, detail: string];

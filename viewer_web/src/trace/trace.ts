@@ -35,6 +35,12 @@ export class Trace {
       this.complete = true;
     }
   }
+
+  /** A line is wrong: the run ends before it. */
+  breakOff({ line, refusal }: Complaint): void {
+    this.shortened = { why: 'wrong', line, refusal };
+    this.complete = true;
+  }
 }
 
 /** Puts together what is told of a file; what is wrong with it is an `Unreadable`. */
@@ -42,5 +48,14 @@ export function follow(trace: Trace | null, news: News): Trace | null {
   if (news.is === 'complaint') throw new Unreadable(news);
   if (news.is === 'header') return new Trace(news.header);
   trace?.add(news);
+  return trace;
+}
+
+/** The same, but a wrong line takes nothing away from the events before it. */
+export function keep(trace: Trace | null, news: News): Trace | null {
+  if (news.is !== 'complaint' || trace === null || trace.timeline.length === 0) {
+    return follow(trace, news);
+  }
+  trace.breakOff(news);
   return trace;
 }

@@ -12,5 +12,7 @@ export const bookmarks: BookmarkTexts = {
   long: (most) => `A note has at most ${most} characters.`,
   hint: 'Press B to bookmark the step that is shown, with a note. Enter ends the note.',
   linked: 'The link to this page holds them: copy it from the address line and send it.',
-  unlinked: 'They last until another trace is opened: a link cannot hold a file of yours.',
+  onDisk: 'To send them, save the page: the button “Save page” is on the tab “Scene”.',
+  unlinked:
+    'They last until another trace is opened, for a link cannot hold a file of yours. “Save page” on the tab “Scene” keeps them.',
 };

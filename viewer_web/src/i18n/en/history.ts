@@ -1,8 +1,20 @@
 import type { HistoryTexts } from '../texts.js';
+import { short } from '../words.js';
 
 export const history: HistoryTexts = {
   pixel: 'Pixel',
   at: (x, y) => `Pixel (${x}, ${y})`,
+  spoken: ([x, y], { color, isBackground, polygons, depth }) => {
+    const owners = [...(isBackground ? ['the background'] : []), ...polygons];
+    const whose =
+      isBackground && polygons.length === 0
+        ? 'the background'
+        : `the colour of ${owners.join(' and ')}`;
+    const colors =
+      color === null ? ['not painted yet'] : [color, ...(owners.length === 0 ? [] : [whose])];
+    const depths = depth === null ? [] : [`depth ${short(depth)}`];
+    return `Pixel (${x}, ${y}): ${[...colors, ...depths].join(', ')}`;
+  },
   hint: 'Click a pixel of the picture, or press P, to see everything that concerned it and why it has its colour.',
   how: 'Arrow keys move to another pixel, with Shift by ten. Enter shows the history of the pixel. Escape leaves.',
   forget: 'Forget the pixel',

@@ -12,6 +12,8 @@ export const page: PageTexts = {
   growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent} % of the file`,
   unreadable: (name, line, where, reason) =>
     `${name} is not a trace that can be read. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
+  emptyFile: (name) => `${name}: the file is empty.`,
+  unknown: (name) => `The link names “${name}”, which this page does not contain.`,
   broken: (name) => `${name || 'The scene in the link'} could not be read.`,
   refusedScene: (name, why) => `${name} is no scene that can be run: ${why}.`,
   shortened: {
@@ -19,6 +21,8 @@ export const page: PageTexts = {
     partial: () => 'The run was stopped by its limit of events: you see its beginning.',
     limit: (line) => `The trace is too long for this page: you see its first ${line} lines.`,
   },
+  wrongLine: (line, where, reason) =>
+    `Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}. You see the run up to there.`,
   methods: {
     warnock: 'Warnock',
     zbuffer: 'Z-buffer',
@@ -70,6 +74,15 @@ export const page: PageTexts = {
   perSecond: (n) => `${n} steps a second`,
   keys: 'Keys',
   close: 'Close',
+  skip: 'To the controls',
+  news: {
+    panel: (name) => `Panel: ${name}`,
+    presented: 'Presentation: large type, nothing else. Esc leaves.',
+    notPresented: 'The presentation is over.',
+    noSolid: 'There is no view in 3D of this run.',
+    answerFirst: 'The run waits for an answer: check one, or give up.',
+    noComparison: 'Not while the run stops and asks: the other run would show the answer.',
+  },
   present: 'Present',
   leave: 'Leave the presentation',
   keyMap: {
@@ -107,6 +120,13 @@ export const page: PageTexts = {
     save: 'save the picture as SVG, as PNG',
     reader: 'show, hide the text of the lesson',
     map: 'this map of keys',
+  },
+  ownKeys: {
+    everywhere: 'Keys of one character',
+    everywhereHint: 'Off: letters, digits and signs do nothing but where they have the focus',
+    change: (use) => `Key for: ${use}`,
+    changeHint: 'Choose a letter in the list and press another one to change it.',
+    reset: 'All keys as at first',
   },
   window: 'Window',
   none: '—',

@@ -5,7 +5,8 @@ export const reader: ReaderTexts = {
   hide: 'Hide the text',
   contents: 'Contents',
   follow: 'Follow the text',
-  followHint: 'The run goes to the place that you read about.',
+  followHint:
+    'As you scroll, the run goes to the step that you read about. A link in the text takes it there in any case.',
   step: (step) => `step ${step}`,
   pin: (step, run) => `Step ${step}: ${run}`,
   linkHere: (heading) => `Link to “${heading}”`,

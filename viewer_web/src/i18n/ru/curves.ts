@@ -1,7 +1,8 @@
 import type { Flag } from '../../curves/events.js';
 import { isPoint, metBy } from '../../curves/sides.js';
 import type { CurveSentences, CurveTexts } from '../curve-texts.js';
-import { point, rangeOf, short, shortApart } from '../words.js';
+import { rangeOf } from '../words.js';
+import { point, short, shortApart } from './numbers.js';
 
 const columns = { one: 'столбцом', other: 'столбцами' };
 

@@ -1,6 +1,7 @@
 import { prefixed } from '../family-texts.js';
 import type { FamilyTexts } from '../family-texts.js';
-import { containment, point, short, signed } from '../words.js';
+import { containment } from '../words.js';
+import { point, short, signed } from './numbers.js';
 
 const lists = { surrounding: 'охватывающих', outside: 'внешних' } as const;
 const found = { surrounding: 'охватывающим', outside: 'внешним' } as const;

@@ -1,8 +1,17 @@
 import type { HistoryTexts } from '../texts.js';
+import { short } from './numbers.js';
 
 export const history: HistoryTexts = {
   pixel: 'Пиксель',
-  at: (x, y) => `Пиксель (${x}, ${y})`,
+  at: (x, y) => `Пиксель (${x}; ${y})`,
+  spoken: ([x, y], { color, isBackground, polygons, depth }) => {
+    const owners = [...(isBackground ? ['фона'] : []), ...polygons];
+    const whose = isBackground && polygons.length === 0 ? 'фон' : `цвет ${owners.join(' и ')}`;
+    const colors =
+      color === null ? ['ещё не закрашен'] : [color, ...(owners.length === 0 ? [] : [whose])];
+    const depths = depth === null ? [] : [`глубина ${short(depth)}`];
+    return `Пиксель (${x}; ${y}): ${[...colors, ...depths].join(', ')}`;
+  },
   hint: 'Щёлкните по пикселю изображения или нажмите P: здесь будет всё, что его касалось, и почему у него такой цвет.',
   how: 'Стрелки — другой пиксель, с Shift — через десять. Enter показывает историю пикселя. Escape — выход.',
   forget: 'Забыть пиксель',

@@ -12,6 +12,8 @@ export const page: PageTexts = {
   growing: (steps, percent) => `Чтение: шагов пока ${steps}, ${percent} % файла`,
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
+  emptyFile: (name) => `Файл ${name} пуст.`,
+  unknown: (name) => `Ссылка ведёт к «${name}», а на этой странице такого нет.`,
   broken: (name) =>
     name === '' ? 'Сцену из ссылки не удалось прочитать.' : `Файл ${name} не удалось прочитать.`,
   refusedScene: (name, why) => `Сцену ${name} нельзя запустить: ${why}.`,
@@ -20,6 +22,8 @@ export const page: PageTexts = {
     partial: () => 'Прогон остановлен по пределу числа событий: показано его начало.',
     limit: (line) => `Трасса слишком длинна для страницы: показаны первые ${line} строк.`,
   },
+  wrongLine: (line, where, reason) =>
+    `Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}. Показан прогон до этого места.`,
   methods: {
     warnock: 'Алгоритм Варнока',
     zbuffer: 'Z-буфер',
@@ -71,6 +75,15 @@ export const page: PageTexts = {
   perSecond: (n) => `шагов в секунду: ${n}`,
   keys: 'Клавиши',
   close: 'Закрыть',
+  skip: 'К управлению',
+  news: {
+    panel: (name) => `Панель: ${name}`,
+    presented: 'Показ: крупный текст и ничего лишнего. Esc — выход.',
+    notPresented: 'Показ окончен.',
+    noSolid: 'Вида в пространстве у этого прогона нет.',
+    answerFirst: 'Прогон ждёт ответа: ответьте или выберите «Не знаю».',
+    noComparison: 'Пока прогон останавливается на вопросах, сравнения нет: оно выдало бы ответ.',
+  },
   present: 'Показ',
   leave: 'Закончить показ',
   keyMap: {
@@ -108,6 +121,13 @@ export const page: PageTexts = {
     save: 'сохранить изображение: SVG, PNG',
     reader: 'показать, скрыть текст урока',
     map: 'этот список клавиш',
+  },
+  ownKeys: {
+    everywhere: 'Клавиши из одного знака',
+    everywhereHint: 'Если выключено, буквы, цифры и знаки действуют только там, где стоит фокус',
+    change: (use) => `Клавиша: ${use}`,
+    changeHint: 'Чтобы сменить букву, выберите её в списке и нажмите другую.',
+    reset: 'Все клавиши как вначале',
   },
   window: 'Окно',
   none: '—',

@@ -1,5 +1,5 @@
 import type { PredictTexts } from '../predict-texts.js';
-import { point, windowText } from '../words.js';
+import { point, windowText } from './numbers.js';
 import { places } from './page.js';
 
 const sides = ['верхняя', 'левая', 'нижняя', 'правая'];

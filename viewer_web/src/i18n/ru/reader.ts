@@ -5,7 +5,8 @@ export const reader: ReaderTexts = {
   hide: 'Скрыть текст',
   contents: 'Содержание',
   follow: 'Следовать за текстом',
-  followHint: 'Прогон переходит туда, о чём вы читаете.',
+  followHint:
+    'При прокрутке прогон переходит к шагу, о котором вы читаете. Ссылка в тексте ведёт к нему всегда.',
   step: (step) => `шаг ${step}`,
   pin: (step, run) => `Шаг ${step}: ${run}`,
   linkHere: (heading) => `Ссылка на «${heading}»`,

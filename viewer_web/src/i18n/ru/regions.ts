@@ -2,7 +2,8 @@ import { verticesOf } from '../../regions/geometry.js';
 import type { Region } from '../../regions/events.js';
 import { boxOf, sized } from '../region-texts.js';
 import type { RegionSentences, RegionTexts } from '../region-texts.js';
-import { cells, point, short, shortApart } from '../words.js';
+import { cells } from '../words.js';
+import { point, short, shortApart } from './numbers.js';
 import type { Words } from '../words.js';
 
 const pieces = { one: 'часть', few: 'части', other: 'частей' };

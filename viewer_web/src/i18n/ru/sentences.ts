@@ -1,16 +1,7 @@
 import type { Event } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
-import {
-  capital,
-  cells,
-  hidingOf,
-  onlyOf,
-  point,
-  short,
-  shortApart,
-  sideAlong,
-  windowText,
-} from '../words.js';
+import { capital, cells, hidingOf, onlyOf, sideAlong } from '../words.js';
+import { point, short, shortApart, windowText } from './numbers.js';
 import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';

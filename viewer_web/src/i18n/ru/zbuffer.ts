@@ -1,6 +1,7 @@
 import type { ZBufferEvents } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
-import { capital, cells, orderOf, point, rangeOf, short, shortApart } from '../words.js';
+import { capital, cells, orderOf, rangeOf } from '../words.js';
+import { point, short, shortApart } from './numbers.js';
 import type { Words } from '../words.js';
 
 const pixels = { one: 'пиксель', few: 'пикселя', other: 'пикселей' };

@@ -1,0 +1,129 @@
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { browser } from './browser.js';
+import { title } from './live.js';
+import { goTo, open, opened, shown, small } from './page.js';
+import { asked, press, stepOf } from './predict.js';
+
+const panel = (page: Page): Promise<string | null> =>
+  page.locator('vidno-side button[aria-pressed=true]').getAttribute('class');
+const news = async (page: Page): Promise<string> =>
+  ((await page.locator('.news').textContent()) ?? '').trim();
+
+async function ready(hash = '#lang=en'): Promise<Page> {
+  const { page } = await open(browser, hash);
+  await opened(page, 'small.jsonl', small);
+  await page.locator(title).click();
+  return page;
+}
+
+describe('keys of one letter', () => {
+  it('may be changed and turned off, which the address keeps', async () => {
+    const page = await ready();
+    await press(page, '?');
+    await page.locator('vidno-keys [data-key=X]').press('k');
+    expect(await violations(page)).toEqual([]);
+    await press(page, 'Escape', 'x');
+    expect(await panel(page)).toBe('state');
+    await press(page, 'k');
+    expect(await panel(page)).toBe('exact');
+    await page.locator('vidno-side button.exact[title="Exact? (K)"]').waitFor();
+    await press(page, 'k', '?');
+    await page.locator('vidno-keys .everywhere').uncheck();
+    await press(page, 'Escape', 'k', '?', ',', 'e');
+    expect(await page.locator('vidno-keys dialog').isVisible()).toBe(false);
+    expect(await panel(page)).toBe('state');
+    await press(page, 'ArrowRight');
+    expect(await stepOf(page)).toBe(1);
+    await page.waitForFunction(() => location.hash.includes('keys=off.KX.XK'));
+
+    const again = await open(browser, new URL(page.url()).hash);
+    await again.page.locator(title, { hasText: /./u }).waitFor();
+    await press(again.page, 'k');
+    expect(await panel(again.page)).toBe('state');
+    await again.page.getByRole('button', { name: 'Keys' }).click();
+    await again.page.getByRole('button', { name: 'All keys as at first' }).click();
+    await press(again.page, 'Escape', 'x');
+    expect(await panel(again.page)).toBe('exact');
+  });
+
+  it('say what they opened, or why they did not', async () => {
+    const page = await ready();
+    await press(page, 'x');
+    await expect.poll(() => news(page)).toBe('Panel: Exact?');
+    await press(page, 'v');
+    await expect.poll(() => news(page)).toBe('Panel: 3D');
+    await press(page, 'f');
+    await expect.poll(() => news(page)).toContain('Esc leaves');
+    await press(page, 'Escape');
+    await expect.poll(() => news(page)).toBe('The presentation is over.');
+  });
+
+  it('work while a question is open, wherever in it one is', async () => {
+    const page = await ready();
+    await press(page, 'q');
+    await asked(page, 4);
+    await page.locator('vidno-question input[type=radio]').first().focus();
+    await press(page, 'x');
+    expect(await panel(page)).toBe('exact');
+    await press(page, 'v', 'v', 'q');
+    await page.locator('vidno-question input[type=radio]').first().focus();
+    await press(page, 'Escape');
+    expect(await panel(page)).toBe('state');
+    expect(await page.locator('vidno-question').count()).toBe(0);
+    await press(page, 'q');
+    await page.locator('vidno-question input[type=radio]').first().focus();
+    await press(page, 'd');
+    await page.locator('vidno-rival-choice dialog[open]').waitFor();
+    await press(page, 'Escape');
+
+    // Where the run waits for the answer, it says so.
+    await page.locator('vidno-predict .force').check();
+    await page.locator('vidno-question input[type=radio]').first().focus();
+    await press(page, 'Escape');
+    await page.getByText('The run waits for an answer').waitFor();
+    expect(await panel(page)).toBe('predict');
+    await press(page, 'd');
+    await page.getByText('the other run would show the answer').waitFor();
+  });
+});
+
+describe('by keyboard', () => {
+  it('one comes to Play with nine presses of Tab, or at once', async () => {
+    const page = await ready();
+    const focused = (): Promise<string> =>
+      page.evaluate(() => {
+        let at: Element | null = document.activeElement;
+        while (at?.shadowRoot?.activeElement) at = at.shadowRoot.activeElement;
+        return at?.getAttribute('aria-label') ?? at?.textContent.trim() ?? '';
+      });
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    await page.reload();
+    await page.locator(title, { hasText: /./u }).waitFor();
+    await press(page, 'Tab');
+    expect(await focused()).toBe('To the controls');
+    const skip = await page.getByRole('button', { name: 'To the controls' }).boundingBox();
+    expect(skip?.height).toBeGreaterThan(20);
+    let presses = 1;
+    for (; presses < 30 && (await focused()) !== 'Play'; presses++) await press(page, 'Tab');
+    expect(presses).toBeLessThanOrEqual(10);
+    await page.getByRole('button', { name: 'To the controls' }).focus();
+    await press(page, 'Enter');
+    expect(await focused()).toBe('Play');
+  });
+
+  it('one hears of each pixel what is known of it', async () => {
+    const page = await ready();
+    await press(page, 'End', 'p');
+    const heard = page.locator('vidno-picture [aria-live]');
+    await expect.poll(() => heard.textContent()).toMatch(/^Pixel \(\d+, \d+\): #[0-9a-f]{6}, the /);
+    const last = await shown(page);
+    await press(page, 'Escape');
+    await goTo(page, 0);
+    await page.locator(title).click();
+    await press(page, 'p');
+    await expect.poll(() => heard.textContent()).toMatch(/^Pixel \(\d+, \d+\): not painted yet$/);
+    expect(last.step).toBe(last.length);
+  });
+});

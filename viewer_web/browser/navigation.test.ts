@@ -1,0 +1,91 @@
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { browser, settled } from './browser.js';
+import { editing, rerun, run, title } from './live.js';
+import { goTo, open, openFile, shown, small } from './page.js';
+import { openReader, pin, standing } from './reader.js';
+
+const step = async (page: Page): Promise<number> => (await shown(page)).step;
+
+describe('Back', () => {
+  it('undoes jumps by number, key, link and lesson, but no single step', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en');
+    await goTo(page, 40);
+    await page.locator(title).click();
+    await settled(page);
+    for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
+    await settled(page);
+    await page.keyboard.press('End');
+    await settled(page);
+    await pin(page, 'scanline').click();
+    await expect.poll(() => standing(page)).toEqual(['zbuffer', 33, 'scanline']);
+    await settled(page);
+    await page.locator('[data-trace="small.warnock.signs"]').first().click();
+    await settled(page);
+
+    const end = small.trim().split('\n').length - 2;
+    for (const [method, at] of [
+      ['zbuffer', 33],
+      ['warnock', end],
+      ['warnock', 43],
+      ['warnock', 0],
+    ] as const) {
+      await page.goBack();
+      await expect.poll(async () => (await standing(page)).slice(0, 2)).toEqual([method, at]);
+      await settled(page);
+    }
+    await page.goForward();
+    await expect.poll(() => step(page)).toBe(43);
+    expect(faults).toEqual([]);
+  });
+
+  it('keeps an edited scene, at its step, and asks before it gives one up', async () => {
+    const { page, faults } = await editing(browser);
+    await settled(page);
+    await page.locator('vidno-polygon-form .corners').first().click();
+    const x = page.getByLabel('x of corner 1').first();
+    const changed = await rerun(page, async () => {
+      await x.fill('2');
+      await x.press('Enter');
+    });
+    await settled(page);
+    await goTo(page, 30);
+    await settled(page);
+    await page.goBack();
+    await expect.poll(() => step(page)).toBe(0);
+    expect(await run(page)).toEqual(changed);
+
+    // Before it there was a lesson: the reader stays, then saves, and it is gone.
+    const question = page.locator('vidno-discard dialog[open]');
+    await page.goBack();
+    await question.getByRole('button', { name: 'Stay here' }).click();
+    expect(await run(page)).toEqual(changed);
+    await page.waitForFunction(() => location.hash.includes('scene='));
+    await openFile(page, 'small.jsonl', small);
+    await question.waitFor();
+    await page.keyboard.press('Escape');
+    await question.waitFor({ state: 'detached' });
+    expect(await run(page)).toEqual(changed);
+    await page.locator('vidno-lesson-list a[href]').nth(2).click();
+    await question.waitFor();
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      question.getByRole('button', { name: 'Save the scene' }).click(),
+    ]);
+    expect(download.suggestedFilename()).toBe('two.json');
+    await expect.poll(async () => (await run(page)).polygons).not.toEqual(changed.polygons);
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('a link to what is not here', () => {
+  it.each([
+    ['#lang=en&trace=no-such-run&step=3', 'no-such-run'],
+    ['#lang=en&lesson=99-none', '99-none'],
+  ])('says so: %s', async (hash, name) => {
+    const { page, faults } = await open(browser, hash);
+    const notice = page.locator('vidno-notice [role=alert]');
+    expect(await notice.textContent()).toContain(`“${name}”, which this page does not contain`);
+    expect(faults).toEqual([]);
+  });
+});

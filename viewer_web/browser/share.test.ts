@@ -1,0 +1,100 @@
+import { mkdtempSync, readFileSync, statSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { bookmark, listed } from './bookmarks.js';
+import { browser, built } from './browser.js';
+import { edit, rerun, run, scene, title, triangle } from './live.js';
+import { goTo, open, openFile, openUrl, opened, shown, small, whole } from './page.js';
+
+/** Saves the page as it is shown. */
+async function saved(page: Page): Promise<string> {
+  await page.locator(title).click(); // the field of the step takes letters for itself
+  if (!(await page.locator('vidno-scene-panel').isVisible())) await edit(page);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save page' }).click(),
+  ]);
+  const name = download.suggestedFilename();
+  expect(name).toMatch(/step-\d+\.html$/);
+  const file = join(mkdtempSync(join(tmpdir(), 'vidno-')), name);
+  await download.saveAs(file);
+  return file;
+}
+
+const openSaved = (file: string): ReturnType<typeof openUrl> =>
+  openUrl(browser, pathToFileURL(file).href);
+
+describe('a page on a disk, whose address leads nobody here, is saved as another page', () => {
+  it('that holds a trace of one’s own, the step, bookmarks and how it is set up', async () => {
+    const { page } = await open(browser, '#lang=en&speed=2');
+    await opened(page, 'own.jsonl', small);
+    await bookmark(page, 12, 'здесь </script> & там');
+    await goTo(page, 40);
+    const before = await run(page);
+    const file = await saved(page);
+    expect(await page.locator('vidno-scene-panel .message').textContent()).toContain(
+      'Send the file',
+    );
+
+    const again = await openSaved(file);
+    await again.page.locator(title, { hasText: 'own.jsonl' }).waitFor();
+    await whole(again.page);
+    expect(await run(again.page)).toEqual(before);
+    expect((await shown(again.page)).step).toBe(40);
+    await again.page.keyboard.press('Shift+B');
+    expect(await listed(again.page)).toEqual([[12, 'здесь </script> & там']]);
+    expect(await again.page.locator('vidno-lesson-list button').count()).toBe(1);
+    expect(again.faults).toEqual([]);
+    expect(statSync(file).size).toBeLessThan(statSync(built).size * 0.75);
+    expect(readFileSync(file, 'utf8')).toContain('This page contains:');
+  });
+
+  it('that holds a scene that is too large for a link', async () => {
+    const { page } = await open(browser, '#lang=en');
+    // Beside the area, so that the run is short; the digits do not fit into the 16,000 letters of an address.
+    const vertices = triangle.vertices.map(([x, y], i) => [x, y, Number(`0.${i + 1}`)]);
+    const corner = (i: number): number[][] =>
+      vertices.map(([x = 0, y = 0]) => [
+        x + 50 + Math.sin(i),
+        y + Math.cos(i),
+        Math.sin(i * i) / 2,
+      ]);
+    const all = Array.from({ length: 400 }, (_, i) => ({
+      ...triangle,
+      id: `T${i}`,
+      vertices: corner(i),
+    }));
+    await openFile(page, 'large.json', scene(all));
+    await page.locator(title, { hasText: 'Two' }).waitFor();
+    await goTo(page, 30);
+    const before = await run(page);
+    const again = await openSaved(await saved(page));
+    await again.page.locator(title, { hasText: 'Two' }).waitFor();
+    expect(await run(again.page)).toEqual(before);
+    expect((await shown(again.page)).step).toBe(30);
+    expect(again.faults).toEqual([]);
+  });
+
+  it('that holds the lesson, its text and an edited scene of it', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await page.locator(title, { hasText: /./u }).waitFor();
+    await goTo(page, 9);
+    const lesson = await openSaved(await saved(page));
+    await lesson.page.locator(title, { hasText: /./u }).waitFor();
+    await whole(lesson.page);
+    expect(await run(lesson.page)).toEqual(await run(page));
+    expect((await shown(lesson.page)).step).toBe(9);
+    await lesson.page.locator('vidno-reader h2', { hasText: /./u }).waitFor();
+
+    const changed = await rerun(page, () =>
+      page.locator('vidno-run-form select[name=kernel]').selectOption('float'),
+    );
+    const scenePage = await openSaved(await saved(page));
+    await scenePage.page.locator(title, { hasText: /./u }).waitFor();
+    await expect.poll(async () => (await run(scenePage.page)).lines).toEqual(changed.lines);
+    expect([...lesson.faults, ...scenePage.faults]).toEqual([]);
+  });
+});

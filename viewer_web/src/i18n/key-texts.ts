@@ -1,0 +1,54 @@
+/** What a key has done, or why it has not. */
+export interface NewsTexts {
+  readonly panel: (name: string) => string;
+  readonly presented: string;
+  readonly notPresented: string;
+  readonly noSolid: string;
+  readonly answerFirst: string;
+  readonly noComparison: string;
+}
+
+/** What is said in the map of keys. */
+export interface KeyTexts {
+  readonly everywhere: string;
+  readonly everywhereHint: string;
+  readonly change: (use: string) => string;
+  readonly changeHint: string;
+  readonly reset: string;
+}
+
+export type KeyUse =
+  | 'step'
+  | 'ten'
+  | 'over'
+  | 'out'
+  | 'goal'
+  | 'ends'
+  | 'play'
+  | 'speed'
+  | 'pixel'
+  | 'cursor'
+  | 'zoom'
+  | 'layer'
+  | 'mark'
+  | 'predict'
+  | 'answer'
+  | 'bookmark'
+  | 'bookmarks'
+  | 'toBookmark'
+  | 'thing'
+  | 'source'
+  | 'exact'
+  | 'solid'
+  | 'turn'
+  | 'edit'
+  | 'draw'
+  | 'undo'
+  | 'corner'
+  | 'present'
+  | 'remote'
+  | 'compare'
+  | 'parting'
+  | 'save'
+  | 'reader'
+  | 'map';

@@ -1,0 +1,20 @@
+import * as words from '../words.js';
+import type { Box, N } from '../../trace/values.js';
+
+/** A number as Russian writes it. */
+const comma = (text: string): string => text.replace('.', ',');
+
+export const short = (value: N): string => comma(words.short(value));
+
+export const signed = (n: number): string => comma(words.signed(n));
+
+export function shortApart(a: N, b: N): readonly [string, string] {
+  const [one, other] = words.shortApart(a, b);
+  return [comma(one), comma(other)];
+}
+
+/** Coordinates with commas in them stand apart by semicolons. */
+export const point = (at: readonly N[]): string => `(${at.map(short).join('; ')})`;
+
+export const windowText = ([x, y, width, height]: Box): string =>
+  `${point([x, y])} ${short(width)} × ${short(height)}`;

@@ -1,0 +1,87 @@
+import type { Lesson } from './lessons.js';
+
+/** What another page brings along. */
+export interface PageContent {
+  /** Their runs and texts are files of this page, unless `own` has them. */
+  readonly lessons: readonly Lesson[];
+  /** Files that this page does not bring along, by name. */
+  readonly own: ReadonlyMap<string, Blob>;
+  /** Where it opens. */
+  readonly address: string;
+}
+
+/** Whether the page was opened from a disk: its address then leads nobody else here. */
+export const isOnDisk = (): boolean => location.protocol === 'file:';
+
+/** The address at which the page opens where its own says nothing. */
+export function embeddedAddress(page: Document): string {
+  const block = page.getElementById('vidno-address');
+  const address: unknown = block === null ? '' : JSON.parse(block.textContent);
+  return typeof address === 'string' ? address : '';
+}
+
+/** What this page is given to show, and what it has made of itself. */
+const replaced = [
+  '#vidno-lessons',
+  '#vidno-address',
+  'script[data-vidno-file]',
+  'script[type="module"]',
+].join();
+
+/** JSON as a block of data in a page: nothing in it ends the block. */
+function jsonBlock(id: string, value: unknown): string {
+  const json = JSON.stringify(value).replaceAll('<', '\\u003c');
+  return `<script type="application/json" id="${id}">${json}</script>`;
+}
+
+const fileBlock = (name: string, base64: string): string =>
+  `<script type="application/octet-stream" data-vidno-file="${name}">${base64}</script>`;
+
+/** As the browser packs it: a file may be large. */
+function base64(file: Blob): Promise<string> {
+  const reader = new FileReader();
+  return new Promise((resolve, reject) => {
+    reader.onload = () => resolve((reader.result as string).replace(/^[^,]*,/, ''));
+    reader.onerror = () => reject(reader.error ?? new Error('not read'));
+    reader.readAsDataURL(file);
+  });
+}
+
+/** The page without all that, as text: before and after the blocks of data. */
+function shell(page: Document): readonly [string, string] {
+  // In a document of its own nothing of the copy comes to life.
+  const copy = page.implementation.createHTMLDocument().importNode(page.documentElement, true);
+  for (const each of copy.querySelectorAll(replaced)) each.remove();
+  const app = copy.querySelector('vidno-app');
+  for (const { name } of [...(app?.attributes ?? [])]) app?.removeAttribute(name);
+  // eslint-disable-next-line no-restricted-syntax -- it is written here, not parsed
+  const html = copy.outerHTML;
+  const end = html.lastIndexOf('</body>');
+  const notes = [...page.childNodes].filter((node) => node instanceof Comment);
+  const licences = notes.map(({ data }) => `<!--${data}-->\n`).join('');
+  return [`<!doctype html>\n${html.slice(0, end)}`, `${html.slice(end)}\n${licences}`];
+}
+
+function filesOf({ lessons }: PageContent): ReadonlySet<string> {
+  const names = lessons.flatMap(({ traces, story }) => [
+    ...traces.map(({ file }) => file),
+    ...(story === undefined ? [] : [story]),
+  ]);
+  return new Set(names);
+}
+
+/** A page like this one that shows some of its lessons, or what was opened in it, and nothing else. */
+export async function pageFile(page: Document, content: PageContent): Promise<Blob> {
+  const { lessons, own, address } = content;
+  const [before, after] = shell(page);
+  const blocks = [...page.querySelectorAll<HTMLScriptElement>('script[data-vidno-file]')];
+  const base64Of = async (name: string): Promise<string> => {
+    const file = own.get(name);
+    if (file !== undefined) return base64(file);
+    const block = blocks.find(({ dataset }) => dataset['vidnoFile'] === name);
+    return block?.textContent.trim() ?? '';
+  };
+  const parts = [before, jsonBlock('vidno-lessons', lessons), jsonBlock('vidno-address', address)];
+  for (const name of filesOf(content)) parts.push(fileBlock(name, await base64Of(name)));
+  return new Blob([...parts, after], { type: 'text/html' });
+}

@@ -1,0 +1,70 @@
+import { boundedText } from './bounded-text.js';
+
+/** A longer text would only keep the page busy. */
+const longest = 2 ** 28;
+
+export async function isGzip(file: Blob): Promise<boolean> {
+  const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
+  return first === 0x1f && second === 0x8b;
+}
+
+type Bytes = Uint8Array<ArrayBuffer>;
+
+/** What the mark at the beginning of a text says of its bytes, and how long the mark is. */
+function markOf([first, second, third]: Bytes): readonly [encoding: string, length: number] {
+  if (first === 0xef && second === 0xbb && third === 0xbf) return ['utf-8', 3];
+  if (first === 0xff && second === 0xfe) return ['utf-16le', 2];
+  if (first === 0xfe && second === 0xff) return ['utf-16be', 2];
+  return ['utf-8', 0];
+}
+
+/** Makes UTF-8 without a byte order mark of what editors write: with such a mark, or in UTF-16 with one. */
+export function toUtf8(): TransformStream<Bytes, Bytes> {
+  let head: Bytes | null = new Uint8Array(0);
+  let decoder: TextDecoder | null = null;
+  const encoder = new TextEncoder();
+  const put = (bytes: Bytes, out: TransformStreamDefaultController<Bytes>): void => {
+    const text = decoder === null ? bytes : encoder.encode(decoder.decode(bytes, { stream: true }));
+    if (text.length > 0) out.enqueue(text);
+  };
+  const begin = (bytes: Bytes, out: TransformStreamDefaultController<Bytes>): void => {
+    const [encoding, length] = markOf(bytes);
+    if (encoding !== 'utf-8') decoder = new TextDecoder(encoding);
+    head = null;
+    put(bytes.subarray(length), out);
+  };
+  return new TransformStream({
+    transform: (chunk, out) => {
+      if (head === null) put(chunk, out);
+      else {
+        head = joined(head, chunk);
+        if (head.length >= 3) begin(head, out);
+      }
+    },
+    flush: (out) => {
+      if (head !== null) begin(head, out);
+      if (decoder !== null) out.enqueue(encoder.encode(decoder.decode()));
+    },
+  });
+}
+
+function joined(one: Bytes, other: Bytes): Bytes {
+  const both = new Uint8Array(one.length + other.length);
+  both.set(one);
+  both.set(other, one.length);
+  return both;
+}
+
+/** The text of a file, plain or gzip, as UTF-8. */
+export async function textStream(file: Blob): Promise<ReadableStream<Uint8Array>> {
+  const stream = file.stream();
+  const plain = (await isGzip(file))
+    ? stream.pipeThrough<Bytes>(new DecompressionStream('gzip'))
+    : stream;
+  return plain.pipeThrough(toUtf8());
+}
+
+/** Throws where the file is broken gzip, or its text too long. */
+export async function textOf(file: Blob): Promise<string> {
+  return boundedText(await textStream(file), longest);
+}
