@@ -135,7 +135,7 @@ describe('a colour', () => {
     const ofB = { nearest: { polygon: 'B', z: 0.5 } };
     expect(saying(color(shared), ofB)).toEqual([
       'At (0.5, 0.5) one sees B.',
-      'В точке (0.5, 0.5) виден B.',
+      'В точке (0,5; 0,5) виден B.',
     ]);
     expect(saying(fill('W9', shared), ofB)[0]).toBe('2 pixels take the colour of B.');
     expect(saying(color('#ffffff'), { nearest: { polygon: 'C', z: 0.5 } })[0]).toMatch(

@@ -34,7 +34,7 @@ describe('a sentence says no more than the step', () => {
   it('of a pixel: the printed text shows ties, and nothing beyond 1', () => {
     expect(saying(pixel(0.5, 0.5, true), 'printed')).toEqual([
       'Pixel (3, 1): 0.5 is as near as 0.5, so it shows.',
-      'Пиксель (3, 1): 0.5 так же близко, как 0.5, — он виден.',
+      'Пиксель (3; 1): 0,5 так же близко, как 0,5, — он виден.',
     ]);
     expect(saying(pixel(1.5, -1, false), 'printed')[0]).toBe(
       'Pixel (3, 1): 1.5 is nearer than −1 but greater than 1, so it stays hidden.',
@@ -79,7 +79,7 @@ describe('a sentence says no more than the step', () => {
     const pop: Event = { e: 'pop', at: 'W5', window: [0, 0, 4, 2] };
     expect(saying(pop, 'corrected', 'windows')).toEqual([
       'The window (0, 0) 4 × 2 comes off the stack.',
-      'Окно (0, 0) 4 × 2 берётся из стека.',
+      'Окно (0; 0) 4 × 2 берётся из стека.',
     ]);
   });
 });

@@ -182,7 +182,7 @@ describe('a file of questions for Moodle', () => {
     expect(category?.name).toBe(
       '$course$/top/vidno · A square, a triangle and a slope · Алгоритм Варнока · double · исправленный текст',
     );
-    expect(linesOf(xml, /^Шаг 4: случай окна$/)[0]).toBe('Что станет с окном (2, −1) 8 × 8?');
+    expect(linesOf(xml, /^Шаг 4: случай окна$/)[0]).toBe('Что станет с окном (2; −1) 8 × 8?');
   });
 
   it('is the same bytes each time', async () => {
