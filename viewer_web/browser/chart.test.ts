@@ -163,10 +163,10 @@ describe('a file of one’s own', () => {
     [
       '<img src=x onerror=alert(1)>.json',
       '',
-      /<img src=x onerror=alert\(1\)> *\.json.*nothing stands here/,
+      /<img src=x onerror=alert\(1\)> *\.json.*the file is empty/,
     ],
     ['trace.json', '{"format":"vidno-trace/1"}', /format: vidno-chart\/1 may stand here/],
-    ['none.json', '{"format":"vidno-chart/1","rounds":1,"scenes":[]}', /scenes: nothing stands/],
+    ['none.json', '{"format":"vidno-chart/1","rounds":1,"scenes":[]}', /scenes: the list is empty/],
     [
       'part.json',
       sampleText.replace('"pixels"', '"pixel"'),

@@ -23,7 +23,7 @@ export function some<T>(item: Check<T>): Check<readonly T[]> {
   const all = list(item);
   return (value, path) => {
     const found = all(value, path);
-    if (found.length === 0) throw new Refusal(path, 'empty');
+    if (found.length === 0) throw new Refusal(path, 'emptyList');
     return found;
   };
 }

@@ -31,7 +31,7 @@ describe('a chart of surfaces', () => {
 
   const run = 'surfaces[0].runs[0]';
   it.each<readonly [string, string, string, Reason]>([
-    ['no surfaces', '{"format":"vidno-chart/1","rounds":5,"surfaces":[]}', 'surfaces', 'empty'],
+    ['no surfaces', '{"format":"vidno-chart/1","rounds":5,"surfaces":[]}', 'surfaces', 'emptyList'],
     ['no columns', but('"columns":99', '"columns":0'), 'surfaces[0].columns', 'between'],
     ['a method of scenes', but('"floating-horizon"', '"warnock"'), `${run}.method`, 'oneOf'],
     ['a kernel with bits', but('"float"', '"bits:8"'), `${run}.kernel`, 'oneOf'],

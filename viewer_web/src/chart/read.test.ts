@@ -64,7 +64,7 @@ const but = (found: string | RegExp, by: string): string => {
 };
 
 const bad: readonly (readonly [string, BlobPart, string, Reason])[] = [
-  ['nothing', '', '', 'empty'],
+  ['nothing', '', '', 'emptyFile'],
   ['no JSON', 'hello', '', 'notJson'],
   ['half of one', sampleText.slice(0, 3000), '', 'notJson'],
   ['not UTF-8', new Uint8Array([0x7b, 0xff, 0xfe]), '', 'notUtf8'],
@@ -75,7 +75,7 @@ const bad: readonly (readonly [string, BlobPart, string, Reason])[] = [
   ['a trace', '{"format":"vidno-trace/1"}', 'format', 'oneOf'],
   ['a later format', but('chart/1', 'chart/2'), 'format', 'oneOf'],
   ['no scenes', '{"format":"vidno-chart/1","rounds":5}', 'scenes', 'missing'],
-  ['empty scenes', '{"format":"vidno-chart/1","rounds":5,"scenes":[]}', 'scenes', 'empty'],
+  ['empty scenes', '{"format":"vidno-chart/1","rounds":5,"scenes":[]}', 'scenes', 'emptyList'],
   ['scenes by name', '{"format":"vidno-chart/1","rounds":5,"scenes":{}}', 'scenes', 'list'],
   ['no runs', but('"runs"', '"walks"'), 'scenes[0].runs', 'missing'],
   ['a scene without pixels', but('"pixels":1024', '"pixels":0'), 'scenes[0].pixels', 'between'],

@@ -21,19 +21,18 @@ const end = record({
 export type End = Checked<typeof end>['end'];
 export type Line = { readonly event: Event } | { readonly end: End };
 
-export function parseJson(line: string): unknown {
+/** Throws the reason `empty` where there is nothing to be read. */
+export function parseJson(text: string, empty: 'emptyFile' | 'emptyLine' = 'emptyFile'): unknown {
   try {
-    return JSON.parse(line);
+    return JSON.parse(text);
   } catch {
-    throw line.trim() === ''
-      ? new Refusal('', 'empty')
-      : new Refusal('', 'notJson', describe(line));
+    throw text.trim() === '' ? new Refusal('', empty) : new Refusal('', 'notJson', describe(text));
   }
 }
 
 /** One line after the header: an event of the trace's method and level, or the last line. */
 export function parseLine(line: string, header: Header): Line {
-  const object = plainObject(parseJson(line), '');
+  const object = plainObject(parseJson(line, 'emptyLine'), '');
   if (!Object.hasOwn(object, 'e')) return { end: end(object, '').end };
   const name = object['e'];
   const known = typeof name === 'string' ? kindsOf[header.method].get(name) : undefined;

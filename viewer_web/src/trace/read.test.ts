@@ -70,7 +70,7 @@ describe('a trace that was cut short is read up to the break', () => {
 
 const broken: readonly (readonly [string, string | Uint8Array<ArrayBuffer>, number, Reason])[] = [
   ['nothing', '', 1, 'emptyFile'],
-  ['an empty line', '\n', 1, 'empty'],
+  ['an empty line', '\n', 1, 'emptyLine'],
   ['no JSON', 'hello\n', 1, 'notJson'],
   ['no JSON, without a newline', 'hello', 1, 'notJson'],
   ['a picture', bytes('\u0089PNG\r\n\u001a\n'), 1, 'notJson'],

@@ -118,7 +118,7 @@ class Reader {
   /** The number of the event's name, or null for the first line and the last. */
   private takeLine(text: BlockText, i: number): number | null {
     if (this.run === null) {
-      this.header = parseHeader(parseJson(text.line(i)));
+      this.header = parseHeader(parseJson(text.line(i), 'emptyLine'));
       this.run = new Run(this.header);
       return null;
     }
@@ -140,7 +140,7 @@ class Reader {
 
 function isJson(text: BlockText, line: number): boolean {
   try {
-    parseJson(text.line(line));
+    parseJson(text.line(line), 'emptyLine');
     return true;
   } catch {
     return false;

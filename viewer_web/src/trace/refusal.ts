@@ -25,8 +25,9 @@ export interface Reasons {
   noSuchRun: [name: string];
   noWebAddress: [found: string];
   // A line is not what may stand there.
-  empty: [];
   emptyFile: [];
+  emptyLine: [];
+  emptyList: [];
   notJson: [found: string];
   noEvent: [name: string, method: string];
   tooDetailed: [name: string, detail: string];
