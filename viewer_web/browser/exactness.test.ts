@@ -56,7 +56,7 @@ describe('what is right', () => {
     expect(await violations(page)).toEqual([]);
   });
 
-  it('is told by a run that is traced with its check', async () => {
+  it('comes with a run that was traced with `--check`', async () => {
     const page = await failing('orientation-inverted');
     await edit(page);
     await rerun(page, () => page.locator('vidno-run-form [name=check]').check());

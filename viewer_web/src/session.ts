@@ -33,7 +33,7 @@ export class Session implements ReactiveController {
   name = '';
   lesson: string | null = null;
   place = beginning;
-  /** The file of one's own that is open. */
+  /** The reader's own file, where one is open. */
   file: Blob | null = null;
   notice: Notice | null = null;
   /** What was shown before the scene was changed last. */

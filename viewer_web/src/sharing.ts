@@ -18,7 +18,7 @@ export interface Shared {
   readonly setup: Setup;
 }
 
-/** What no address holds: a trace of one's own, or a scene that is too large for one. */
+/** What no address can hold: the reader's own trace, or a scene that is too large. */
 interface Own {
   readonly run: LessonTrace;
   readonly file: Blob;

@@ -32,9 +32,6 @@ import { presenterStyle } from './presenter.style.js';
 import { ReadOn } from './read-on.js';
 import { StageElement } from './stage-element.js';
 import { base, tokens } from './theme.js';
-import './transport.js';
-import type { Command } from './transport.js';
-import './travel.js';
 import type { TravelElement } from './travel.js';
 
 const mostPerFrame = 8;
@@ -77,7 +74,6 @@ export class ComparisonElement extends StageElement {
   /** What the other run is, if its header does not say so. */
   @property({ attribute: false }) rivalNote = '';
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
-  @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ attribute: false }) layer: Layer = 'picture';
   @property({ attribute: false }) editing: Editing | null = null;
   @state() private linked = true;
@@ -170,28 +166,7 @@ export class ComparisonElement extends StageElement {
         ></vidno-comparison-facts>
       </div>
       <div class="dock">
-        ${this.announcer.render()}
-        <vidno-transport
-          .trace=${this.trace}
-          .view=${view}
-          .check=${check}
-          .bookmarks=${this.bookmarks}
-          .first=${this.first}
-          .last=${this.last}
-          ?bounded=${this.isBounded}
-          .playing=${this.clock.playing}
-          .speed=${this.clock.speed}
-          @command=${this.onCommand}
-        >
-          <vidno-travel
-            .trace=${this.trace}
-            .view=${view}
-            .check=${check}
-            .history=${this.history}
-            .bookmarks=${this.bookmarks}
-            @command=${this.onCommand}
-          ></vidno-travel>
-        </vidno-transport>
+        ${this.announcer.render()} ${this.playControls(view, check, this.history)}
         ${this.presenter.corner(view)}
       </div>
       ${this.presenter.curtain()}
@@ -247,10 +222,6 @@ export class ComparisonElement extends StageElement {
   bookmark(): void {
     const detail = marked(this.bookmarks, this.step);
     this.dispatchEvent(new CustomEvent<Bookmarks>('vidno-bookmarks', { detail }));
-  }
-
-  private onCommand({ detail }: CustomEvent<Command>): void {
-    this.steer(detail);
   }
 }
 

@@ -39,7 +39,6 @@ import { Source } from './source.js';
 import { StageElement } from './stage-element.js';
 import { base, tokens } from './theme.js';
 import type { Command } from './transport.js';
-import './travel.js';
 import type { TravelElement } from './travel.js';
 
 /**
@@ -66,7 +65,6 @@ export class PlayerElement extends StageElement {
   /** What there is to steer by, see `Controls`; anything else is `full`. */
   @property({ reflect: true }) controls: string = plain.controls;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
-  @property({ attribute: false }) bookmarks: Bookmarks = [];
   /** What the pixels show, if the trace has it; another layer is asked for by `vidno-layer`. */
   @property({ attribute: false }) layer: Layer = 'picture';
   /** Who draws sign maps; null where there is no library. */
@@ -174,29 +172,7 @@ export class PlayerElement extends StageElement {
           </p>
           ${this.presenter.corner(view)}
         </div>
-        <vidno-transport
-          .trace=${this.trace}
-          .view=${view}
-          .check=${check}
-          .bookmarks=${this.bookmarks}
-          .first=${this.first}
-          .last=${this.last}
-          ?bounded=${this.isBounded}
-          ?plain=${!this.isFull}
-          ?veiled=${isOpen || isForced}
-          .playing=${this.clock.playing}
-          .speed=${this.clock.speed}
-          @command=${this.onCommand}
-        >
-          <vidno-travel
-            .trace=${this.trace}
-            .view=${view}
-            .check=${check}
-            .history=${history}
-            .bookmarks=${this.bookmarks}
-            @command=${this.onCommand}
-          ></vidno-travel>
-        </vidno-transport>
+        ${this.playControls(view, check, history, { plain: !this.isFull, veiled: isOpen || isForced })}
       </div>
       <div
         class="panels"
@@ -250,9 +226,9 @@ export class PlayerElement extends StageElement {
     if (this.view) this.pointing.move(by, this.view);
   }
 
-  private onCommand({ detail }: CustomEvent<Command>): void {
-    if (detail.do === 'bookmarks') this.keepBookmarks(detail.bookmarks);
-    else this.steer(detail);
+  protected override steer(command: Command): void {
+    if (command.do === 'bookmarks') this.keepBookmarks(command.bookmarks);
+    else super.steer(command);
   }
 }
 

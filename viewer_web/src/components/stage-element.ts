@@ -1,10 +1,15 @@
+import { html } from 'lit';
+import type { TemplateResult } from 'lit';
 import { property, query } from 'lit/decorators.js';
 import { toldCheck } from '../exactness/truth.js';
 import type { Check } from '../exactness/truth.js';
+import type { History } from '../history/history.js';
 import { texts } from '../i18n/index.js';
 import { isLanguage } from '../i18n/language.js';
 import type { Language } from '../i18n/language.js';
+import type { Bookmarks } from '../time/bookmarks.js';
 import type { Trace } from '../trace/trace.js';
+import type { View } from '../view.js';
 import { Announcer } from './announcer.js';
 import { Keyboard } from './keyboard.js';
 import type { Actions } from './keyboard.js';
@@ -13,7 +18,14 @@ import type { KeysElement } from './keys.js';
 import { Presenter } from './presenter.js';
 import { TimedElement } from './timed.js';
 import './transport.js';
-import type { TransportElement } from './transport.js';
+import type { Command, TransportElement } from './transport.js';
+import './travel.js';
+
+/** What the controls leave out: the ways through the run, or what shows the future. */
+interface LeftOut {
+  readonly plain: boolean;
+  readonly veiled: boolean;
+}
 
 /** What shows one run or two: in a language, steered by keys, and to a hall. */
 export abstract class StageElement extends TimedElement {
@@ -22,6 +34,7 @@ export abstract class StageElement extends TimedElement {
   @property({ type: Boolean, reflect: true }) presenting = false;
   /** How decisions are known to be right or wrong; null where nobody checks runs. A check is asked for by `vidno-check`. */
   @property({ attribute: false }) check: Check | null = null;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
   @query('vidno-keys') readonly keys!: KeysElement;
   @query('vidno-transport') private transport!: TransportElement;
   readonly presenter = new Presenter(this);
@@ -33,6 +46,42 @@ export abstract class StageElement extends TimedElement {
 
   protected checkOf(trace: Trace): Check {
     return this.check ?? toldCheck(trace);
+  }
+
+  /** What plays the run, and the ways through it. */
+  protected playControls(
+    view: View,
+    check: Check,
+    history: History | null,
+    { plain, veiled }: LeftOut = { plain: false, veiled: false },
+  ): TemplateResult {
+    return html`<vidno-transport
+      .trace=${this.trace}
+      .view=${view}
+      .check=${check}
+      .bookmarks=${this.bookmarks}
+      .first=${this.first}
+      .last=${this.last}
+      ?bounded=${this.isBounded}
+      ?plain=${plain}
+      ?veiled=${veiled}
+      .playing=${this.clock.playing}
+      .speed=${this.clock.speed}
+      @command=${this.onCommand}
+    >
+      <vidno-travel
+        .trace=${this.trace}
+        .view=${view}
+        .check=${check}
+        .history=${history}
+        .bookmarks=${this.bookmarks}
+        @command=${this.onCommand}
+      ></vidno-travel>
+    </vidno-transport>`;
+  }
+
+  protected onCommand({ detail }: CustomEvent<Command>): void {
+    this.steer(detail);
   }
 
   get language(): Language {

@@ -93,6 +93,6 @@ it.each([
   ['1/3', '333333333333333333333/1000000000000000000000', 1],
   ['-1/2', '-2/4', 0],
   ['1/2', 'inf', -1],
-] as const)('%s and %s are told apart: %s', (a, b, order) => {
+] as const)('orders %s and %s: %s', (a, b, order) => {
   expect(orderOf(a, b)).toBe(order);
 });
