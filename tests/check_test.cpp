@@ -221,7 +221,7 @@ TEST_CASE("The printed text is wrong without a wrong decision: its procedures ar
 TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
     RandomScenes random(10);
     int truths = 0, disagreements = 0;
-    for (int i = 0; i < scenes_to_run(12); ++i) {
+    for (int i = 0; i < 12 / thinning; ++i) {
         const Scene drawn = random.scene();
         for (const std::string name : {"float", "double", "bits:9", "depth:5", "filtered", "grid:3", "exact"}) {
             const NamedKernel kernel = *kernel_named(name);

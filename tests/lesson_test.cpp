@@ -362,7 +362,7 @@ TEST_CASE("Every step of a run can be pinned") {
             lines.take(text, [&](std::uint64_t, std::string_view line) { told.emplace_back(line); });
         });
         REQUIRE(told.size() > 200);
-        for (std::uint64_t step = 1; step <= told.size(); step += 17) {
+        for (std::uint64_t step = 1; step <= told.size(); step += 17 * test::thinning) {
             const json written = json::parse(pin_of_step(scene, run, step));
             const Pin pin = pin_to(written["find"].get<std::vector<json>>());
             PinSearch search(pin);

@@ -14,7 +14,7 @@ public:
     template <class E>
     nlohmann::json operator()(const E& event) const {
         nlohmann::json object{{"e", E::kind.name}, {"at", line_names[std::size_t(event.at)]}};
-        E::fields(event, [&](std::string_view key, const auto& v) { field(object, key, v); });
+        E::fields(event, [&](std::string_view key, const auto& v, const auto&...) { field(object, key, v); });
         return object;
     }
 

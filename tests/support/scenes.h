@@ -65,14 +65,12 @@ inline Scene small_scene() {
         .build();
 }
 
-/// How many of `count` random scenes a test runs: a quarter with sanitizers, under which a run takes ten times as long.
-constexpr int scenes_to_run(int count) {
+/// With sanitizers a run takes ten times as long. There the longest tests take one of this number of their scenes or steps.
 #ifdef VIDNO_SANITIZED
-    return (count + 3) / 4;
+inline constexpr int thinning = 4;
 #else
-    return count;
+inline constexpr int thinning = 1;
 #endif
-}
 
 /// All kinds of polygons in areas of all sizes.
 struct RandomScenes : RandomPolygons {
