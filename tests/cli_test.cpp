@@ -176,6 +176,15 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
         {header + R"({"e":"corners","at":"PW1","z":"1/2"})"
                   "\n",
          ":2: /z: not a number of this kernel"},
+        {header + R"({"e":"pop","at":"PW1","window":[0,0,2,2]})"
+                  "\n",
+         ":2: /at: no line of this event"},
+        {header + R"({"e":"clip_side","at":"PL2","side":5,"from":[0,0],"to":[1,0]})"
+                  "\n",
+         ":2: /side: not from 1 to 4"},
+        {header + R"({"e":"clip_list","at":"PL7","count":-1})"
+                  "\n",
+         ":2: /count: less than 0"},
         {header + R"({"end":{"events":7,"picture":"sha256:0"}})"
                   "\n",
          ":2: /end/events: not the number of events read"},

@@ -1,12 +1,15 @@
 /// Event: one line of a trace, as values. FORMAT.md says what each means.
 ///
-/// Every event is a struct with its name, the level from which it appears, and its fields in their order. This is the one
-/// table of them: the writer, the reader, and the recorder's filter follow from it.
+/// This is the one table of events. Each is a struct with its name, the level from which it appears, its lines, what it says, and its
+/// fields in their order. The writer, the readers and the recorder's filter follow from it, and so do the tables of FORMAT.md, the
+/// schema and the page's types (event_table/).
 #pragma once
 
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <initializer_list>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -54,20 +57,70 @@ struct PolygonPart {
     bool operator==(const PolygonPart&) const = default;
 };
 
+/// Beside the APL, of three lists.
+enum class OtherList : unsigned char { surrounding, outside };
+inline constexpr std::array<std::string_view, 2> other_list_names{"surrounding", "outside"};
+
 using ColumnHeight = std::pair<int, Value>;
 using SampleTold = std::pair<int, double>;
 /// Of the current curve the segment between the samples on these columns.
 using SegmentColumns = std::pair<int, int>;
 
+/// Some lines of the listings.
+class LineSet {
+public:
+    constexpr LineSet(std::initializer_list<Line> lines) {
+        for (const Line line : lines) add(line);
+    }
+    static constexpr LineSet all() {
+        LineSet set{};
+        set.has_.fill(true);
+        return set;
+    }
+    constexpr void add(Line line) { has_[std::size_t(line)] = true; }
+    constexpr bool has(Line line) const { return has_[std::size_t(line)]; }
+    constexpr bool operator==(const LineSet&) const = default;
+
+private:
+    std::array<bool, line_names.size()> has_{};
+};
+
+/// What a field means beyond its type: its word in FORMAT.md, and which whole numbers stand in it.
+struct Meaning {
+    std::string_view word;
+    int least = std::numeric_limits<int>::min();
+    int most = std::numeric_limits<int>::max();
+    constexpr bool has(int number) const { return least <= number && number <= most; }
+};
+inline constexpr Meaning any_number{};
+constexpr Meaning within(int least, int most = std::numeric_limits<int>::max()) { return {"", least, most}; }
+
 namespace event {
+
+using enum Line;
 
 struct Kind {
     std::string_view name;
     Detail from;
 };
 
+inline constexpr LineSet any_line = LineSet::all();
+inline constexpr Meaning natural = within(0);
+inline constexpr Meaning edge_number{"edge", 0};
+inline constexpr Meaning of_samples{"segment"};
+inline constexpr Meaning end_columns{"columns"};
+
+/// The last fields of a decision.
+void truth_fields(auto& told, auto&& field) {
+    field("exact", told.exact);
+    field("by", told.by);
+}
+
 struct Plane {
     static constexpr Kind kind{"plane", Detail::polygons};
+    static constexpr LineSet lines{I1};
+    static constexpr std::string_view says =
+        "a, b, c, d of the plane a x + b y + c z + d = 0; result of InitializePolygon";
     Line at{};
     PolygonPlace polygon;
     std::array<Value, 4> plane;
@@ -80,6 +133,9 @@ struct Plane {
 /// A decision that exact arithmetic takes otherwise along the same path.
 struct Disagree {
     static constexpr Kind kind{"disagree", Detail::windows};
+    static constexpr LineSet lines = any_line;
+    static constexpr std::string_view says =
+        "exact arithmetic takes a decision otherwise: see below. The line is that of the event before";
     Line at{};  // of the event before, which tells the decision or is the first to follow it
     Decision of{};
     Answer taken, exact;
@@ -109,6 +165,9 @@ constexpr Detail calls_from(Procedure procedure) {
 
 struct Call {
     static constexpr Kind kind{"call", Detail::polygons};
+    static constexpr LineSet lines = any_line;
+    static constexpr std::string_view says =
+        "a procedure begins; which of them from level `signs` on, *The call stack* says";
     Line at{};
     Procedure of{};
     static void fields(auto& e, auto&& field) { field("of", e.of); }
@@ -116,6 +175,8 @@ struct Call {
 
 struct Depth {
     static constexpr Kind kind{"depth", Detail::polygons};
+    static constexpr LineSet lines{PW5, PC3, Z3, HP3, DS1, RB2};
+    static constexpr std::string_view says = "the depth of the polygon's plane at the point; result of Depth";
     Line at{};
     PolygonPlace polygon;
     ValuePoint point;
@@ -129,6 +190,11 @@ struct Depth {
 
 struct Fault {
     static constexpr Kind kind{"fault", Detail::windows};
+    static constexpr LineSet lines = any_line;
+    static constexpr std::string_view says =
+        "the printed text fails at this line. With a pixel: it writes outside the area, and the write is skipped. "
+        "Without one, the run ends. At RC4, RC5 and SP3 rounding left an outline open; the outline is left out, "
+        "and the run goes on";
     Line at{};
     std::string reason;
     std::optional<int> x, y;
@@ -143,6 +209,10 @@ struct Fault {
 
 struct Push {
     static constexpr Kind kind{"push", Detail::windows};
+    static constexpr LineSet lines{W3, W13, WS1, WS6, WF1, WF12};
+    static constexpr std::string_view says =
+        "a window is put on AW. The first window comes with its APL. The APL of a part is a copy of the current "
+        "one; with `shared`, which is true, it is the current one, and later changes show in both";
     Line at{};
     Window window;
     std::optional<std::vector<AplEntry>> apl;
@@ -156,6 +226,8 @@ struct Push {
 
 struct Skip {
     static constexpr Kind kind{"skip", Detail::windows};
+    static constexpr LineSet lines{W13, WS6, WF12};
+    static constexpr std::string_view says = "a part of the window lies off the area and is not pushed";
     Line at{};
     Window window;
     static void fields(auto& e, auto&& field) { field("window", e.window); }
@@ -163,6 +235,8 @@ struct Skip {
 
 struct Pop {
     static constexpr Kind kind{"pop", Detail::windows};
+    static constexpr LineSet lines{W5, WS2, WF2};
+    static constexpr std::string_view says = "the top of AW becomes the current window, its APL the current APL";
     Line at{};
     Window window;
     static void fields(auto& e, auto&& field) { field("window", e.window); }
@@ -170,6 +244,8 @@ struct Pop {
 
 struct Decide {
     static constexpr Kind kind{"decide", Detail::windows};
+    static constexpr LineSet lines{W7, W8, W9, W10, W13, WS4, WS5, WS6, WF5, WF6, WF9, WF10, WF11, WF12};
+    static constexpr std::string_view says = "which case the window is";
     Line at{};
     Case which{};
     static void fields(auto& e, auto&& field) { field("case", e.which); }
@@ -177,6 +253,8 @@ struct Decide {
 
 struct Fill {
     static constexpr Kind kind{"fill", Detail::windows};
+    static constexpr LineSet lines{W7, W8, W9, W10, WS4, WS5, WF5, WF6, WF9, WF10, WF11};
+    static constexpr std::string_view says = "the window's pixels take the colour";
     Line at{};
     PixelRectangle rect;
     Color color;
@@ -190,6 +268,8 @@ struct Fill {
 
 struct Corners {
     static constexpr Kind kind{"corners", Detail::polygons};
+    static constexpr LineSet lines{PW1, HP1};
+    static constexpr std::string_view says = "all four corner depths start at z";
     Line at{};
     Value z;
     static void fields(auto& e, auto&& field) { field("z", e.z); }
@@ -197,6 +277,9 @@ struct Corners {
 
 struct Box {
     static constexpr Kind kind{"box", Detail::signs};
+    static constexpr LineSet lines{PW3, WS3, RE1};
+    static constexpr std::string_view says =
+        "the polygon's box, xmin, ymin, xmax, ymax, and whether it lies outside the window";
     Line at{};
     PolygonPlace polygon;
     std::array<Value, 4> box;
@@ -208,13 +291,14 @@ struct Box {
         field("polygon", e.polygon);
         field("box", e.box);
         field("outside", e.outside);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
 struct Discard {
     static constexpr Kind kind{"discard", Detail::polygons};
+    static constexpr LineSet lines{PW3, WS3};
+    static constexpr std::string_view says = "the polygon leaves the current APL";
     Line at{};
     PolygonPlace polygon;
     static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
@@ -222,17 +306,23 @@ struct Discard {
 
 struct Count {
     static constexpr Kind kind{"count", Detail::polygons};
+    static constexpr LineSet lines{PW4};
+    static constexpr std::string_view says = "the polygon is counted: polygonCount so far";
     Line at{};
     PolygonPlace polygon;
     int count = 0;
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
-        field("count", e.count);
+        field("count", e.count, natural);
     }
 };
 
 struct Compare {
     static constexpr Kind kind{"compare", Detail::signs};
+    static constexpr LineSet lines{PW6, PC4, HP4};
+    static constexpr std::string_view says =
+        "is depth z strictly greater than the nearest so far; at a corner of the window, or at the point of "
+        "PointColor";
     Line at{};
     PolygonPlace polygon;
     std::optional<Corner> corner;
@@ -247,13 +337,15 @@ struct Compare {
         field("z", e.z);
         field("against", e.against);
         field("nearer", e.nearer);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
 struct Nearer {
     static constexpr Kind kind{"nearer", Detail::polygons};
+    static constexpr LineSet lines{PW6, HP4};
+    static constexpr std::string_view says =
+        "at these k corners the polygon is now the nearest; its `depth` there becomes the corner depth";
     Line at{};
     PolygonPlace polygon;
     std::vector<Corner> corners;
@@ -261,12 +353,14 @@ struct Nearer {
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("corners", e.corners);
-        field("k", e.k);
+        field("k", e.k, within(0, 4));
     }
 };
 
 struct Uncover {
     static constexpr Kind kind{"uncover", Detail::polygons};
+    static constexpr LineSet lines{PW7, HP5};
+    static constexpr std::string_view says = "hasSurround := false";
     Line at{};
     PolygonPlace polygon;
     static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
@@ -274,6 +368,8 @@ struct Uncover {
 
 struct Mark {
     static constexpr Kind kind{"mark", Detail::polygons};
+    static constexpr LineSet lines{PW8};
+    static constexpr std::string_view says = "S := true for this polygon in the current APL: it surrounds the window";
     Line at{};
     PolygonPlace polygon;
     static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
@@ -281,6 +377,8 @@ struct Mark {
 
 struct Cover {
     static constexpr Kind kind{"cover", Detail::polygons};
+    static constexpr LineSet lines{PW9, HP6};
+    static constexpr std::string_view says = "hasSurround := true and C := its colour";
     Line at{};
     PolygonPlace polygon;
     Color color;
@@ -292,6 +390,8 @@ struct Cover {
 
 struct Insider {
     static constexpr Kind kind{"insider", Detail::polygons};
+    static constexpr LineSet lines{PW10, RE2};
+    static constexpr std::string_view says = "does its box lie strictly inside the window";
     Line at{};
     PolygonPlace polygon;
     bool inside = false;
@@ -301,13 +401,14 @@ struct Insider {
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("inside", e.inside);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
 struct Summary {
     static constexpr Kind kind{"summary", Detail::polygons};
+    static constexpr LineSet lines{W6};
+    static constexpr std::string_view says = "what ProcessWindow found; the colour only with hasSurround";
     static constexpr Procedure result_of = Procedure::process_window;
     Line at{};
     int count = 0;
@@ -315,7 +416,7 @@ struct Summary {
     std::optional<Color> color;
     bool insider = false;
     static void fields(auto& e, auto&& field) {
-        field("count", e.count);
+        field("count", e.count, natural);
         field("hasSurround", e.has_surround);
         field("color", e.color);
         field("insider", e.insider);
@@ -326,6 +427,8 @@ struct Summary {
 
 struct Nearest {
     static constexpr Kind kind{"nearest", Detail::polygons};
+    static constexpr LineSet lines{PC4};
+    static constexpr std::string_view says = "z and C of PointColor so far";
     Line at{};
     PolygonPlace polygon;
     Value z;
@@ -339,6 +442,8 @@ struct Nearest {
 
 struct PointColor {
     static constexpr Kind kind{"color", Detail::polygons};
+    static constexpr LineSet lines{W9, WS5, WF11};
+    static constexpr std::string_view says = "the colour at the point";
     static constexpr Procedure result_of = Procedure::point_color;
     Line at{};
     ValuePoint point;
@@ -351,6 +456,8 @@ struct PointColor {
 
 struct Surround {
     static constexpr Kind kind{"surround", Detail::polygons};
+    static constexpr LineSet lines{PW8, PC2};
+    static constexpr std::string_view says = "does the polygon surround the point";
     static constexpr Procedure result_of = Procedure::surround_test;
     Line at{};
     PolygonPlace polygon;
@@ -365,6 +472,10 @@ struct Surround {
 
 struct Orient {
     static constexpr Kind kind{"orient", Detail::signs};
+    static constexpr LineSet lines{S2, S3, TF2, CR4, OA4, ED3, BF1};
+    static constexpr std::string_view says =
+        "on which side of the edge the point lies; S2 while no sign was found, S3 after it. What the point is at "
+        "the lines of the family is said below";
     Line at{};
     PolygonPlace polygon;
     int edge = 0;
@@ -376,12 +487,11 @@ struct Orient {
     Answer decision() const { return int(sign); }
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
-        field("edge", e.edge);
+        field("edge", e.edge, edge_number);
         field("point", e.point);
         field("value", e.value);
         field("sign", e.sign);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
@@ -389,6 +499,8 @@ struct Orient {
 
 struct ClipBegin {
     static constexpr Kind kind{"clip_begin", Detail::polygons};
+    static constexpr LineSet lines{PL1};
+    static constexpr std::string_view says = "the list of PolygonClip is the polygon's vertices";
     Line at{};
     PolygonPlace polygon;
     Window window;
@@ -400,11 +512,13 @@ struct ClipBegin {
 
 struct ClipSide {
     static constexpr Kind kind{"clip_side", Detail::polygons};
+    static constexpr LineSet lines{PL2};
+    static constexpr std::string_view says = "clipping by the side from f0 to F_i begins, with an empty new list";
     Line at{};
     int side = 0;
     ValuePoint from, to;
     static void fields(auto& e, auto&& field) {
-        field("side", e.side);
+        field("side", e.side, within(1, 4));
         field("from", e.from);
         field("to", e.to);
     }
@@ -412,6 +526,8 @@ struct ClipSide {
 
 struct ClipSign {
     static constexpr Kind kind{"clip_sign", Detail::signs};
+    static constexpr LineSet lines{PL3, PL4};
+    static constexpr std::string_view says = "Q0 or Q1: positive lies outside";
     Line at{};
     ValueVertex vertex;
     Value value;
@@ -423,13 +539,14 @@ struct ClipSign {
         field("vertex", e.vertex);
         field("value", e.value);
         field("sign", e.sign);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
 struct ClipCross {
     static constexpr Kind kind{"clip_cross", Detail::polygons};
+    static constexpr LineSet lines{PL5};
+    static constexpr std::string_view says = "the crossing with the side joins the new list";
     Line at{};
     ValueVertex vertex;
     static void fields(auto& e, auto&& field) { field("vertex", e.vertex); }
@@ -437,6 +554,8 @@ struct ClipCross {
 
 struct ClipKeep {
     static constexpr Kind kind{"clip_keep", Detail::polygons};
+    static constexpr LineSet lines{PL6};
+    static constexpr std::string_view says = "the vertex joins the new list";
     Line at{};
     ValueVertex vertex;
     static void fields(auto& e, auto&& field) { field("vertex", e.vertex); }
@@ -444,6 +563,8 @@ struct ClipKeep {
 
 struct ClipDrop {
     static constexpr Kind kind{"clip_drop", Detail::polygons};
+    static constexpr LineSet lines{PL6};
+    static constexpr std::string_view says = "the vertex lies outside and does not";
     Line at{};
     ValueVertex vertex;
     static void fields(auto& e, auto&& field) { field("vertex", e.vertex); }
@@ -451,13 +572,17 @@ struct ClipDrop {
 
 struct ClipList {
     static constexpr Kind kind{"clip_list", Detail::polygons};
+    static constexpr LineSet lines{PL7};
+    static constexpr std::string_view says = "the new list becomes the list";
     Line at{};
     int count = 0;
-    static void fields(auto& e, auto&& field) { field("count", e.count); }
+    static void fields(auto& e, auto&& field) { field("count", e.count, natural); }
 };
 
 struct ClipResult {
     static constexpr Kind kind{"clip_result", Detail::polygons};
+    static constexpr LineSet lines{W12, WF8};
+    static constexpr std::string_view says = "the part of the polygon in the window";
     static constexpr Procedure result_of = Procedure::polygon_clip;
     Line at{};
     PolygonPlace polygon;
@@ -470,6 +595,10 @@ struct ClipResult {
 
 struct Row {
     static constexpr Kind kind{"row", Detail::signs};
+    static constexpr LineSet lines{F2, PR1};
+    static constexpr std::string_view says =
+        "where the centre line of a row meets the polygon, or a visible region, and which pixel centres lie "
+        "between; of a region twice, just above the line and just below it";
     Line at{};
     int row = 0;
     Value left, right;
@@ -483,13 +612,14 @@ struct Row {
         field("right", e.right);
         field("first", e.first);
         field("end", e.end);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
 struct Draw {
     static constexpr Kind kind{"draw", Detail::windows};
+    static constexpr LineSet lines{W11, W12, WF7, WF8};
+    static constexpr std::string_view says = "these runs take the colour";
     static constexpr Procedure result_of = Procedure::fill_polygon;
     Line at{};
     PolygonPlace polygon;
@@ -506,6 +636,8 @@ struct Draw {
 
 struct Clear {
     static constexpr Kind kind{"clear", Detail::windows};
+    static constexpr LineSet lines{Z1};
+    static constexpr std::string_view says = "every pixel takes the colour, every cell of Z the depth";
     Line at{};
     Color color;
     Value z;
@@ -517,6 +649,8 @@ struct Clear {
 
 struct Polygon {
     static constexpr Kind kind{"polygon", Detail::windows};
+    static constexpr LineSet lines{Z2};
+    static constexpr std::string_view says = "the next polygon; S and AEL are empty";
     Line at{};
     PolygonPlace polygon;
     Color color;
@@ -528,12 +662,16 @@ struct Polygon {
 
 struct Edge {
     static constexpr Kind kind{"edge", Detail::polygons};
+    static constexpr LineSet lines{Z3};
+    static constexpr std::string_view says =
+        "joins S at its end: edges come sorted. The rows are those whose centre it crosses, first to last; none if "
+        "last < first";
     Line at{};
     int edge = 0;
     ValueVertex from, to;
     std::optional<std::pair<int, int>> rows;
     static void fields(auto& e, auto&& field) {
-        field("edge", e.edge);
+        field("edge", e.edge, edge_number);
         field("from", e.from);
         field("to", e.to);
         field("rows", e.rows);
@@ -542,6 +680,8 @@ struct Edge {
 
 struct Extent {
     static constexpr Kind kind{"extent", Detail::polygons};
+    static constexpr LineSet lines{Z4};
+    static constexpr std::string_view says = "the polygon's least and greatest y";
     Line at{};
     Value ymin, ymax;
     static void fields(auto& e, auto&& field) {
@@ -552,6 +692,8 @@ struct Extent {
 
 struct Scanline {
     static constexpr Kind kind{"scanline", Detail::windows};
+    static constexpr LineSet lines{Z6};
+    static constexpr std::string_view says = "y_t; corrected: the row's centre";
     Line at{};
     Value y;
     int row = 0;
@@ -563,11 +705,13 @@ struct Scanline {
 
 struct AelAdd {
     static constexpr Kind kind{"ael_add", Detail::polygons};
+    static constexpr LineSet lines{Z8};
+    static constexpr std::string_view says = "joins AEL at its end; until: its third element (corrected: its last row)";
     Line at{};
     int edge = 0;
     Value x, z, until, dx, dz;
     static void fields(auto& e, auto&& field) {
-        field("edge", e.edge);
+        field("edge", e.edge, edge_number);
         field("x", e.x);
         field("z", e.z);
         field("until", e.until);
@@ -578,51 +722,62 @@ struct AelAdd {
 
 struct Horizontal {
     static constexpr Kind kind{"horizontal", Detail::polygons};
+    static constexpr LineSet lines{Z9};
+    static constexpr std::string_view says = "a level edge on this scanline is shown by ShowLine";
     Line at{};
     int edge = 0;
-    static void fields(auto& e, auto&& field) { field("edge", e.edge); }
+    static void fields(auto& e, auto&& field) { field("edge", e.edge, edge_number); }
 };
 
 struct Leave {
     static constexpr Kind kind{"leave", Detail::polygons};
+    static constexpr LineSet lines{Z10};
+    static constexpr std::string_view says = "these leave S; next: y_Snext (corrected: a row)";
     Line at{};
     std::vector<int> edges;
     Value next;
     static void fields(auto& e, auto&& field) {
-        field("edges", e.edges);
+        field("edges", e.edges, edge_number);
         field("next", e.next);
     }
 };
 
 struct AelSort {
     static constexpr Kind kind{"ael_sort", Detail::polygons};
+    static constexpr LineSet lines{Z12};
+    static constexpr std::string_view says =
+        "AEL in this order; next: y_AELnext (corrected: the first row after the one at which an entry ends)";
     Line at{};
     std::vector<int> edges;
     Value next;
     static void fields(auto& e, auto&& field) {
-        field("edges", e.edges);
+        field("edges", e.edges, edge_number);
         field("next", e.next);
     }
 };
 
 struct AelDrop {
     static constexpr Kind kind{"ael_drop", Detail::polygons};
+    static constexpr LineSet lines{Z16};
+    static constexpr std::string_view says = "these leave AEL; next: y_AELnext";
     Line at{};
     std::vector<int> edges;
     Value next;
     static void fields(auto& e, auto&& field) {
-        field("edges", e.edges);
+        field("edges", e.edges, edge_number);
         field("next", e.next);
     }
 };
 
 struct AelStep {
     static constexpr Kind kind{"ael_step", Detail::polygons};
+    static constexpr LineSet lines{Z17};
+    static constexpr std::string_view says = "the entry's new x and z";
     Line at{};
     int edge = 0;
     Value x, z;
     static void fields(auto& e, auto&& field) {
-        field("edge", e.edge);
+        field("edge", e.edge, edge_number);
         field("x", e.x);
         field("z", e.z);
     }
@@ -630,6 +785,8 @@ struct AelStep {
 
 struct ShownLine {
     static constexpr Kind kind{"line", Detail::polygons};
+    static constexpr LineSet lines{L1};
+    static constexpr std::string_view says = "ShowLine's row and its ends (x, z)";
     Line at{};
     int row = 0;
     ValuePoint from, to;  // x and z
@@ -642,12 +799,16 @@ struct ShownLine {
 
 struct Miss {
     static constexpr Kind kind{"miss", Detail::polygons};
+    static constexpr LineSet lines{L1, L2};
+    static constexpr std::string_view says = "the line shows nothing: return";
     Line at{};
     static void fields(auto&, auto&&) {}
 };
 
 struct Slope {
     static constexpr Kind kind{"slope", Detail::signs};
+    static constexpr LineSet lines{L3};
+    static constexpr std::string_view says = "what the depth changes by from pixel to pixel";
     Line at{};
     Value dz;
     static void fields(auto& e, auto&& field) { field("dz", e.dz); }
@@ -655,6 +816,8 @@ struct Slope {
 
 struct Columns {
     static constexpr Kind kind{"columns", Detail::signs};
+    static constexpr LineSet lines{L4};
+    static constexpr std::string_view says = "corrected: the pixel centres between the ends, the depth at the first";
     Line at{};
     int first = 0, end = 0;
     Value z;
@@ -665,13 +828,14 @@ struct Columns {
         field("first", e.first);
         field("end", e.end);
         field("z", e.z);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
 struct Pixel {
     static constexpr Kind kind{"pixel", Detail::signs};
+    static constexpr LineSet lines{L6};
+    static constexpr std::string_view says = "the depth z against the cell's";
     Line at{};
     int x = 0, y = 0;
     Value z, stored;
@@ -685,14 +849,17 @@ struct Pixel {
         field("z", e.z);
         field("stored", e.stored);
         field("shown", e.shown);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
 /// The depths are there from level `polygons`.
 struct Span {
     static constexpr Kind kind{"span", Detail::windows};
+    static constexpr LineSet lines{Z9, Z14};
+    static constexpr std::string_view says =
+        "these pixels take the polygon's colour, their cells these depths, run after run; the depths from level "
+        "`polygons` on";
     static constexpr Procedure result_of = Procedure::show_line;
     Line at{};
     int row = 0;
@@ -709,32 +876,41 @@ struct Span {
 
 struct Join {
     static constexpr Kind kind{"join", Detail::polygons};
+    static constexpr LineSet lines{WF4};
+    static constexpr std::string_view says =
+        "the polygon leaves the APL and joins that list at its end; the current window is of that level";
     Line at{};
     PolygonPlace polygon;
-    Relation list{};
+    OtherList list{};
     int level = 0;
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("list", e.list);
-        field("level", e.level);
+        field("level", e.level, natural);
     }
 };
 
 struct Rejoin {
     static constexpr Kind kind{"rejoin", Detail::polygons};
+    static constexpr LineSet lines{WF3};
+    static constexpr std::string_view says =
+        "the polygon is the last of that list, which it joined at a window of that level; it goes back to its "
+        "place in the APL, in the order of the scene";
     Line at{};
     PolygonPlace polygon;
-    Relation list{};  // from which it comes
-    int level = 0;    // at which it had joined that
+    OtherList list{};  // from which it comes
+    int level = 0;     // at which it had joined that
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
         field("list", e.list);
-        field("level", e.level);
+        field("level", e.level, natural);
     }
 };
 
 struct RelationFound {
     static constexpr Kind kind{"relation", Detail::polygons};
+    static constexpr LineSet lines{WF4};
+    static constexpr std::string_view says = "how the polygon lies to the window";
     static constexpr Procedure result_of = Procedure::relation;
     Line at{};
     PolygonPlace polygon;
@@ -749,19 +925,23 @@ struct RelationFound {
 
 struct Trial {
     static constexpr Kind kind{"trial", Detail::signs};
+    static constexpr LineSet lines{TF3};
+    static constexpr std::string_view says = "does the edge meet the window, its sides excepted";
     Line at{};
     PolygonPlace polygon;
     int edge = 0;
     bool meets = false;
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
-        field("edge", e.edge);
+        field("edge", e.edge, edge_number);
         field("meets", e.meets);
     }
 };
 
 struct Meets {
     static constexpr Kind kind{"meets", Detail::polygons};
+    static constexpr LineSet lines{RE3};
+    static constexpr std::string_view says = "does any edge of the polygon";
     static constexpr Procedure result_of = Procedure::trial_function;
     Line at{};
     PolygonPlace polygon;
@@ -774,46 +954,56 @@ struct Meets {
 
 struct Ray {
     static constexpr Kind kind{"ray", Detail::signs};
+    static constexpr LineSet lines{CR3, CR4};
+    static constexpr std::string_view says =
+        "how often the outline crosses the ray at the edge's beginning (CR3) or on it (CR4)";
     Line at{};
     PolygonPlace polygon;
     int edge = 0;
     int counts = 0;
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
-        field("edge", e.edge);
-        field("counts", e.counts);
+        field("edge", e.edge, edge_number);
+        field("counts", e.counts, within(0, 2));
     }
 };
 
 struct Crossings {
     static constexpr Kind kind{"crossings", Detail::polygons};
+    static constexpr LineSet lines{RE4};
+    static constexpr std::string_view says = "how often the outline crosses the ray in all";
     static constexpr Procedure result_of = Procedure::ray_crossings;
     Line at{};
     PolygonPlace polygon;
     int count = 0;
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
-        field("count", e.count);
+        field("count", e.count, natural);
     }
 };
 
 struct Octants {
     static constexpr Kind kind{"octants", Detail::signs};
+    static constexpr LineSet lines{OA3, OA4};
+    static constexpr std::string_view says =
+        "the octants of the edge's ends, and the angle between them; at OA4 the edge was split";
     Line at{};
     PolygonPlace polygon;
     int edge = 0;
     int from = 0, to = 0, difference = 0;
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
-        field("edge", e.edge);
-        field("from", e.from);
-        field("to", e.to);
-        field("difference", e.difference);
+        field("edge", e.edge, edge_number);
+        field("from", e.from, within(0, 7));
+        field("to", e.to, within(0, 7));
+        field("difference", e.difference, within(-4, 4));
     }
 };
 
 struct Angle {
     static constexpr Kind kind{"angle", Detail::polygons};
+    static constexpr LineSet lines{RE4};
+    static constexpr std::string_view says = "the sum of the differences";
     static constexpr Procedure result_of = Procedure::octant_angles;
     Line at{};
     PolygonPlace polygon;
@@ -828,6 +1018,8 @@ struct Angle {
 
 struct Hiding {
     static constexpr Kind kind{"hiding", Detail::polygons};
+    static constexpr LineSet lines{WF10};
+    static constexpr std::string_view says = "the surrounding polygon that hides all others, if one was found";
     static constexpr Procedure result_of = Procedure::hiding_polygon;
     Line at{};
     std::optional<PolygonPlace> polygon;
@@ -836,6 +1028,9 @@ struct Hiding {
 
 struct SplitVertex {
     static constexpr Kind kind{"split_vertex", Detail::polygons};
+    static constexpr LineSet lines{VS2};
+    static constexpr std::string_view says =
+        "a vertex in the window, the pixel boundaries next to it, and whether the window is split there";
     Line at{};
     PolygonPlace polygon;
     int vertex = 0;
@@ -843,7 +1038,7 @@ struct SplitVertex {
     bool splits = false;
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
-        field("vertex", e.vertex);
+        field("vertex", e.vertex, natural);
         field("column", e.column);
         field("row", e.row);
         field("splits", e.splits);
@@ -852,19 +1047,23 @@ struct SplitVertex {
 
 struct EdgeDepth {
     static constexpr Kind kind{"edge_depth", Detail::polygons};
+    static constexpr LineSet lines{ED5};
+    static constexpr std::string_view says = "the depth of an edge of an edge-on polygon in the line of sight";
     Line at{};
     PolygonPlace polygon;
     int edge = 0;
     Value z;
     static void fields(auto& e, auto&& field) {
         field("polygon", e.polygon);
-        field("edge", e.edge);
+        field("edge", e.edge, edge_number);
         field("z", e.z);
     }
 };
 
 struct BackFace {
     static constexpr Kind kind{"back_face", Detail::polygons};
+    static constexpr LineSet lines{BF2};
+    static constexpr std::string_view says = "does the polygon look away from the viewer, so that it takes no part";
     Line at{};
     PolygonPlace polygon;
     bool away = false;
@@ -878,6 +1077,8 @@ struct BackFace {
 
 struct CutToArea {
     static constexpr Kind kind{"cut_to_area", Detail::polygons};
+    static constexpr LineSet lines{WA1};
+    static constexpr std::string_view says = "the polygon's part in the area, perhaps empty";
     static constexpr Procedure result_of = Procedure::region_clip;
     Line at{};
     PolygonPlace polygon;
@@ -890,6 +1091,8 @@ struct CutToArea {
 
 struct Facets {
     static constexpr Kind kind{"facets", Detail::polygons};
+    static constexpr LineSet lines{WA2};
+    static constexpr std::string_view says = "what is now to be sorted";
     static constexpr Procedure result_of = Procedure::split_piercing;
     Line at{};
     std::vector<PolygonPart> pieces;
@@ -898,6 +1101,8 @@ struct Facets {
 
 struct Sorted {
     static constexpr Kind kind{"sorted", Detail::polygons};
+    static constexpr LineSet lines{WA3};
+    static constexpr std::string_view says = "the polygons of the pieces, the nearest first";
     static constexpr Procedure result_of = Procedure::depth_sort;
     Line at{};
     std::vector<PolygonPlace> polygons;
@@ -906,6 +1111,8 @@ struct Sorted {
 
 struct PushList {
     static constexpr Kind kind{"push_list", Detail::windows};
+    static constexpr LineSet lines{WA3, WA6, WA9};
+    static constexpr std::string_view says = "the list is put on the stack";
     Line at{};
     std::vector<PolygonPart> pieces;
     static void fields(auto& e, auto&& field) { field("pieces", e.pieces); }
@@ -913,17 +1120,24 @@ struct PushList {
 
 struct PopList {
     static constexpr Kind kind{"pop_list", Detail::windows};
+    static constexpr LineSet lines{WA4};
+    static constexpr std::string_view says =
+        "the top of the stack, a list with this number of pieces, becomes the list in hand; its first piece, which "
+        "is of this polygon, clips the others";
     Line at{};
     PolygonPlace clip;  // the first of the list
     int count = 0;
     static void fields(auto& e, auto&& field) {
         field("clip", e.clip);
-        field("count", e.count);
+        field("count", e.count, within(1));
     }
 };
 
 struct Beside {
     static constexpr Kind kind{"beside", Detail::polygons};
+    static constexpr LineSet lines{WA5};
+    static constexpr std::string_view says =
+        "the next piece of the list in hand has its box beside that of the clip polygon: it lies outside";
     Line at{};
     PolygonPlace polygon;
     static void fields(auto& e, auto&& field) { field("polygon", e.polygon); }
@@ -931,6 +1145,9 @@ struct Beside {
 
 struct Clipped {
     static constexpr Kind kind{"clipped", Detail::polygons};
+    static constexpr LineSet lines{WA5, SP1};
+    static constexpr std::string_view says =
+        "the next piece of the list in hand (at SP1 a piece of a pair) is cut in two, either perhaps empty";
     static constexpr Procedure result_of = Procedure::region_clip;
     Line at{};
     PolygonPlace polygon, clip;
@@ -945,6 +1162,8 @@ struct Clipped {
 
 struct NearerOnes {
     static constexpr Kind kind{"nearer_ones", Detail::polygons};
+    static constexpr LineSet lines{WA7};
+    static constexpr std::string_view says = "the polygons of those pieces inside that are not behind";
     static constexpr Procedure result_of = Procedure::remove_behind;
     Line at{};
     std::vector<PolygonPlace> polygons;
@@ -953,6 +1172,8 @@ struct NearerOnes {
 
 struct Show {
     static constexpr Kind kind{"show", Detail::windows};
+    static constexpr LineSet lines{WA8};
+    static constexpr std::string_view says = "the clip polygon is visible";
     Line at{};
     PolygonPlace polygon;
     RegionLoops region;
@@ -966,6 +1187,10 @@ struct Show {
 
 struct Pierce {
     static constexpr Kind kind{"pierce", Detail::polygons};
+    static constexpr LineSet lines{SP2};
+    static constexpr std::string_view says =
+        "the polygons pierce each other: the line in which their planes meet, through the point; on the side of "
+        "the normal the first is nearer";
     Line at{};
     PolygonPlace polygon, other;
     ValuePoint normal, point;  // of the line in which their planes meet
@@ -979,6 +1204,8 @@ struct Pierce {
 
 struct Split {
     static constexpr Kind kind{"split", Detail::polygons};
+    static constexpr LineSet lines{SP3};
+    static constexpr std::string_view says = "a piece of the polygon becomes these two";
     Line at{};
     PolygonPlace polygon;
     RegionLoops region, other;
@@ -991,6 +1218,8 @@ struct Split {
 
 struct GreatestDepth {
     static constexpr Kind kind{"greatest_depth", Detail::polygons};
+    static constexpr LineSet lines{DS1};
+    static constexpr std::string_view says = "the greatest depth of a piece of the polygon";
     Line at{};
     PolygonPlace polygon;
     Value z;
@@ -1004,6 +1233,9 @@ struct GreatestDepth {
 
 struct EdgePiece {
     static constexpr Kind kind{"edge_piece", Detail::signs};
+    static constexpr LineSet lines{RC2};
+    static constexpr std::string_view says =
+        "how a piece of the subject's outline lies to the clip region; the last two words: on its outline";
     Line at{};
     ValuePoint from, to;
     Lies lies{};
@@ -1016,6 +1248,8 @@ struct EdgePiece {
 
 struct Entering {
     static constexpr Kind kind{"entering", Detail::polygons};
+    static constexpr LineSet lines{RC3};
+    static constexpr std::string_view says = "the subject's outline enters the clip region here";
     Line at{};
     ValuePoint point;
     static void fields(auto& e, auto&& field) { field("point", e.point); }
@@ -1023,6 +1257,8 @@ struct Entering {
 
 struct Leaving {
     static constexpr Kind kind{"leaving", Detail::polygons};
+    static constexpr LineSet lines{RC3};
+    static constexpr std::string_view says = "it leaves it here";
     Line at{};
     ValuePoint point;
     static void fields(auto& e, auto&& field) { field("point", e.point); }
@@ -1030,6 +1266,9 @@ struct Leaving {
 
 struct Behind {
     static constexpr Kind kind{"behind", Detail::polygons};
+    static constexpr LineSet lines{RB3};
+    static constexpr std::string_view says =
+        "the depths at the point, how z compares with clipZ, and whether the piece inside is hidden";
     Line at{};
     PolygonPlace polygon, clip;
     ValuePoint point;
@@ -1047,8 +1286,7 @@ struct Behind {
         field("clipZ", e.clip_z);
         field("order", e.order);
         field("behind", e.behind);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
@@ -1056,6 +1294,8 @@ struct Behind {
 
 struct Order {
     static constexpr Kind kind{"order", Detail::signs};
+    static constexpr LineSet lines{PR2, PR3};
+    static constexpr std::string_view says = "how the depths of two polygons compare at a pixel's centre";
     Line at{};
     PolygonPlace polygon, other;
     ValuePoint point;
@@ -1071,13 +1311,14 @@ struct Order {
         field("z", e.z);
         field("otherZ", e.other_z);
         field("order", e.order);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
 struct Paint {
     static constexpr Kind kind{"paint", Detail::windows};
+    static constexpr LineSet lines{PR3};
+    static constexpr std::string_view says = "these runs of the region's pixels take the colour";
     Line at{};
     PolygonPlace polygon;
     Color color;
@@ -1091,6 +1332,8 @@ struct Paint {
 
 struct Painted {
     static constexpr Kind kind{"painted", Detail::polygons};
+    static constexpr LineSet lines{WA10};
+    static constexpr std::string_view says = "the end of PaintRegions";
     static constexpr Procedure result_of = Procedure::paint_regions;
     Line at{};
     static void fields(auto&, auto&&) {}
@@ -1101,6 +1344,8 @@ struct Painted {
 /// Without a height there is none over any column.
 struct Horizons {
     static constexpr Kind kind{"horizons", Detail::polygons};
+    static constexpr LineSet lines{FH1};
+    static constexpr std::string_view says = "the horizons over every column; where a field is missing there is none";
     Line at{};
     std::optional<Value> upper, lower;
     static void fields(auto& e, auto&& field) {
@@ -1111,13 +1356,17 @@ struct Horizons {
 
 struct Curve {
     static constexpr Kind kind{"curve", Detail::windows};
+    static constexpr LineSet lines{FH2};
+    static constexpr std::string_view says = "the current curve, by its place in the scene";
     Line at{};
     int curve = 0;
-    static void fields(auto& e, auto&& field) { field("curve", e.curve); }
+    static void fields(auto& e, auto&& field) { field("curve", e.curve, natural); }
 };
 
 struct SideEdge {
     static constexpr Kind kind{"side_edge", Detail::polygons};
+    static constexpr LineSet lines{FH3, FH10};
+    static constexpr std::string_view says = "the left edge (FH3) or the right one has come to this sample";
     static constexpr Procedure result_of = Procedure::side_edge;
     Line at{};
     SampleTold sample;
@@ -1126,6 +1375,10 @@ struct SideEdge {
 
 struct Visibility {
     static constexpr Kind kind{"visibility", Detail::polygons};
+    static constexpr LineSet lines{FH4, FH5};
+    static constexpr std::string_view says =
+        "the curve over column x: 1 above the upper horizon or on it, -1 below the lower one or on it, 0 hidden, 2 "
+        "both of the first two";
     static constexpr Procedure result_of = Procedure::visibility;
     Line at{};
     SegmentColumns segment;
@@ -1135,30 +1388,33 @@ struct Visibility {
     static constexpr Decision decides = Decision::visibility;
     Answer decision() const { return int(flag); }
     static void fields(auto& e, auto&& field) {
-        field("segment", e.segment);
+        field("segment", e.segment, of_samples);
         field("x", e.x);
         field("flag", e.flag);
-        field("exact", e.told.exact);
-        field("by", e.told.by);
+        truth_fields(e.told, field);
     }
 };
 
 struct Intersection {
     static constexpr Kind kind{"intersection", Detail::polygons};
+    static constexpr LineSet lines{FH7, FH8};
+    static constexpr std::string_view says = "where the segment meets a horizon";
     static constexpr Procedure result_of = Procedure::intersection;
     Line at{};
     SegmentColumns segment;
     ValuePoint point;
     std::pair<int, int> columns;
     static void fields(auto& e, auto&& field) {
-        field("segment", e.segment);
+        field("segment", e.segment, of_samples);
         field("point", e.point);
-        field("columns", e.columns);
+        field("columns", e.columns, end_columns);
     }
 };
 
 struct DrawLine {
     static constexpr Kind kind{"draw_line", Detail::windows};
+    static constexpr LineSet lines{FH6, FH7, FH8};
+    static constexpr std::string_view says = "this part of the segment is visible";
     Line at{};
     SegmentColumns segment;
     ValuePoint from;
@@ -1166,17 +1422,21 @@ struct DrawLine {
     ValuePoint to;
     std::pair<int, int> to_columns;
     static void fields(auto& e, auto&& field) {
-        field("segment", e.segment);
+        field("segment", e.segment, of_samples);
         field("from", e.from);
-        field("fromColumns", e.from_columns);
+        field("fromColumns", e.from_columns, end_columns);
         field("to", e.to);
-        field("toColumns", e.to_columns);
+        field("toColumns", e.to_columns, end_columns);
     }
 };
 
 /// The columns where the horizons have changed, with their new heights.
 struct Horizon {
     static constexpr Kind kind{"horizon", Detail::polygons};
+    static constexpr LineSet lines{FH6, FH7, FH8, SE2};
+    static constexpr std::string_view says =
+        "the columns first <= x <= last were looked at (none if last < first), and the horizons have changed over "
+        "these";
     static constexpr Procedure result_of = Procedure::horizon;
     Line at{};
     int first = 0, last = 0;
@@ -1193,6 +1453,8 @@ struct Horizon {
 
 struct Height {
     static constexpr Kind kind{"height", Detail::signs};
+    static constexpr LineSet lines{V1};
+    static constexpr std::string_view says = "the curve's height over the column, and the horizons' that are there";
     Line at{};
     int x = 0;
     Value y;
@@ -1207,6 +1469,8 @@ struct Height {
 
 struct Raise {
     static constexpr Kind kind{"raise", Detail::signs};
+    static constexpr LineSet lines{H2};
+    static constexpr std::string_view says = "the upper horizon over the column becomes y";
     Line at{};
     int x = 0;
     Value y;
@@ -1218,6 +1482,8 @@ struct Raise {
 
 struct Lower {
     static constexpr Kind kind{"lower", Detail::signs};
+    static constexpr LineSet lines{H3};
+    static constexpr std::string_view says = "the lower horizon over the column becomes y";
     Line at{};
     int x = 0;
     Value y;
@@ -1229,6 +1495,9 @@ struct Lower {
 
 struct Step {
     static constexpr Kind kind{"step", Detail::signs};
+    static constexpr LineSet lines{IN2};
+    static constexpr std::string_view says =
+        "is the segment over this column on the other side of the horizon than over the first one";
     Line at{};
     int x = 0;
     bool changes = false;
@@ -1254,22 +1523,33 @@ struct EventTypes {
     }
 };
 
-using AllEvents =
-    EventTypes<event::Plane, event::Call, event::Disagree, event::Depth, event::Fault, event::Push, event::Skip,
-               event::Pop, event::Decide, event::Fill, event::Corners, event::Box, event::Discard, event::Count,
-               event::Compare, event::Nearer, event::Uncover, event::Mark, event::Cover, event::Insider, event::Summary,
-               event::Nearest, event::PointColor, event::Surround, event::Orient, event::ClipBegin, event::ClipSide,
-               event::ClipSign, event::ClipCross, event::ClipKeep, event::ClipDrop, event::ClipList, event::ClipResult,
-               event::Row, event::Draw, event::Clear, event::Polygon, event::Edge, event::Extent, event::Scanline,
-               event::AelAdd, event::Horizontal, event::Leave, event::AelSort, event::AelDrop, event::AelStep,
-               event::ShownLine, event::Miss, event::Slope, event::Columns, event::Pixel, event::Span, event::Join,
-               event::Rejoin, event::RelationFound, event::Trial, event::Meets, event::Ray, event::Crossings,
-               event::Octants, event::Angle, event::Hiding, event::SplitVertex, event::EdgeDepth, event::BackFace,
-               event::CutToArea, event::Facets, event::Sorted, event::PushList, event::PopList, event::Beside,
-               event::Clipped, event::NearerOnes, event::Show, event::Pierce, event::Split, event::GreatestDepth,
-               event::EdgePiece, event::Entering, event::Leaving, event::Behind, event::Order, event::Paint,
-               event::Painted, event::Horizons, event::Curve, event::SideEdge, event::Visibility, event::Intersection,
-               event::DrawLine, event::Horizon, event::Height, event::Raise, event::Lower, event::Step>;
+template <class... A, class... B>
+EventTypes<A..., B...> operator+(EventTypes<A...>, EventTypes<B...>) {
+    return {};
+}
+
+using EventsOfAll = EventTypes<event::Plane, event::Call, event::Disagree, event::Depth, event::Fault>;
+using WarnockEvents =
+    EventTypes<event::Push, event::Skip, event::Pop, event::Decide, event::Fill, event::Corners, event::Box,
+               event::Discard, event::Count, event::Compare, event::Nearer, event::Uncover, event::Mark, event::Cover,
+               event::Insider, event::Summary, event::Nearest, event::PointColor, event::Surround, event::Orient,
+               event::ClipBegin, event::ClipSide, event::ClipSign, event::ClipCross, event::ClipKeep, event::ClipDrop,
+               event::ClipList, event::ClipResult, event::Row, event::Draw>;
+using ZBufferEvents =
+    EventTypes<event::Clear, event::Polygon, event::Edge, event::Extent, event::Scanline, event::AelAdd,
+               event::Horizontal, event::Leave, event::AelSort, event::AelDrop, event::AelStep, event::ShownLine,
+               event::Miss, event::Slope, event::Columns, event::Pixel, event::Span>;
+using FamilyEvents = EventTypes<event::Join, event::Rejoin, event::RelationFound, event::Trial, event::Meets,
+                                event::Ray, event::Crossings, event::Octants, event::Angle, event::Hiding,
+                                event::SplitVertex, event::EdgeDepth, event::BackFace>;
+using RegionEvents = EventTypes<event::CutToArea, event::Facets, event::Sorted, event::PushList, event::PopList,
+                                event::Beside, event::Clipped, event::NearerOnes, event::Show, event::Pierce,
+                                event::Split, event::GreatestDepth, event::EdgePiece, event::Entering, event::Leaving,
+                                event::Behind, event::Order, event::Paint, event::Painted>;
+using CurveEvents = EventTypes<event::Horizons, event::Curve, event::SideEdge, event::Visibility, event::Intersection,
+                               event::DrawLine, event::Horizon, event::Height, event::Raise, event::Lower, event::Step>;
+using AllEvents = decltype(EventsOfAll{} + WarnockEvents{} + ZBufferEvents{} + FamilyEvents{} + RegionEvents{} +
+                           CurveEvents{});
 
 /// The names, each at the place of its type.
 inline constexpr auto& event_names = AllEvents::names;
@@ -1280,10 +1560,10 @@ inline constexpr std::size_t event_place = AllEvents::place_of<E>();
 template <class E>
 concept EventType = event_place<E> < AllEvents::count;
 
-/// Told by runs of curves alone: those from Horizons on.
+/// Told by runs of curves alone.
 template <class E>
-concept CurveEvent = EventType<E> && event_place<E>
->= event_place<event::Horizons>;
+concept CurveEvent = CurveEvents::place_of<E>()
+< CurveEvents::count;
 
 class Event;
 

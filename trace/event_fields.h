@@ -13,6 +13,7 @@ constexpr auto& words_of(Corner) { return corner_names; }
 constexpr auto& words_of(Case) { return case_names; }
 constexpr auto& words_of(Lies) { return lies_names; }
 constexpr auto& words_of(Relation) { return relation_names; }
+constexpr auto& words_of(OtherList) { return other_list_names; }
 constexpr auto& words_of(Procedure) { return procedure_names; }
 constexpr auto& words_of(Decision) { return decision_names; }
 constexpr auto& words_of(FilterStage) { return filter_stage_names; }

@@ -26,7 +26,7 @@ public:
     template <class E>
     std::size_t operator()(const E& event) {
         bytes_ = 100;  // the longest names of an event and of a line, and what stands around them
-        E::fields(event, [&](std::string_view key, const auto& value) {
+        E::fields(event, [&](std::string_view key, const auto& value, const Meaning& = any_number) {
             bytes_ += key.size() + std::string_view(R"(,"":)").size();
             add(value);
         });
@@ -83,7 +83,9 @@ public:
             pen += std::string_view(R"(","at":")");
             pen += line_names[std::size_t(event.at)];
             pen += '"';
-            E::fields(event, [&](std::string_view key, const auto& value) { field(pen, key, value); });
+            E::fields(event, [&](std::string_view key, const auto& value, const Meaning& = any_number) {
+                field(pen, key, value);
+            });
             pen += std::string_view("}\n");
             return pen.at;
         });

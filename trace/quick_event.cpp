@@ -60,7 +60,10 @@ public:
     template <class E>
     bool fields(E& event) {
         bool read = true;
-        E::fields(event, [&](std::string_view key, auto& target) { read = read && field(key, target); });
+        E::fields(event, [&](std::string_view key, auto& target, const Meaning& meaning = any_number) {
+            meaning_ = &meaning;
+            read = read && field(key, target);
+        });
         return read && skip("}") && at_end();
     }
 
@@ -75,7 +78,7 @@ private:
         return !skip_key(key) || value(target.emplace());
     }
 
-    bool value(int& target) { return number(target); }
+    bool value(int& target) { return number(target) && meaning_->has(target); }
     bool value(double& target) { return number(target); }
 
     bool value(Value& target) {
@@ -159,6 +162,7 @@ private:
     }
 
     const EventContext& context_;
+    const Meaning* meaning_ = &any_number;  // of the field in hand
 };
 
 template <class E>
@@ -169,7 +173,7 @@ std::optional<EventView> QuickEvents::read_as(Scanner& scanner) {
     auto& event = *static_cast<E*>(last.get());
     if (E::kind.from > context_->detail || !scanner.skip(R"(,"at":")")) return std::nullopt;
     const auto line = scanner.word(lines);
-    if (!line) return std::nullopt;
+    if (!line || !E::lines.has(Line(*line))) return std::nullopt;
     event.at = Line(*line);
     return scanner.fields(event) ? std::optional<EventView>(event) : std::nullopt;
 }

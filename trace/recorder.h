@@ -237,14 +237,8 @@ public:
         emit<event::Span>([&]() -> const event::Span& { return recording_->span; });
     }
 
-    void join(Line at, Relation relation, const auto& list) {
-        emit<event::Join>([&] { return event::Join{at, place(*list.back().polygon), relation, list.back().level}; });
-    }
-    void rejoin(Line at, Relation relation, const auto& list) {
-        emit<event::Rejoin>([&] {
-            return event::Rejoin{at, place(*list.back().polygon), relation, list.back().level};
-        });
-    }
+    void join(Line at, Relation relation, const auto& list) { change_list<event::Join>(at, relation, list); }
+    void rejoin(Line at, Relation relation, const auto& list) { change_list<event::Rejoin>(at, relation, list); }
     void relation(Line at, const auto& polygon, Relation found) {
         emit<event::RelationFound>([&] { return event::RelationFound{at, place(polygon), found}; });
     }
@@ -415,6 +409,13 @@ private:
         if (recording_->detail < Detail::polygons) return;
         if (!depths) depths.emplace();
         depths->push_back(value(z));
+    }
+
+    /// What joins a list, or leaves it, is its last.
+    template <class E>
+    void change_list(Line at, Relation relation, const auto& list) {
+        const OtherList told = relation == Relation::surrounding ? OtherList::surrounding : OtherList::outside;
+        emit<E>([&] { return E{at, place(*list.back().polygon), told, list.back().level}; });
     }
 
     /// A horizon over a column.

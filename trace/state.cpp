@@ -87,10 +87,8 @@ void State::remove_from_apl(PolygonPlace polygon) {
 
 void State::take(const event::Discard& e) { remove_from_apl(e.polygon); }
 
-std::vector<State::Joined>& State::list_of(Relation relation) {
-    if (relation == Relation::surrounding) return surrounding_;
-    if (relation == Relation::outside) return outside_;
-    throw Impossible{"no list of such polygons"};
+std::vector<State::Joined>& State::list_of(OtherList list) {
+    return list == OtherList::surrounding ? surrounding_ : outside_;
 }
 
 void State::take(const event::Join& e) {

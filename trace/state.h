@@ -167,7 +167,7 @@ private:
     Apl& current_apl();
     AplEntry& entry(PolygonPlace polygon);
     void remove_from_apl(PolygonPlace polygon);
-    std::vector<Joined>& list_of(Relation relation);
+    std::vector<Joined>& list_of(OtherList list);
     Clip& clipping();
     ListInHand& list_in_hand(PolygonPlace polygon);
     void paint(const std::vector<PixelRun>& runs, const Color& color);

@@ -29,7 +29,11 @@ public:
         E event;
         event.at = Line(place_of_word(member(object_, "at"), line_names));
         fields_ = 2;  // e and at
-        E::fields(event, [&](std::string_view key, auto& target) { field(key, target); });
+        if (!E::lines.has(event.at)) object_.at("at").refuse("no line of this event");
+        E::fields(event, [&](std::string_view key, auto& target, const Meaning& meaning = any_number) {
+            meaning_ = meaning;
+            field(key, target);
+        });
         if (object_.value().size() != fields_) object_.refuse("unknown key " + unknown_key(event));
         return event;
     }
@@ -62,7 +66,14 @@ private:
             node.refuse("not a number of this kernel");
         }
     }
-    void value(const JsonNode& node, int& target) const { target = read_int(node); }
+    void value(const JsonNode& node, int& target) const {
+        target = read_int(node);
+        if (!meaning_.has(target)) {
+            node.refuse(meaning_.most == any_number.most
+                            ? "less than " + std::to_string(meaning_.least)
+                            : "not from " + std::to_string(meaning_.least) + " to " + std::to_string(meaning_.most));
+        }
+    }
     void value(const JsonNode& node, bool& target) const {
         if (!node.value().is_boolean()) node.refuse("not true or false");
         target = node.value().get<bool>();
@@ -132,7 +143,7 @@ private:
     std::string unknown_key(const E& event) const {
         for (const auto& key : object_.keys()) {
             bool known = key == "e" || key == "at";
-            E::fields(event, [&](std::string_view name, const auto&) { known = known || name == key; });
+            E::fields(event, [&](std::string_view name, const auto&...) { known = known || name == key; });
             if (!known) return key;
         }
         return "";
@@ -141,6 +152,7 @@ private:
     const JsonNode& object_;
     const EventContext& context_;
     std::size_t fields_ = 0;
+    Meaning meaning_;  // of the field in hand
 };
 
 template <class E>

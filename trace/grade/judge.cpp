@@ -48,7 +48,7 @@ bool all_single(const std::vector<Event>& events) {
     };
     for (const auto& event : events) {
         event.visit([&]<class E>(const E& e) {
-            E::fields(e, [&](std::string_view, const auto& field) { Numbers{look}(field); });
+            E::fields(e, [&](std::string_view, const auto& field, const auto&...) { Numbers{look}(field); });
         });
     }
     return all;

@@ -2,7 +2,7 @@ import type { FloatingHorizon } from './curves/state.js';
 import { texts } from './i18n/index.js';
 import { windowText } from './i18n/words.js';
 import type { Pixel } from './picture/pixel.js';
-import { corners } from './trace/values.js';
+import { corners } from './trace/events.js';
 import type { Box, Corner } from './trace/values.js';
 import type { View } from './view.js';
 

@@ -1,5 +1,5 @@
 import { toldOf } from '../exactness/told.js';
-import { details, kinds, numberOf, tables } from '../trace/events.js';
+import { details, kinds, numberOf, tells } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
@@ -64,9 +64,8 @@ function counted(
 }
 
 /** Whether a trace of this method and level tells such events. */
-function tells({ method, detail }: Header, name: EventName): boolean {
-  const isOfMethod = name === 'disagree' || name in tables[method];
-  return isOfMethod && details.indexOf(kinds[name].from) <= details.indexOf(detail);
+function isTold({ method, detail }: Header, name: EventName): boolean {
+  return tells(method, name) && details.indexOf(kinds[name].from) <= details.indexOf(detail);
 }
 
 /** The counters of a run. */
@@ -86,12 +85,12 @@ export class Counters {
     const isOfCurves = trace.header.scene.curves !== null;
     const counts = this.tally.upTo(step);
     const named = (...names: readonly EventName[]): number | null => {
-      const told = names.filter((name) => tells(trace.header, name));
+      const told = names.filter((name) => isTold(trace.header, name));
       if (told.length === 0) return null;
       return told.reduce((sum, name) => sum + (counts[numberOf.get(name) ?? 0] ?? 0), 0);
     };
     const where = (name: EventName, found: Survey['splits']): number | null =>
-      tells(trace.header, name) ? found.upTo(step) : null;
+      isTold(trace.header, name) ? found.upTo(step) : null;
     return {
       windows: named('pop'),
       splits: where('decide', survey.splits),

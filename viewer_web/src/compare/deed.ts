@@ -1,13 +1,16 @@
-import { eventNames, kinds, told } from '../trace/events.js';
+import { eventNames, kinds } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import { holdsNumbers } from '../trace/values.js';
+
+/** What a check adds. */
+const truths: ReadonlySet<string> = new Set(['exact', 'by']);
 
 /** Of each event the fields that say what was done, by the number of its name. */
 const deedFields = new Map<EventName, readonly string[]>(
   eventNames.map((name) => {
     const fields = Object.entries(kinds[name].fields);
     const isDeed = ([key, check]: (typeof fields)[number]): boolean =>
-      !Object.hasOwn(told, key) && !holdsNumbers(check);
+      !truths.has(key) && !holdsNumbers(check);
     return [name, fields.filter(isDeed).map(([key]) => key)];
   }),
 );

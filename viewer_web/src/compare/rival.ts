@@ -6,7 +6,7 @@ import type { Options } from '../live/options.js';
 import { optionsOf, wordOf } from '../live/packed.js';
 import { sceneText } from '../live/sketch.js';
 import { Tracer } from '../live/tracer.js';
-import { tables } from '../trace/events.js';
+import { eventsOf } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
 import { openTrace } from '../trace/open.js';
 import type { Trace } from '../trace/trace.js';
@@ -24,7 +24,7 @@ export function withOf(word: string, page: Document): With | null {
   const lesson = traces.find((each) => idOf(each) === word);
   if (lesson !== undefined) return { kind: 'lesson', lesson };
   const [method = ''] = word.split('.');
-  return Object.hasOwn(tables, method) ? { kind: 'run', options: optionsOf(word) } : null;
+  return Object.hasOwn(eventsOf, method) ? { kind: 'run', options: optionsOf(word) } : null;
 }
 
 /** The run beside the one that is open, if there is one. */

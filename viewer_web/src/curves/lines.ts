@@ -1,13 +1,13 @@
 import { numberOf } from '../trace/events.js';
 import type { CurveEvents, Event } from '../trace/events.js';
-import type { Pair } from '../trace/values.js';
+import type { Point } from '../trace/values.js';
 import { isPoint } from './sides.js';
 
 /** A visible part of a curve. */
 export interface Line {
   readonly curve: number;
-  readonly from: Pair;
-  readonly to: Pair;
+  readonly from: Point;
+  readonly to: Point;
   /** The first and the last column that it is over; none between, if the last is less. */
   readonly columns: readonly [first: number, last: number];
 }

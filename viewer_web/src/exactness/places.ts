@@ -1,4 +1,4 @@
-import type { Pair } from '../trace/values.js';
+import type { Point } from '../trace/values.js';
 
 /** Places of a map in a row; the place that was decided about is in the middle. */
 export const side = 49;
@@ -28,7 +28,7 @@ function isExact(a: number, b: number): boolean {
 
 export interface Places {
   /** The first place, at the lower left. */
-  readonly p: Pair;
+  readonly p: Point;
   readonly step: number;
 }
 

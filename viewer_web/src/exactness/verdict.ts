@@ -1,4 +1,5 @@
-import type { Decision, Event } from '../trace/events.js';
+import { kinds } from '../trace/events.js';
+import type { Deciding, Decision, Event } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
 import type { Answer, N } from '../trace/values.js';
 
@@ -19,25 +20,12 @@ export interface Verdict {
 }
 export type Stage = NonNullable<Event<'orient'>['by']>;
 
-type Deciding =
-  | 'orient'
-  | 'clip_sign'
-  | 'compare'
-  | 'box'
-  | 'insider'
-  | 'row'
-  | 'columns'
-  | 'pixel'
-  | 'visibility'
-  | 'behind'
-  | 'order';
-type Decided = Pick<Verdict, 'of' | 'numbers' | 'taken'>;
+type Decided = Pick<Verdict, 'numbers' | 'taken'>;
 
 const decided: { readonly [K in Deciding]: (event: Event<K>, before: Event | null) => Decided } = {
-  orient: ({ value, sign }) => ({ of: 'orientation', numbers: [['f', value]], taken: sign }),
-  clip_sign: ({ value, sign }) => ({ of: 'orientation', numbers: [['f', value]], taken: sign }),
+  orient: ({ value, sign }) => ({ numbers: [['f', value]], taken: sign }),
+  clip_sign: ({ value, sign }) => ({ numbers: [['f', value]], taken: sign }),
   compare: ({ z, against, nearer }) => ({
-    of: 'nearer',
     numbers: [
       ['z', z],
       ['z₀', against],
@@ -45,7 +33,6 @@ const decided: { readonly [K in Deciding]: (event: Event<K>, before: Event | nul
     taken: nearer,
   }),
   box: ({ box, outside }) => ({
-    of: 'outside',
     numbers: [
       ['x₁', box[0]],
       ['y₁', box[1]],
@@ -54,18 +41,16 @@ const decided: { readonly [K in Deciding]: (event: Event<K>, before: Event | nul
     ],
     taken: outside,
   }),
-  insider: ({ inside }) => ({ of: 'inside', numbers: [], taken: inside }),
+  insider: ({ inside }) => ({ numbers: [], taken: inside }),
   row: ({ left, right, first, end }) => ({
-    of: 'columns',
     numbers: [
       ['x₁', left],
       ['x₂', right],
     ],
     taken: [first, end],
   }),
-  columns: ({ first, end }) => ({ of: 'columns', numbers: [], taken: [first, end] }),
+  columns: ({ first, end }) => ({ numbers: [], taken: [first, end] }),
   pixel: ({ z, stored, shown }) => ({
-    of: 'nearer',
     numbers: [
       ['z', z],
       ['Z', stored],
@@ -73,7 +58,6 @@ const decided: { readonly [K in Deciding]: (event: Event<K>, before: Event | nul
     taken: shown,
   }),
   visibility: ({ flag }, before) => ({
-    of: 'visibility',
     numbers: before?.e === 'height' ? heights(before) : [],
     taken: flag,
   }),
@@ -83,7 +67,6 @@ const decided: { readonly [K in Deciding]: (event: Event<K>, before: Event | nul
 
 /** Those of two polygons at a point, and how the first stands to the second. */
 const depths = (z: N, other: N, order: number): Decided => ({
-  of: 'comparison',
   numbers: [
     ['z', z],
     ['z′', other],
@@ -100,7 +83,7 @@ function heights({ y, upper, lower }: Event<'height'>): readonly Number[] {
   ];
 }
 
-const isDeciding = (event: Event): event is Event<Deciding> => event.e in decided;
+const isDeciding = (event: Event): event is Event<Deciding> => kinds[event.e].decides !== undefined;
 
 /**
  * Null if the step decides nothing, or what it decides is told by no event and is right. A wrong decision and the step that
@@ -120,7 +103,7 @@ function ownVerdict(event: Event | null, before: Event | null): Verdict | null {
   if (event === null || !isDeciding(event)) return null;
   const { exact, by } = event;
   const how = decided[event.e] as (event: Event, before: Event | null) => Decided;
-  return { ...how(event, before), exact, by, cause: undefined };
+  return { of: kinds[event.e].decides, ...how(event, before), exact, by, cause: undefined };
 }
 
 /** A step may decide more than one thing, or one that has no event of its own: the wrong one is what counts. */

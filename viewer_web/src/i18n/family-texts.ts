@@ -1,5 +1,4 @@
-import type { Event, Method, Procedure } from '../trace/events.js';
-import type { bodies, lists } from '../trace/family-events.js';
+import type { Event, FamilyEvents, Method, Procedure } from '../trace/events.js';
 import type { N } from '../trace/values.js';
 import type { Sentences } from './texts.js';
 
@@ -24,7 +23,7 @@ export interface FamilyTexts {
   readonly rules: Readonly<Record<Method, string>>;
   readonly purposes: Readonly<Record<OfVariants & Procedure, string>>;
   readonly panel: FamilyPanelTexts;
-  readonly sentences: Pick<Sentences, keyof typeof lists | keyof typeof bodies>;
+  readonly sentences: Pick<Sentences, keyof FamilyEvents>;
   /** Of what it is said on which side of an edge it lies, by the line: a point, and its corner of the window if it is one. */
   readonly side: Readonly<Record<SideLine, (at: readonly N[], corner: string | null) => string>>;
 }

@@ -38,59 +38,6 @@ interface Source {
 
 const sources: readonly Source[] = listings.procedures;
 
-const drawn = ['PolygonClip', 'FillPolygon'] as const;
-const warnock = [
-  'Warnock',
-  'ProcessWindow',
-  'SurroundTest',
-  'Depth',
-  'PointColor',
-  ...drawn,
-  'InitializePolygon',
-] as const;
-/** Whose test of containment, and what else, is a variant's own. */
-const withLists = (containment: string, ...others: readonly string[]): readonly string[] => [
-  'ThreeListsWarnock',
-  'Relation',
-  'TrialFunction',
-  containment,
-  'HidingPolygon',
-  ...others,
-  'PointColor',
-  'SurroundTest',
-  'Depth',
-  ...drawn,
-  'InitializePolygon',
-];
-
-const used: Readonly<Record<Method, readonly string[]>> = {
-  warnock: warnock,
-  'warnock-simplest': [
-    'SimplestWarnock',
-    'PointColor',
-    'SurroundTest',
-    'Depth',
-    'InitializePolygon',
-  ],
-  'warnock-full': withLists('RayCrossings'),
-  'warnock-angles': withLists('OctantAngles'),
-  'warnock-vertex': withLists('RayCrossings', 'VertexSplit'),
-  'warnock-edges': withLists('RayCrossings', 'EdgeDepth'),
-  'warnock-bodies': ['BackFaces', ...warnock],
-  zbuffer: ['ZBuffer', 'ShowLine', 'Depth', 'InitializePolygon'],
-  'floating-horizon': ['FloatingHorizon', 'SideEdge', 'Visibility', 'Horizon', 'Intersection'],
-  'weiler-atherton': [
-    'WeilerAtherton',
-    'SplitPiercing',
-    'DepthSort',
-    'RegionClip',
-    'RemoveBehind',
-    'PaintRegions',
-    'Depth',
-    'InitializePolygon',
-  ],
-};
-
 function line(source: SourceLine, edition: Edition, language: Language): Omit<Line, 'speaks'> {
   const printed = edition === 'printed' ? source.printed : undefined;
   const { at, indent } = source;
@@ -98,7 +45,7 @@ function line(source: SourceLine, edition: Edition, language: Language): Omit<Li
 }
 
 /** The procedures of a method in the order in which they call one another. */
-export const namesOf = (method: Method): readonly string[] => used[method];
+export const namesOf = (method: Method): readonly string[] => listings.methods[method];
 
 /** What they say in the run's edition, and where its level has values to write beside it. */
 export function listingsOf(

@@ -2,8 +2,8 @@ import { curveNotes } from '../curves/notes.js';
 import { orderOf, point, short, shortApart, toNumber, windowText } from '../i18n/words.js';
 import { regionNotes } from '../regions/notes.js';
 import { plainOf } from '../trace/check.js';
-import { common, details, tables } from '../trace/events.js';
-import type { AnyKind, Detail, Event, EventName, Method } from '../trace/events.js';
+import { details, eventsOf, isToldAnywhere, kinds } from '../trace/events.js';
+import type { Detail, Event, EventName, Method } from '../trace/events.js';
 import type { Answer, Box, N } from '../trace/values.js';
 
 /** What an event says in the notation of the listing, the same in any language; null where that is nothing. */
@@ -115,12 +115,13 @@ export function noteOf(event: Event): string | null {
 
 /** Whether a line of the method's listings ever has something beside it at this level. */
 export function speaks(label: string, method: Method, detail: Detail): boolean {
-  const { plane, depth } = common; // the others are told at any line, with what it says by itself
-  const kinds: Readonly<Record<string, AnyKind>> = { plane, depth, ...tables[method] };
-  return Object.entries(kinds).some(
-    ([name, { at, from }]) =>
-      notes[name as EventName] !== null &&
+  return eventsOf[method].some((name) => {
+    const { at, from } = kinds[name];
+    return (
+      !isToldAnywhere(name) && // with what any line says by itself
+      notes[name] !== null &&
       details.indexOf(from) <= details.indexOf(detail) &&
-      new RegExp(`^${plainOf(at)}$`).test(`"${label}"`),
-  );
+      new RegExp(`^${plainOf(at)}$`).test(`"${label}"`)
+    );
+  });
 }

@@ -2,7 +2,7 @@ import { boundedText } from '../bounded-text.js';
 import { fromBase64, toBase64Url } from '../base64.js';
 import { editions } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
-import { details, tables } from '../trace/events.js';
+import { details, eventsOf } from '../trace/events.js';
 import type { Detail, Method } from '../trace/events.js';
 import { runnable, usual } from './options.js';
 import type { Options } from './options.js';
@@ -39,7 +39,7 @@ export function wordOf({ method, edition, kernel, detail, check }: Options): str
 export function optionsOf(word: string): Options {
   const [method = '', edition = '', kernel = usual.kernel, detail = '', check] = word.split('.');
   return runnable({
-    method: Object.hasOwn(tables, method) ? (method as Method) : usual.method,
+    method: Object.hasOwn(eventsOf, method) ? (method as Method) : usual.method,
     edition: editions.includes(edition as Edition) ? (edition as Edition) : usual.edition,
     kernel,
     detail: details.includes(detail as Detail) ? (detail as Detail) : usual.detail,

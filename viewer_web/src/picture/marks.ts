@@ -6,7 +6,7 @@ import type { Sight } from '../state/quadtree.js';
 import { containmentMarks, splitMarks } from './family-marks.js';
 import { box, cornerOf, edgeOf, path, point, target } from './mark.js';
 import type { Mark, Role } from './mark.js';
-import type { Corner, N, Pair, Triple } from '../trace/values.js';
+import type { Corner, N, Point, Vertex } from '../trace/values.js';
 
 /** How the area is divided into windows, and the way to the current one. */
 function treeMarks({ screen, after }: View, sight: Sight): readonly Mark[] {
@@ -48,8 +48,8 @@ const rowBoxes = (
 
 type Draw<K extends EventName> = (event: Event<K>, view: View) => readonly Mark[];
 
-const atPoint = ({ point: at }: { readonly point: Pair }): readonly Mark[] => [point('point', at)];
-const keptVertex = ({ vertex }: { readonly vertex: Triple }): readonly Mark[] => [
+const atPoint = ({ point: at }: { readonly point: Point }): readonly Mark[] => [point('point', at)];
+const keptVertex = ({ vertex }: { readonly vertex: Vertex }): readonly Mark[] => [
   point('yes', vertex),
 ];
 

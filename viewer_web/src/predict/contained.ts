@@ -31,7 +31,8 @@ function lookAt<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'>(
   if (eventAt(trace, step, 'call')?.of !== procedure) return null;
   const { header, timeline } = trace;
   const result = nextOf(trace, step, end, 'pop');
-  const polygon = result && header.scene.byId.get(result.event.polygon);
+  const found: Event<'crossings' | 'angle'> | undefined = result?.event;
+  const polygon = found && header.scene.byId.get(found.polygon);
   const window = timeline.seek(step).values.warnock?.window ?? null;
   if (!result || !polygon || window === null || polygon.vertices.length > mostOptions) return null;
   const edges = stepsOf(trace, step, result.step, edge);

@@ -1,6 +1,6 @@
 import { short } from '../i18n/words.js';
 import { cornerThing, polygonThing } from '../pointed.js';
-import { corners as places } from '../trace/values.js';
+import { corners as places } from '../trace/events.js';
 import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import { relationOf, relationOptions } from './asker.js';

@@ -11,7 +11,7 @@ import type { Values } from '../state/state.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
-import { corners as places } from '../trace/values.js';
+import { corners as places } from '../trace/events.js';
 import { parts as forms } from './question.js';
 import type { Abouts, Kind, Question } from './question.js';
 

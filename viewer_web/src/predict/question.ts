@@ -1,4 +1,4 @@
-import type { Box, Corner, Pair } from '../trace/values.js';
+import type { Box, Corner, Point } from '../trace/values.js';
 
 /** What is asked about, in the order in which the reader chooses among them. */
 export const kinds = [
@@ -122,10 +122,10 @@ export interface Abouts {
   readonly corners: { readonly polygon: string };
   readonly inside: {
     readonly polygon: string;
-    readonly point: Pair;
+    readonly point: Point;
     readonly corner: Corner | null;
   };
-  readonly point: { readonly point: Pair };
+  readonly point: { readonly point: Point };
   readonly clip: { readonly polygon: string; readonly side: number };
   /** The scanline in hand; null before the first one. */
   readonly ael: { readonly polygon: string; readonly row: number | null };

@@ -5,7 +5,7 @@ import { circleData, diamondData, pathData } from '../picture/shapes.js';
 import type { Shape } from '../picture/shapes.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Area, Scene } from '../trace/header.js';
-import type { Pair } from '../trace/values.js';
+import type { Point } from '../trace/values.js';
 import type { View } from '../view.js';
 import type { Piece, Region } from './events.js';
 import { hatchData, regionData } from './geometry.js';
@@ -46,7 +46,7 @@ function crossingsOf({ before, after, event }: View): Crossings {
   return ((isEnd ? before.regions : after.regions) ?? emptyRegions).crossings;
 }
 
-function crossingShapes(look: keyof typeof crossingData, at: readonly Pair[], r: number): Shape {
+function crossingShapes(look: keyof typeof crossingData, at: readonly Point[], r: number): Shape {
   const spots = at.map(spot).filter(isShown);
   return { look, d: spots.map((each) => crossingData[look](each, r)).join('') };
 }
@@ -102,7 +102,7 @@ const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>>
 };
 
 /** A line as far as it lies in the area. */
-function lineThrough(at: Pair, normal: Pair, { x, y, width, height }: Area): string {
+function lineThrough(at: Point, normal: Point, { x, y, width, height }: Area): string {
   const [px, py] = spot(at);
   const [a, b] = spot(normal);
   const way: Spot = [-b, a];

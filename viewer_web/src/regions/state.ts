@@ -1,6 +1,6 @@
 import type { Event, RegionEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
-import type { Pair } from '../trace/values.js';
+import type { Point } from '../trace/values.js';
 import type { Piece, Region } from './events.js';
 
 export type List = readonly Piece[];
@@ -18,8 +18,8 @@ export interface ListInHand {
 
 /** Where, so far, the outline of the region that is being clipped enters the clip region, and where it leaves it. */
 export interface Crossings {
-  readonly entering: readonly Pair[];
-  readonly leaving: readonly Pair[];
+  readonly entering: readonly Point[];
+  readonly leaving: readonly Point[];
 }
 
 /** The state of Weiler and Atherton's algorithm. */

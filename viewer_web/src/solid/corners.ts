@@ -1,5 +1,5 @@
 import { cornerOf } from '../picture/mark.js';
-import { corners } from '../trace/values.js';
+import { corners } from '../trace/events.js';
 import type { Corner, N } from '../trace/values.js';
 import type { View } from '../view.js';
 

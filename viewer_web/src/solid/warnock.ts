@@ -1,7 +1,7 @@
 import { short, toNumber } from '../i18n/words.js';
 import { cornerThing } from '../pointed.js';
 import type { Clip } from '../state/warnock.js';
-import type { N, Triple } from '../trace/values.js';
+import type { N, Vertex } from '../trace/values.js';
 import type { View } from '../view.js';
 import { comparedPolygon, cornerDepths } from './corners.js';
 import type { CornerDepth } from './corners.js';
@@ -25,7 +25,7 @@ export function warnockDrawing(view: View, space: Space): Drawing {
   );
 }
 
-const spotOf = (vertex: Triple): Spot => [
+const spotOf = (vertex: Vertex): Spot => [
   toNumber(vertex[0]),
   toNumber(vertex[1]),
   toNumber(vertex[2]),

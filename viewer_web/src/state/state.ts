@@ -4,7 +4,14 @@ import { afterCurves, emptyFloatingHorizon } from '../curves/state.js';
 import type { FloatingHorizon } from '../curves/state.js';
 import { afterRegions, emptyRegions } from '../regions/state.js';
 import type { Regions } from '../regions/state.js';
-import { common, details, eventNames, hasThreeLists, hasWindows } from '../trace/events.js';
+import {
+  callsFrom,
+  details,
+  eventNames,
+  hasThreeLists,
+  hasWindows,
+  kinds,
+} from '../trace/events.js';
 import type { Detail, Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
@@ -56,42 +63,6 @@ export interface Keyframe {
   readonly columns: SavedColumns | null;
 }
 
-/** The procedure whose frame an event closes, being its result. */
-const closes: Partial<Record<EventName, Procedure>> = {
-  summary: 'ProcessWindow',
-  color: 'PointColor',
-  surround: 'SurroundTest',
-  clip_result: 'PolygonClip',
-  draw: 'FillPolygon',
-  span: 'ShowLine',
-  relation: 'Relation',
-  meets: 'TrialFunction',
-  crossings: 'RayCrossings',
-  angle: 'OctantAngles',
-  hiding: 'HidingPolygon',
-  side_edge: 'SideEdge',
-  visibility: 'Visibility',
-  horizon: 'Horizon',
-  intersection: 'Intersection',
-  cut_to_area: 'RegionClip',
-  clipped: 'RegionClip',
-  facets: 'SplitPiercing',
-  sorted: 'DepthSort',
-  nearer_ones: 'RemoveBehind',
-  painted: 'PaintRegions',
-};
-
-/** Below the level of signs nothing happens inside these, and their calls are not told. */
-const inSigns: readonly Procedure[] = [
-  'SurroundTest',
-  'TrialFunction',
-  'RayCrossings',
-  'OctantAngles',
-  'Visibility',
-  'Horizon',
-  'Intersection',
-];
-
 /** By how much each event, at the number of its name, changes the depth of the calls. */
 export function depthChanges(detail: Detail): readonly number[] {
   return eventNames.map((name) => (name === 'call' ? 1 : closedBy(name, detail) === null ? 0 : -1));
@@ -99,10 +70,9 @@ export function depthChanges(detail: Detail): readonly number[] {
 
 /** The procedure that an event ends: below the level of its call a result closes nothing. */
 function closedBy(name: EventName, detail: Detail): Procedure | null {
-  const closed = closes[name];
-  if (closed === undefined) return null;
-  const from = inSigns.includes(closed) ? 'signs' : common.call.from;
-  return details.indexOf(detail) >= details.indexOf(from) ? closed : null;
+  const { resultOf } = kinds[name];
+  if (resultOf === undefined) return null;
+  return details.indexOf(detail) >= details.indexOf(callsFrom[resultOf]) ? resultOf : null;
 }
 
 /** Everything at a step. Its values are immutable, so that a keyframe shares what does not change. */

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { samples } from '../testing/samples.js';
 import { bareTimelineOf, headerOf, textOf, textWith, traceNames } from '../testing/traces.js';
-import { common, tables } from '../trace/events.js';
-import type { Event, EventName, Method } from '../trace/events.js';
+import { eventsOf } from '../trace/events.js';
+import type { Event, Method } from '../trace/events.js';
 import { parseHeader } from '../trace/header.js';
 import { isRefusal } from '../trace/refusal.js';
 import { State } from './state.js';
@@ -59,7 +59,7 @@ function chance(seed: number): (n: number) => number {
 /** So many events that may follow one another, though no run would write them. */
 function anyEvents(method: Method, length: number, seed: number): readonly Event[] {
   const below = chance(seed);
-  const names = Object.keys({ ...common, ...tables[method] }) as EventName[];
+  const names = eventsOf[method];
   const state = new State(parseHeader(headerOf(method)));
   const events: Event[] = [];
   while (events.length < length) {

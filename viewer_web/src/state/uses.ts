@@ -1,6 +1,6 @@
 import type { FloatingHorizon } from '../curves/state.js';
 import type { Regions } from '../regions/state.js';
-import { common, eventNames, methods, tables } from '../trace/events.js';
+import { eventNames, eventsOf, methods } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
@@ -158,10 +158,12 @@ export const fieldsOf = ({ sets = [], changes = [], reads = [] }: Use): readonly
 /** The fields of the runs of each kind. */
 const byKind = new Map<MethodKind, Set<Field>>();
 for (const method of methods) {
-  const names = Object.keys({ ...common, ...tables[method] }) as EventName[];
   const kind = methodKindOf(method);
   const known = byKind.get(kind) ?? [];
-  byKind.set(kind, new Set([...known, ...names.flatMap((name) => fieldsOf(uses[name]))]));
+  byKind.set(
+    kind,
+    new Set([...known, ...eventsOf[method].flatMap((name) => fieldsOf(uses[name]))]),
+  );
 }
 const ofKinds = [...byKind.values()];
 const isShared = (field: Field): boolean => ofKinds.filter((own) => own.has(field)).length > 1;

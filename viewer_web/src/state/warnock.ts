@@ -1,7 +1,7 @@
-import { corners as cornerNames } from '../trace/values.js';
+import { corners as cornerNames } from '../trace/events.js';
 import type { CommonEvents, Event, EventName, WarnockEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
-import type { Box, Color, Corner, N, Triple } from '../trace/values.js';
+import type { Box, Color, Corner, N, Vertex } from '../trace/values.js';
 import { counted, isRoot, joinedBy, marked, pushedApl, rejoined, wayTo, without } from './lists.js';
 import type { Screen } from './screen.js';
 
@@ -19,8 +19,8 @@ export interface StackedWindow {
 }
 
 export interface Clip {
-  readonly vertices: readonly Triple[];
-  readonly next: readonly Triple[];
+  readonly vertices: readonly Vertex[];
+  readonly next: readonly Vertex[];
 }
 
 /** Polygons that surround a window or are outside of it, and the level of the one at which each joined the list. */
@@ -111,7 +111,7 @@ function currentClip(now: Warnock): Clip {
   return now.clip;
 }
 
-function keep({ vertex }: { readonly vertex: Triple }, now: Warnock): Partial<Warnock> {
+function keep({ vertex }: { readonly vertex: Vertex }, now: Warnock): Partial<Warnock> {
   const clip = currentClip(now);
   return { clip: { ...clip, next: [...clip.next, vertex] } };
 }

@@ -4,7 +4,7 @@ import { stepsOf } from '../predict/ahead.js';
 import type { Kind, Question } from '../predict/question.js';
 import type { Piece, Region } from '../regions/events.js';
 import { holds } from '../regions/geometry.js';
-import type { Pair } from '../trace/values.js';
+import type { Point } from '../trace/values.js';
 import { sorted } from './questions.js';
 import type { Agrees } from './questions.js';
 
@@ -12,7 +12,7 @@ const idsOf = (pieces: readonly Piece[] = []): readonly string[] =>
   sorted([...new Set(pieces.map(([id]) => id))]);
 
 /** Whether a region holds the middle of a piece of an outline; null where that is too near to its own outline to be said. */
-function holdsMiddle(region: Region, from: Pair, to: Pair): boolean | null {
+function holdsMiddle(region: Region, from: Point, to: Point): boolean | null {
   const [x, y] = [0, 1].map((i) => (toNumber(from[i] ?? 'nan') + toNumber(to[i] ?? 'nan')) / 2);
   const around = [-1e-6, 1e-6].flatMap((off) => [
     holds(region, [(x ?? NaN) + off, y ?? NaN]),

@@ -1,7 +1,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { Timeline } from '../state/timeline.js';
-import { common, methods, tables } from '../trace/events.js';
+import { methods, tells } from '../trace/events.js';
 import type { Detail, Event, EventName, Method } from '../trace/events.js';
 import { read } from '../trace/read.js';
 import { follow, keep } from '../trace/trace.js';
@@ -52,7 +52,7 @@ export async function bareTimelineOf(text: string): Promise<Timeline> {
 
 /** A method whose runs tell such events. */
 export function methodWith(name: EventName): Method {
-  const method = methods.find((each) => name in common || name in tables[each]);
+  const method = methods.find((each) => tells(each, name));
   if (method === undefined) throw new Error(`no method tells ${name}`);
   return method;
 }

@@ -1,6 +1,6 @@
 import { plainOf, record, text } from './check.js';
 import type { Check } from './check.js';
-import { common, methods, numberOf, tables } from './events.js';
+import { eventsOf, kinds, methods, numberOf } from './events.js';
 import type { AnyKind, Detail, Event, EventName, Method } from './events.js';
 
 /** What there is to know of the lines of an event. */
@@ -23,9 +23,9 @@ function plainLine(name: string, { at, fields }: AnyKind): RegExp {
 }
 
 function lineKinds(method: Method): ReadonlyMap<string, LineKind> {
-  const kinds = Object.entries({ ...common, ...tables[method] }) as [EventName, AnyKind][];
   return new Map(
-    kinds.map(([name, kind]) => {
+    eventsOf[method].map((name) => {
+      const kind = kinds[name];
       const check = record({ e: text, at: kind.at, ...kind.fields }) as unknown as Check<Event>;
       const number = numberOf.get(name) ?? 0;
       return [name, { name, number, from: kind.from, check, plain: plainLine(name, kind) }];

@@ -4,7 +4,6 @@ import {
   finite,
   list,
   matching,
-  oneOf,
   plainNumber,
   plainOf,
   text,
@@ -13,7 +12,12 @@ import {
   written,
 } from './check.js';
 import type { Check, Checked } from './check.js';
+import type { corners } from './event-table.js';
 import { Refusal, describe } from './refusal.js';
+
+/** The values that FORMAT.md names, by these names; the table of events builds the others from them. */
+
+export { between, bool, count, list, oneOf, optional, text, tuple, whole } from './check.js';
 
 /** N of the format: a number of the run's kernel. A reader copies it and never computes with it. */
 export type N = number | string;
@@ -22,7 +26,7 @@ export type N = number | string;
 const word = /^(-?inf|nan|-?\d{1,20000}\/\d{1,20000})$/;
 const plainWord = '"(?:-?inf|nan|-?\\d{1,999}/\\d{1,999})"';
 
-export const num = written<N>(`(?:${plainNumber}|${plainWord})`, (value, path) => {
+export const number = written<N>(`(?:${plainNumber}|${plainWord})`, (value, path) => {
   if (typeof value === 'number' && Number.isFinite(value)) return value;
   if (typeof value === 'string' && word.test(value)) return value;
   throw new Refusal(path, 'kernelNumber', describe(value));
@@ -31,18 +35,21 @@ export const num = written<N>(`(?:${plainNumber}|${plainWord})`, (value, path) =
 /** Whether there are numbers of the kernel in what a check takes. */
 export const holdsNumbers = (check: Check<unknown>): boolean => plainOf(check).includes(plainWord);
 
-export const id = text;
+export const polygon = text;
 export const color = matching(/^#[0-9a-f]{6}$/, 'color');
-export const corner = oneOf('lb', 'lt', 'rb', 'rt');
-export const pair = tuple(num, num);
-/** A column and the height over it, as the scene has them. */
-export const sample = tuple(whole, finite);
-export const triple = tuple(num, num, num);
-export const box = tuple(finite, finite, finite, finite);
-export const pixels = tuple(whole, whole, whole, whole);
+export const point = tuple(number, number);
+export const vertex = tuple(number, number, number);
+export const window = tuple(finite, finite, finite, finite);
+export const rect = tuple(whole, whole, whole, whole);
 export const runs = list(tuple(whole, whole, whole));
 export const rowRuns = list(tuple(whole, whole));
-export const sign = oneOf(-1, 0, 1);
+/** Loops; each has the region on the same hand, so that holes go the other way round. */
+export const region = list(list(point));
+/** A part of a polygon, and whether it is known to be behind all others of its list. */
+export const piece = tuple(polygon, region, bool);
+/** A column and the height over it, as the scene has them. */
+export const sample = tuple(whole, finite);
+export const heights = list(tuple(whole, number));
 
 /** What a decision came to: yes or no, a sign or a pixel, or the range first <= i < end. */
 export const answer = either(bool, whole, tuple(whole, whole));
@@ -53,13 +60,16 @@ const nothing = written<null>('null', (value, path) => {
 /** The right answer; null where it is undefined. */
 export const truth = either(nothing, answer);
 
+/** The label of any line, by the letters of the procedures. */
+export const label = (letters: readonly string[]): Check<string> =>
+  matching(new RegExp(`^(?:${letters.join('|')})[1-9]\\d?$`), 'label');
+
 export type Answer = Checked<typeof answer>;
 export type Color = Checked<typeof color>;
-export type Corner = Checked<typeof corner>;
-export type Pair = Checked<typeof pair>;
+export type Corner = (typeof corners)[number];
+export type Point = Checked<typeof point>;
+export type Vertex = Checked<typeof vertex>;
 export type Sample = Checked<typeof sample>;
-export type Triple = Checked<typeof triple>;
-export type Box = Checked<typeof box>;
-
-/** The text's four corners, in the order in which their depths are computed. */
-export const corners = ['lb', 'lt', 'rb', 'rt'] as const satisfies readonly Corner[];
+export type Region = Checked<typeof region>;
+export type Piece = Checked<typeof piece>;
+export type Box = Checked<typeof window>;

@@ -1,9 +1,9 @@
-import type { bodies, lists } from '../../trace/family-events.js';
+import type { FamilyEvents } from '../../trace/events.js';
 import { answered, of, only, said } from './fact.js';
 import type { Facts } from './fact.js';
 import { known, outside } from './windows.js';
 
-export const familyFacts: Facts<keyof typeof lists | keyof typeof bodies> = {
+export const familyFacts: Facts<keyof FamilyEvents> = {
   back_face: ({ polygon, away }) => ({
     ids: [polygon],
     says: answered(away, said(/looks away/u, /отвёрнут/u), said(/looks towards/u, /обращён/u)),

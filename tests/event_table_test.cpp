@@ -1,0 +1,105 @@
+// What follows from the table of events and is committed: it must be as the table has it.
+
+#include "event_table/event_table.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+using namespace vidno;
+
+namespace {
+
+std::string file_text(const std::string& name) {
+    std::ifstream file(VIDNO_ROOT "/" + name, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::map<std::string, EventDescription, std::less<>> events_by_name() {
+    std::map<std::string, EventDescription, std::less<>> events;
+    for (const auto& group : event_table()) {
+        for (const auto& event : group.events) events.emplace(event.name, event);
+    }
+    return events;
+}
+
+/// "W7 to W10, PC4" as labels.
+LineSet lines_named(const std::string& text) {
+    LineSet lines{};
+    const std::regex range(R"(([A-Z]+)(\d+)(?: to [A-Z]+(\d+))?)");
+    for (std::sregex_iterator found(text.begin(), text.end(), range), end; found != end; ++found) {
+        const int first = std::stoi((*found)[2]);
+        const int last = (*found)[3].matched ? std::stoi((*found)[3]) : first;
+        for (int number = first; number <= last; ++number) {
+            const auto name = (*found)[1].str() + std::to_string(number);
+            const auto place = std::find(line_names.begin(), line_names.end(), name);
+            REQUIRE_MESSAGE(place != line_names.end(), name);
+            lines.add(Line(place - line_names.begin()));
+        }
+    }
+    return lines;
+}
+
+}  // namespace
+
+TEST_CASE("FORMAT.md and the schema have the events of the table: if not, `./dev derive` writes them") {
+    CHECK(file_text("trace/FORMAT.md") == with_event_tables(file_text("trace/FORMAT.md")));
+    CHECK(file_text("trace/schema/trace.schema.json") ==
+          with_event_schema(file_text("trace/schema/trace.schema.json")));
+}
+
+TEST_CASE("The calls of the header for students have the levels and lines of their events, and its results are bold") {
+    // | `line(row, from_x, ...)`, `miss()` | p | says | L1, L2 |
+    const std::string readme = file_text("lessons/student/README.md");
+    const auto events = events_by_name();
+    const std::regex row(R"(\n\| (\**)(`\w+\(.*?\)`)\** \| ([wps](?:, [wps])*) \| (.*?) \| ([A-Z0-9a-z, ]+) \|)");
+    const std::regex call(R"(`(\w+)\()");
+    std::set<std::string> told;
+    for (std::sregex_iterator found(readme.begin(), readme.end(), row), end; found != end; ++found) {
+        const std::string calls = (*found)[2], levels = (*found)[3], says = (*found)[4];
+        const LineSet lines = lines_named((*found)[5]);
+        CAPTURE(calls);
+        LineSet known{};
+        std::string known_levels;
+        for (std::sregex_iterator each(calls.begin(), calls.end(), call); each != end; ++each) {
+            const std::string name = (*each)[1];
+            REQUIRE_MESSAGE(events.count(name) == 1, name);
+            const EventDescription& event = events.at(name);
+            for (std::size_t i = 0; i < line_names.size(); ++i) {
+                if (event.lines.has(Line(i))) known.add(Line(i));
+            }
+            const char level = detail_names[std::size_t(event.from)][0];
+            if (known_levels.find(level) == std::string::npos)
+                known_levels += (known_levels.empty() ? "" : ", ") + std::string(1, level);
+            const bool is_bold = (*found)[1].length() > 0 || says.find("**result**") != std::string::npos;
+            CHECK(is_bold == event.result_of.has_value());
+            told.insert(name);
+        }
+        CHECK(levels == known_levels);
+        for (const auto name : names_of(lines)) {
+            CHECK_MESSAGE(known.has(Line(std::find(line_names.begin(), line_names.end(), name) - line_names.begin())),
+                          name);
+        }
+    }
+    CHECK(told.size() > 40);
+}
+
+TEST_CASE("The events of a surface's shape: names of values, ranges, lists and words") {
+    const auto events = events_by_name();
+    const auto field = [&](const char* event, std::size_t place) { return events.at(event).fields.at(place); };
+    CHECK(field("surround", 1).shape.name == "point");
+    CHECK(field("nearer", 2).meaning.most == 4);
+    CHECK(field("nearer", 1).shape.kind == Shape::Kind::list);
+    CHECK(field("decide", 0).shape.words ==
+          std::vector<std::string_view>{"empty", "surrounded", "pixel", "single", "split"});
+    CHECK(field("push", 1).is_optional);
+    CHECK(names_of(events.at("push").lines) == std::vector<std::string_view>{"W3", "W13", "WS1", "WS6", "WF1", "WF12"});
+    CHECK(events.at("surround").result_of == Procedure::surround_test);
+}

@@ -1,0 +1,94 @@
+// The events of schema/trace.schema.json.
+
+#include <nlohmann/json.hpp>
+
+#include "event_table/event_table.h"
+
+namespace vidno {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json reference(std::string_view name) { return {{"$ref", "#/$defs/" + std::string(name)}}; }
+
+Json tuple_of(const Json& items) {
+    return {{"type", "array"}, {"prefixItems", items}, {"items", false}, {"minItems", items.size()}};
+}
+
+Json schema_of(const Shape& shape, const Meaning& meaning) {
+    if (!shape.name.empty()) return reference(shape.name);
+    switch (shape.kind) {
+        case Shape::Kind::named: break;
+        case Shape::Kind::words: return {{"enum", shape.words}};
+        case Shape::Kind::numbers: return {{"enum", shape.numbers}};
+        case Shape::Kind::list: return {{"type", "array"}, {"items", schema_of(shape.items.front(), meaning)}};
+        case Shape::Kind::integer: {
+            Json whole_number{{"type", "integer"}};
+            if (meaning.least != any_number.least) whole_number["minimum"] = meaning.least;
+            if (meaning.most != any_number.most) whole_number["maximum"] = meaning.most;
+            return whole_number;
+        }
+        case Shape::Kind::tuple: {
+            Json items = Json::array();
+            for (const auto& item : shape.items) items.push_back(schema_of(item, meaning));
+            return tuple_of(items);
+        }
+    }
+    return {};
+}
+
+Json schema_of(const LineSet& lines) {
+    if (lines == LineSet::all()) return reference("label");
+    return {{"enum", names_of(lines)}};
+}
+
+Json schema_of(const EventDescription& event) {
+    Json properties{{"e", {{"const", event.name}}}, {"at", schema_of(event.lines)}};
+    Json required{"e", "at"};
+    for (const auto& field : event.fields) {
+        properties[std::string(field.name)] = schema_of(field.shape, field.meaning);
+        if (!field.is_optional) required.push_back(field.name);
+    }
+    return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
+}
+
+/// What fits goes on one line.
+std::string written(const Json& value, std::size_t indent, bool breaks = true) {
+    if (!value.is_structured()) return value.dump();
+    const bool is_object = value.is_object();
+    const std::string separator = breaks ? ",\n" + std::string(indent + 2, ' ') : ", ";
+    if (breaks) {
+        const std::string line = written(value, 0, false);
+        if (indent + line.size() <= 140) return line;
+    }
+    std::string items;
+    for (const auto& [key, item] : value.items()) {
+        items += items.empty() ? "" : separator;
+        items += (is_object ? Json(key).dump() + ": " : "") + written(item, indent + 2, breaks);
+    }
+    if (breaks) items = "\n" + std::string(indent + 2, ' ') + items + "\n" + std::string(indent, ' ');
+    return (is_object ? "{" : "[") + items + (is_object ? "}" : "]");
+}
+
+}  // namespace
+
+std::string with_event_schema(const std::string& schema) {
+    Json document = Json::parse(schema);
+    Json lines{reference("header"), reference("end")}, events;
+    for (const auto& group : event_table()) {
+        for (const auto& event : group.events) {
+            lines.push_back(reference("events/" + std::string(event.name)));
+            events[std::string(event.name)] = schema_of(event);
+        }
+    }
+    document["oneOf"] = lines;
+    document["$defs"]["events"] = events;
+    for (const auto& shape : named_words()) document["$defs"][std::string(shape.name)] = {{"enum", shape.words}};
+    std::string letters;
+    for (const auto own : line_letters()) letters += (letters.empty() ? "" : "|") + std::string(own);
+    document["$defs"]["label"] = {{"type", "string"}, {"pattern", "^(" + letters + ")[1-9][0-9]?$"}};
+    return written(document, 0) + "\n";
+}
+
+}  // namespace vidno

@@ -1,0 +1,120 @@
+// The tables of FORMAT.md.
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "event_table/event_table.h"
+
+namespace vidno {
+
+namespace {
+
+std::string joined(const auto& items, std::string_view between, auto&& text) {
+    std::string all;
+    for (const auto& item : items) all += std::string(all.empty() ? "" : between) + text(item);
+    return all;
+}
+
+std::string in_code(std::string_view text) { return "`" + std::string(text) + "`"; }
+
+/// FORMAT.md has letters for the most frequent values.
+std::string word_of(std::string_view name) {
+    if (name == "number") return "N";
+    if (name == "polygon") return "P";
+    if (name == "color") return "C";
+    if (name == shape_name<std::vector<ColumnRun>>) return "runs";
+    return std::string(name);
+}
+
+std::string shape_text(const Shape& shape) {
+    if (!shape.name.empty()) return word_of(shape.name);
+    switch (shape.kind) {
+        case Shape::Kind::named: break;
+        case Shape::Kind::integer: return "int";
+        case Shape::Kind::words:
+            return joined(shape.words, ", ", [](auto word) { return "`\"" + std::string(word) + "\"`"; });
+        case Shape::Kind::numbers:
+            return joined(shape.numbers, ", ", [](int number) { return std::to_string(number); });
+        case Shape::Kind::tuple: return "[" + joined(shape.items, ", ", shape_text) + "]";
+        case Shape::Kind::list: return "[" + shape_text(shape.items.front()) + ", ...]";
+    }
+    return "";
+}
+
+std::string value_text(const FieldDescription& field) {
+    const Meaning& meaning = field.meaning;
+    if (!meaning.word.empty()) {
+        const std::string word(meaning.word);
+        return field.shape.kind == Shape::Kind::list ? "[" + word + ", ...]" : word;
+    }
+    if (meaning.most != any_number.most) return std::to_string(meaning.least) + ".." + std::to_string(meaning.most);
+    return shape_text(field.shape) + (meaning.least == any_number.least ? "" : " >= " + std::to_string(meaning.least));
+}
+
+/// What `--check` adds is the same for every decision, and said once.
+bool is_truth(const FieldDescription& field) {
+    return field.shape.name == shape_name<Truth> || field.shape.name == shape_name<FilterStage>;
+}
+
+std::string field_text(const FieldDescription& field) {
+    const std::string value = value_text(field);
+    return (field.is_optional ? "optionally " : "") + in_code(field.name) + (value == field.name ? "" : " " + value);
+}
+
+std::string lines_text(const LineSet& lines) {
+    if (lines == LineSet::all()) return "any line";
+    return joined(names_of(lines), ", ", [](auto name) { return std::string(name); });
+}
+
+std::string row(const EventDescription& event) {
+    std::vector<FieldDescription> fields;
+    for (const auto& field : event.fields) {
+        if (!is_truth(field)) fields.push_back(field);
+    }
+    std::string says(event.says);
+    if (event.decides) says += "; decides " + in_code(decision_names[std::size_t(*event.decides)]);
+    if (event.result_of) says += "; result of " + std::string(procedure_names[std::size_t(*event.result_of)]);
+    return "| " + in_code(event.name) + " | " + lines_text(event.lines) + " | " +
+           detail_names[std::size_t(event.from)][0] + " | " + joined(fields, ", ", field_text) + " | " + says + " |\n";
+}
+
+std::string table(const EventGroup& group) {
+    std::string text = "| event | at | from | fields | says |\n| --- | --- | --- | --- | --- |\n";
+    for (const auto& event : group.events) text += row(event);
+    return text;
+}
+
+std::string procedure_table() {
+    std::string text = "| procedure | from | result |\n| --- | --- | --- |\n";
+    const auto groups = event_table();
+    for (const Procedure procedure : called_procedures()) {
+        std::vector<std::string_view> results;
+        for (const auto& group : groups) {
+            for (const auto& event : group.events) {
+                if (event.result_of == procedure) results.push_back(event.name);
+            }
+        }
+        text += "| " + std::string(procedure_names[std::size_t(procedure)]) + " | " +
+                detail_names[std::size_t(event::calls_from(procedure))][0] + " | " + joined(results, ", ", in_code) +
+                " |\n";
+    }
+    return text;
+}
+
+void replace_part(std::string& text, std::string_view title, const std::string& derived) {
+    const std::string begin = "<!-- derived: " + std::string(title) + " -->\n";
+    const auto from = text.find(begin);
+    const auto to = text.find("<!-- end -->", from);
+    if (from == std::string::npos || to == std::string::npos) throw std::runtime_error("FORMAT.md: no " + begin);
+    text.replace(from + begin.size(), to - from - begin.size(), "\n" + derived + "\n");
+}
+
+}  // namespace
+
+std::string with_event_tables(std::string format) {
+    replace_part(format, "procedures", procedure_table());
+    for (const auto& group : event_table()) replace_part(format, group.title, table(group));
+    return format;
+}
+
+}  // namespace vidno
