@@ -15,7 +15,7 @@ const words = {
     title: '# How these methods fail',
     introduction: `An entry is a file: the smallest scene that we know, the run that fails on it, the run that does not (perhaps of
 the same surface with other samples), and what is to be seen.
-\`tests/failures_test.cpp\` holds each to it. The step is that of a trace of level \`signs\`: the first wrong decision, or the
+\`tests/check/failures_test.cpp\` holds each to it. The step is that of a trace of level \`signs\`: the first wrong decision, or the
 step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
     wrong: ({ of, taken, exact }) => `${of}: ${taken}, exactly ${exact}`,
@@ -33,7 +33,7 @@ step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
     file: 'README.ru.md',
     title: '# Как ошибаются эти методы',
     introduction: `Запись это файл: наименьшая известная нам сцена, прогон, который на ней ошибается, прогон, который не ошибается (бывает, той же
-поверхности с другими отсчётами), и что при этом видно. \`tests/failures_test.cpp\` проверяет каждую. Шаг это шаг трассы уровня \`signs\`: первое неверное решение или
+поверхности с другими отсчётами), и что при этом видно. \`tests/check/failures_test.cpp\` проверяет каждую. Шаг это шаг трассы уровня \`signs\`: первое неверное решение или
 шаг, на котором ошибка видна. Таблицы пишет \`table.mjs\`.`,
     head: ['ошибка', 'как', 'видна при', 'на шаге', 'там', 'средство'],
     wrong: ({ of, taken, exact }) => `${of}: ${taken}, точно ${exact}`,

@@ -15,8 +15,8 @@
 #ifndef VIDNO_PROCEDURES_H
 #define VIDNO_PROCEDURES_H
 
-#include "event_json.h"
-#include "recorder.h"
+#include "format/event_json.h"
+#include "run/recorder.h"
 #include "vidno/vidno.h"
 #include "vidno_student.h"
 

@@ -1,7 +1,7 @@
 /// Trace: the visitor that a run tells what it does, one event a call, in the procedures' own words.
 ///
 /// Every event takes the label of the listing line that caused it and values that the run already has; turning them
-/// into text is the visitor's affair (trace/recorder.h). trace/FORMAT.md says what each event means. A visitor is
+/// into text is the visitor's affair (trace/run/recorder.h). trace/FORMAT.md says what each event means. A visitor is
 /// passed by value and may hold a pointer; a visitor of one's own hides the events that it wants to hear:
 ///
 ///     struct CountSplits : NoTrace {

@@ -8,10 +8,10 @@
 
 #include "bench/event_object.h"
 #include "bench/overdraw.h"
-#include "event_json.h"
-#include "recorder.h"
-#include "snapped_scene.h"
-#include "trace_writer.h"
+#include "format/event_json.h"
+#include "format/trace_writer.h"
+#include "run/recorder.h"
+#include "scene/snapped_scene.h"
 #include "vidno/kernels/filtered.h"
 #include "vidno/vidno.h"
 

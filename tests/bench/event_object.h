@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "event.h"
+#include "format/event.h"
 
 namespace vidno {
 

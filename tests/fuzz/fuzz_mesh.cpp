@@ -9,7 +9,7 @@
 
 #include "import/import.h"
 #include "refused.h"
-#include "scene_json.h"
+#include "scene/scene_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;

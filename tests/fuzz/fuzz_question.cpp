@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "question_json.h"
 #include "refused.h"
+#include "sign_map/question_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);

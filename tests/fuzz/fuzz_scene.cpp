@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "refused.h"
-#include "scene_json.h"
+#include "scene/scene_json.h"
 #include "support/agreement.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

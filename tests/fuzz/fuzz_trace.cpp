@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "curve_state.h"
-#include "state.h"
+#include "format/trace_reader.h"
+#include "state/curve_state.h"
+#include "state/state.h"
 #include "support/agreement.h"
-#include "trace_reader.h"
 
 using namespace vidno;
 

@@ -22,19 +22,19 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "check.h"
-#include "curve_run.h"
-#include "curve_state.h"
-#include "image.h"
-#include "method.h"
+#include "check/check.h"
+#include "choice/method.h"
+#include "format/trace_reader.h"
 #include "output.h"
+#include "picture/image.h"
 #include "random_scenes.h"
-#include "region_output.h"
-#include "scene_json.h"
-#include "snapped_scene.h"
-#include "state.h"
-#include "surface.h"
-#include "trace_reader.h"
+#include "regions/region_output.h"
+#include "run/curve_run.h"
+#include "scene/scene_json.h"
+#include "scene/snapped_scene.h"
+#include "scene/surface.h"
+#include "state/curve_state.h"
+#include "state/state.h"
 
 namespace vidno::recorded {
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "quick_event.h"
-#include "quick_scene.h"
-#include "scene_json.h"
+#include "format/quick_event.h"
+#include "scene/quick_scene.h"
+#include "scene/scene_json.h"
 
 namespace vidno::test {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "edition.h"
+#include "choice/edition.h"
 
 namespace vidno::test {
 

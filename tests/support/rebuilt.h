@@ -1,7 +1,7 @@
 /// The state that a trace's reader builds, made from a run's events while the run goes on.
 #pragma once
 
-#include "recorder.h"
+#include "run/recorder.h"
 
 namespace vidno::test {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "families.h"
+#include "scene/families.h"
 #include "vidno/admission.h"
 #include "vidno/scene.h"
 

@@ -7,9 +7,9 @@
 #include <concepts>
 
 #include "rebuilt.h"
-#include "run.h"
+#include "run/run.h"
 #include "stage.h"
-#include "state.h"
+#include "state/state.h"
 
 namespace vidno::test {
 

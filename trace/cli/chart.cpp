@@ -1,10 +1,10 @@
-#include "chart.h"
+#include "chart/chart.h"
 
-#include "chart_input.h"
+#include "chart/chart_input.h"
 #include "commands.h"
 #include "output.h"
-#include "page.h"
-#include "program.h"
+#include "page/page.h"
+#include "page/program.h"
 #include "progress.h"
 
 namespace vidno::cli {

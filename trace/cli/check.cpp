@@ -1,13 +1,13 @@
-#include "check.h"
+#include "check/check.h"
 
 #include <iomanip>
 #include <iostream>
 
 #include "commands.h"
-#include "curve_run.h"
+#include "format/trace_reader.h"
 #include "output.h"
 #include "progress.h"
-#include "trace_reader.h"
+#include "run/curve_run.h"
 
 namespace vidno::cli {
 

@@ -2,12 +2,12 @@
 #include <iomanip>
 #include <iostream>
 
-#include "check.h"
+#include "chart/timing.h"
+#include "check/check.h"
+#include "choice/method.h"
 #include "commands.h"
-#include "method.h"
 #include "progress.h"
-#include "snapped_scene.h"
-#include "timing.h"
+#include "scene/snapped_scene.h"
 
 namespace vidno::cli {
 

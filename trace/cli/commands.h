@@ -9,13 +9,13 @@
 #include <variant>
 #include <vector>
 
-#include "chart_input.h"
+#include "chart/chart_input.h"
+#include "format/trace_reader.h"
 #include "import/import.h"
-#include "page.h"
-#include "run.h"
-#include "stability.h"
-#include "surface.h"
-#include "trace_reader.h"
+#include "page/page.h"
+#include "run/run.h"
+#include "scene/surface.h"
+#include "stability/stability.h"
 
 namespace vidno::cli {
 
@@ -213,6 +213,6 @@ int worksheet(const WorksheetOptions& options);
 int moodle_questions(const WorksheetOptions& options);
 int import(const MeshOptions& options);
 int stability(const StabilityOptions& options);
-int methods();
+int methods(bool as_json);
 
 }  // namespace vidno::cli

@@ -2,18 +2,18 @@
 
 #include <filesystem>
 
-#include "chart.h"
+#include "chart/chart.h"
 #include "commands.h"
 #include "figure/encoded.h"
 #include "figure/map_figure.h"
-#include "json_node.h"
+#include "format/trace_reader.h"
+#include "json/json_node.h"
 #include "lesson/event_lines.h"
 #include "lesson/lesson.h"
 #include "output.h"
-#include "program.h"
-#include "question_json.h"
+#include "page/program.h"
+#include "sign_map/question_json.h"
 #include "steps.h"
-#include "trace_reader.h"
 
 namespace vidno::cli {
 

@@ -5,11 +5,11 @@
 #include <iostream>
 #include <map>
 
+#include "check/judged_run.h"
 #include "commands.h"
 #include "grade/scenes.h"
-#include "judged_run.h"
 #include "output.h"
-#include "page.h"
+#include "page/page.h"
 #include "progress.h"
 
 namespace vidno::cli {

@@ -8,7 +8,7 @@
 #include "lesson/lesson.h"
 #include "lesson/new_lesson.h"
 #include "output.h"
-#include "scene_json.h"
+#include "scene/scene_json.h"
 
 namespace vidno::cli {
 

@@ -3,12 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "chart.h"
+#include "chart/chart.h"
+#include "choice/method.h"
 #include "commands.h"
 #include "figure/figure_words.h"
-#include "method.h"
+#include "homework/variants.h"
 #include "refused.h"
-#include "variants.h"
 
 namespace {
 
@@ -488,9 +488,11 @@ int main(int argc, char** argv) {
     add_worksheet(app, printed).callback([&] { status = worksheet(printed); });
     add_import(app, mesh).callback([&] { status = import(mesh); });
     add_stability(app, campaign).callback([&] { status = stability(campaign); });
-    app.add_subcommand("methods", "What there is: methods, kernels, editions, levels")->callback([&] {
-        status = methods();
-    });
+    bool methods_as_json = false;
+    auto& what_there_is = *app.add_subcommand("methods", "What there is: methods, kernels, editions, levels");
+    what_there_is.add_flag("--json", methods_as_json,
+                           "As JSON: also which edition of which method runs under which kernel");
+    what_there_is.callback([&] { status = methods(methods_as_json); });
 
     try {
         app.parse(argc, argv);

@@ -1,12 +1,12 @@
-#include "map.h"
+#include "sign_map/map.h"
 
 #include <iomanip>
 #include <iostream>
 
 #include "commands.h"
-#include "image.h"
 #include "output.h"
-#include "question_json.h"
+#include "picture/image.h"
+#include "sign_map/question_json.h"
 
 namespace vidno::cli {
 

@@ -1,8 +1,10 @@
 #include <iostream>
 
+#include "choice/choices_json.h"
+#include "choice/kernel_choice.h"
+#include "choice/method.h"
 #include "commands.h"
-#include "curve_trace.h"
-#include "method.h"
+#include "format/curve_trace.h"
 
 namespace vidno::cli {
 
@@ -17,7 +19,11 @@ void print(std::string_view name, const MethodChoice& choice) {
 
 }  // namespace
 
-int methods() {
+int methods(bool as_json) {
+    if (as_json) {
+        std::cout << choices_json();
+        return 0;
+    }
     std::cout << "methods    (unless it says otherwise, domain: " << picture_rule.domain
               << ";\n    rule: " << picture_rule.rule << ")\n";
     for (std::size_t i = 0; i < method_choices.size(); ++i) print(method_names[i], method_choices[i]);

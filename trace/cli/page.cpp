@@ -1,11 +1,11 @@
-#include "page.h"
+#include "page/page.h"
 
 #include <filesystem>
 
 #include "commands.h"
 #include "output.h"
 #include "progress.h"
-#include "scene_json.h"
+#include "scene/scene_json.h"
 
 namespace vidno::cli {
 

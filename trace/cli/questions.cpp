@@ -1,7 +1,7 @@
 #include "commands.h"
 #include "output.h"
-#include "page.h"
-#include "program.h"
+#include "page/page.h"
+#include "page/program.h"
 
 namespace vidno::cli {
 

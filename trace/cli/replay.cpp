@@ -1,15 +1,15 @@
 #include <iostream>
 
 #include "commands.h"
-#include "curve_state.h"
 #include "figure/curve_parts.h"
 #include "figure/encoded.h"
-#include "image.h"
+#include "format/trace_reader.h"
 #include "output.h"
+#include "picture/image.h"
 #include "progress.h"
-#include "state.h"
+#include "state/curve_state.h"
+#include "state/state.h"
 #include "steps.h"
-#include "trace_reader.h"
 
 namespace vidno::cli {
 

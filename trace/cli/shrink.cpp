@@ -1,15 +1,15 @@
-#include "shrink.h"
+#include "stability/shrink.h"
 
 #include <iomanip>
 #include <iostream>
 
-#include "check.h"
+#include "check/check.h"
+#include "choice/method.h"
 #include "commands.h"
-#include "method.h"
-#include "need.h"
 #include "output.h"
 #include "progress.h"
-#include "scene_json.h"
+#include "scene/scene_json.h"
+#include "stability/need.h"
 
 namespace vidno::cli {
 

@@ -1,4 +1,4 @@
-#include "stability.h"
+#include "stability/stability.h"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 #include <optional>
 #include <sstream>
 
+#include "choice/method.h"
 #include "commands.h"
-#include "journal.h"
-#include "method.h"
 #include "output.h"
 #include "progress.h"
+#include "stability/journal.h"
 
 namespace vidno::cli {
 

@@ -1,9 +1,9 @@
 /// Going through a trace step by step; what cannot be is refused in one line.
 #pragma once
 
-#include "call_stack.h"
+#include "format/trace_reader.h"
 #include "refused.h"
-#include "trace_reader.h"
+#include "state/call_stack.h"
 
 namespace vidno::cli {
 

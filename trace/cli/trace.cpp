@@ -1,18 +1,18 @@
 #include <algorithm>
 #include <iostream>
 
+#include "check/judged_run.h"
+#include "choice/method.h"
 #include "commands.h"
 #include "figure/curve_parts.h"
 #include "figure/encoded.h"
 #include "figure/region_parts.h"
-#include "image.h"
-#include "judged_run.h"
-#include "method.h"
 #include "output.h"
+#include "picture/image.h"
 #include "progress.h"
-#include "region_output.h"
-#include "scene_json.h"
-#include "snapped_scene.h"
+#include "regions/region_output.h"
+#include "scene/scene_json.h"
+#include "scene/snapped_scene.h"
 
 namespace vidno::cli {
 

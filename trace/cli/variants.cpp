@@ -1,4 +1,4 @@
-#include "variants.h"
+#include "homework/variants.h"
 
 #include <filesystem>
 #include <iostream>
@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "output.h"
 #include "progress.h"
-#include "scene_json.h"
+#include "scene/scene_json.h"
 
 namespace vidno::cli {
 

@@ -1,7 +1,9 @@
-// The events of schema/trace.schema.json.
+// The events of schema/trace.schema.json, and the words of its header.
 
 #include <nlohmann/json.hpp>
 
+#include "choice/kernel_choice.h"
+#include "choice/method.h"
 #include "event_table/event_table.h"
 
 namespace vidno {
@@ -53,6 +55,20 @@ Json schema_of(const EventDescription& event) {
     return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
 }
 
+/// The names of kernels, each number written out.
+std::string kernel_pattern() {
+    std::string names;
+    for (const auto& choice : kernel_choices) {
+        names += (names.empty() ? "" : "|") + std::string(choice.name);
+        if (!choice.parameter) continue;
+        for (int number = choice.parameter->least; number <= choice.parameter->most; ++number) {
+            names += (number == choice.parameter->least ? ":(" : "|") + std::to_string(number);
+        }
+        names += ")";
+    }
+    return "^(" + names + ")$";
+}
+
 /// What fits goes on one line.
 std::string written(const Json& value, std::size_t indent, bool breaks = true) {
     if (!value.is_structured()) return value.dump();
@@ -83,6 +99,12 @@ std::string with_event_schema(const std::string& schema) {
         }
     }
     document["oneOf"] = lines;
+    Json& header = document["$defs"]["header"]["properties"];
+    header["method"]["enum"] = method_names;
+    header["method"]["enum"].push_back(curve_method);
+    header["edition"]["enum"] = edition_names;
+    header["kernel"]["pattern"] = kernel_pattern();
+    header["detail"]["enum"] = detail_names;
     document["$defs"]["events"] = events;
     for (const auto& shape : named_words()) document["$defs"][std::string(shape.name)] = {{"enum", shape.words}};
     std::string letters;

@@ -52,7 +52,7 @@ std::vector<std::string_view> line_letters();
 /// std::runtime_error where one is missing.
 std::string with_event_tables(std::string format);
 
-/// The schema of traces with its events as the table has them.
+/// The schema of traces with its events as the table has them, and its header with the choices there are.
 std::string with_event_schema(const std::string& schema);
 
 /// The page's table of events, as TypeScript. Which events a method tells, its listings say.

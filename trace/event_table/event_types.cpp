@@ -70,7 +70,7 @@ std::string event_types(const std::string& listings_text) {
     for (auto& group : event_table()) std::ranges::move(group.events, std::back_inserter(events));
 
     std::string text =
-        "// Made by vidno_event_table of trace/event.h: change that.\n\nimport * as is from './values.js';\n\n";
+        "// Made by vidno_event_table of trace/format/event.h: change that.\n\nimport * as is from './values.js';\n\n";
     for (const auto& [kind, name, words, numbers, items] : named_words()) {
         const std::string own(name);
         text += "export const " + own + "s = [" + joined(words, in_quotes) + "] as const;\n";

@@ -1,6 +1,6 @@
 // Writes what follows from the table of events:
 //
-//     vidno_event_table types LISTINGS FILE    the page's types
+//     vidno_event_table page LISTINGS FOLDER   the page's table of events, and its choices
 //     vidno_event_table documents ROOT         the derived parts of FORMAT.md and of the schema
 
 #include <fstream>
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "choice/choices_json.h"
 #include "event_table/event_table.h"
 
 namespace {
@@ -31,15 +32,16 @@ void write(const std::string& file, const std::string& text) {
 
 int main(int count, char** words) try {
     const std::vector<std::string> arguments(words + 1, words + count);
-    if (arguments.size() == 3 && arguments[0] == "types") {
-        write(arguments[2], vidno::event_types(content(arguments[1])));
+    if (arguments.size() == 3 && arguments[0] == "page") {
+        write(arguments[2] + "/event-table.ts", vidno::event_types(content(arguments[1])));
+        write(arguments[2] + "/choices.json", vidno::choices_json());
     } else if (arguments.size() == 2 && arguments[0] == "documents") {
         const std::string format = arguments[1] + "/trace/FORMAT.md";
         const std::string schema = arguments[1] + "/trace/schema/trace.schema.json";
         write(format, vidno::with_event_tables(content(format)));
         write(schema, vidno::with_event_schema(content(schema)));
     } else {
-        throw std::runtime_error("types LISTINGS FILE, or documents ROOT");
+        throw std::runtime_error("page LISTINGS FOLDER, or documents ROOT");
     }
 } catch (const std::exception& error) {
     std::cerr << "vidno_event_table: " << error.what() << '\n';

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "event_fields.h"
+#include "format/event_fields.h"
 
 namespace vidno {
 

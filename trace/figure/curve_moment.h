@@ -1,7 +1,7 @@
 /// CurveMoment: a step of a run of curves with what a figure shows of it, rebuilt from the events alone.
 #pragma once
 
-#include "curve_state.h"
+#include "state/curve_state.h"
 
 namespace vidno::figures {
 

@@ -1,8 +1,8 @@
 /// A sign map as a drawing.
 #pragma once
 
-#include "map.h"
 #include "parts.h"
+#include "sign_map/map.h"
 
 namespace vidno::figures {
 

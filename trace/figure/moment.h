@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "state.h"
+#include "state/state.h"
 
 namespace vidno::figures {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "event.h"
+#include "format/event.h"
 
 namespace vidno::figures {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "parts.h"
-#include "run.h"
+#include "run/run.h"
 
 namespace vidno::figures {
 

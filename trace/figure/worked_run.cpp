@@ -1,7 +1,7 @@
 #include "worked_run.h"
 
-#include "run.h"
-#include "trace_reader.h"
+#include "format/trace_reader.h"
+#include "run/run.h"
 
 namespace vidno::figures {
 

@@ -6,7 +6,7 @@
 #include "notation.h"
 #include "parts.h"
 #include "refused.h"
-#include "shrink.h"
+#include "stability/shrink.h"
 #include "table.h"
 #include "worksheet_words.h"
 

@@ -1,7 +1,7 @@
 #include "grade/grade.h"
 
-#include "method.h"
-#include "shrink.h"
+#include "choice/method.h"
+#include "stability/shrink.h"
 
 namespace vidno {
 

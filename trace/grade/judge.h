@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "event.h"
+#include "format/event.h"
+#include "format/trace_writer.h"
 #include "grade/scene_truth.h"
-#include "trace_writer.h"
 
 namespace vidno {
 

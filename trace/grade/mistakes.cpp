@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "run.h"
+#include "run/run.h"
 
 namespace vidno {
 

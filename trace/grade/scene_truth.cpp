@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "json_text.h"
+#include "json/json_text.h"
 #include "vidno/kernels/exact.h"
 
 namespace vidno {

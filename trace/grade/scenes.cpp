@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "exact_scene.h"
+#include "scene/exact_scene.h"
 
 namespace vidno {
 

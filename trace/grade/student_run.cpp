@@ -5,9 +5,9 @@
 #include <map>
 #include <tuple>
 
-#include "json_text.h"
+#include "format/trace_reader.h"
+#include "json/json_text.h"
 #include "output.h"
-#include "trace_reader.h"
 
 namespace vidno {
 

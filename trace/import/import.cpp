@@ -11,8 +11,8 @@
 
 #include "import/ear_clipping.h"
 #include "import/mesh_soup.h"
+#include "json/unique_ids.h"
 #include "refused.h"
-#include "unique_ids.h"
 #include "vidno/admission.h"
 #include "vidno/look.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene_json.h"
+#include "scene/scene_json.h"
 #include "vidno/camera.h"
 #include "vidno/scene.h"
 

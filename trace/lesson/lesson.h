@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "curve_trace.h"
+#include "format/curve_trace.h"
 #include "pin.h"
 #include "problem.h"
-#include "run.h"
+#include "run/run.h"
 #include "story.h"
 
 namespace vidno {

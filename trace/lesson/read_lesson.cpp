@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "json_node.h"
+#include "choice/method.h"
+#include "json/json_node.h"
 #include "lesson.h"
-#include "method.h"
 #include "output.h"
 
 namespace vidno {

@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "check/judged_run.h"
+#include "choice/method.h"
 #include "event_lines.h"
 #include "import/import.h"
-#include "judged_run.h"
 #include "lesson.h"
-#include "method.h"
 #include "output.h"
 #include "refused.h"
-#include "scene_json.h"
-#include "snapped_scene.h"
+#include "scene/scene_json.h"
+#include "scene/snapped_scene.h"
 
 namespace vidno {
 

@@ -1,4 +1,4 @@
-#include "height_function.h"
+#include "scene/height_function.h"
 
 #include <algorithm>
 #include <array>

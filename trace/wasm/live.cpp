@@ -16,13 +16,13 @@
 #include <string>
 #include <string_view>
 
-#include "json_node.h"
-#include "judged_run.h"
-#include "map.h"
-#include "method.h"
-#include "question_json.h"
-#include "scene_json.h"
-#include "snapped_scene.h"
+#include "check/judged_run.h"
+#include "choice/method.h"
+#include "json/json_node.h"
+#include "scene/scene_json.h"
+#include "scene/snapped_scene.h"
+#include "sign_map/map.h"
+#include "sign_map/question_json.h"
 
 namespace vidno {
 namespace {

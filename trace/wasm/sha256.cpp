@@ -1,4 +1,4 @@
-#include "sha256.h"
+#include "format/sha256.h"
 
 // In a page the library at hand is one of the page's: it writes the 32 bytes where it is told.
 [[clang::import_module("vidno"), clang::import_name("sha256")]] extern "C" void vidno_sha256(const char* bytes,

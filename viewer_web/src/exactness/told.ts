@@ -1,6 +1,6 @@
 import { eventNames, kinds, numberOf } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
-import { isCertain } from './verdict.js';
+import { isAlwaysRight } from '../trace/editions.js';
 
 /** In a checked run each of these says what is right. */
 const isDecision = eventNames.map((name) => 'exact' in kinds[name].fields);
@@ -30,5 +30,5 @@ export type Told = 'told' | 'certain' | 'unchecked';
 
 export function toldOf(trace: Trace): Told {
   if (isChecked(trace)) return 'told';
-  return isCertain(trace.header.kernel) ? 'certain' : 'unchecked';
+  return isAlwaysRight(trace.header.kernel) ? 'certain' : 'unchecked';
 }

@@ -1,7 +1,8 @@
 import { expect, it } from 'vitest';
 import { headerOf, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { isCertain, isWrong, verdictOf } from './verdict.js';
+import { isAlwaysRight } from '../trace/editions.js';
+import { isWrong, verdictOf } from './verdict.js';
 
 const orient: Event = {
   e: 'orient',
@@ -79,7 +80,7 @@ it('a step that decides nothing by numbers has none', async () => {
   expect(verdictOf(trace, 1)).toBeNull();
 });
 
-it('two kernels decide as exact arithmetic does, checked or not', () => {
-  const kernels = ['double', 'bits:8', 'grid:4', 'filtered', 'exact'];
-  expect(kernels.filter(isCertain)).toEqual(['filtered', 'exact']);
+it('three kernels decide as exact arithmetic does, checked or not', () => {
+  const kernels = ['float', 'double', 'bits:8', 'depth:16', 'grid:4', 'filtered', 'exact'];
+  expect(kernels.filter(isAlwaysRight)).toEqual(['grid:4', 'filtered', 'exact']);
 });

@@ -111,9 +111,6 @@ function judged(own: Verdict | null, { of, taken, exact, cause }: Event<'disagre
   return { numbers: own?.numbers ?? [], by: undefined, of, taken, exact, cause };
 }
 
-/** Whether a kernel decides as exact arithmetic does, checked or not. */
-export const isCertain = (kernel: string): boolean => kernel === 'exact' || kernel === 'filtered';
-
 /** Whether an answer is not the right one; where that is not known it is taken for right. */
 export function isWrong({ taken, exact }: Verdict): boolean {
   return exact !== null && exact !== undefined && String(taken) !== String(exact);

@@ -4,7 +4,7 @@ import type { decisions } from './event-table.js';
 
 /**
  * The events of `vidno-trace/1`: their types and the check of a line follow from one table, which the build makes of the
- * program's, trace/event.h.
+ * program's, trace/format/event.h.
  */
 
 export { callsFrom, corners, eventsOf } from './event-table.js';

@@ -12,15 +12,13 @@ import {
   whole,
 } from './check.js';
 import type { Check, Checked } from './check.js';
-import { editions } from './editions.js';
+import { editions, kernelName } from './editions.js';
 import { details, methods } from './events.js';
 import { Refusal } from './refusal.js';
 import { color } from './values.js';
 import type { Sample } from './values.js';
 
 const greatestSide = 16384;
-const kernelName =
-  /^(float|double|bits:([4-9]|1\d|2[0-4])|depth:([2-9]|[12]\d|3[0-2])|filtered|grid:([1-9]|1\d|20)|exact)$/u;
 const hexFloat = /^(-?)0x([0-9a-f]+)(?:\.([0-9a-f]*))?(?:p([+-]?\d+))?$/i;
 
 /** A coordinate is a number or a hexadecimal float such as "0x1.8p-3". */

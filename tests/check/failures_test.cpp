@@ -1,0 +1,405 @@
+// The atlas of failures: each entry fails as it says under the weaker kernel or edition, and not under the stronger.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "check/check.h"
+#include "output.h"
+#include "run/curve_run.h"
+#include "scene/sampling.h"
+#include "scene/scene_json.h"
+#include "scene/surface.h"
+#include "support/curves.h"
+#include "support/kettner.h"
+#include "support/reference.h"
+#include "support/scenes.h"
+#include "support/stage.h"
+#include "support/visitors.h"
+#include "vidno/floating_horizon.h"
+#include "vidno/printed_curves.h"
+#include "vidno/viewport.h"
+
+using namespace vidno;
+using namespace vidno::test;
+using nlohmann::json;
+
+namespace {
+
+struct Entry {
+    std::string name;
+    json told;
+    std::optional<AnyScene> scene;  // none: a test of its own shows the failure
+};
+
+AnyScene scene_in(const std::string& text, const std::string& name) {
+    if (is_surface(text)) return read_surface(text, name);
+    return read_scene(text, name).scene;
+}
+
+std::vector<Entry> atlas() {
+    std::vector<Entry> entries;
+    for (const auto& file : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons/failures")) {
+        if (file.path().extension() != ".json") continue;
+        Entry entry{file.path().stem().string(), json::parse(read_file(file.path().string())), {}};
+        if (entry.told.contains("scene")) entry.scene = scene_in(entry.told["scene"].dump(), entry.name);
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+Method method_named(const std::string& name) {
+    const auto found = std::find(method_names.begin(), method_names.end(), name);
+    REQUIRE(found != method_names.end());
+    return Method(found - method_names.begin());
+}
+
+Edition edition_named(const std::string& name) {
+    const auto found = std::find(edition_names.begin(), edition_names.end(), name);
+    REQUIRE(found != edition_names.end());
+    return Edition(found - edition_names.begin());
+}
+
+NamedKernel kernel_in(const json& run) { return *kernel_named(run.at("kernel").get<std::string>()); }
+
+RunRequest request_of(const json& run, const Scene& scene) {
+    return {method_named(run.at("method")), kernel_in(run), edition_named(run.at("edition")), scene, Detail::signs};
+}
+
+/// What a run shows of its failure.
+class Shown {
+public:
+    Shown(const json& told, const Scene& scene) : request_(request_of(told, scene)), picture_(run(request_)) {
+        const TraceHeader header{request_.method, request_.edition, request_.kernel.name(), Detail::signs, scene};
+        TraceWriter writer(header, [&](std::string_view part) { trace_ += part; });
+        request_.sink = &writer;
+        writer.finish(run(request_));
+    }
+
+    const Picture& picture() const { return picture_; }
+    bool reaches(const std::string& label) const { return has("\"at\":\"" + label + '"'); }
+    bool faults_at(const std::string& label) const { return has(R"("e":"fault","at":")" + label + '"'); }
+    std::size_t windows() const {
+        std::size_t count = 0;
+        for (auto at = trace_.find(R"("e":"pop")"); at != trace_.npos; at = trace_.find(R"("e":"pop")", at + 1))
+            ++count;
+        return count;
+    }
+    /// Does the procedure decide wrongly?
+    bool wrong_in(const std::string& procedure) const {
+        const CheckReport report = checked();
+        for (const auto& each : report.procedures) {
+            if (procedure_names[std::size_t(each.procedure)] == procedure) return each.wrong_for_scene > 0;
+        }
+        return false;
+    }
+
+    /// The farthest that an intersection is from the exact one, in pixels.
+    double off() const { return checked().farthest_off; }
+    /// The intersections, in their order; under `filtered`, which does not survey them, too.
+    std::vector<glm::dvec2> intersections() const {
+        std::vector<glm::dvec2> found;
+        checked([&](const EventView& event) {
+            const auto* cut = event.get_if<event::ClipCross>();
+            if (cut) found.emplace_back(cut->vertex.x.number, cut->vertex.y.number);
+        });
+        return found;
+    }
+
+private:
+    CheckReport checked(const HearEvent& hear = [](const auto&) {}) const {
+        return check_run(request_, right_picture(request_.scene), hear);
+    }
+    bool has(const std::string& text) const { return trace_.find(text) != trace_.npos; }
+
+    RunRequest request_;
+    Picture picture_;
+    std::string trace_;
+};
+
+/// One of the forms in which an entry says what is to be seen.
+void check_shown(const std::string& form, const json& told, const Shown& fails, const Shown& holds,
+                 const Picture& right) {
+    if (form == "pixel") {
+        const int x = told[0], y = told[1];
+        CHECK(fails.picture().at(x, y) != right.at(x, y));
+        CHECK(holds.picture() == right);
+    } else if (form == "wrong") {
+        CHECK(fails.wrong_in(told));
+        CHECK_FALSE(holds.wrong_in(told));
+    } else if (form == "fault") {
+        CHECK(fails.faults_at(told));
+        CHECK_FALSE(holds.faults_at(told));
+    } else if (form == "missing") {
+        CHECK_FALSE(fails.reaches(told));
+        CHECK(holds.reaches(told));
+    } else if (form == "present") {
+        CHECK(fails.reaches(told));
+        CHECK_FALSE(holds.reaches(told));
+    } else if (form == "off") {
+        const auto computed = fails.intersections();
+        const auto right_ones = holds.intersections();
+        REQUIRE(computed.size() == right_ones.size());
+        double farthest = 0;
+        for (std::size_t i = 0; i < computed.size(); ++i) {
+            farthest = std::max(farthest, glm::distance(computed[i], right_ones[i]));
+        }
+        CHECK(farthest >= told.get<double>());
+        CHECK_MESSAGE(std::abs(farthest - fails.off()) < 1e-9, "it is from the exact ones that they are off");
+    } else {
+        REQUIRE(form == "more_windows");
+        CHECK(fails.windows() > holds.windows());
+    }
+}
+
+void check_entry(const json& entry, const Scene& scene) {
+    const Picture right = Reference(scene).picture();
+    const Shown fails(entry.at("fails"), scene), holds(entry.at("holds"), scene);
+    for (const auto& [form, told] : entry.at("shows").items()) check_shown(form, told, fails, holds, right);
+}
+
+/// What the rule of the floating horizon says.
+ColumnsDrawn right_columns(const CurveScene& curves) {
+    ColumnsDrawn right;
+    const HorizonReference reference(curves);
+    for (const auto& seen : reference.curves()) right.push_back(seen.visible);
+    return right;
+}
+
+/// The curves of a surface file; of a function as it is over each column.
+CurveScene true_curves(json surface) {
+    if (surface.contains("function")) {
+        surface["samples"] = surface.at("window").at("width");
+        surface.erase("tolerance");
+    }
+    return read_surface(surface.dump(), "surface").curves;
+}
+
+void check_entry(const json& entry, const Surface& surface) {
+    const CurveScene& curves = surface.curves;
+    const auto drawn = [](const json& told, const CurveScene& scene) {
+        REQUIRE(told.at("method") == curve_method);
+        return columns_drawn(run(CurveRequest{kernel_in(told), edition_named(told.at("edition")), scene}), scene);
+    };
+    const ColumnsDrawn right = right_columns(true_curves(entry.at("scene"))), fails = drawn(entry.at("fails"), curves);
+    for (const auto& [form, told] : entry.at("shows").items()) {
+        REQUIRE(form == "column");
+        const std::size_t curve = told[0];
+        const auto column = std::size_t(told[1].get<int>() - curves.curves[curve].samples.front().x);
+        CHECK(fails[curve][column] != right[curve][column]);
+    }
+    const json& holds = entry.at("holds");
+    const bool has_own = holds.contains("scene");  // the same surface, sampled otherwise
+    CHECK(drawn(holds, has_own ? read_surface(holds["scene"].dump(), "holds").curves : curves) == right);
+}
+
+}  // namespace
+
+TEST_CASE("Failures: each entry of the atlas fails as it says, and its remedy does not") {
+    int scenes = 0;
+    for (const Entry& entry : atlas()) {
+        CAPTURE(entry.name);
+        CHECK(entry.told.at("format") == "vidno-failure/1");
+        for (const std::string text : {"title", "why", "remedy"}) {
+            for (const std::string language : {"en", "ru"}) {
+                CHECK_FALSE(entry.told.at(text).at(language).get<std::string>().empty());
+            }
+        }
+        if (!entry.scene) continue;
+        ++scenes;
+        REQUIRE_FALSE(entry.told.at("shows").empty());
+        std::visit([&](const auto& scene) { check_entry(entry.told, scene); }, *entry.scene);
+    }
+    CHECK(scenes >= 30);
+}
+
+TEST_CASE("Failures: an entry without a scene has a test of its name") {
+    const std::string tests = read_file(VIDNO_ROOT "/tests/check/failures_test.cpp");
+    for (const Entry& entry : atlas()) {
+        if (entry.scene) continue;
+        CAPTURE(entry.name);
+        CHECK(tests.find("TEST_CASE(\"" + entry.told.at("test").get<std::string>() + "\")") != std::string::npos);
+    }
+}
+
+TEST_CASE("Failures: the pivot of an orientation changes its rounded sign") {
+    int differing = 0, differing_exactly = 0;
+    const KettnerMap& map = kettner_maps[0];
+    map.for_each_place([&](const glm::dvec3& p) {
+        const auto signs_differ = [&](const auto& kernel) {
+            const auto of = [&](const auto& pivot, const auto& a, const auto& b) {
+                return kernel.sign(kernel.cross(kernel.vertex(pivot), kernel.vertex(a), kernel.vertex(b)));
+            };
+            return of(p, map.q, map.r) != of(map.q, map.r, p);
+        };
+        differing += signs_differ(Double{}) ? 1 : 0;
+        differing_exactly += signs_differ(Exact{}) ? 1 : 0;
+    });
+    CHECK(differing > 0);
+    CHECK(differing_exactly == 0);
+}
+
+TEST_CASE("Failures: a fused multiply-add changes the sign of an orientation") {
+    const double ax = .1, ay = .1, bx = .3, by = .3;
+    CHECK(ax * by - ay * bx == 0);
+    CHECK(Rational(ax) * Rational(by) - Rational(ay) * Rational(bx) == 0);
+    CHECK(std::fma(ax, by, -(ay * bx)) != 0);
+}
+
+TEST_CASE("Failures: clipping a clipped polygon changes it") {
+    // The triangle of the entry clip-pixel, by each window of 1 x 1, and what is left by the same window again.
+    const Scene scene = SceneBuilder(area_16).polygon({{-3, 4, 0}, {18, 1, 0}, {7, 12, 0}}).build();
+    const auto changed = [&]<class K>(K) {
+        Stage<K> stage(scene);
+        int count = 0;
+        for (double y = 0; y < 16; ++y) {
+            for (double x = 0; x < 16; ++x) {
+                Polygon<K> once = stage.polygon();
+                once.vertices = Corrected::polygon_clip(stage.run, stage.polygon(), Window{x, y, 1, 1});
+                if (once.vertices.empty()) continue;
+                const auto twice = Corrected::polygon_clip(stage.run, once, Window{x, y, 1, 1});
+                const auto same = [](const auto& v, const auto& w) { return v.x == w.x && v.y == w.y; };
+                count +=
+                    std::equal(twice.begin(), twice.end(), once.vertices.begin(), once.vertices.end(), same) ? 0 : 1;
+            }
+        }
+        return count;
+    };
+    CHECK(changed(Double{}) > 0);
+    CHECK(changed(Exact{}) == 0);
+}
+
+TEST_CASE("Failures: halving a window stalls where there are no halves") {
+    const float x = 0x1p24F, width = 1;
+    CHECK(x + width / 2 == x);
+    Window window = covering_square({farthest_offset, farthest_offset, largest_side, largest_side});
+    while (window.width > 1) {
+        const Window last = parts_of(window).back();
+        CHECK(last.x > window.x);
+        CHECK(last.width == window.width / 2);
+        window = last;
+    }
+}
+
+TEST_CASE("Failures: windows along the line where two planes meet") {
+    // z = x / 16 and z = (11 - x) / 16 meet at x = 5 1/2. At each level the windows across that line are split into four:
+    // 1 + 4 (1 + 2 + 4 + 8) = 61 on 16 x 16 pixels; on 32 x 32 with the planes drawn twice as large, 61 + 4 * 16 = 125.
+    const auto windows = [](int side) {
+        const double s = side;
+        const auto plane = [&](double left, double right) {
+            return Corners{{0, 0, left}, {s, 0, right}, {s, s, right}, {0, s, left}};
+        };
+        const double at = side / 2 - 2.5;  // where they meet
+        int count = 0;
+        render<Corrected>(
+            Method::warnock,
+            SceneBuilder({0, 0, side, side}).polygon(plane(0, 1)).polygon(plane(2 * at / s, 2 * at / s - 1)).build(),
+            Exact{}, CountWindows(count));
+        return count;
+    };
+    CHECK(windows(16) == 61);
+    CHECK(windows(32) == 125);
+}
+
+TEST_CASE("Failures: no order of painting resolves a cyclic overlap") {
+    const std::string file = VIDNO_ROOT "/lessons/01-four-relations/cycle.json";
+    const Scene scene = read_scene(read_file(file), file).scene;
+    const Picture right = Reference(scene).picture();
+    std::vector<std::size_t> order(scene.polygons.size());
+    std::iota(order.begin(), order.end(), 0);
+    do {
+        Picture painted(scene.area, scene.background);
+        for (const std::size_t index : order) {
+            Scene alone = scene;
+            alone.polygons = {scene.polygons[index]};
+            const Picture one = Reference(alone).picture();
+            for (int y = scene.area.y; y < scene.area.bottom(); ++y) {
+                for (int x = scene.area.x; x < scene.area.right(); ++x) {
+                    if (one.at(x, y) != scene.background) painted.paint(x, y, one.at(x, y));
+                }
+            }
+        }
+        CHECK(painted != right);
+    } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST_CASE("Failures: the printed viewport puts the picture above the area") {
+    // y' = -(Wy/2) y + Wcy - Wy/2: with Wcy = 20 and Wy = 4 the range is 16 to 20, and the area's 20 to 24.
+    const Area area{10, 20, 6, 4};
+    const glm::dmat4 corrected = viewport_matrix(area);
+    glm::dmat4 printed = corrected;
+    printed[3][1] = area.y - area.height / 2.0;
+    const auto painted = [&](const glm::dmat4& viewport) {
+        Corners corners;
+        for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+            corners.emplace_back(viewport * glm::dvec4(corner, 0, 1));
+        }
+        const Scene scene = SceneBuilder(area).polygon(std::move(corners)).build();
+        return different_pixels(render(Method::zbuffer, scene, Exact{}), Picture(area, scene.background));
+    };
+    CHECK(painted(corrected) == 24);
+    CHECK(painted(printed) == 0);
+}
+
+TEST_CASE("Failures: an empty list has no least element") {
+    // At the end of each of two polygons S and AEL are empty, in both editions; a row that comes next must never come.
+    const Scene scene = SceneBuilder(area_16).quad(2.25, 2.25, 8.25, 8.25, 0).quad(4.5, 4.5, 12.5, 12.5, .5).build();
+    const Picture right = right_picture(scene);
+    for (const Edition edition : {Edition::corrected, Edition::printed}) {
+        int without_next = 0;
+        const auto hear = [&](const EventView& event) {
+            const auto* drop = event.get_if<event::AelDrop>();
+            without_next += drop && std::isinf(drop->next.number) ? 1 : 0;
+        };
+        check_run({Method::zbuffer, *kernel_named("double"), edition, scene}, right, hear);
+        CHECK(without_next == 2);
+    }
+}
+
+namespace {
+
+// The corrected procedures, with one rule of the text each.
+struct BelowLost : CorrectedCurves {  // X-H1
+    static bool draws(VisibilityFlag side) { return PrintedCurves::draws(side); }
+};
+struct EdgeLost : CorrectedCurves {  // X-H1
+    static bool no_edge_yet(const std::optional<Sample>& edge) { return PrintedCurves::no_edge_yet(edge); }
+};
+struct StepsOfSamples : CorrectedCurves {  // X-H5
+    static int next_column(const Segment& segment, int x) { return PrintedCurves::next_column(segment, x); }
+};
+struct WrongHorizonMet
+    : StepsOfSamples {  // X-H2; where steps are of a column, no column is lost by it, but a part of one
+    static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) {
+        return PrintedCurves::horizon_met(was, is);
+    }
+};
+
+/// Of the rules by which the text differs from the corrected procedures, does this one show what the entry shows?
+template <class Set>
+bool shows_alone(const std::string& name) {
+    const std::string file = VIDNO_ROOT "/lessons/failures/" + name + ".json";
+    const json entry = json::parse(read_file(file));
+    const CurveScene curves = read_surface(entry.at("scene").dump(), file).curves;
+    DrawnLines drawn;
+    for (const auto& [segment, from, to] : visible_lines<Set>(curves, Exact{}).lines) {
+        drawn.push_back({segment, {{}, from.left, from.right}, {{}, to.left, to.right}});
+    }
+    return columns_drawn(drawn, curves) != right_columns(curves);
+}
+
+}  // namespace
+
+TEST_CASE("Failures: what the printed floating horizon has wrong shows by each of its rules alone") {
+    CHECK(shows_alone<BelowLost>("x-h1"));
+    CHECK(shows_alone<EdgeLost>("x-h1-edge"));
+    CHECK(shows_alone<WrongHorizonMet>("x-h2"));
+    for (const auto* name : {"x-h1", "x-h1-edge", "x-h2"}) CHECK_FALSE(shows_alone<CorrectedCurves>(name));
+    CHECK_FALSE(shows_alone<StepsOfSamples>("x-h2"));
+}

@@ -1,0 +1,728 @@
+// The program as its users call it: what it prints, its exit status, and that no file appears where it refuses.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/workplace.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string square_scene = R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":1},"polygons":[)"
+                                 R"({"color":"#ff0000","vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}]})";
+
+/// As RFC 4648 has it.
+std::string base64_of(const std::string& bytes) {
+    constexpr auto* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        unsigned group = 0;
+        for (std::size_t j = i; j < i + 3; ++j) group = group << 8 | (j < bytes.size() ? (unsigned char)bytes[j] : 0u);
+        for (int part = 0; part < 4; ++part) text += letters[group >> (18 - 6 * part) & 63];
+    }
+    for (std::size_t i = 0; i < (3 - bytes.size() % 3) % 3; ++i) text[text.size() - 1 - i] = '=';
+    return text;
+}
+
+// The left pixel red, the right one background.
+const std::string square_picture("P6\n2 1\n255\n\xff\0\0\xff\xff\xff", 17);
+
+}  // namespace
+
+TEST_CASE("render writes the picture, replay rebuilds it, at any level and both ways of storing") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    for (const std::string method : {"warnock", "zbuffer"}) {
+        CHECK(program("render " + scene + " --method " + method + " -o " + work.file("a.ppm")).status == 0);
+        CHECK(work.read("a.ppm") == square_picture);
+        for (const std::string detail : {"windows", "polygons", "signs"}) {
+            for (const std::string name : {"run.jsonl", "run.jsonl.gz"}) {
+                const std::string trace = work.file(name);
+                CHECK(
+                    program("trace " + scene + " --method " + method + " --detail " + detail + " -o " + trace).status ==
+                    0);
+                CHECK(program("replay " + trace + " -o " + work.file("b.ppm")).status == 0);
+                CHECK(work.read("b.ppm") == square_picture);
+            }
+        }
+    }
+}
+
+TEST_CASE("replay --step stops there: before the first event there is only background") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string trace = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + " -o " + trace).status == 0);
+    CHECK(program("replay " + trace + " --step 0 -o " + work.file("a.ppm")).status == 0);
+    CHECK(work.read("a.ppm") == std::string("P6\n2 1\n255\n\xff\xff\xff\xff\xff\xff", 17));
+    const auto beyond = program("replay " + trace + " --step 100000 -o " + work.file("b.ppm"));
+    CHECK(beyond.status == 2);
+    CHECK(beyond.text.find("there is no step 100000") != std::string::npos);
+    CHECK_FALSE(work.has("b.ppm"));
+}
+
+TEST_CASE("diff: the step where two traces part") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    REQUIRE(program("trace " + scene + " --kernel double -o " + work.file("a.jsonl")).status == 0);
+    REQUIRE(program("trace " + scene + " --kernel double -o " + work.file("b.jsonl.gz")).status == 0);
+    REQUIRE(program("trace " + scene + " --kernel exact -o " + work.file("c.jsonl")).status == 0);
+    CHECK(program("diff " + work.file("a.jsonl") + " " + work.file("b.jsonl.gz")).status == 0);
+    const auto parted = program("diff " + work.file("a.jsonl") + " " + work.file("c.jsonl"));
+    CHECK(parted.status == 1);
+    // The first event is the plane, whose numbers `exact` writes as fractions: c is twice the area of the unit square.
+    CHECK(parted.text.find("part at step 1\n") != std::string::npos);
+    CHECK(parted.text.find("\"2/1\"") != std::string::npos);
+}
+
+TEST_CASE("A trace that was cut short, is partial or lies: exit 1") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    REQUIRE(program("trace " + scene + " -o " + work.file("run.jsonl")).status == 0);
+    const std::string whole = work.read("run.jsonl");
+
+    SUBCASE("cut in the middle of a line") {
+        const auto cut = program("replay " + work.write("cut.jsonl", whole.substr(0, whole.size() - 120)) + " -o " +
+                                 work.file("a.ppm"));
+        CHECK(cut.status == 1);
+        CHECK(cut.text.find("cut short") != std::string::npos);
+        CHECK_MESSAGE(work.has("a.ppm"), "what was read is used");
+    }
+    SUBCASE("a picture of another hash") {
+        std::string other = whole;
+        const auto digit = other.find("sha256:") + 7;
+        other[digit] = other[digit] == '0' ? '1' : '0';
+        const auto lie = program("replay " + work.write("lie.jsonl", other) + " -o " + work.file("a.ppm"));
+        CHECK(lie.status == 1);
+        CHECK(lie.text.find("another picture") != std::string::npos);
+    }
+    SUBCASE("stopped by --max-events") {
+        const auto stopped = program("trace " + scene + " --max-events 5 -o " + work.file("few.jsonl"));
+        CHECK(stopped.status == 1);
+        CHECK(stopped.text.find("stopped after 5 events") != std::string::npos);
+        const auto partial = program("replay " + work.file("few.jsonl") + " -o " + work.file("a.ppm"));
+        CHECK(partial.status == 1);
+        CHECK(partial.text.find("partial") != std::string::npos);
+    }
+}
+
+TEST_CASE("Broken traces are refused with the line and the reason") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    REQUIRE(program("trace " + scene + " -o " + work.file("run.jsonl")).status == 0);
+    const std::string whole = work.read("run.jsonl");
+    const std::string header = whole.substr(0, whole.find('\n') + 1);
+    const std::string push = R"({"e":"push","at":"W3","window":[0,0,2,2],"apl":[]})"
+                             "\n";
+
+    struct Broken {
+        std::string text, reason;
+    };
+    const std::vector<Broken> table{
+        {"", "empty, not a trace"},
+        {"{}\n", ":1: /format: not a trace"},
+        {"P6\n2 1\n255\n", ":1: not JSON"},
+        {R"({"format":"vidno-trace/2"})"
+         "\n",
+         ":1: /format: not a trace"},
+        {R"({"format":"vidno-trace/1","method":"painter"})"
+         "\n",
+         ":1: /method: unknown word"},
+        {header + "[]\n", ":2: not an object"},
+        {header + R"({"e":"explode","at":"W3"})"
+                  "\n",
+         ":2: /e: unknown event"},
+        {header + R"({"e":"pop","at":"W99","window":[0,0,2,2]})"
+                  "\n",
+         ":2: /at: unknown word"},
+        {header + R"({"e":"pop","at":"W5"})"
+                  "\n",
+         ":2: no key window"},
+        {header + R"({"e":"pop","at":"W5","window":[0,0,2]})"
+                  "\n",
+         ":2: /window: not a list of 4"},
+        {header + R"({"e":"pop","at":"W5","window":[0,0,2,"2"]})"
+                  "\n",
+         ":2: /window/3: not a number"},
+        {header + R"({"e":"pop","at":"W5","window":[0,0,2,2],"more":1})"
+                  "\n",
+         ":2: unknown key more"},
+        {header + R"({"e":"pop","at":"W5","window":[0,0,2,2]})"
+                  "\n",
+         ":2: step 1: the stack AW is empty"},
+        {header + push +
+             R"({"e":"pop","at":"W5","window":[9,9,2,2]})"
+             "\n",
+         ":3: step 2: not the window on top"},
+        {header + R"({"e":"discard","at":"PW3","polygon":"<b>"})"
+                  "\n",
+         ":2: /polygon: no polygon of the scene"},
+        {header + R"({"e":"discard","at":"PW3","polygon":"0"})"
+                  "\n",
+         ":2: step 1: no current window"},
+        {header + R"({"e":"fill","at":"W7","rect":[0,0,3,1],"color":"#ffffff"})"
+                  "\n",
+         ":2: step 1: a rectangle outside"},
+        {header + R"({"e":"fill","at":"W7","rect":[0,0,1e99,1],"color":"#ffffff"})"
+                  "\n",
+         ":2: /rect/2: not a whole number"},
+        {header + R"({"e":"fill","at":"W7","rect":[0,0,1,1],"color":"white"})"
+                  "\n",
+         ":2: /color: not a colour"},
+        {header + R"({"e":"corners","at":"PW1","z":"1/2"})"
+                  "\n",
+         ":2: /z: not a number of this kernel"},
+        {header + R"({"e":"pop","at":"PW1","window":[0,0,2,2]})"
+                  "\n",
+         ":2: /at: no line of this event"},
+        {header + R"({"e":"clip_side","at":"PL2","side":5,"from":[0,0],"to":[1,0]})"
+                  "\n",
+         ":2: /side: not from 1 to 4"},
+        {header + R"({"e":"clip_list","at":"PL7","count":-1})"
+                  "\n",
+         ":2: /count: less than 0"},
+        {header + R"({"end":{"events":7,"picture":"sha256:0"}})"
+                  "\n",
+         ":2: /end/events: not the number of events read"},
+        {whole + "{}\n", "text after the last line"},
+    };
+    for (const Broken& broken : table) {
+        const auto refused = program("replay " + work.write("broken.jsonl", broken.text) + " -o " + work.file("a.ppm"));
+        CHECK_MESSAGE(refused.status == 2, broken.reason);
+        CHECK_MESSAGE(refused.text.find(broken.reason) != std::string::npos, refused.text);
+        CHECK_MESSAGE(refused.text.find('\n') == refused.text.size() - 1, "one line: " << refused.text);
+        CHECK_FALSE(work.has("a.ppm"));
+    }
+    CHECK_MESSAGE(work.files() == 3, "no temporary file stays behind");
+}
+
+TEST_CASE("Wrong calls are refused in one line, exit 2") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + " -o " + run).status == 0);
+    const std::string wide = work.write(
+        "wide.json", R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":513,"height":1},"polygons":[]})");
+    const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
+    const std::string output = " -o " + work.file("out.jsonl");
+    for (const std::string& call : {
+             std::string(""),
+             std::string("frobnicate"),
+             "trace" + output,
+             "trace " + scene,
+             "trace " + scene + " --method painter" + output,
+             "trace " + scene + " --kernel half" + output,
+             "trace " + scene + " --detail all" + output,
+             "trace " + scene + " --max-events -1" + output,
+             "trace " + scene + " --kernel filtered --edition printed" + output,
+             "trace " + scene + " --kernel depth:16 --method warnock" + output,
+             "trace " + scene + " --kernel float --edition one-list" + output,
+             "trace " + scene + " --method warnock-full --edition printed" + output,
+             "trace " + scene + " --method warnock-full --edition one-list" + output,
+             "trace " + scene + " --method warnock-full --edition octants-not-split" + output,
+             "trace " + scene + " --method warnock --edition line-for-edge" + output,
+             "trace " + scene + " --method warnock-full --kernel depth:8" + output,
+             "trace " + scene + " --method warnock-bodies" + output,
+             "render " + scene + " --method warnock-bodies" + output + ".png",
+             "check " + scene + " --method warnock-bodies",
+             "shrink " + scene + " --method warnock-bodies" + output,
+             "variants " + scene + " --method warnock-full -o " + work.file("a"),
+             "trace " + scene + " --method zbuffer --edition one-list" + output,
+             "trace " + scene + " --edition depths-not-cleared" + output,
+             "trace " + work.file("missing.json") + output,
+             "trace " + work.directory.string() + output,
+             "trace " + scene + " -o " + work.file("no/such/place.jsonl"),
+             "render " + scene + " -o " + work.file("a.gif"),
+             "replay " + scene + " -o " + work.file("a.png"),
+             "check " + scene + " --kernel filtered --edition printed",
+             "check " + scene + " --kernel depth:16",
+             "check " + work.file("missing.jsonl"),
+             "diff " + scene,
+             "shrink " + scene + output,
+             "shrink " + scene + " --keep decision" + output,
+             "shrink " + scene + " --at W13" + output,
+             "shrink " + scene + " --keep decision --at Q1" + output,
+             std::string("need"),
+             std::string("worksheet"),
+             "worksheet " + scene,
+             "worksheet " + scene + " -o " + work.file("a.png"),
+             "worksheet " + scene + " --language la -o " + work.file("a.pdf"),
+             "worksheet " + work.file("missing.json") + " -o " + work.file("a.pdf"),
+             "variants " + scene,
+             "variants " + scene + " --count 0 -o " + work.file("a"),
+             "variants " + scene + " --seed many -o " + work.file("a"),
+             "variants " + scene + " --method painter -o " + work.file("a"),
+             "variants " + scene + " -o " + work.directory.string(),  // is there already
+             "variants " + wide + " -o " + work.file("a"),            // has no polygons
+             "variants " + work.file("missing.json") + " -o " + work.file("a"),
+             "choose " + work.file("missing.json"),
+             "chart " + scene,
+             "chart -o " + work.file("a.json"),
+             "chart " + scene + " -o " + work.file("a.png"),
+             "chart " + wide + " -o " + work.file("a.json"),
+             "chart " + scene + " --cost money -o " + work.file("a.svg"),
+             "chart " + work.file("missing.json") + " -o " + work.file("a.json"),
+             "page " + scene,
+             "page " + scene + " -o " + work.file("a.htm"),
+             "page " + question + " -o " + work.file("a.html"),
+             "page " + work.file("missing.jsonl") + " -o " + work.file("a.html"),
+             "worksheet " + scene + " -o " + work.file("a.xml"),
+             "worksheet " + work.file("missing.jsonl") + " -o " + work.file("a.xml"),
+             "worksheet " + work.file("missing.jsonl") + " --count 0 -o " + work.file("a.xml"),
+             "worksheet " + run + " --key " + work.file("key.pdf") + " -o " + work.file("a.xml"),
+             "worksheet " + run + " " + run + " -o " + work.file("a.xml"),
+             "worksheet " + run + " -o " + work.file("a.pdf"),
+             "worksheet " + scene + " --count 5 -o " + work.file("a.pdf"),
+             "map " + scene,
+             "map " + work.file("missing.json"),
+             "map " + question + " --kernel half",
+             "map " + question + " --kernel grid:4",
+             "map " + question + " -o -",
+             "map " + question + " -o " + work.file("a.gif"),
+             "map " + question + " -o " + work.file("no/such/place.png"),
+             "import " + scene + " -o " + work.file("a.json"),
+             std::string("stability --family cubes"),
+             std::string("stability --kernel half"),
+             std::string("stability --kernel depth:16"),
+             std::string("stability --count 0"),
+             std::string("stability --shard 3/2"),
+             std::string("stability --shard 1/-1"),
+             "stability --merge " + scene,
+             "stability --merge " + scene + " --count 2",
+             "stability -o " + scene,
+         }) {
+        CAPTURE(call);
+        const auto refused = program(call);
+        CHECK(refused.status == 2);
+        CHECK(refused.text.rfind("vidno: ", 0) == 0);
+        CHECK(refused.text.find('\n') == refused.text.size() - 1);
+    }
+    CHECK_MESSAGE(work.files() == 3, "what was there before, and nothing else");
+    CHECK_MESSAGE(program("frobnicate").text.find("frobnicate") != std::string::npos, "the wrong word is named");
+}
+
+TEST_CASE("check: a table and the wrong pixels, exit 1 if anything is wrong, a trace's run as it was recorded") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const auto right = program("check " + scene);
+    CHECK(right.status == 0);
+    CHECK(right.text.find("ProcessWindow") != std::string::npos);
+    CHECK(right.text.find("wrong pixels: 0 of 2\n") != std::string::npos);
+
+    // As a float the left side of the square is 1/2, and the first pixel's centre lies on it.
+    const std::string drifting = work.write(
+        "drifting.json",
+        R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":1},"polygons":[)"
+        R"({"color":"#ff0000","vertices":[["0x1.0000001p-1",0,0],[2,0,0],[2,1,0],["0x1.0000001p-1",1,0]]}]})");
+    CHECK(program("check " + drifting).status == 0);
+    const auto wrong = program("check " + drifting + " --kernel float");
+    CHECK(wrong.status == 1);
+    CHECK(wrong.text.find("wrong pixels: 1 of 2\n") != std::string::npos);
+
+    const std::string trace = work.file("run.jsonl");
+    REQUIRE(program("trace " + drifting + " --kernel float --check -o " + trace).status == 0);
+    CHECK(work.read("run.jsonl").find(R"("e":"disagree")") != std::string::npos);
+    CHECK(program("check " + trace).text == wrong.text);
+    CHECK(program("check " + trace + " --kernel double").status == 0);
+    CHECK(program("replay " + trace + " -o " + work.file("a.ppm")).status == 0);
+}
+
+TEST_CASE("A usual mistake runs by its name: traced, replayed, run again by check, held against the right run") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    // Upside down the square of the only row is the same.
+    CHECK(program("render " + scene + " --edition y-flipped -o " + work.file("a.ppm")).status == 0);
+    CHECK(work.read("a.ppm") == square_picture);
+    // Z starts at 0, and the square lies there.
+    const std::string wrong = work.file("wrong.jsonl"), right = work.file("right.jsonl");
+    REQUIRE(program("trace " + scene + " --method zbuffer --edition depths-not-cleared -o " + wrong).status == 0);
+    REQUIRE(program("trace " + scene + " --method zbuffer -o " + right).status == 0);
+    CHECK(work.read("wrong.jsonl").find(R"("edition":"depths-not-cleared")") != std::string::npos);
+    CHECK(program("replay " + wrong + " -o " + work.file("b.ppm")).status == 0);
+    CHECK(work.read("b.ppm") == std::string("P6\n2 1\n255\n\xff\xff\xff\xff\xff\xff", 17));
+    const auto checked = program("check " + wrong);
+    CHECK(checked.status == 1);
+    CHECK(checked.text.find("wrong pixels: 1 of 2") != std::string::npos);
+    CHECK(program("diff " + wrong + " " + right).status == 1);
+    const auto refused = program("render " + scene + " --edition depths-not-cleared -o " + work.file("c.ppm"));
+    CHECK(refused.text == "vidno: --edition depths-not-cleared: a mistake of --method zbuffer alone\n");
+}
+
+TEST_CASE("shrink: keeps a scene that still fails, refuses one that does not") {
+    const Workplace work;
+    const std::string clipped = VIDNO_ROOT "/lessons/05-polygon-clip/scene.json";
+    const std::string smallest = work.file("smallest.json");
+    CHECK(program("shrink " + clipped + " -o " + smallest).text == clipped + ": 1 of 2 polygons, 3 of 6 vertices\n");
+    CHECK_MESSAGE(program("check " + smallest).status == 1, "it fails");
+    CHECK(program("shrink " + clipped + " --keep decision --at PL5 -o " + smallest).status == 0);
+    REQUIRE(program("trace " + smallest + " -o " + work.file("run.jsonl")).status == 0);
+    CHECK(work.read("run.jsonl").find("\"at\":\"PL5\"") != std::string::npos);
+    CHECK(program("shrink " + clipped + " --kernel filtered -o " + work.file("none.json")).text ==
+          "vidno: " + clipped + ": nothing fails: no decision is wrong, and no pixel\n");
+    CHECK_FALSE(work.has("none.json"));
+}
+
+TEST_CASE("The Warnock family: traced, replayed, checked, and a polygon outside the domain is refused by name") {
+    const Workplace work;
+    const std::string scene = VIDNO_ROOT "/lessons/01-four-relations/scene.json";
+    REQUIRE(program("render " + scene + " --method zbuffer --kernel exact -o " + work.file("right.ppm")).status == 0);
+    for (const std::string method : {"simplest", "full", "angles", "vertex"}) {
+        CAPTURE(method);
+        const std::string named = " --method warnock-" + method;
+        const std::string trace = work.file(method + ".jsonl"), picture = work.file(method + ".ppm");
+        REQUIRE(program("trace " + scene + named + " --kernel filtered --check -o " + trace).status == 0);
+        REQUIRE(program("replay " + trace + " -o " + picture).status == 0);
+        CHECK(work.read(method + ".ppm") == work.read("right.ppm"));
+        CHECK(program("check " + scene + named + " --kernel filtered").status == 0);
+    }
+    const auto refused = program("render " + scene + " --method warnock-bodies -o " + work.file("none.ppm"));
+    CHECK(refused.status == 2);
+    CHECK(refused.text.find("warnock-bodies takes closed convex bodies") != std::string::npos);
+    CHECK(refused.text.find("has an edge that no other one shares") != std::string::npos);
+}
+
+TEST_CASE(
+    "Weiler and Atherton's algorithm: traced, replayed, compared, checked, drawn, and its regions written to a file") {
+    const Workplace work;
+    const std::string scene = VIDNO_ROOT "/lessons/01-four-relations/cycle.json", named = " --method weiler-atherton";
+    REQUIRE(program("render " + scene + " --method zbuffer --kernel exact -o " + work.file("right.ppm")).status == 0);
+    for (const std::string kernel : {"filtered", "exact"}) {
+        CAPTURE(kernel);
+        const std::string trace = work.file(kernel + ".jsonl"), picture = work.file(kernel + ".ppm");
+        REQUIRE(program("trace " + scene + named + " --kernel " + kernel + " --check -o " + trace).status == 0);
+        REQUIRE(program("replay " + trace + " -o " + picture).status == 0);
+        CHECK(work.read(kernel + ".ppm") == work.read("right.ppm"));
+        CHECK(program("check " + scene + named + " --kernel " + kernel).status == 0);
+    }
+    CHECK(program("diff " + work.file("filtered.jsonl") + " " + work.file("filtered.jsonl")).status == 0);
+    CHECK(program("diff " + work.file("filtered.jsonl") + " " + work.file("exact.jsonl")).status == 1);
+
+    const std::string trace = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + named + " --detail polygons -o " + trace).status == 0);
+    for (const std::string form : {".svg", ".pdf", ".tex"}) {
+        CAPTURE(form);
+        const std::string parts = " --show picture,windows,list,listing -o ";
+        CHECK(program("figure " + trace + " --step 60" + parts + work.file("step" + form)).status == 0);
+        CHECK(program("render " + scene + named + " -o " + work.file("regions" + form)).status == 0);
+        CHECK(work.has("regions" + form));
+    }
+    CHECK(work.read("step.svg").find("List L, C first") != std::string::npos);
+    REQUIRE(program("render " + scene + named + " --kernel exact -o " + work.file("regions.json")).status == 0);
+    CHECK(work.read("regions.json").find("\"format\":\"vidno-regions/1\"") != std::string::npos);
+
+    CHECK(program("render " + scene + named + " --kernel grid:8 -o " + work.file("none.ppm")).text ==
+          "vidno: --method weiler-atherton: not under --kernel grid:8\n");
+    CHECK(program("render " + scene + named + " --edition printed -o " + work.file("none.ppm")).text ==
+          "vidno: --method weiler-atherton: only --edition corrected\n");
+    CHECK(program("render " + scene + " -o " + work.file("none.json")).status == 2);
+}
+
+TEST_CASE("need and choose: a table, and a choice whose picture is right") {
+    const std::string drifting = VIDNO_ROOT "/lessons/08-show-line/scene.json";
+    const auto needed = program("need " + drifting);
+    CHECK(needed.status == 0);
+    CHECK(needed.text.find("bits of arithmetic, zbuffer     more than 53  with double pixel") != std::string::npos);
+    const auto chosen = program("choose " + drifting);
+    CHECK(chosen.status == 0);
+    CHECK_MESSAGE(chosen.text.find("choose zbuffer under double") == std::string::npos, "it has wrong pixels");
+    CHECK(chosen.text.find("agreed with all of its decisions") != std::string::npos);
+}
+
+TEST_CASE("chart: the name decides what is written") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    REQUIRE(program("chart " + scene + " -o " + work.file("a.json")).status == 0);
+    CHECK(work.read("a.json").rfind("{\"format\":\"vidno-chart/1\"", 0) == 0);
+    REQUIRE(program("chart " + scene + " " + scene + " -o " + work.file("a.csv")).status == 0);
+    CHECK(work.read("a.csv").rfind("scene.name,", 0) == 0);
+    REQUIRE(program("chart " + scene + " --cost bits --error depthUlps -o " + work.file("a.svg")).status == 0);
+    const std::string figure = work.read("a.svg");
+    CHECK(figure.find("<svg ") != std::string::npos);
+    CHECK(figure.find("depth error, ulps") != std::string::npos);
+    CHECK(figure.find("operations times bits") != std::string::npos);
+}
+
+TEST_CASE("worksheet: what the built script for Node makes of a trace") {
+    const Workplace work;
+    fs::create_directories(work.directory / "bin");
+    fs::create_directories(work.directory / "share/vidno");
+    fs::copy_file(VIDNO_FILE, work.directory / "bin/vidno");
+    const std::string script = "share/vidno/vidno-questions.mjs";
+    const std::string trace = work.file("run.jsonl");
+    REQUIRE(program("trace " + work.write("scene.json", square_scene) + " -o " + trace).status == 0);
+    const auto worksheet = [&](const std::string& arguments) {
+        return program("worksheet " + arguments + " -o " + work.file("out.xml"), work.file("bin/vidno"));
+    };
+
+    SUBCASE("its options and the trace go in, the questions come out") {
+        work.write(script, "process.stdout.write(process.argv.slice(2).join(' ')); process.stdin.pipe(process.stdout)");
+        REQUIRE(worksheet(trace + " --language ru --count 5").status == 0);
+        CHECK(work.read("out.xml") == "--language ru --count 5" + work.read("run.jsonl"));
+        REQUIRE(worksheet(trace).status == 0);
+        CHECK(work.read("out.xml") == "--language en --count 20" + work.read("run.jsonl"));
+    }
+    SUBCASE("a trace that is cut short: the questions of what there is, and status 1") {
+        work.write(script, "process.stdout.write('questions')");
+        const std::string whole = work.read("run.jsonl");
+        CHECK(worksheet(work.write("cut.jsonl", whole.substr(0, whole.size() - 20))).status == 1);
+        CHECK(work.read("out.xml") == "questions");
+    }
+    SUBCASE("refused in one line: a trace without questions, and where the script was not built") {
+        work.write(script, "console.error('Much to say:\\nnothing to ask about'); process.exitCode = 2");
+        const auto none = worksheet(trace);
+        CHECK(none.status == 2);
+        CHECK(none.text == "vidno: " + trace + ": node: nothing to ask about\n");
+        fs::remove(work.file(script));
+        const auto unbuilt = worksheet(trace);
+        CHECK(unbuilt.status == 2);
+        CHECK(unbuilt.text.find("vidno-questions.mjs: not there; ./dev demo builds the page") != std::string::npos);
+        CHECK_FALSE(work.has("out.xml"));
+    }
+}
+
+TEST_CASE("page: the built page with what was given in place of its lessons") {
+    const Workplace work;
+    // The page that the program finds beside its own folder.
+    const std::string before = R"(<html><script type="module">let a = '</body>'</script><body><p>page</p>)";
+    const std::string library = R"(<script type="application/octet-stream" id="vidno-library">H4sI</script>)";
+    const std::string after = "</body></html><!-- licences -->\n";
+    const std::string lessons = R"(<script type="application/json" id="vidno-lessons">[{"id":"a"}]</script>)"
+                                R"(<script type="application/octet-stream" data-vidno-file="a.jsonl.gz">H4sI</script>)"
+                                R"(<script type="application/octet-stream" data-vidno-file="b.jsonl.gz">H4sI</script>)";
+    fs::create_directories(work.directory / "bin");
+    fs::create_directories(work.directory / "share/vidno");
+    fs::copy_file(VIDNO_FILE, work.directory / "bin/vidno");
+    const std::string vidno = work.file("bin/vidno");
+    const auto page = [&](const std::string& arguments) { return program("page " + arguments, vidno); };
+
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string trace = work.file("run.jsonl.gz");
+    REQUIRE(program("trace " + scene + " --method zbuffer -o " + trace).status == 0);
+    const std::string output = " -o " + work.file("out.html");
+
+    SUBCASE("a trace that is packed already: its bytes, as base64") {
+        work.write("share/vidno/index.html", before + lessons + library + after);
+        REQUIRE(page(trace + output).status == 0);
+        REQUIRE(program("trace " + scene + " --method zbuffer -o " + work.file("plain.jsonl")).status == 0);
+        const std::string made = work.read("out.html");
+        const std::string index =
+            R"([{"id":"1.jsonl.gz","title":{"en":"run.jsonl.gz","ru":"run.jsonl.gz"},"traces":[{"file":"1.jsonl.gz",)"
+            R"("method":"zbuffer","kernel":"double","edition":"corrected","detail":"signs"}]}])";
+        const std::string blocks = R"(<script type="application/json" id="vidno-lessons">)" + index +
+                                   R"(</script><script type="application/octet-stream" data-vidno-file="1.jsonl.gz">)" +
+                                   base64_of(work.read("run.jsonl.gz")) + "</script>";
+        CHECK(made == before + blocks + library + after);
+    }
+    SUBCASE(
+        "a scene, with the options of a run; no name ends the block; a page without lessons takes them at its end") {
+        work.write("share/vidno/index.html", before + library + after);
+        const std::string named = R"({"name":"</script><b>",)" + square_scene.substr(1);
+        REQUIRE(page(work.write("named.json", named) + " " + trace + output).status == 0);
+        const std::string made = work.read("out.html");
+        CHECK(made.rfind(before + library + R"(<script type="application/json" id="vidno-lessons">[)", 0) == 0);
+        CHECK(made.find(R"("title":{"en":"\u003c/script>\u003cb>",)") != std::string::npos);
+        CHECK(made.find(
+                  R"("file":"1.json","method":"warnock","kernel":"double","edition":"corrected","detail":"signs")") !=
+              std::string::npos);
+        // {"format" in base64: seven of its bytes in whole letters.
+        CHECK(made.find(R"(data-vidno-file="1.json">eyJmb3JtYX)") != std::string::npos);
+        CHECK(made.find(R"(data-vidno-file="2.jsonl.gz">)") != std::string::npos);
+    }
+    SUBCASE("a surface, and a trace of curves") {
+        work.write("share/vidno/index.html", before + library + after);
+        const std::string surface = work.write("surface.json", R"({"format":"vidno-surface/1","name":"Line",)"
+                                                               R"("window":{"x":0,"y":0,"width":2,"height":2},)"
+                                                               R"("curves":[[[0,1],[1,1]]]})");
+        const std::string curves = work.file("curves.jsonl");
+        REQUIRE(program("trace " + surface + " --kernel exact -o " + curves).status == 0);
+        REQUIRE(page(surface + " " + curves + output).status == 0);
+        const std::string made = work.read("out.html");
+        const std::string index = R"("method":"floating-horizon","kernel":")";
+        CHECK(made.find(R"("file":"1.json",)" + index + "double") != std::string::npos);
+        CHECK(made.find(R"("file":"2.jsonl.gz",)" + index + "exact") != std::string::npos);
+        CHECK(made.find(R"(data-vidno-file="1.json">)" + base64_of(work.read("surface.json"))) != std::string::npos);
+    }
+    SUBCASE("nothing given: the page with its lessons") {
+        work.write("share/vidno/index.html", before + lessons + library + after);
+        REQUIRE(page(output).status == 0);
+        CHECK(work.read("out.html") == before + lessons + library + after);
+    }
+    SUBCASE("a trace that was cut short is taken as far as it goes, exit 1") {
+        work.write("share/vidno/index.html", before + lessons + library + after);
+        REQUIRE(program("trace " + scene + " -o " + work.file("whole.jsonl")).status == 0);
+        const std::string whole = work.read("whole.jsonl");
+        const auto cut = page(work.write("cut.jsonl", whole.substr(0, whole.size() - 120)) + output);
+        CHECK(cut.status == 1);
+        CHECK(cut.text.find("cut short") != std::string::npos);
+        CHECK(work.has("out.html"));
+    }
+    SUBCASE("refused: what is neither, a scene for a page that cannot run one, and where no page was built") {
+        const std::string text = work.write("text.jsonl", "hello\n");
+        work.write("share/vidno/index.html", before + lessons + after);
+        CHECK(page(text + output).text.find("text.jsonl:1: not JSON") != std::string::npos);
+        CHECK(page(scene + output).text.find("without the library") != std::string::npos);
+        CHECK(page(trace + output).status == 0);
+        fs::remove(work.file("out.html"));
+        fs::remove(work.file("share/vidno/index.html"));
+        const auto unbuilt = page(trace + output);
+        CHECK(unbuilt.status == 2);
+        CHECK(unbuilt.text.find("index.html: not there; ./dev demo builds the page") != std::string::npos);
+        CHECK_FALSE(work.has("out.html"));
+    }
+}
+
+TEST_CASE("map: a table, a picture or counts, exit 1 if any place is answered wrongly") {
+    const Workplace work;
+    const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
+    const auto wrong = program("map " + question + " -o " + work.file("a.png"));
+    CHECK(wrong.status == 1);
+    CHECK(wrong.text.find("orientation under double\ncomputed        exactly negative") == 0);
+    CHECK(work.read("a.png").find("PNG") == 1);
+    const auto right = program("map " + question + " --kernel filtered -o " + work.file("b.ppm"));
+    CHECK(right.status == 0);
+    CHECK(right.text.find("\ndiffer: 0 of 65536\n") != std::string::npos);
+    CHECK(work.read("b.ppm").find("P6\n1024 1024\n255\n") == 0);
+    CHECK(program("map " + question + " --kernel exact -o " + work.file("c.json")).status == 0);
+    CHECK(work.read("c.json").find(R"("differ":0)") != std::string::npos);
+    CHECK_MESSAGE(program("map " + question).text == wrong.text, "without a file the table alone");
+}
+
+TEST_CASE("figure: the name decides what is written, the same bytes each time") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + " -o " + run).status == 0);
+    const std::vector<std::pair<std::string, std::string>> beginnings{
+        {".svg", "<?xml"}, {".pdf", "%PDF"}, {".png", "\x89PNG"}, {".tex", "% "}};
+    for (const auto& [extension, beginning] : beginnings) {
+        for (const std::string name : {"a", "b"}) {
+            const auto drawn =
+                program("figure " + run + " --show picture,windows,list,listing -o " + work.file(name + extension));
+            CHECK_MESSAGE(drawn.status == 0, drawn.text);
+        }
+        CHECK(work.read("a" + extension).rfind(beginning, 0) == 0);
+        CHECK(work.read("a" + extension) == work.read("b" + extension));
+    }
+    CHECK(program("figure " + run + " --steps 0..4:2 --beamer -o " + work.file("slide.tex")).status == 0);
+    CHECK(work.read("slide.tex").find("\\only<3>") != std::string::npos);
+    const std::string maps = VIDNO_ROOT "/lessons/maps/";
+    CHECK(program("figure " + maps + "surround.json --language ru -o " + work.file("map.svg")).status == 0);
+    CHECK(work.read("map.svg").find("снаружи") != std::string::npos);
+    REQUIRE(program("chart " + scene + " -o " + work.file("chart.json")).status == 0);
+    CHECK(program("figure " + work.file("chart.json") + " --width 10cm -o " + work.file("chart.svg")).status == 0);
+    CHECK(work.read("chart.svg").find("width=\"100mm\"") != std::string::npos);
+}
+
+TEST_CASE("figure: what it cannot draw is refused in one line, and no file appears") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
+    const std::string run = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + " --detail windows -o " + run).status == 0);
+    for (const std::string& call : {
+             "figure " + run + " -o " + work.file("a.gif"),
+             "figure " + run + " --step 100000 -o " + work.file("a.svg"),
+             "figure " + run + " --steps 3..2 -o " + work.file("a.svg"),
+             "figure " + run + " --steps 2,1 -o " + work.file("a.svg"),
+             "figure " + run + " --steps 1..9:0 -o " + work.file("a.svg"),
+             "figure " + run + " --step 1 --steps 1,2 -o " + work.file("a.svg"),
+             "figure " + run + " --show picture,sound -o " + work.file("a.svg"),
+             "figure " + run + " --show history -o " + work.file("a.svg"),
+             "figure " + run + " --show history --pixel 9,9 -o " + work.file("a.svg"),
+             "figure " + run + " --show list -o " + work.file("a.svg"),  // of level windows
+             "figure " + run + " --width 8 -o " + work.file("a.svg"),
+             "figure " + run + " --width 8km -o " + work.file("a.svg"),
+             "figure " + run + " --language la -o " + work.file("a.svg"),
+             "figure " + run + " --beamer -o " + work.file("a.svg"),
+             "figure " + question + " --step 1 -o " + work.file("a.svg"),
+             "figure " + question + " -o " + work.file("a.tex"),
+             "figure " + scene + " -o " + work.file("a.svg"),
+             "figure " + work.file("missing.jsonl") + " -o " + work.file("a.svg"),
+         }) {
+        CAPTURE(call);
+        const auto refused = program(call);
+        CHECK(refused.status == 2);
+        CHECK(refused.text.rfind("vidno: ", 0) == 0);
+        CHECK(refused.text.find('\n') == refused.text.size() - 1);
+    }
+    CHECK(work.files() == 2);
+    CHECK(program("figure " + run + " --show list -o " + work.file("a.svg")).text.find("no APL") != std::string::npos);
+}
+
+TEST_CASE("Help says what there is, exit 0") {
+    for (const std::string call :
+         {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "chart --help",
+          "page --help", "map --help", "figure --help", "stability --help", "variants --help", "worksheet --help",
+          "import --help", "methods", "--version"}) {
+        CHECK(program(call).status == 0);
+        CHECK(program(call).text.size() > 10);
+    }
+    CHECK(program("methods").text.find("nearest polygon at each pixel centre") != std::string::npos);
+    CHECK(program("methods").text.find("domain: closed convex bodies") != std::string::npos);
+}
+
+TEST_CASE("methods --json: which edition of which method runs under which kernel") {
+    const auto said = program("methods --json");
+    CHECK(said.status == 0);
+    const auto choices = nlohmann::json::parse(said.text);
+    const auto kernels_of = [&](const char* method, const char* edition) {
+        return choices["methods"][method]["editions"][edition].get<std::vector<std::string>>();
+    };
+    using Kernels = std::vector<std::string>;
+    CHECK(kernels_of("zbuffer", "corrected") ==
+          Kernels{"float", "double", "bits", "depth", "filtered", "grid", "exact"});
+    CHECK(kernels_of("warnock", "printed") == Kernels{"float", "double", "bits", "exact"});
+    CHECK(kernels_of("warnock-full", "line-for-edge") == Kernels{"double", "exact"});
+    CHECK(kernels_of("floating-horizon", "corrected") == Kernels{"float", "double", "bits", "filtered", "exact"});
+    CHECK_FALSE(choices["methods"]["weiler-atherton"]["editions"].contains("printed"));
+    CHECK(choices["kernels"]["bits"]["parameter"] == nlohmann::json{{"letter", "P"}, {"least", 4}, {"most", 24}});
+    CHECK(choices["kernels"]["grid"]["alwaysRight"] == true);
+    CHECK(choices["kernels"]["double"]["alwaysRight"] == false);
+    CHECK(choices["editions"]["one-list"]["isMistake"] == true);
+}
+
+TEST_CASE("stability: shards put together and a run taken up are the run in one go, byte for byte") {
+    const Workplace work;
+    const std::string campaign = "stability --family slivers --kernel double --method zbuffer --count 2 ";
+    const auto whole = program(campaign + "-o " + work.file("whole.jsonl"));
+    CHECK(whole.status == 0);
+    CHECK(whole.text.find("wrong pixels in per cent") != std::string::npos);
+    const std::string expected = work.read("whole.jsonl");
+
+    CHECK(program(campaign + "--shard 1/2 -o " + work.file("1.jsonl")).status == 0);
+    const auto half = program("stability --merge " + work.file("1.jsonl"));
+    CHECK(half.status == 1);
+    CHECK(half.text.find("10 of 21 blocks are missing") != std::string::npos);
+    CHECK(program(campaign + "--shard 2/2 -o " + work.file("2.jsonl")).status == 0);
+    const auto merged = program("stability --merge " + work.file("2.jsonl") + " " + work.file("1.jsonl") + " -o " +
+                                work.file("merged.jsonl"));
+    CHECK(merged.status == 0);
+    CHECK(merged.text == whole.text);
+    CHECK(work.read("merged.jsonl") == expected);
+
+    const std::string cut = work.write("cut.jsonl", expected.substr(0, expected.size() / 2));
+    CHECK(program(campaign + "-o " + cut).text == whole.text);
+    CHECK(work.read("cut.jsonl") == expected);
+
+    const auto other = program(campaign + "--seed 2 -o " + cut);
+    CHECK(other.status == 2);
+    CHECK(other.text.find("of another campaign") != std::string::npos);
+    CHECK(other.text.find('\n') == other.text.size() - 1);
+    CHECK(work.read("cut.jsonl") == expected);
+}
+
+TEST_CASE("import, then both methods paint the same picture of the mesh") {
+    const Workplace work;
+    const std::string scene = work.file("teapot.json");
+    const auto imported = program("import " VIDNO_ROOT "/lessons/meshes/teapot.obj --width 64 --height 64 -o " + scene);
+    CHECK(imported.status == 0);
+    CHECK(imported.text.find("992 faces read") != std::string::npos);
+    REQUIRE(program("render " + scene + " --method warnock --kernel exact -o " + work.file("a.ppm")).status == 0);
+    REQUIRE(program("render " + scene + " --method zbuffer --kernel exact -o " + work.file("b.ppm")).status == 0);
+    CHECK(work.read("a.ppm") == work.read("b.ppm"));
+}

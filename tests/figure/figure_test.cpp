@@ -1,0 +1,487 @@
+// Figures: what stands where in small drawings that can be worked out by hand, and what the files are made of.
+
+#include "figure/figure.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "figure/notation.h"
+#include "figure/patches.h"
+#include "figure/table.h"
+#include "figure/writers.h"
+#include "output.h"
+#include "page/program.h"
+#include "refused.h"
+#include "support/scenes.h"
+
+namespace vidno::figures {
+
+namespace {
+
+TraceHeader header_of(Scene scene, Method method = Method::warnock, Detail detail = Detail::signs) {
+    return {method, Edition::corrected, "double", detail, std::move(scene)};
+}
+
+Scene near_before_far() {
+    return test::SceneBuilder(test::area_16).polygon(test::far_quad).polygon(test::near_square).build();
+}
+
+/// The area of 16 x 16 at 5 mm a pixel, without a margin.
+const Plane plane_80{test::area_16, 5, {0, 0}, {0, 0, 80, 80}};
+
+/// Of a drawing all that is of one kind.
+template <class Thing>
+std::vector<Thing> all(const Drawing& drawing) {
+    std::vector<Thing> found;
+    for (const auto& thing : drawing.things) {
+        if (const auto* each = std::get_if<Thing>(&thing)) found.push_back(*each);
+    }
+    return found;
+}
+
+std::vector<std::string> texts_of(const Drawing& drawing) {
+    std::vector<std::string> texts;
+    for (const auto& label : all<Label>(drawing)) texts.push_back(label.text);
+    return texts;
+}
+
+bool has_text(const Drawing& drawing, const std::string& text) {
+    const auto texts = texts_of(drawing);
+    return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+std::size_t count_of(std::string_view text, std::string_view part) {
+    std::size_t count = 0;
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+Moment after(const TraceHeader& header, const std::vector<Event>& events) {
+    Moment moment(header);
+    for (const auto& event : events) moment.take(event);
+    return moment;
+}
+
+const Window whole{0, 0, 16, 16}, upper_left{0, 0, 8, 8}, lower_right{8, 8, 8, 8};
+const std::vector<AplEntry> both{{{0}, true}, {{1}, false}};
+
+event::Push pushed(const Window& window, std::optional<std::vector<AplEntry>> apl = {}) {
+    event::Push e{Line::W3, window, std::move(apl), {}};
+    return e;
+}
+
+/// The first window is divided, two of its quarters are on the stack, and the lower right one is taken.
+std::vector<Event> a_division() {
+    return {pushed(whole, both), event::Pop{Line::W5, whole}, pushed(upper_left), pushed(lower_right),
+            event::Pop{Line::W5, lower_right}};
+}
+
+}  // namespace
+
+TEST_CASE("patches: equal runs of rows that follow one another are one rectangle") {
+    // r r w
+    // r r r   the run of three is another one
+    Picture picture({4, 7, 3, 2}, test::red);
+    picture.paint(6, 7, test::white);
+    const auto patches = patches_of(picture);
+    REQUIRE(patches.size() == 2);
+    CHECK(patches[0].color == test::red);
+    CHECK(patches[0].rectangles == std::vector<PixelRectangle>{{4, 7, 2, 1}, {4, 8, 3, 1}});
+    CHECK(patches[1].rectangles == std::vector<PixelRectangle>{{6, 7, 1, 1}});
+
+    const auto one = patches_of(Picture({0, 0, 5, 9}, test::red));
+    REQUIRE(one.size() == 1);
+    CHECK(one[0].rectangles == std::vector<PixelRectangle>{{0, 0, 5, 9}});
+}
+
+TEST_CASE("what leaves a box is cut where it leaves it") {
+    // From (-1, 1) to (3, 1): inside from x = 0 to x = 2.
+    const Box box{0, 0, 2, 2};
+    CHECK(clipped({{-1, 1}, {3, 1}}, false, box) == std::vector<Polyline>{{{0, 1}, {2, 1}}});
+    CHECK(clipped({{-1, 3}, {3, 3}}, false, box).empty());
+    // The hypotenuse of (1, 1), (5, 1), (1, 5) is outside; the legs end at x = 2 and y = 2.
+    const auto legs = clipped({{1, 1}, {5, 1}, {1, 5}}, true, box);
+    CHECK(legs == std::vector<Polyline>{{{1, 1}, {2, 1}}, {{1, 2}, {1, 1}}});
+}
+
+TEST_CASE("the picture: a filled window is one rectangle of its colour at its place") {
+    const TraceHeader header = header_of(near_before_far());
+    const Color color = header.scene.polygons[1].color;
+    const Moment moment = after(header, {event::Fill{Line::W8, {4, 4, 8, 8}, color}});
+    Drawing drawing{80, 80};
+    draw_picture(drawing, moment, plane_80, {});
+    bool found = false;
+    for (const auto& path : all<Path>(drawing)) {
+        if (path.fill != tinted(color, false)) continue;
+        found = true;
+        CHECK(path.lines == std::vector<Polyline>{Box{20, 20, 40, 40}.corners()});
+    }
+    CHECK(found);
+}
+
+TEST_CASE("in grey, two polygons of one lightness differ by their texture") {
+    // By ITU-R BT.709 red has 0.2126 * 255 = 54.2, green of 76 0.7152 * 76 = 54.4: both 54.
+    const Color green{0, 76, 0};
+    CHECK(tinted(test::red, true) == tinted(green, true));
+    const Scene scene = test::SceneBuilder(test::area_16)
+                            .polygon("A", test::red, test::far_quad)
+                            .polygon("B", green, test::near_square)
+                            .build();
+    const TraceHeader header = header_of(scene);
+    const auto strokes_of = [&](const Color& color) {
+        Drawing drawing{80, 80};
+        const Moment moment = after(header, {event::Fill{Line::W8, {0, 0, 16, 16}, color}});
+        draw_picture(drawing, moment, plane_80, {.greyscale = true});
+        std::size_t strokes = 0;
+        for (const auto& path : all<Path>(drawing)) strokes += path.fill || !path.stroke ? 0 : path.lines.size();
+        return strokes;
+    };
+    // The hatching of 80 mm by 80 mm: lines x + y = i 1.3 sqrt(2) with 0 < i 1.838 < 160, of i = 1 to 87.
+    CHECK(strokes_of(green) == strokes_of(test::red) + 87);
+}
+
+TEST_CASE("windows: those visited, those on the stack dashed, the current one heavy") {
+    const TraceHeader header = header_of(near_before_far());
+    Drawing drawing{80, 80};
+    draw_windows(drawing, after(header, a_division()), plane_80, {});
+    const auto paths = all<Path>(drawing);
+    REQUIRE(paths.size() == 4);
+    CHECK(paths[0].lines.size() == 2);  // the whole and its lower right quarter, visited
+    CHECK(paths[1].lines.size() == 1);  // the upper left one waits
+    CHECK_FALSE(paths[1].stroke->dashes.empty());
+    CHECK(paths[3].lines == std::vector<Polyline>{{{40, 40}, {80, 40}, {80, 80}, {40, 80}, {40, 40}}});
+    CHECK(paths[3].stroke->width == 1);
+    CHECK(paths[2].stroke->width > paths[3].stroke->width);  // its light rim
+}
+
+/// Beside the upper left quarter of the area, with its top on the row of the quarter's centre.
+const TraceHeader a_triangle =
+    header_of(test::SceneBuilder(test::area_16).polygon("T", test::red, {{12, 4, 0}, {14, 10, 0}, {10, 10, 0}}).build(),
+              Method::warnock_full);
+
+Moment beside_a_triangle(const Event& event) {
+    const std::vector<AplEntry> only{{{0}, false}};
+    return after(a_triangle, {pushed(upper_left, only), event::Pop{Line::W5, upper_left}, event});
+}
+
+bool has_line(const Drawing& drawing, const Polyline& line) {
+    const auto paths = all<Path>(drawing);
+    return std::any_of(paths.begin(), paths.end(), [&](const Path& path) {
+        return std::find(path.lines.begin(), path.lines.end(), line) != path.lines.end();
+    });
+}
+
+TEST_CASE(
+    "ray crossings: the ray to the right from the window's centre, and how often the place counts that it meets") {
+    Drawing drawing{80, 80};
+    draw_marks(drawing, beside_a_triangle(event::Ray{Line::CR3, {0}, 0, 2}), plane_80, {});
+    CHECK_MESSAGE(has_line(drawing, {{20, 20}, {80, 20}}), "from (4, 4) to the side");
+    CHECK_MESSAGE(has_line(drawing, {{60, 20}, {70, 50}}), "edge 0, from (12, 4) to (14, 10)");
+    const auto labels = all<Label>(drawing);
+    REQUIRE(labels.size() == 1);
+    CHECK(labels[0].text == "2");
+    CHECK(labels[0].at.x == 60);
+    CHECK(labels[0].at.y < 20);
+}
+
+TEST_CASE("octant angles: the octants around the window, and by how many an edge turns, at its middle") {
+    Drawing drawing{80, 80};
+    draw_marks(drawing, beside_a_triangle(event::Octants{Line::OA3, {0}, 0, 3, 4, -1}), plane_80, {});
+    // Of the octants around (0, 0) 8 x 8 those that are on the drawing: right, below, and both; and the turn.
+    CHECK(texts_of(drawing) == std::vector<std::string>{"3", "4", "5", "\u22121"});
+    const auto labels = all<Label>(drawing);
+    CHECK(labels[1].at.x > 40);
+    CHECK(labels[1].at.y > 40);
+    CHECK_MESSAGE(labels.back().at.x == 65, "between x = 12 and 14");
+    CHECK_MESSAGE(has_line(drawing, {{40, 0}, {40, 80}}), "the line of the window's right side");
+}
+
+TEST_CASE("the list of a window: its polygons, what is known of each, and the one at hand") {
+    const TraceHeader header = header_of(near_before_far());
+    auto events = a_division();
+    events.insert(events.end(), {event::Corners{Line::PW1, Value::minus_infinite()}, event::Count{Line::PW4, {0}, 1}});
+    for (int i = 0; i < 4; ++i) events.push_back(event::Depth{Line::PW5, {0}, {0., 0.}, 0.125});
+    events.push_back(event::Nearer{Line::PW6, {0}, {Corner::left_bottom, Corner::right_top}, 2});
+    const Drawing list = list_part(after(header, events), {}, 80);
+    CHECK(has_text(list, "U = (8, 8) 8 × 8, on the stack: 1"));
+    CHECK(has_text(list, "lb, rt"));
+    CHECK(has_text(list, "lb 0.125, lt −∞, rb −∞, rt 0.125"));
+    const auto labels = all<Label>(list);
+    const auto at = [&](const std::string& text) {
+        return std::find_if(labels.begin(), labels.end(), [&](const Label& label) { return label.text == text; })->at;
+    };
+    CHECK(at("yes").y == at("A").y);  // A surrounds
+    CHECK(at("no").y == at("B").y);
+    // The band lies behind A's row.
+    const auto paths = all<Path>(list);
+    const auto marked = std::find_if(paths.begin(), paths.end(), [](const Path& path) { return path.fill == band; });
+    REQUIRE(marked != paths.end());
+    CHECK(marked->lines[0][0].y < at("A").y);
+    CHECK(at("A").y < marked->lines[0][2].y);
+    CHECK(marked->lines[0][2].y < at("B").y);
+}
+
+TEST_CASE("the list of a scanline: the active edges with their numbers") {
+    const TraceHeader header = header_of(near_before_far(), Method::zbuffer);
+    const Moment moment =
+        after(header, {event::Polygon{Line::Z2, {1}, header.scene.polygons[1].color}, event::Scanline{Line::Z6, 4.5, 4},
+                       event::AelAdd{Line::Z8, 3, 4., 0.5, 12., 0., Value("1/3")}});
+    const Drawing list = list_part(moment, {.language = Language::russian}, 80);
+    for (const std::string text : {"Активные рёбра (AEL)", "P = B, yₜ = 4.5", "3", "4", "0.5", "12", "0", "1/3"}) {
+        CAPTURE(text);
+        CHECK(has_text(list, text));
+    }
+}
+
+TEST_CASE("the list of a scanline: on half a slide numbers have fewer digits, and nothing is cut") {
+    const TraceHeader header = header_of(near_before_far(), Method::zbuffer);
+    const Moment moment =
+        after(header, {event::Polygon{Line::Z2, {1}, header.scene.polygons[1].color}, event::Scanline{Line::Z6, 4.5, 4},
+                       event::AelAdd{Line::Z8, 3, -12.34375, -0.01953125, 12., -0.0234375, -1. / 3}});
+    for (const auto language : {Language::english, Language::russian}) {
+        const auto texts = texts_of(list_part(moment, {.language = language, .letters = letters_of_tex}, 68));
+        for (const std::string number : {"−12.34", "−0.02", "−0.023", "−0.333"}) {
+            CHECK_MESSAGE(std::count(texts.begin(), texts.end(), number) > 0, number);
+        }
+        for (const auto& text : texts) CHECK_MESSAGE(text.find("…") == text.npos, text);
+    }
+    CHECK(has_text(list_part(moment, {}, 80), "−0.0195"));
+}
+
+TEST_CASE("what a trace does not tell is refused") {
+    const TraceHeader header = header_of(near_before_far(), Method::warnock, Detail::windows);
+    CHECK_THROWS_AS(list_part(Moment(header), {}, 80), Refused);
+}
+
+TEST_CASE("the listing: the procedure at hand, and an arrow at its current line") {
+    const TraceHeader header = header_of(near_before_far());
+    const Drawing listing = listing_part(after(header, a_division()), {}, 200);
+    const auto labels = all<Label>(listing);
+    const auto line = std::find_if(labels.begin(), labels.end(), [](const Label& each) { return each.text == "W5"; });
+    REQUIRE(line != labels.end());
+    CHECK(has_text(listing, "pop a window U = (Ucx, Ucy, Ux, Uy) and its APL from AW"));
+    const auto paths = all<Path>(listing);
+    const auto arrow = std::find_if(paths.begin(), paths.end(), [](const Path& path) { return path.fill == ink; });
+    REQUIRE(arrow != paths.end());
+    CHECK(std::abs(arrow->lines[0][1].y - line->at.y) < line_height / 2);
+    CHECK(has_text(listing_part(after(header, a_division()), {.language = Language::russian}, 200),
+                   "взять из AW окно U = (Ucx, Ucy, Ux, Uy) и его APL"));
+}
+
+TEST_CASE("the listing of the printed text is the printed one") {
+    TraceHeader header = header_of(near_before_far());
+    header.edition = Edition::printed;
+    CHECK(has_text(listing_part(after(header, a_division()), {}, 200), "push (Wcx, Wcy, Wx, Wy, APL₀) on AW"));
+}
+
+TEST_CASE("ids never overlap, and each polygon has its own if there is room") {
+    test::RandomScenes random(7);
+    std::size_t names = 0, polygons = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Scene scene = random.scene();
+        Drawing drawing{80, 80};
+        const Plane plane = plane_in(scene.area, 80, 80);
+        draw_names(drawing, scene, plane, {});
+        std::vector<Box> boxes;
+        for (const auto& path : all<Path>(drawing)) {
+            const auto& corners = path.lines[0];
+            boxes.push_back({corners[0].x, corners[0].y, corners[2].x - corners[0].x, corners[2].y - corners[0].y});
+        }
+        REQUIRE(boxes.size() == all<Label>(drawing).size());
+        for (std::size_t a = 0; a < boxes.size(); ++a) {
+            CHECK(plane.shown.holds(boxes[a]));
+            for (std::size_t b = 0; b < a; ++b) CHECK_FALSE(boxes[a].overlaps(boxes[b]));
+        }
+        names += boxes.size();
+        polygons += scene.polygons.size();
+    }
+    CHECK(names > 0.95 * double(polygons));  // a narrow area has no room for all
+}
+
+TEST_CASE("an id stands where no other polygon is") {
+    // The middle of the far quad, (8, 8), lies under the near square from 4 to 12.
+    const Scene scene = near_before_far();
+    Drawing drawing{80, 80};
+    draw_names(drawing, scene, plane_80, {});
+    const auto labels = all<Label>(drawing);
+    REQUIRE(labels.size() == 2);
+    REQUIRE(labels[0].text == "A");
+    const bool within = 20 < labels[0].at.x && labels[0].at.x < 60 && 20 < labels[0].at.y && labels[0].at.y < 60;
+    CHECK_FALSE(within);
+}
+
+TEST_CASE("a pixel's history: the windows it lies in, and what painted it") {
+    const TraceHeader header = header_of(near_before_far());
+    PixelHistory history({9, 9});
+    Moment moment(header);
+    for (const auto& event : a_division()) {
+        moment.take(event);
+        history.take(moment);
+    }
+    for (const Event& event : {Event(event::Fill{Line::W8, {0, 0, 8, 8}, test::red}),     // elsewhere
+                               Event(event::Fill{Line::W8, {8, 8, 8, 8}, test::red})}) {  // here
+        moment.take(event);
+        history.take(moment);
+    }
+    const auto& entries = history.entries();
+    REQUIRE(entries.size() == 3);
+    CHECK(entries[0].step == 2);
+    CHECK(entries[1].step == 5);
+    CHECK(entries[1].note == "(8, 8) 8 × 8");
+    CHECK(entries[2].step == 7);
+    CHECK(entries[2].painted);
+}
+
+TEST_CASE("numbers as they are read") {
+    CHECK(readable(Value(-0.25)) == "−0.25");
+    CHECK(readable(Value(1. / 3)) == "0.3333");
+    CHECK(readable(Value(12.3456789)) == "12.35");
+    CHECK(readable(Value(12.3456789), 4) == "12.3");
+    CHECK(readable(Value(1e-9)) == "1.00e−09");
+    CHECK(readable(Value("-3/7")) == "−3/7");
+    CHECK(readable(Value("12/1")) == "12");
+    CHECK(readable(Value("1000000001/3000000000")) == "≈0.3333");
+    CHECK(readable(Value::minus_infinite()) == "−∞");
+    // 10^40 / (4 * 10^40): no double holds its parts to the last digit.
+    CHECK(number_of(Value("1" + std::string(40, '0') + "/4" + std::string(40, '0'))) == doctest::Approx(0.25));
+}
+
+namespace {
+
+/// A figure with every part, of two steps.
+Drawing strip_of_all(const Style& style) {
+    const TraceHeader header = header_of(near_before_far());
+    Options options{.show = {Part::picture, Part::windows, Part::list, Part::listing}, .style = style};
+    options.width = 170;
+    options.moments = 2;
+    Figure figure(options);
+    Moment moment(header);
+    for (const auto& event : a_division()) moment.take(event);
+    figure.add(moment, std::nullopt);
+    moment.take(event::Fill{Line::W8, {8, 8, 8, 8}, header.scene.polygons[0].color});
+    figure.add(moment, std::nullopt);
+    return figure.strip();
+}
+
+std::string temporary_file(const std::string& bytes, const std::string& extension) {
+    const auto file = std::filesystem::temp_directory_path() / ("vidno-figure-test" + extension);
+    OutputFile out(file.string());
+    out.write(bytes);
+    out.commit();
+    return file.string();
+}
+
+}  // namespace
+
+TEST_CASE("a strip has its captions, and each part at one height in all panels") {
+    const Drawing strip = strip_of_all({});
+    CHECK(strip.width == 170);
+    const auto labels = all<Label>(strip);
+    std::vector<Point> heads;
+    for (const auto& label : labels) {
+        if (label.text == "Warnock(polygons)") heads.push_back(label.at);
+        CHECK(label.at.y <= strip.height);
+        CHECK(label.size >= 7);
+    }
+    REQUIRE(heads.size() == 2);
+    CHECK(heads[0].y == heads[1].y);
+    CHECK(has_text(strip, "step 5"));
+    CHECK(has_text(strip, "step 6"));
+}
+
+TEST_CASE("no line is thinner than 0.25 points") {
+    for (const auto& path : all<Path>(strip_of_all({}))) {
+        if (path.stroke) CHECK(path.stroke->width >= 0.25);
+    }
+}
+
+TEST_CASE("SVG: well formed, no bitmap, live text, what XML cannot hold replaced") {
+    Drawing drawing = strip_of_all({.language = Language::russian});
+    drawing.add(Label{"a<b&\"c\"\x01", {1, 1}});
+    const About about{"A < B", Language::russian};
+    const std::string svg = svg_of(drawing, about);
+    CHECK(svg.find("<image") == svg.npos);
+    CHECK(svg.find("data:") == svg.npos);
+    CHECK(svg.find(">a&lt;b&amp;&quot;c&quot;\ufffd</text>") != svg.npos);
+    CHECK(svg.find("width=\"170mm\"") != svg.npos);
+    CHECK(svg == svg_of(drawing, about));
+    const std::string file = temporary_file(svg, ".svg");
+    CHECK(output_of({"xmllint", "--noout", file}, "").empty());  // throws if it is not well formed
+    CHECK(output_of({"xmllint", "--xpath", "string(//*[local-name()='title'])", file}, "") == "A < B\n");
+}
+
+TEST_CASE("PDF: live text in embedded fonts, no bitmap, the same bytes each time") {
+    const About about{"Two panels", Language::russian};
+    const std::string svg = svg_of(strip_of_all({.language = Language::russian}), about);
+    const std::string pdf = pdf_of({svg}, about);
+    CHECK(pdf == pdf_of({svg}, about));
+    CHECK(pdf.find("CreationDate") == pdf.npos);
+    const std::string file = temporary_file(pdf, ".pdf");
+    CHECK(output_of({"pdftotext", file, "-"}, "").find("Активные многоугольники (APL)") != std::string::npos);
+    const std::string images = output_of({"pdfimages", "-list", file}, "");
+    CHECK(std::count(images.begin(), images.end(), '\n') == 2);  // its heading alone
+    const std::string fonts = output_of({"pdffonts", file}, "");
+    CHECK(count_of(fonts, "TrueType") > 0);
+    CHECK(count_of(fonts, " no  yes") == 0);  // embedded, subset
+    // 170 mm are 481.89 points.
+    CHECK(output_of({"pdfinfo", file}, "").find("481.89 x") != std::string::npos);
+}
+
+TEST_CASE("PNG: as many dots as the size and the resolution say, the same bytes each time") {
+    const std::string svg = svg_of({25.4, 50.8}, {});
+    const std::string png = png_of(svg, 300);
+    CHECK(png == png_of(svg, 300));
+    REQUIRE(png.size() > 24);
+    // Width and height in the header, big endian: 300 = 0x12c, 600 = 0x258.
+    CHECK(png.substr(16, 8) == std::string("\0\0\x01\x2c\0\0\x02\x58", 8));
+}
+
+TEST_CASE("TikZ: nothing is left that a font of text may lack") {
+    const auto listings = nlohmann::json::parse(read_file(VIDNO_ROOT "/trace/listings/listings.json"));
+    const auto expect_plain = [](const std::string& text) {
+        const std::string tex = tikz_of({10, 10, {Label{text, {1, 1}}}}, {});
+        std::string strange;
+        for (const char32_t c : characters_of(tex)) {
+            const bool plain = c < 0x7f || (c >= U'А' && c <= U'я') || c == U'ё' || c == U'«' || c == U'»';
+            if (!plain) strange += utf8(c);
+        }
+        CHECK_MESSAGE(strange.empty(), strange << " in " << text);
+    };
+    for (const auto& procedure : listings.at("procedures")) {
+        expect_plain(procedure.at("takes"));
+        for (const auto& line : procedure.at("lines")) {
+            for (const auto* language : {"en", "ru"}) {
+                expect_plain(line.at(language));
+                if (line.contains("printed")) expect_plain(line.at("printed").at(language));
+            }
+        }
+    }
+    for (const auto& label : all<Label>(strip_of_all({}))) expect_plain(label.text);
+    for (const double value : {-1., 1e-9, 1. / 0.}) expect_plain(readable(Value(value)));
+}
+
+TEST_CASE("TikZ: characters that TeX takes for itself are written as text") {
+    const std::string tex = tikz_of({10, 10, {Label{"a_b{c}\\50%", {1, 1}}}}, {});
+    CHECK(tex.find("a\\_b\\{c\\}\\textbackslash{}50\\%") != tex.npos);
+}
+
+TEST_CASE("a slide has an overlay a step") {
+    const Drawing drawing{140, 60};
+    const std::string tex = beamer_of({drawing, drawing, drawing}, {});
+    CHECK(count_of(tex, "\\only<") == 3);
+    CHECK(tex.find("\\only<3>") != tex.npos);
+    CHECK(count_of(tex, "(0,0) rectangle (140,60)") == 3);
+}
+
+TEST_CASE("every line and every procedure has its listing") {
+    const TraceHeader header = header_of(near_before_far());
+    for (std::size_t i = 0; i <= std::size_t(Line::Z17); ++i) {
+        const Moment moment = after(header, {event::Decide{Line(i), {}}});
+        CHECK(has_text(listing_part(moment, {}, 80), std::string(line_names[i])));
+    }
+}
+
+}  // namespace vidno::figures

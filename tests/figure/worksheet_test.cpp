@@ -1,0 +1,196 @@
+// Worksheets: what is on the pages, blank and filled in.
+
+#include "figure/worksheet.h"
+
+#include <doctest/doctest.h>
+
+#include "figure/worksheet_words.h"
+#include "output.h"
+#include "page/program.h"
+#include "scene/scene_json.h"
+#include "support/scenes.h"
+#include "support/workplace.h"
+
+namespace vidno::figures {
+
+namespace {
+
+Scene read(const std::string& file) { return read_scene(read_file(file), file).scene; }
+
+/// A covers all of 2 x 2 pixels; B, before it, lies in the upper left one.
+Scene a_pixel_before_a_wall() {
+    return test::SceneBuilder({0, 0, 2, 2}).quad(-1, -1, 3, 3, 0).quad(.25, .25, .75, .75, .5).build();
+}
+
+/// z = y / 8 over all of 4 x 4 pixels.
+Scene a_slope() {
+    return test::SceneBuilder({0, 0, 4, 4}).polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, .5}, {0, 4, .5}}).build();
+}
+
+std::vector<Label> labels_of(const Drawing& page) {
+    std::vector<Label> labels;
+    for (const auto& thing : page.things) {
+        if (const auto* label = std::get_if<Label>(&thing)) labels.push_back(*label);
+    }
+    return labels;
+}
+
+/// The texts of the lines that have this one in them, from left to right.
+std::vector<std::vector<std::string>> lines_with(const Drawing& page, const std::string& text) {
+    auto labels = labels_of(page);
+    std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.at.x < b.at.x; });
+    std::vector<std::vector<std::string>> lines;
+    for (const Label& found : labels_of(page)) {
+        if (found.text != text) continue;
+        auto& line = lines.emplace_back();
+        for (const Label& label : labels) {
+            if (label.at.y == found.at.y) line.push_back(label.text);
+        }
+    }
+    return lines;
+}
+
+using Texts = std::vector<std::string>;
+
+Box box_of(const Label& label) {
+    const double width = width_of(label.text, label.size, label.bold);
+    const double height = 0.72 * label.size / points_per_millimetre;
+    const double left = label.at.x - (label.anchor == Anchor::start    ? 0
+                                      : label.anchor == Anchor::middle ? width / 2
+                                                                       : width);
+    return {left, label.at.y - height, width, height};
+}
+
+}  // namespace
+
+TEST_CASE("worksheet: the windows of a pixel before a wall, by hand") {
+    const WorkedRun run(a_pixel_before_a_wall(), Method::warnock);
+    const auto pages = worksheet(run, Language::english, true);
+    REQUIRE(pages.size() == 2);
+    // Both planes are level: A, of side 4, has c = 2 * 16 and d = 0; B, of side 1/2, c = 1/2 and d = -c / 2.
+    CHECK(lines_with(pages[0], "32") == std::vector<Texts>{{"A", "0", "0", "32", "0"}});
+    CHECK(lines_with(pages[0], "1/2") == std::vector<Texts>{{"B", "0", "0", "1/2", "−1/4"}});
+    // B is nearer at all corners of the first window, but does not surround it: it is split. Of the parts, taken from the
+    // end of AW, B's box is outside of three, and A surrounds them; the fourth is a pixel, in whose middle B is nearest.
+    CHECK(lines_with(pages[1], "W13 split") == std::vector<Texts>{{"1", "(0, 0) 2 × 2", "S 4", "+ 4", "W13 split"}});
+    CHECK(lines_with(pages[1], "W8 surrounded") ==
+          std::vector<Texts>{{"2", "(1, 1) 1 × 1", "S 4", "−", "W8 surrounded", "A"},
+                             {"3", "(1, 0) 1 × 1", "S 4", "−", "W8 surrounded", "A"},
+                             {"4", "(0, 1) 1 × 1", "S 4", "−", "W8 surrounded", "A"}});
+    CHECK(lines_with(pages[1], "W9 pixel") == std::vector<Texts>{{"5", "(0, 0) 1 × 1", "S 4", "+ 4", "W9 pixel", "B"}});
+}
+
+TEST_CASE("worksheet: the rows of a slope and its depths, by hand") {
+    const WorkedRun run(a_slope(), Method::zbuffer);
+    const auto pages = worksheet(run, Language::english, true);
+    REQUIRE(pages.size() == 3);
+    // Row j has its centre at y = j + 1/2, where z = (2j + 1) / 16. Both edges are upright and last to row 3.
+    for (int j = 0; j < 4; ++j) {
+        const std::string z = std::to_string(2 * j + 1) + "/16";
+        CHECK(lines_with(pages[1], z).front() ==
+              Texts{"A", std::to_string(j), "0", z, "3", "0", "1/8", "4", z, "3", "0", "1/8", "0–3"});
+        CHECK(lines_with(pages[2], z) == std::vector<Texts>(4, Texts(4, z)));
+    }
+}
+
+TEST_CASE("worksheet: a level edge on a row's centres is shown without an AEL") {
+    // From y = 1/2 to 3/2. An edge's rows end before its lower end, but for those at the polygon's lowest point: the upper
+    // level edge has none; the lower one is shown on row 1, and then what is between the upright ones.
+    const WorkedRun run(test::SceneBuilder({0, 0, 4, 4}).quad(0, .5, 4, 1.5, 0).build(), Method::zbuffer);
+    std::vector<std::pair<int, std::size_t>> found;
+    for (const auto& row : run.rows()) found.emplace_back(row.row, row.edges.size());
+    CHECK(found == std::vector<std::pair<int, std::size_t>>{{0, 2}, {1, 0}, {1, 2}});
+}
+
+TEST_CASE("worksheet: the blank one is the key without the answers") {
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        const WorkedRun run(method == Method::warnock ? a_pixel_before_a_wall() : a_slope(), method);
+        for (const Language language : {Language::english, Language::russian}) {
+            const auto blank = worksheet(run, language, false);
+            const auto key = worksheet(run, language, true);
+            REQUIRE(blank.size() == key.size());
+            for (std::size_t i = 0; i < blank.size(); ++i) {
+                const auto answered = labels_of(key[i]);
+                for (const Label& label : labels_of(blank[i])) {
+                    const auto& words = worksheet_words_of(language);
+                    if (label.text == words.name || label.text == words.date) continue;
+                    CAPTURE(label.text);
+                    CHECK(std::any_of(answered.begin(), answered.end(), [&](const Label& each) {
+                        return each.text == label.text && each.at == label.at;
+                    }));
+                }
+                for (const std::string answer : {"32", "1/2", "S 4", "+ 4", "(0, 0) 2 × 2", "1/16", "0–3", "1/8"}) {
+                    CHECK(lines_with(blank[i], answer).empty());
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("worksheet: no text is on another one, and all is on the paper") {
+    const Box paper{10, 10, 190, 280};
+    const std::string lessons = VIDNO_ROOT "/lessons/";
+    for (const auto& [file, method] : {std::pair(lessons + "01-four-relations/scene.json", Method::warnock),
+                                       std::pair(lessons + "09-usual-mistakes/mistakes.json", Method::warnock),
+                                       std::pair(lessons + "06-plane-and-depth/scene.json", Method::zbuffer),
+                                       std::pair(lessons + "07-z-buffer-ael/scene.json", Method::zbuffer),
+                                       std::pair(lessons + "08-show-line/scene.json", Method::zbuffer)}) {
+        for (const Language language : {Language::english, Language::russian}) {
+            const WorkedRun run(read(file), method);
+            for (const auto& page : worksheet(run, language, true)) {
+                const auto labels = labels_of(page);
+                for (std::size_t i = 0; i < labels.size(); ++i) {
+                    CAPTURE(labels[i].text);
+                    CHECK(paper.holds(box_of(labels[i])));
+                    for (std::size_t j = 0; j < i; ++j) {
+                        CHECK_MESSAGE(!box_of(labels[i]).overlaps(box_of(labels[j])), labels[j].text);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("worksheet: several scenes as one PDF, its key beside it, the same bytes each time") {
+    const Workplace work;
+    const std::string wall = work.write("wall.json", scene_json(a_pixel_before_a_wall()));
+    const std::string slope = work.write("slope.json", scene_json(a_slope()));
+    const std::string call = "worksheet " + wall + " " + slope + " --language ru -o " + work.file("blank.pdf");
+    REQUIRE(program(call + " --key " + work.file("key.pdf")).status == 0);
+    const std::string blank = work.read("blank.pdf");
+    REQUIRE(program(call).status == 0);
+    CHECK(work.read("blank.pdf") == blank);
+    for (const std::string file : {"blank.pdf", "key.pdf"}) {
+        const std::string about = output_of({"pdfinfo", work.file(file)}, "");
+        CHECK(about.find("Pages:           4\n") != std::string::npos);
+        CHECK(about.find("(A4)") != std::string::npos);
+        CHECK(output_of({"pdffonts", work.file(file)}, "").find(" no  yes") == std::string::npos);  // not embedded
+    }
+    CHECK(output_of({"pdftotext", work.file("blank.pdf"), "-"}, "").find("Фамилия") != std::string::npos);
+    CHECK(output_of({"pdftotext", work.file("key.pdf"), "-"}, "").find("Ответы") != std::string::npos);
+}
+
+TEST_CASE("worksheet: what has no room on it is refused, and no file appears") {
+    const Workplace work;
+    test::SceneBuilder eleven({0, 0, 2, 2});
+    for (int i = 0; i < 11; ++i) eleven.quad(0, 0, 1, 1, 0);
+    const std::string crowd = work.write("crowd.json", scene_json(eleven.build()));
+    const std::string large =
+        work.write("large.json", scene_json(test::SceneBuilder({0, 0, 41, 2}).quad(0, 0, 1, 1, 0).build()));
+    const std::string wall = work.write("wall.json", scene_json(a_pixel_before_a_wall()));
+    const auto reason = [&](const std::string& arguments) {
+        const auto refused = program("worksheet " + arguments);
+        CHECK(refused.status == 2);
+        CHECK(refused.text.find('\n') == refused.text.size() - 1);
+        return refused.text;
+    };
+    const std::string to = " -o " + work.file("a.pdf");
+    CHECK(reason(crowd + to).find("11 polygons, a worksheet has room for 10") != std::string::npos);
+    CHECK(reason(large + to).find("41 pixels a side") != std::string::npos);
+    CHECK(reason(wall + " " + large + to).find("41 pixels a side") != std::string::npos);
+    CHECK(reason(wall + " -o " + work.file("a.svg")).find("not .pdf") != std::string::npos);
+    CHECK(reason(wall + to + " --key " + work.file("a.pdf")).find("--key") != std::string::npos);
+    CHECK(work.files() == 3);
+}
+
+}  // namespace vidno::figures

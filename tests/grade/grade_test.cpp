@@ -1,0 +1,265 @@
+// What a judge takes for right and for wrong, and what it does not hold against a program.
+
+#include "grade/judge.h"
+
+#include <doctest/doctest.h>
+
+#include "check/check.h"
+#include "grade/grade.h"
+#include "grade/scenes.h"
+#include "support/scenes.h"
+
+using namespace vidno;
+using namespace vidno::test;
+
+namespace {
+
+using Place = SceneTruth::Place;
+
+StudentRun run_of(const Scene& scene, Method method, const char* kernel, Edition edition = Edition::corrected,
+                  Detail detail = Detail::signs) {
+    const NamedKernel named = *kernel_named(kernel);
+    std::string text;
+    TraceWriter writer({method, edition, named.name(), detail, scene}, [&](std::string_view part) { text += part; });
+    write_trace({method, named, edition, scene, detail}, writer, false);
+    return read_student_trace(std::move(text));
+}
+
+Judgement judgement_of(const StudentRun& run) { return judge(*run.header, run.events, run.complete); }
+
+/// The events of a run with one kind of them changed, wherever `change` finds something to change.
+template <class E>
+Judgement with_changed(const Scene& scene, Method method, auto change, Detail detail = Detail::signs) {
+    StudentRun run = run_of(scene, method, "double", Edition::corrected, detail);
+    for (auto& event : run.events) {
+        const E* found = event.get_if<E>();
+        if (!found) continue;
+        E changed = *found;
+        const bool done = change(changed);
+        event = changed;
+        if (done) break;
+    }
+    return judgement_of(run);
+}
+
+std::string wrong_of(const Judgement& judgement) {
+    return judgement.wrong ? judgement.wrong->at + ": " + judgement.wrong->told + ": " + judgement.wrong->right
+                           : "right";
+}
+
+/// Two squares side by side on the line x = 4.5, through the centres of column 4.
+Scene neighbours() { return SceneBuilder({0, 0, 8, 8}).quad(1, 1, 4.5, 7, .25).quad(4.5, 1, 7, 7, .25).build(); }
+
+}  // namespace
+
+TEST_CASE("The truth of a scene: depths and places, by hand") {
+    // z = x / 8 - 1/2, from -1/2 at x = 0 to 1/2 at x = 8.
+    const Scene scene = SceneBuilder({0, 0, 8, 8})
+                            .polygon({{0, 0, -.5}, {8, 0, .5}, {8, 4, .5}, {0, 4, -.5}})
+                            .quad(0, 0, 8, 8, 0)
+                            .build();
+    const SceneTruth truth(scene, Precision::twice);
+    CHECK(truth.depth(0, 2, 3) == -.25);
+    CHECK(truth.is_depth(0, 2, 3, -.25));
+    CHECK(truth.is_depth(0, 2, 3, -.25 + 0x1p-44));
+    CHECK_FALSE(truth.is_depth(0, 2, 3, -.25 + 0x1p-30));
+    CHECK_FALSE(truth.is_depth(0, 2, 3, std::numeric_limits<double>::quiet_NaN()));
+    CHECK(truth.nearer(0, 1, 6, 1) == 1);
+    CHECK(truth.nearer(0, 1, 2, 1) == -1);
+    CHECK(truth.nearer(0, 1, 4, 1) == 0);
+    CHECK(truth.place(0, 3, 3) == Place::inside);
+    CHECK(truth.place(0, 3, 4) == Place::outline);
+    CHECK(truth.place(0, 3, 5) == Place::outside);
+    CHECK(truth.meets(0, {2, 2, 4, 4}));
+    CHECK_FALSE(truth.meets(0, {0, 4, 4, 4}));  // they share a side
+    CHECK(truth.holds(0, {0, 0, 4, 4}));
+    CHECK_FALSE(truth.holds(0, {0, 0, 8, 8}));
+    CHECK(truth.is_plane(0, {-1, 0, 8, 4}));
+    CHECK(truth.is_plane(0, {.5, 0, -4, -2}));
+    CHECK_FALSE(truth.is_plane(0, {-1, 0, 8, 5}));
+}
+
+TEST_CASE("The truth of a scene: the part of a polygon in a window, in any order of its corners") {
+    const Scene scene = SceneBuilder({0, 0, 8, 8}).quad(-2, 1, 3, 5, .5).build();
+    const SceneTruth truth(scene, Precision::twice);
+    const Window window{0, 0, 4, 4};  // the part is (0, 1) to (3, 4), of area 9
+    const Corners part{{0, 1, .5}, {3, 1, .5}, {3, 4, .5}, {0, 4, .5}};
+    CHECK_FALSE(truth.no_part(0, window, part));
+    CHECK_FALSE(truth.no_part(0, window, {part.rbegin(), part.rend()}));
+    CHECK_FALSE(truth.no_part(0, window, {part[2], part[3], part[0], {1, 1, .5}, part[1]}));  // one more on an edge
+    CHECK(*truth.no_part(0, window, {part[0], part[1], part[2]}) ==
+          "its area is 4.5, that of the part in the window 9");
+    CHECK(*truth.no_part(0, window, {part[0], part[2], part[1], part[3]}) ==
+          "its area is 0, that of the part in the window 9");
+    CHECK(*truth.no_part(0, window, {part[0], part[1], {3, 5, .5}, {0, 5, .5}}) ==
+          "(3, 5, 0.5) lies outside the window");
+    CHECK(*truth.no_part(0, window, {part[0], {4, 1, .5}, {4, 4, .5}, part[3]}) ==
+          "(4, 1, 0.5) lies outside the polygon");
+    CHECK(*truth.no_part(0, window, {part[0], part[1], part[2], {0, 4, .25}}) ==
+          "(0, 4, 0.25) is not on the polygon's plane: its depth there is 0.5");
+    CHECK(*truth.no_part(0, window, {}) == "nothing is left of it, and in the window there is an area of 9");
+}
+
+TEST_CASE("The truth of a scene: a point of an outline may show what is beside it, but where two meet no hole") {
+    const Scene scene = neighbours();
+    const SceneTruth truth(scene, Precision::twice);
+    const auto allows = [&](int column, int row, Color color) { return truth.allows(column, row, color); };
+    const Color left = scene.polygons[0].color, right = scene.polygons[1].color, behind = scene.background;
+    CHECK(truth.seen(4, 3).by_rule == 0);
+    CHECK(allows(4, 3, left));
+    CHECK(allows(4, 3, right));
+    CHECK_FALSE(allows(4, 3, behind));
+    CHECK(allows(2, 3, left));
+    CHECK_FALSE(allows(2, 3, right));
+    CHECK(allows(0, 0, behind));
+    // At the end of the common edge there is the background as well.
+    const Scene ends = SceneBuilder({0, 0, 8, 8}).quad(1, 1.5, 4.5, 7, .25).quad(4.5, 1.5, 7, 7, .25).build();
+    const SceneTruth end_truth(ends, Precision::twice);
+    CHECK(end_truth.allows(4, 1, left));
+    CHECK(end_truth.allows(4, 1, right));
+    CHECK(end_truth.allows(4, 1, behind));
+}
+
+TEST_CASE("Judging: our own runs are right, in double and in float, on random and degenerate scenes") {
+    RandomScenes random(77);
+    for (int trial = 0; trial < 60; ++trial) {
+        const Scene scene = random.scene();
+        for (const Method method : {Method::warnock, Method::zbuffer}) {
+            for (const char* kernel : {"double", "float"}) {
+                CAPTURE(trial);
+                CAPTURE(kernel);
+                CAPTURE(int(method));
+                CHECK(wrong_of(judgement_of(run_of(scene, method, kernel))) == "right");
+            }
+        }
+    }
+}
+
+TEST_CASE("Judging: our own runs are right on the scenes for students, at every level") {
+    for (const Scene& scene : scenes_to_grade()) {
+        CAPTURE(scene.name);
+        for (const Method method : {Method::warnock, Method::zbuffer}) {
+            for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
+                const Judgement judgement = judgement_of(run_of(scene, method, "double", Edition::corrected, detail));
+                CHECK(wrong_of(judgement) == "right");
+                CHECK(judgement.differences.empty());
+            }
+        }
+    }
+}
+
+TEST_CASE("Judging: one claim that is changed is the one that is found") {
+    const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
+    const auto symptom = [](const Judgement& judgement) {
+        return judgement.wrong ? judgement.wrong->symptom : Symptom::impossible;
+    };
+    SUBCASE("a depth") {
+        const auto change = [](event::Depth& e) { return e.z = e.z.number + .125, true; };
+        CHECK(symptom(with_changed<event::Depth>(scene, Method::warnock, change)) == Symptom::depth);
+    }
+    SUBCASE("where a point is") {
+        const auto change = [](event::Surround& e) { return e.inside = !e.inside, true; };
+        CHECK(symptom(with_changed<event::Surround>(scene, Method::warnock, change)) == Symptom::point_in_polygon);
+    }
+    SUBCASE("which depth is nearer") {
+        const auto change = [](event::Compare& e) { return e.nearer = !e.nearer, true; };
+        CHECK(symptom(with_changed<event::Compare>(scene, Method::warnock, change)) == Symptom::comparison);
+    }
+    SUBCASE("what a window is") {
+        const auto change = [](event::Decide& e) { return e.which = Case::empty, true; };
+        CHECK(symptom(with_changed<event::Decide>(scene, Method::warnock, change)) == Symptom::not_plain);
+    }
+    SUBCASE("the sign for an edge, once others have said which side is positive") {
+        auto change = [seen = 0](event::Orient& e) mutable {
+            if (e.sign == Sign::zero || ++seen < 3) return false;
+            e.sign = -e.sign;
+            e.value = -e.value.number;
+            return true;
+        };
+        CHECK(symptom(with_changed<event::Orient>(scene, Method::warnock, change)) == Symptom::point_in_polygon);
+    }
+    SUBCASE("the pixels of a row") {
+        const auto change = [](event::Span& e) { return e.runs = {{e.runs[0].first, e.runs[0].end - 1}}, true; };
+        CHECK(symptom(with_changed<event::Span>(scene, Method::zbuffer, change, Detail::windows)) ==
+              Symptom::not_painted);
+    }
+    SUBCASE("where an edge is on a row") {
+        const auto change = [](event::AelStep& e) { return e.x = e.x.number + 1, true; };
+        CHECK(symptom(with_changed<event::AelStep>(scene, Method::zbuffer, change)) == Symptom::edge);
+    }
+}
+
+TEST_CASE("Judging: the printed text fails where it is known to") {
+    // X-W1: polygons that surround the window leave the list; the far quad surrounds the first one.
+    const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
+    CHECK(judgement_of(run_of(scene, Method::warnock, "double", Edition::printed)).wrong.has_value());
+}
+
+TEST_CASE("Judging: what is no number is no answer") {
+    const double none = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+    const auto found = [](const Judgement& judgement) { return judgement.wrong.has_value(); };
+    for (const double value : {none, infinite}) {
+        CHECK(found(with_changed<event::Depth>(neighbours(), Method::warnock,
+                                               [&](event::Depth& e) { return e.point.x = value, true; })));
+        CHECK(found(with_changed<event::Depth>(neighbours(), Method::warnock,
+                                               [&](event::Depth& e) { return e.z = value, true; })));
+        CHECK(found(with_changed<event::PointColor>(neighbours(), Method::warnock,
+                                                    [&](event::PointColor& e) { return e.point.y = value, true; })));
+        CHECK(found(with_changed<event::AelAdd>(neighbours(), Method::zbuffer,
+                                                [&](event::AelAdd& e) { return e.x = value, true; })));
+        CHECK(found(with_changed<event::ShownLine>(neighbours(), Method::zbuffer,
+                                                   [&](event::ShownLine& e) { return e.from.x = value, true; })));
+        // Nothing is claimed of a point that is none, and nothing fails.
+        with_changed<event::Orient>(neighbours(), Method::warnock,
+                                    [&](event::Orient& e) { return e.point.x = value, true; });
+        with_changed<event::Surround>(neighbours(), Method::warnock,
+                                      [&](event::Surround& e) { return e.point.x = value, true; });
+    }
+}
+
+TEST_CASE("Judging: the library's own usual mistakes are found, and named") {
+    for (const EditionChoice& choice : edition_choices) {
+        const auto edition = Edition(&choice - edition_choices.data());
+        if (!is_mistake(edition)) continue;
+        for (const Method method : {Method::warnock, Method::zbuffer}) {
+            if (!kernel_named("double")->choice->runs(method, edition)) continue;
+            CAPTURE(choice.name);
+            CAPTURE(int(method));
+            std::vector<StudentRun> runs;
+            std::vector<Judgement> judgements;
+            for (const Scene& scene : scenes_to_grade()) {
+                runs.push_back(run_of(scene, method, "double", edition));
+                judgements.push_back(judgement_of(runs.back()));
+            }
+            std::vector<Observation> observed;
+            for (std::size_t i = 0; i < runs.size(); ++i) observed.push_back({&*runs[i].header, &judgements[i], true});
+            const auto is_wrong = [](const Judgement& judgement) { return judgement.wrong.has_value(); };
+            CHECK(std::any_of(judgements.begin(), judgements.end(), is_wrong));
+            CHECK(usual_mistake(observed) == edition);
+        }
+    }
+}
+
+TEST_CASE("Judging: a trace that was cut short is judged as far as it goes") {
+    StudentRun run = run_of(neighbours(), Method::warnock, "double");
+    run.events.erase(run.events.begin() + std::ptrdiff_t(run.events.size() / 2), run.events.end());
+    CHECK(wrong_of(judge(*run.header, run.events, false)) == "right");
+    CHECK(judge(*run.header, run.events, true).wrong.has_value());  // pixels are missing
+}
+
+TEST_CASE("A scene is the same to a judge, whatever the order of its polygons and vertices") {
+    const Scene scene = neighbours();
+    Scene other = scene;
+    std::swap(other.polygons[0], other.polygons[1]);
+    std::reverse(other.polygons[0].vertices.begin(), other.polygons[0].vertices.end());
+    CHECK(same_scene(other, scene));
+    other.polygons[0].vertices[0].z = 0;
+    CHECK_FALSE(same_scene(other, scene));
+}
+
+TEST_CASE("A scene for a student's program, as text") {
+    Scene scene = SceneBuilder({-2, 0, 3, 4}).polygon("a b", red, {{.1, 0, 0}, {1, 0, 0}, {0, 1, -.5}}).build();
+    scene.name = "Of one\ntriangle";
+    CHECK(scene_text(scene) ==
+          ":Of one triangle\n-2 0 3 4 \n255 255 255 \n1 \n:a b\n255 0 0 \n3 \n0.1 0 0 \n1 0 0 \n0 1 -0.5 \n");
+}

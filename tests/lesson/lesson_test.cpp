@@ -1,0 +1,381 @@
+// Lessons: stories turned into blocks, pins found in runs, and what is said where something is wrong.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "lesson/event_lines.h"
+#include "lesson/lesson.h"
+#include "lesson/new_lesson.h"
+#include "scene/scene_json.h"
+#include "support/scenes.h"
+#include "support/workplace.h"
+
+using namespace vidno;
+using nlohmann::json;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::string two_questions = R"(
+1. Why?
+
+   > Because.
+
+2. And why that?
+
+   > For the same reason.
+)";
+
+Story story_of(const std::string& markdown, Problems& problems) {
+    return read_story("# Title\n\n" + markdown + '\n' + two_questions, "story.en.md", problems);
+}
+
+/// The first block of a story that has nothing wrong in it.
+Json block_of(const std::string& markdown) {
+    Problems problems;
+    const Story story = story_of(markdown, problems);
+    for (const auto& problem : problems) FAIL_CHECK(problem.text());
+    return story.blocks[0];
+}
+
+/// What is wrong in a story whose third line begins the text.
+std::string problem_of(const std::string& markdown) {
+    Problems problems;
+    story_of(markdown, problems);
+    return problems.empty() ? "" : problems[0].text();
+}
+
+}  // namespace
+
+TEST_CASE("A paragraph has words, emphasis, code, and links to pins, lessons and the web") {
+    CHECK(block_of("One *two* **three** `four`\nfive.") ==
+          Json::parse(R"({"is": "paragraph", "text": ["One ", {"is": "emphasis", "text": ["two"]}, " ",
+                          {"is": "strong", "text": ["three"]}, " ", {"is": "code", "text": "four"}, " five."]})"));
+    CHECK(block_of("[the `W13` split](#split)")["text"] ==
+          Json::parse(R"([{"is": "pin", "pin": "split", "text": ["the ", {"is": "code", "text": "W13"}, " split"]}])"));
+    CHECK(block_of("[clipping](../05-polygon-clip/)")["text"] ==
+          Json::parse(R"([{"is": "lesson", "id": "05-polygon-clip", "text": ["clipping"]}])"));
+    CHECK(block_of("[there](https://example.org/a)")["text"] ==
+          Json::parse(R"([{"is": "link", "url": "https://example.org/a", "text": ["there"]}])"));
+}
+
+TEST_CASE("A formula is code between dollars, or a fence of its own") {
+    CHECK(block_of("The plane $`a_1 x * 2 = d`$, and $5 for `x`.")["text"] ==
+          Json::parse(R"(["The plane ", {"is": "formula", "tex": "a_1 x * 2 = d"}, ", and $5 for ",
+                          {"is": "code", "text": "x"}, "."])"));
+    CHECK(block_of("```math\nz = -\\frac{a x + b y + d}{c}\n```") ==
+          Json::parse(R"({"is": "formula", "tex": "z = -\\frac{a x + b y + d}{c}"})"));
+}
+
+TEST_CASE("A table has a head, columns that are set left or right, and rows") {
+    CHECK(block_of("| edge | x |\n| :-- | --: |\n| `0` | 1.5 |") ==
+          Json::parse(R"({"is": "table", "head": [["edge"], ["x"]], "align": ["left", "right"],
+                          "rows": [[[{"is": "code", "text": "0"}], ["1.5"]]]})"));
+}
+
+TEST_CASE("A figure is a fence with a caption and the command that makes it") {
+    CHECK(block_of("```figure Four windows\nvidno figure lessons/01 --pin split -o four.svg\n```") ==
+          Json::parse(R"({"is": "figure", "caption": ["Four windows"],
+                          "command": "vidno figure lessons/01 --pin split -o four.svg", "file": "four.svg"})"));
+}
+
+TEST_CASE("A numbered list whose items end in quotes is questions and answers, another list is a list") {
+    const Json question = block_of("1. How many?\n\n   > Four.\n\nMore.");
+    CHECK(question["number"] == 1);
+    CHECK(question["blocks"] == Json::parse(R"([{"is": "paragraph", "text": ["How many?"]}])"));
+    CHECK(question["answer"] == Json::parse(R"([{"is": "paragraph", "text": ["Four."]}])"));
+    CHECK(block_of("1. First\n2. Second\n\nMore.") ==
+          Json::parse(R"({"is": "list", "ordered": true, "items": [[{"is": "paragraph", "text": ["First"]}],
+                                                                   [{"is": "paragraph", "text": ["Second"]}]]})"));
+}
+
+TEST_CASE("What a page would not show is a problem of its line") {
+    CHECK(problem_of("Words.\n\n<b>bold</b>") == "story.en.md:5: HTML is not shown: <b>");
+    CHECK(problem_of("<div>") == "story.en.md:3: HTML is not shown");
+    CHECK(problem_of("![x](x.png)") ==
+          "story.en.md:3: a page has no such part of a line; a figure is a fence of its own");
+    CHECK(problem_of("#### Deep") == "story.en.md:3: a heading within a story is of level 2 or 3: ## or ###");
+    CHECK(problem_of("[x](http://example.org)") ==
+          "story.en.md:3: http://example.org: neither #PIN, ../LESSON/ nor https://");
+    CHECK(problem_of("```figure Four\nvidno figure lessons/01\n```") ==
+          "story.en.md:3: a figure holds one line: vidno figure ... -o NAME.svg");
+
+    Problems problems;
+    read_story("Words.\n", "story.en.md", problems);
+    REQUIRE(problems.size() == 2);
+    CHECK(problems[0].text() == "story.en.md:1: a story begins with its title: # Title");
+    CHECK(problems[1].text() == "story.en.md:1: two questions to think about, at least, are missing");
+}
+
+TEST_CASE("Languages may order the parts of a sentence as they like, not the blocks") {
+    Problems problems;
+    const auto read = [&](const std::string& text) { return story_of(text, problems); };
+    compare_structure(read("[a](#a) before [b](#b)"), read("[b](#b) after [a](#a)"), problems);
+    CHECK(problems.empty());
+
+    compare_structure(read("One.\n\nTwo: [a](#a)."), read("One.\n\nTwo."), problems);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].text() == "story.en.md:7: question, where story.en.md:5 has pin a");
+}
+
+namespace {
+
+/// Two windows, the second of which is split. Written by hand.
+const std::vector<std::string> events{R"({"e":"push","at":"W3","window":[0,0,4,4],"apl":[["A",false]]})",
+                                      R"({"e":"pop","at":"W5","window":[0,0,4,4]})",
+                                      R"({"e":"decide","at":"W13","case":"split"})",
+                                      R"({"e":"push","at":"W13","window":[0,0,2,2]})",
+                                      R"({"e":"pop","at":"W5","window":[0,0,2,2]})",
+                                      R"({"e":"decide","at":"W7","case":"empty"})"};
+
+PinSearch searched(const Pin& pin) {
+    PinSearch search(pin);
+    for (std::size_t i = 0; i < events.size(); ++i) search.hear(i + 1, events[i]);
+    return search;
+}
+
+Pin pin_to(std::vector<json> find) {
+    Pin pin;
+    pin.find = std::move(find);
+    return pin;
+}
+
+}  // namespace
+
+TEST_CASE("A pin is the first event with its fields, or the first after another one") {
+    const Pin decision = pin_to({{{"e", "decide"}}});
+    CHECK(searched(decision).step() == 3);
+    const Pin decision_of_part = pin_to({{{"e", "pop"}, {"window", {0, 0, 2, 2}}}, {{"e", "decide"}}});
+    CHECK(searched(decision_of_part).step() == 6);
+    const Pin at_line = pin_to({{{"at", "W13"}}, {{"at", "W13"}}});
+    CHECK(searched(at_line).step() == 4);
+}
+
+TEST_CASE("A pin objects where the run does not do what it says") {
+    const Pin none = pin_to({{{"e", "pop"}}, {{"e", "fill"}}});
+    CHECK_FALSE(searched(none).step());
+    CHECK(searched(none).objection() == R"(there is no {"e":"fill"} after step 2)");
+
+    Pin decision = pin_to({{{"e", "decide"}}});
+    decision.says = {{"case", "split"}};
+    CHECK(searched(decision).objection().empty());
+    decision.says = {{"case", "single"}};
+    CHECK(searched(decision).objection() == R"(step 3 says "split" of case, not "single")");
+
+    Pin windows = pin_to({{{"e", "pop"}}});
+    windows.times = 2;
+    CHECK(searched(windows).objection().empty());
+    windows.times = 3;
+    CHECK(searched(windows).objection() == "there are 2, not 3");
+}
+
+namespace {
+
+/// A lesson of which nothing is wrong, on a square that covers the left one of two pixels. One polygon is left in the root
+/// window, so that it is drawn at once: one window (W10).
+struct SquareLesson {
+    Workplace place;
+    std::string folder = place.file("square");
+
+    SquareLesson() {
+        place.write("square/scene.json",
+                    R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":1},"polygons":[)"
+                    R"({"id":"A","color":"#ff0000","vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}]})");
+        place.write("square/lesson.json", R"({"format": "vidno-lesson/1",
+ "runs": [{"name": "windows", "method": "warnock"}],
+ "pins": {
+  "one": {"find": [{"e": "decide"}], "says": {"case": "single"}},
+  "all": {"find": [{"e": "pop"}], "times": 1}
+ }}
+)");
+        for (const char* language : {"en", "ru"}) {
+            place.write(std::string("square/story.") + language + ".md",
+                        "# Square\n\n[One polygon](#one) is left in [1 window](#all).\n" + two_questions);
+        }
+    }
+
+    void edit(const std::string& name, const std::string& from, const std::string& to) const {
+        std::string text = place.read("square/" + name);
+        REQUIRE(text.find(from) != text.npos);
+        place.write("square/" + name, text.replace(text.find(from), from.size(), to));
+    }
+};
+
+Scene quads() { return test::SceneBuilder(test::area_16).polygon(test::far_quad).polygon(test::near_square).build(); }
+
+}  // namespace
+
+TEST_CASE("A lesson in order: nothing is said") {
+    const SquareLesson lesson;
+    const auto [status, text] = program("lesson check " + lesson.folder);
+    CHECK(text == "");
+    CHECK(status == 0);
+}
+
+TEST_CASE("A figure is named from the folder above that of the lessons, wherever the lesson is named from") {
+    const SquareLesson lesson;
+    const std::string lessons = lesson.place.directory.filename().string();
+    for (const char* story : {"story.en.md", "story.ru.md"}) {
+        lesson.edit(story, "\n[One",
+                    "\n```figure One\nvidno figure " + lessons + "/square --pin one -o one.svg\n```\n\n[One");
+    }
+    for (const std::string& folder : {lesson.folder, lesson.folder + "/", lesson.folder + "/."}) {
+        CHECK(program("lesson check " + folder).text == "");
+    }
+    lesson.edit("story.en.md", "--pin one", "--pin two");
+    CHECK(program("lesson check " + lesson.folder).text.find("story.en.md:3: --pin two: ") != std::string::npos);
+}
+
+TEST_CASE("What is wrong with a lesson is said with file and line") {
+    struct Case {
+        const char *file, *from, *to, *said;
+    };
+    for (const Case& each : std::vector<Case>{
+             {"story.en.md", "#one", "#two", "story.en.md:3: lesson.json has no pin two"},
+             {"story.en.md", "1 window", "a window", "story.en.md:3: pin all counts 1, its words do not: a window"},
+             {"story.en.md", "1 window", "21 windows", "story.en.md:3: pin all counts 1, its words do not: 21 windows"},
+             {"story.en.md", "(#one)", "(../02-none/)", "story.en.md:3: there is no lesson 02-none"},
+             {"story.en.md", "Because.", "TODO", "story.en.md:7: is still to be written:    > TODO"},
+             {"story.ru.md", "[One polygon](#one)", "One", "story.ru.md:5: question, where "},
+             {"lesson.json", R"("single")", R"("split")", R"(lesson.json:4: pin one: step )"},
+             {"lesson.json", R"("times": 1)", R"("times": 2)", "lesson.json:5: pin all: there are 1, not 2"},
+             {"lesson.json", R"([{"e": "decide"}])", "[]", "lesson.json:4: /pins/one/find: holds no event"},
+             {"lesson.json", R"("says")", R"("claims")", "lesson.json:4: /pins/one/claims: unknown key"},
+             {"lesson.json", R"("warnock")", R"("painter")", "lesson.json:2: /runs/0/method: painter: there is none"},
+             {"lesson.json", R"("warnock"})", R"("warnock", "kernel": "half"})",
+              "lesson.json:2: /runs/0/kernel: half is not one of "},
+             {"lesson.json", R"("pins")", R"("pins" "x")", "lesson.json:3: line 3, column 11: not valid JSON"},
+         }) {
+        CAPTURE(each.said);
+        const SquareLesson lesson;
+        lesson.edit(each.file, each.from, each.to);
+        const auto checked = program("lesson check " + lesson.folder);
+        CHECK(checked.status == 1);
+        CHECK_MESSAGE(checked.text.find('/' + std::string(each.said)) != std::string::npos, checked.text);
+    }
+}
+
+TEST_CASE("A lesson whose run is of curves: in order, built, and refused what does not run curves") {
+    const SquareLesson lesson;
+    lesson.place.write("square/scene.json",
+                       R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":3,"height":4},)"
+                       R"("curves":[[[0,2],[2,2]],[[0,1],[2,1]]]})");
+    lesson.edit("lesson.json", R"("warnock")", R"("floating-horizon")");
+    // The first step of the second curve is above the first one; there are two curves.
+    lesson.edit("lesson.json", R"([{"e": "decide"}], "says": {"case": "single"})",
+                R"([{"e": "curve", "curve": 1}, {"e": "visibility"}], "says": {"flag": 1})");
+    lesson.edit("lesson.json", R"([{"e": "pop"}], "times": 1)", R"([{"e": "curve"}], "times": 2)");
+    for (const char* story : {"story.en.md", "story.ru.md"}) lesson.edit(story, "1 window", "2 curves");
+    CHECK(program("lesson check " + lesson.folder).text == "");
+    CHECK(program("lesson build " + lesson.folder + " -o " + lesson.place.file("course")).status == 0);
+    const json trace = json::parse(lesson.place.read("course/index.json"))[0]["traces"][0];
+    CHECK(trace["method"] == "floating-horizon");
+    CHECK(lesson.place.has("course/" + trace["file"].get<std::string>()));
+
+    lesson.edit("lesson.json", R"("floating-horizon")", R"("floating-horizon", "kernel": "grid")");
+    CHECK(program("lesson check " + lesson.folder).text.find("grid does not run this method in this edition") !=
+          std::string::npos);
+    lesson.edit("lesson.json", R"("floating-horizon", "kernel": "grid")", R"("zbuffer")");
+    CHECK_MESSAGE(program("lesson check " + lesson.folder).status == 2, "no scene of polygons");
+}
+
+TEST_CASE("A scene that the method of a run does not take is refused") {
+    const SquareLesson lesson;
+    lesson.edit("lesson.json", R"("warnock"})", R"("warnock-bodies"})");
+    const auto [status, text] = program("lesson check " + lesson.folder);
+    CHECK(status == 2);
+    CHECK(text.find("scene.json: not for warnock-bodies: polygon A has an edge") != text.npos);
+}
+
+TEST_CASE("A pin that no story leads to is of no use") {
+    const SquareLesson lesson;
+    lesson.edit("lesson.json", R"("all":)", R"("idle": {"find": [{"e": "push"}]}, "all":)");
+    CHECK(program("lesson check " + lesson.folder).text.find("lesson.json:5: pin idle: no story leads to it") !=
+          std::string::npos);
+}
+
+TEST_CASE("A course is built from lessons: traces, steps of the pins, an index") {
+    const SquareLesson lesson;
+    CHECK(program("lesson build " + lesson.folder + " -o " + lesson.place.file("course")).status == 0);
+    const json index = json::parse(lesson.place.read("course/index.json"));
+    CHECK(index == json::parse(R"([{"id": "square", "title": {"en": "Square", "ru": "Square"},
+        "traces": [{"file": "square.warnock.double.corrected.signs.jsonl.gz", "method": "warnock", "kernel": "double",
+                    "edition": "corrected", "detail": "signs"}],
+        "story": "square.lesson.json"}])"));
+    CHECK(lesson.place.has("course/square.warnock.double.corrected.signs.jsonl.gz"));
+    const json built = json::parse(lesson.place.read("course/square.lesson.json"));
+    // plane, call, push of the root, pop: the window is looked at at once.
+    CHECK(built["pins"]["all"]["step"] == 3);
+    CHECK(built["story"]["ru"]["title"] == json::parse(R"(["Square"])"));
+}
+
+TEST_CASE("A new lesson, of a scene, a mesh or a surface, lacks nothing but its words") {
+    const Workplace place;
+    const std::string scene = place.write("s.json", scene_json(quads()));
+    const std::string lessons = VIDNO_ROOT "/lessons/";
+    for (const std::string& source : {scene, lessons + "meshes/teapot.obj", lessons + "surfaces/waves-and-pit.json"}) {
+        CAPTURE(source);
+        const std::string folder = place.file("new");
+        CHECK(program("lesson new '" + source + "' -o " + folder).status == 0);
+        const auto [status, text] = program("lesson check " + folder);
+        CHECK(status == 1);
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) CHECK(line.find("is still to be written") != line.npos);
+
+        for (const char* story : {"new/story.en.md", "new/story.ru.md"}) {
+            std::string words = place.read(story);
+            for (auto at = words.find("TODO"); at != words.npos; at = words.find("TODO")) words.replace(at, 4, "Said");
+            place.write(story, words);
+        }
+        CHECK(program("lesson check " + folder).text == "");
+        std::filesystem::remove_all(folder);
+    }
+    CHECK(program("lesson new '" + scene + "' -o " + place.directory.string()).status == 2);
+}
+
+namespace {
+
+/// Two lines that cross between columns, below and above a horizon; the second begins farther to the right.
+Surface crossing_lines() {
+    const Curve near{{{0, 8}, {10, 6}, {20, 8}}};
+    const Curve far{{{3, 13}, {12, 4}, {23, 15}}};
+    return {"", {{0, 0, 24, 16}, {near, far}}};
+}
+
+}  // namespace
+
+TEST_CASE("Every step of a run can be pinned") {
+    const std::vector<std::pair<std::string, AnyScene>> runs{
+        {"warnock", quads()}, {"zbuffer", quads()}, {"floating-horizon", crossing_lines()}};
+    for (const auto& method_and_scene : runs) {
+        const std::string& method = method_and_scene.first;
+        const AnyScene& scene = method_and_scene.second;
+        CAPTURE(method);
+        LessonRun run;
+        run.method = method;
+        std::vector<std::string> told;
+        EventLines lines;
+        trace_run(scene, run, [&](std::string_view text) {
+            lines.take(text, [&](std::uint64_t, std::string_view line) { told.emplace_back(line); });
+        });
+        REQUIRE(told.size() > 200);
+        for (std::uint64_t step = 1; step <= told.size(); step += 17 * test::thinning) {
+            const json written = json::parse(pin_of_step(scene, run, step));
+            const Pin pin = pin_to(written["find"].get<std::vector<json>>());
+            PinSearch search(pin);
+            for (std::size_t i = 0; i < told.size(); ++i) search.hear(i + 1, told[i]);
+            CHECK_MESSAGE(search.step() == step, written.dump());
+        }
+    }
+}
+TEST_CASE("The lessons say what their runs do, in both languages") {
+    std::set<std::string> folders;
+    for (const auto& entry : std::filesystem::directory_iterator(VIDNO_ROOT "/lessons")) {
+        if (std::filesystem::exists(entry.path() / "lesson.json")) folders.insert(entry.path().string());
+    }
+    CHECK(folders.size() >= 15);
+    for (const auto& folder : folders) CHECK_MESSAGE(program("lesson check " + folder).text == "", folder);
+}

@@ -1,0 +1,262 @@
+// The usual mistakes: each paints its witness of the atlas wrongly, as worked out here by hand, paints what it cannot spoil
+// rightly, and ends on every scene.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "check/check.h"
+#include "output.h"
+#include "scene/scene_json.h"
+#include "support/editions.h"
+#include "support/reference.h"
+#include "support/scenes.h"
+#include "support/stage.h"
+#include "support/visitors.h"
+#include "vidno/mistakes.h"
+
+using namespace vidno;
+using namespace vidno::test;
+
+namespace {
+
+std::vector<Edition> all_mistakes() {
+    std::vector<Edition> mistakes;
+    for (const Edition edition : all_editions()) {
+        if (is_mistake(edition)) mistakes.push_back(edition);
+    }
+    return mistakes;
+}
+
+/// What the mistake paints, by a method and under a kernel that run it.
+void for_each_picture(Edition mistake, const Scene& scene, auto&& look) {
+    int looked = 0;
+    for (std::size_t place = 0; place < method_names.size(); ++place) {
+        const auto method = Method(place);
+        for (const std::string kernel : {"double", "exact"}) {
+            const NamedKernel named = *kernel_named(kernel);
+            if (!named.choice->runs(method, mistake)) continue;
+            CAPTURE(kernel);
+            CAPTURE(int(method));
+            look(run({method, named, mistake, scene}), RunRequest{method, named, Edition::corrected, scene});
+            ++looked;
+        }
+    }
+    CHECK(looked == (choice_of(mistake).only ? 2 : 4));
+}
+
+Scene witness(const std::string& name) {
+    const std::string file = VIDNO_ROOT "/lessons/failures/mistake-" + name + ".json";
+    return read_scene(nlohmann::json::parse(read_file(file))["scene"].dump(), file).scene;
+}
+
+/// A pixel and the polygon that is painted there; none: the background.
+struct Wrong {
+    int x, y;
+    std::string shown;
+};
+
+Color color_of(const Scene& scene, const std::string& id) {
+    const auto of_id = [&](const auto& polygon) { return polygon.id == id; };
+    const auto found = std::find_if(scene.polygons.begin(), scene.polygons.end(), of_id);
+    return found == scene.polygons.end() ? scene.background : found->color;
+}
+
+/// The witness is right but for these pixels.
+void check_witness(Edition mistake, std::initializer_list<Wrong> wrong) {
+    const std::string name(choice_of(mistake).name);
+    CAPTURE(name);
+    const Scene scene = witness(name);
+    const Picture right = Reference(scene).picture();
+    Picture expected = right;
+    for (const auto& [x, y, shown] : wrong) expected.paint(x, y, color_of(scene, shown));
+    REQUIRE(different_pixels(expected, right) == wrong.size());
+    for_each_picture(mistake, scene, [&](const Picture& painted, const RunRequest& corrected) {
+        CHECK(painted == expected);
+        CHECK(run(corrected) == right);
+    });
+}
+
+void check_harmless(Edition mistake, const Scene& scene) {
+    const Picture right = Reference(scene).picture();
+    REQUIRE(right != Picture(scene.area, scene.background));
+    for_each_picture(mistake, scene, [&](const Picture& painted, const auto&) { CHECK(painted == right); });
+}
+
+template <class Set>
+int windows_of(const Scene& scene) {
+    int count = 0;
+    render<Set>(Set::methods.front(), scene, Exact{}, CountWindows(count));
+    return count;
+}
+
+/// They overlap; all their coordinates are whole.
+Scene two_squares(double first_z, double second_z) {
+    return SceneBuilder(area_16).quad(1, 1, 9, 9, first_z).quad(5, 5, 14, 14, second_z).build();
+}
+
+}  // namespace
+
+TEST_CASE("One list: what the first part removes is missing in the last") {
+    // Of the four windows of 1 x 1 the lower right one is on top of the stack. A ends at x = 0.75, left of it, and leaves the
+    // list; it holds the centre (1/2, 1/2), where at x = 3/4 (1 - 1/4) = 9/16 its side passes.
+    check_witness(Edition::one_list, {{0, 0, ""}});
+}
+
+TEST_CASE("One list: a window that is not split has no brothers") {
+    check_harmless(Edition::one_list, SceneBuilder(area_16).polygon({{1, 2, 0}, {15, 4, 1}, {6, 13, 0}}).build());
+}
+
+TEST_CASE("Depths not cleared: what lies behind z = 0 never shows") {
+    // z = x - 1: -1/2 at the centre of the first pixel, 1/2 at that of the second.
+    check_witness(Edition::depths_not_cleared, {{0, 0, ""}});
+    // z = 0 itself is not nearer than 0.
+    const Scene level = SceneBuilder({0, 0, 1, 1}).quad(0, 0, 1, 1, 0).build();
+    for_each_picture(Edition::depths_not_cleared, level,
+                     [&](const Picture& painted, const auto&) { CHECK(painted.at(0, 0) == level.background); });
+}
+
+TEST_CASE("Depths not cleared: what lies before z = 0 shows") {
+    check_harmless(Edition::depths_not_cleared, two_squares(.25, .5));
+}
+
+TEST_CASE("Clip order reversed: a polygon that reaches over the window is clipped away") {
+    // x / 4 + y / 2 <= 1 holds for the centres (1/2, 1/2), (3/2, 1/2) and (1/2, 3/2).
+    check_witness(Edition::clip_order_reversed, {{0, 0, ""}, {1, 0, ""}, {0, 1, ""}});
+}
+
+TEST_CASE("Clip order reversed: a polygon inside the window is not clipped") {
+    check_harmless(Edition::clip_order_reversed,
+                   SceneBuilder(area_16).polygon({{1, 2, 0}, {15, 4, 1}, {6, 13, 0}}).build());
+}
+
+TEST_CASE("y flipped: row 0 is at the bottom") {
+    // The centre (1/2, 1/2) is held; upside down (0, 2), (2, 2), (0, 1) holds (1/2, 3/2).
+    check_witness(Edition::y_flipped, {{0, 0, ""}, {0, 1, "A"}});
+    // The area's own middle is what the picture is turned about: y becomes 20 + 24 - y.
+    const Scene moved = SceneBuilder({7, 20, 3, 4}).quad(7, 20, 9, 21, 0).build();
+    for_each_picture(Edition::y_flipped, moved, [&](const Picture& painted, const auto&) {
+        CHECK(painted == Reference(SceneBuilder({7, 20, 3, 4}).quad(7, 23, 9, 24, 0).build()).picture());
+    });
+}
+
+TEST_CASE("y flipped: a picture that is its own mirror image stays") {
+    check_harmless(Edition::y_flipped, SceneBuilder(area_16).polygon({{1, 8, 0}, {14, 2, .5}, {14, 14, .5}}).build());
+}
+
+TEST_CASE("Depth sign reversed: the farther one shows") { check_witness(Edition::depth_sign_reversed, {{0, 0, "A"}}); }
+
+TEST_CASE("Depth sign reversed: without an overlap depths do not matter, nor do equal ones") {
+    check_harmless(Edition::depth_sign_reversed,
+                   SceneBuilder(area_16).quad(1, 1, 5, 5, 1).quad(6, 6, 9, 9, -1).build());
+    check_harmless(Edition::depth_sign_reversed, two_squares(.5, .5));
+}
+
+TEST_CASE("Boundary outside: the centre on a shared edge belongs to nobody") {
+    // x + y = 1 at (1/2, 1/2).
+    check_witness(Edition::boundary_outside, {{0, 0, ""}});
+}
+
+TEST_CASE("Boundary outside: no centre lies on an outline of whole coordinates along the axes") {
+    check_harmless(Edition::boundary_outside, two_squares(.25, .5));
+}
+
+TEST_CASE("Boundary outside: a shared edge along a row is a row of holes by both methods") {
+    // Both squares have the side from (2, 5 1/2) to (9, 5 1/2): the centres of columns 2 to 8 of row 5 lie on it. Those of row 6
+    // lie inside the lower one alone.
+    const Scene scene = SceneBuilder(area_16).quad(2, 1, 9, 5.5, 0).quad(2, 5.5, 9, 9, 0).build();
+    for_each_picture(Edition::boundary_outside, scene, [&](const Picture& painted, const auto&) {
+        for (int x = 2; x < 9; ++x) {
+            CHECK(painted.at(x, 4) == scene.polygons[0].color);
+            CHECK(painted.at(x, 5) == scene.background);
+            CHECK(painted.at(x, 6) == scene.polygons[1].color);
+        }
+    });
+}
+
+TEST_CASE("Integer division: of three columns two are looked at") {
+    // 3 / 2 = 1: the windows are those of columns 0 and 1. B holds (5/2, 1/2).
+    check_witness(Edition::integer_division, {{2, 0, ""}});
+    // The same on its side: of 1 x 3 pixels the last is lost, and the run ends.
+    const Scene upright =
+        SceneBuilder({0, 0, 1, 3}).polygon({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}).quad(0, 2, 1, 3, 0).build();
+    for_each_picture(Edition::integer_division, upright, [&](const Picture& painted, const auto&) {
+        CHECK(painted.at(0, 0) == upright.polygons[0].color);
+        CHECK(painted.at(0, 2) == upright.background);
+    });
+}
+
+TEST_CASE("Integer division: the halves of a power of two are whole") {
+    check_harmless(Edition::integer_division, two_squares(.25, .5));
+    check_harmless(Edition::integer_division,
+                   SceneBuilder({3, -2, 8, 2}).quad(4, -2, 6, 0, 0).quad(5, -1, 9, 0, 1).build());
+}
+
+TEST_CASE("Surround kept: a nearer polygon inside the window is overlooked") {
+    // B holds the centre, 1/4 + 1/2 < 1, and not the corner (1, 1).
+    check_witness(Edition::surround_kept, {{0, 0, "A"}});
+}
+
+TEST_CASE("Surround kept: with the near polygon first there is nothing to take back") {
+    check_harmless(Edition::surround_kept, SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build());
+}
+
+TEST_CASE("Vertex counted twice: what a ray leaves through a vertex is taken to be outside") {
+    // The ray from (1/2, 1/2) meets the outline of A in the vertex (3, 1/2) alone, where it is pierced. The outline is around the
+    // window: on x = 1 it is at y = -1/4 and y = 5/4.
+    check_witness(Edition::vertex_counted_twice, {{0, 0, ""}});
+}
+
+TEST_CASE("Vertex counted twice: a ray that meets edges alone, or touches, is counted right") {
+    // The heights of vertices are no multiples of 1/2, as those of all windows' centres are.
+    check_harmless(Edition::vertex_counted_twice,
+                   SceneBuilder(area_16).quad(-1, -1.25, 17, 17.25, 0).quad(2, 3.75, 12, 9.25, .5).build());
+    // From the centre (4, 4) of the upper left quarter the ray touches the vertex of the triangle, (12, 4).
+    check_harmless(Edition::vertex_counted_twice, SceneBuilder(area_16)
+                                                      .quad(-1, -1.25, 17, 17.25, 0)
+                                                      .polygon({{12, 4, .5}, {15.25, 9.25, .5}, {6.25, 10.75, .5}})
+                                                      .build());
+}
+
+TEST_CASE("Octants not split: what lies around a corner is taken to surround") {
+    // The edge from (1, -1) to (-1, 1) passes through the corner (0, 0), with A beyond it.
+    check_witness(Edition::octants_not_split, {{0, 0, "A"}});
+}
+
+TEST_CASE("Octants not split: edges along the axes are never seen under half of a full angle") {
+    check_harmless(Edition::octants_not_split, two_squares(.25, .5));
+}
+
+TEST_CASE("Line for edge: windows are split in vain, and the picture is right") {
+    // The line y = x + 1 passes through the window from (0, 1) to (1, 2); the edge of B on it ends at (0, 1). Taken to be two,
+    // the polygons have the window split into its four pixels, where A alone is drawn at once.
+    check_witness(Edition::line_for_edge, {});
+    const Scene scene = witness("line-for-edge");
+    CHECK(windows_of<mistakes::LineForEdge>(scene) == 1 + 4);
+    CHECK(windows_of<family::Full>(scene) == 1);
+}
+
+TEST_CASE("Every mistake ends on every scene, and is told as it is painted") {
+    RandomScenes random(20261122);
+    std::map<Edition, int> differing;
+    for (int i = 0; i < 40; ++i) {
+        CAPTURE(i);
+        const Scene scene = random.scene();
+        const Picture right = Reference(scene).picture();
+        for (const Edition mistake : all_mistakes()) {
+            CAPTURE(choice_of(mistake).name);
+            for_each_picture(mistake, scene, [&](const Picture& painted, RunRequest request) {
+                request.edition = mistake;
+                CHECK(check_run(request, right).picture == painted);
+                differing[mistake] += painted == right ? 0 : 1;
+            });
+        }
+    }
+    for (const Edition mistake : all_mistakes()) {
+        CAPTURE(choice_of(mistake).name);
+        const bool costs_time_alone = mistake == Edition::line_for_edge;
+        CHECK_MESSAGE((differing[mistake] > 0) != costs_time_alone, "it is seen on some");
+    }
+}

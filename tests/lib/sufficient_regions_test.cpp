@@ -1,0 +1,91 @@
+// The trace of Weiler and Atherton's algorithm is sufficient: lists rebuilt from its events are those of the run.
+
+#include <doctest/doctest.h>
+
+#include "state/state.h"
+#include "support/kernels.h"
+#include "support/rebuilt.h"
+#include "support/scenes.h"
+#include "vidno/kernels/filtered_regions.h"
+#include "vidno/weiler_atherton.h"
+
+using namespace vidno;
+using namespace vidno::test;
+
+namespace {
+
+/// Records, and wherever the procedure shows its own lists compares them with the rebuilt ones.
+template <class K>
+class CompareRegions : public RebuildingRecorder<K, State> {
+    using Base = RebuildingRecorder<K, State>;
+    using Base::rebuilt_;
+
+public:
+    using Base::Base;
+
+    void facets(Line at, const auto& pieces) {
+        Base::facets(at, pieces);
+        compare(pieces, rebuilt_->state.facets());
+    }
+    void push_list(Line at, const auto& pieces) {
+        // What is outside is pushed before what is inside is looked at; it has been told piece by piece.
+        if (at == Line::WA6) compare(pieces, rebuilt_->state.list_in_hand()->outside);
+        Base::push_list(at, pieces);
+        compare(pieces, rebuilt_->state.lists().back());
+    }
+    void pop_list(Line at, const auto& pieces) {
+        Base::pop_list(at, pieces);
+        compare(pieces, rebuilt_->state.list_in_hand()->pieces);
+    }
+    void nearer_ones(Line at, const auto& pieces) {
+        Base::nearer_ones(at, pieces);
+        compare(pieces, rebuilt_->state.list_in_hand()->inside);
+    }
+
+private:
+    void compare(const auto& own, const std::vector<PolygonPart>& rebuilt) {
+        std::vector<PolygonPart> parts;
+        for (const auto& piece : own) {
+            auto& part = parts.emplace_back(PolygonPart{{piece.polygon->index}, {}, piece.is_ground});
+            for (const auto& loop : piece.region.loops) {
+                part.region.emplace_back();
+                for (const auto& v : loop) part.region.back().push_back({as_value<K>(v.at.x), as_value<K>(v.at.y)});
+            }
+        }
+        rebuilt_->expect(parts == rebuilt);
+    }
+};
+
+/// Three bars, each over the next.
+Scene cycle() {
+    return SceneBuilder(area_16)
+        .quad(1, 2, 15, 5, .5)
+        .polygon({{11, 1, .90625}, {14, 1, .90625}, {14, 15, -.40625}, {11, 15, -.40625}})
+        .polygon({{2, 0, 0}, {4, 0, 0}, {16, 12, .75}, {14, 12, .75}})
+        .build();
+}
+
+}  // namespace
+
+// Not under `filtered`: it may tell a number twice, more precisely the second time.
+TEST_CASE_TEMPLATE(
+    "Sufficient: lists, facets and what is visible of regions, rebuilt from the events, are the run's own", K, Float,
+    Double, Exact) {
+    RandomScenes random(41);
+    int compared = 0;
+    for (int i = 0; i < 40; ++i) {
+        CAPTURE(i);
+        const Scene scene = i == 0 ? cycle() : random.scene();
+        Rebuilt<State> rebuilt(
+            TraceHeader{Method::weiler_atherton, Edition::corrected, std::string(K::name), Detail::polygons, scene});
+        const auto visible = visible_regions(scene, K{}, CompareRegions<K>(rebuilt));
+        CHECK(rebuilt.different == 0);
+        CHECK(rebuilt.state.picture() == visible.picture);
+        REQUIRE(rebuilt.state.visible().size() == visible.regions.size());
+        for (std::size_t k = 0; k < visible.regions.size(); ++k) {
+            CHECK(rebuilt.state.visible()[k].polygon.index == visible.regions[k].polygon);
+        }
+        compared += rebuilt.compared;
+    }
+    CHECK(compared > 200);
+}

@@ -1,0 +1,247 @@
+/// Scene files: what is read, and a table of what is refused, with the place and the reason.
+#include "scene/scene_json.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "json/json_node.h"
+#include "refused.h"
+
+namespace {
+
+using namespace vidno;
+
+constexpr auto triangle = R"({"color": "#102030", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]})";
+
+/// A scene of 16 x 16 with these polygons and, if given, more keys.
+std::string scene_with(const std::string& polygons, const std::string& more = "") {
+    return R"({"format": "vidno-scene/1", "window": {"x": 0, "y": 0, "width": 16, "height": 16}, )" + more +
+           R"("polygons": [)" + polygons + "]}";
+}
+
+std::string polygon_with(const std::string& vertices) {
+    return R"({"color": "#102030", "vertices": )" + vertices + "}";
+}
+
+std::string scene_with_window(const std::string& window) {
+    return R"({"format": "vidno-scene/1", "window": )" + window + R"(, "polygons": []})";
+}
+
+std::string scene_with_camera(const std::string& camera) {
+    return scene_with(triangle, R"("camera": )" + camera + ", ");
+}
+
+std::string message_for(const std::string& text) {
+    try {
+        read_scene(text, "f.json");
+        return "taken";
+    } catch (const Refused& refused) {
+        return refused.what();
+    }
+}
+
+struct BadInput {
+    std::string text, message;
+};
+
+void check_refused(const std::vector<BadInput>& table) {
+    for (const BadInput& bad : table) {
+        CAPTURE(bad.text);
+        CHECK(message_for(bad.text) == "f.json: " + bad.message);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a scene is read and written in one form") {
+    const auto [scene, warnings] = read_scene(R"({
+        "polygons": [{"vertices": [[-0.0, 1e300, 1], ["0x1.8p-3", "-0x1p4", -1], [3, 2.50, 0.1]], "color": "#1F77b4"},
+                     {"id": "B \"2\"", "color": "#000000", "vertices": [[0, 0, 0], [1, 0, 0], [2, 0, 0]]}],
+        "window": {"x": -2, "y": 3, "width": 16.0, "height": 8},
+        "format": "vidno-scene/1"})",
+                                              "f.json");
+    CHECK(warnings.empty());
+    CHECK(scene.area == Area{-2, 3, 16, 8});
+    CHECK(scene.background == Color{255, 255, 255});
+    REQUIRE(scene.polygons.size() == 2);
+    CHECK(scene.polygons[0].id == "0");
+    CHECK_FALSE(scene.polygons[0].edge_on);
+    CHECK(scene.polygons[0].vertices[1] == glm::dvec3(0.1875, -16, -1));  // 1.5 / 8 and -1 x 16
+    CHECK(scene.polygons[1].id == "B \"2\"");
+    CHECK(scene.polygons[1].edge_on);
+
+    const std::string text = scene_json(scene);
+    CHECK(text ==
+          R"({"format":"vidno-scene/1","name":"","window":{"x":-2,"y":3,"width":16,"height":8},"background":"#ffffff",)"
+          R"("polygons":[{"id":"0","color":"#1f77b4","vertices":[[0,1e+300,1],[0.1875,-16,-1],[3,2.5,0.1]]},)"
+          R"({"id":"B \"2\"","color":"#000000","vertices":[[0,0,0],[1,0,0],[2,0,0]]}]})");
+    const auto again = read_scene(text, "again.json");
+    CHECK(again.scene == scene);
+    CHECK(scene_json(again.scene) == text);
+}
+
+TEST_CASE("a vertex reflex by rounding is dropped with a warning") {
+    const auto [scene, warnings] =
+        read_scene(scene_with(std::string(triangle) + ", " +
+                              polygon_with("[[0, 0, 0], [4, 1e-13, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]]")),
+                   "f.json");
+    CHECK(scene.polygons[1].vertices.size() == 4);
+    CHECK(warnings == std::vector<std::string>{"f.json: /polygons/1: 1 vertex reflex by rounding, dropped"});
+}
+
+TEST_CASE("a camera takes the scene to the screen") {
+    // Orthographic, 16 high on 16 pixels: x' = 8 + x, y' = 8 - y; z from 1 at distance 0 to -1 at distance 10.
+    const auto [scene, warnings] = read_scene(
+        scene_with(polygon_with("[[-4, -4, 0], [4, -4, 0], [-4, 4, 0]]") + ", " +
+                       polygon_with("[[100, 0, 0], [101, 0, 0], [100, 1, 0]]") + ", " +
+                       polygon_with("[[0, 0, 0], [1, 1, 1], [2, 2, 2]]"),
+                   R"("camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "projection": "orthographic", "height": 16,
+                                 "near": 0, "far": 10}, )"),
+        "f.json");
+    REQUIRE(scene.polygons.size() == 1);
+    CHECK(scene.polygons[0].vertices == std::vector<glm::dvec3>{{4, 12, 0}, {12, 12, 0}, {4, 4, 0}});
+    CHECK(warnings == std::vector<std::string>{"f.json: /polygons/1: not in view, left out",
+                                               "f.json: /polygons/2: no area, left out"});
+}
+
+TEST_CASE("text that is not JSON is refused with its line and column") {
+    check_refused({
+        {"", "line 1, column 1: not valid JSON"},
+        {"{\n  \"format\": ?", "line 2, column 13: not valid JSON"},
+        {"[1, 2", "line 1, column 6: not valid JSON"},
+        {"{} {}", "line 1, column 4: not valid JSON"},
+        {"{\"name\": \"\xff\"}", "line 1, column 11: not valid JSON"},
+        {std::string(100000, '['), "/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0: nested too deeply"},
+        {R"({"name": "a", "name": "b"})", "/name: the key is there twice"},
+        {scene_with(R"({"color": "#000000", "color": "#000000"})"), "/polygons/0/color: the key is there twice"},
+        {scene_with(polygon_with("[[0, 0, 0], [1, 1e999, 0]]")),
+         "/polygons/0/vertices/1/1: the number is beyond the range of doubles"},
+    });
+}
+
+TEST_CASE("keys and types are strict") {
+    const std::string a_scene = scene_with(triangle);
+    check_refused({
+        {"[]", "not an object"},
+        {"{}", "\"format\" is missing"},
+        {R"({"format": "vidno-scene/2", "window": {}, "polygons": []})", "/format: not \"vidno-scene/1\""},
+        {R"({"format": 1, "window": {}, "polygons": []})", "/format: not a string"},
+        {scene_with(triangle, R"("light": 1, )"), "/light: unknown key"},
+        {scene_with(triangle, R"("a/b~c": 1, )"), "/a~1b~0c: unknown key"},
+        {scene_with(triangle, R"("name": 7, )"), "/name: not a string"},
+        {scene_with(triangle, R"("background": "white", )"), "/background: not a colour of the form \"#rrggbb\""},
+        {scene_with(triangle, R"("background": "#fffffg", )"), "/background: not a colour of the form \"#rrggbb\""},
+        {scene_with("7"), "/polygons/0: not an object"},
+        {scene_with(R"({"color": "#000000"})"), "/polygons/0: \"vertices\" is missing"},
+        {scene_with(R"({"vertices": []})"), "/polygons/0: \"color\" is missing"},
+        {scene_with(polygon_with("{}")), "/polygons/0/vertices: not an array"},
+        {scene_with(polygon_with("[[0, 0]]")), "/polygons/0/vertices/0: not three coordinates"},
+        {scene_with(polygon_with("[[0, 0, 0, 0]]")), "/polygons/0/vertices/0: not three coordinates"},
+    });
+}
+
+TEST_CASE("the window is whole pixels within bounds") {
+    check_refused({
+        {scene_with_window("[]"), "/window: not an object"},
+        {scene_with_window(R"({"x": 0, "y": 0, "width": 16})"), "/window: \"height\" is missing"},
+        {scene_with_window(R"({"x": 0.5, "y": 0, "width": 16, "height": 16})"), "/window/x: not a whole number"},
+        {scene_with_window(R"({"x": "0", "y": 0, "width": 16, "height": 16})"), "/window/x: not a whole number"},
+        {scene_with_window(R"({"x": 0, "y": 0, "width": 0, "height": 16})"), "/window/width: not from 1 to 16384"},
+        {scene_with_window(R"({"x": 0, "y": 0, "width": 16, "height": 16385})"), "/window/height: not from 1 to 16384"},
+        {scene_with_window(R"({"x": 0, "y": 1073741825, "width": 16, "height": 16})"),
+         "/window/y: not from -1073741824 to 1073741824"},
+    });
+    CHECK(message_for(scene_with_window(R"({"x": -1073741824, "y": 1073741824, "width": 16384, "height": 1})")) ==
+          "taken");
+}
+
+TEST_CASE("coordinates are numbers, or hexadecimal ones as text") {
+    const auto scene_with_x = [](const std::string& x) {
+        return scene_with(polygon_with("[[" + x + ", 0, 0], [99, 0, 0], [0, 99, 0]]"));
+    };
+    for (const std::string good : {R"("0x1p0")", R"("0X1.fP+3")", R"("-0x.8p0")", R"("0x0.0000000000001p-1022")"}) {
+        CAPTURE(good);
+        const bool taken = message_for(scene_with_x(good)) == "taken";
+        CHECK(taken == (good.find("0x.") == std::string::npos));
+    }
+    const std::string place = "/polygons/0/vertices/0/0: ";
+    for (const std::string bad :
+         {R"("")", R"("1.5")", R"("0x")", R"("0x1")", R"("0x1.8")", R"("0x1p")", R"("0x1p1 ")", R"(" 0x1p1")",
+          R"("+0x1p1")", R"("--0x1p1")", R"("0x-1p1")", R"("0xinfp1")", R"("0x1.8.p1")", R"("nan")", R"("0xp1")"}) {
+        CAPTURE(bad);
+        CHECK(message_for(scene_with_x(bad)) == "f.json: " + place + "not a hexadecimal number such as \"0x1.8p-3\"");
+    }
+    check_refused({
+        {scene_with_x(R"("0x1p1024")"), place + "the number is beyond the range of doubles"},
+        {scene_with_x("null"), place + "neither a number nor a hexadecimal one as text, such as \"0x1.8p-3\""},
+        {scene_with_x("[1]"), place + "neither a number nor a hexadecimal one as text, such as \"0x1.8p-3\""},
+    });
+}
+
+TEST_CASE("polygons are checked exactly, and ids are unique") {
+    const std::string named = R"({"id": "A", "color": "#102030", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]})";
+    const auto scene_with_id = [](const std::string& id) {
+        return scene_with(R"({"id": ")" + id + R"(", "color": "#102030", "vertices": []})");
+    };
+    check_refused({
+        {scene_with(polygon_with("[]")), "/polygons/0/vertices: fewer than three vertices"},
+        {scene_with(polygon_with("[[0, 0, 0], [4, 0, 1.5], [0, 4, 0]]")),
+         "/polygons/0/vertices/1/2: z outside -1 to 1"},
+        {scene_with(std::string(triangle) + ", " + polygon_with("[[0, 0, 0], [4, 0, 0], [4, 4, 1], [0, 4, 0]]")),
+         "/polygons/1/vertices: not planar"},
+        {scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]")), "/polygons/0/vertices: not convex"},
+        {scene_with(named + ", " + named), "/polygons/1/id: the id is there twice"},
+        {scene_with(R"({"id": "1", "color": "#102030", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]}, )" +
+                    std::string(triangle)),
+         "/polygons/1: the id is there twice: without one it is the position"},
+        {scene_with_id(""), "/polygons/0/id: empty"},
+        {scene_with_id(std::string(201, 'x')), "/polygons/0/id: longer than 200 bytes"},
+    });
+}
+
+TEST_CASE("a camera is complete and sees something") {
+    check_refused({
+        {scene_with_camera("{}"), "/camera: \"eye\" is missing"},
+        {scene_with_camera(R"({"eye": [0, 0, 5], "target": [0, 0, 0], "projection": "fish-eye", "fov": 45, "near": 1,
+                               "far": 9})"),
+         "/camera/projection: neither \"perspective\" nor \"orthographic\""},
+        {scene_with_camera(R"({"eye": [0, 0, 5], "target": [0, 0, 0], "projection": "perspective", "height": 45,
+                               "near": 1, "far": 9})"),
+         "/camera/height: unknown key"},
+        {scene_with_camera(R"({"eye": [0, 0, 5], "target": [0, 0, 5], "projection": "perspective", "fov": 45, "near": 1,
+                               "far": 9})"),
+         "/camera: eye and target are one point"},
+        {scene_with_camera(R"({"eye": [0, 5, 0], "target": [0, 0, 0], "projection": "perspective", "fov": 45, "near": 1,
+                               "far": 9})"),
+         "/camera: up does not point aside from the direction of view"},
+    });
+    // z may be anything now, but the shape counts as before.
+    const std::string camera = R"("camera": {"eye": [0, 0, 50], "target": [0, 0, 0], "projection": "perspective",
+                                             "fov": 45, "near": 1, "far": 99}, )";
+    CHECK(message_for(scene_with(polygon_with("[[0, 0, 7], [4, 0, 7], [0, 4, 7]]"), camera)) == "taken");
+    CHECK(message_for(scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]"), camera)) ==
+          "f.json: /polygons/0/vertices: not convex");
+}
+
+TEST_CASE("as many polygons as the limit allows, and not one more") {
+    const std::string one = R"({"color":"#000000","vertices":[]},)";
+    std::string many;
+    for (std::size_t i = 0; i <= most_polygons; ++i) many += one;
+    many.pop_back();
+    CHECK(message_for(scene_with(many)) == "f.json: /polygons: more than 1048576 polygons");
+}
+
+TEST_CASE("The format of a document is that of the outermost object, wherever it stands") {
+    CHECK(document_format(R"({"format": "vidno-scene/1", "window": {}})") == "vidno-scene/1");
+    CHECK(document_format(R"({"a": [1, {"format": "b"}], "format": "vidno-scene/1"})") == "vidno-scene/1");
+    CHECK_MESSAGE(document_format(R"({"format": "vidno-scene/1", )") == "vidno-scene/1", "what follows is not read");
+    CHECK(document_format(R"({"a": {"format": "b"}})").empty());
+    CHECK(document_format(R"({"format": 1, "b": "c"})").empty());
+    CHECK(document_format(R"({"format": ["b"]})").empty());
+    CHECK(document_format(R"([{"format": "b"}])").empty());
+    CHECK(document_format(R"("format")").empty());
+    CHECK(document_format("format").empty());
+    CHECK(document_format("").empty());
+}

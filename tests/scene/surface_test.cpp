@@ -1,0 +1,189 @@
+// Surfaces: reading them, and where their samples come to stand.
+
+#include "scene/surface.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "output.h"
+#include "refused.h"
+#include "scene/sampling.h"
+#include "support/curves.h"
+
+using namespace vidno;
+using namespace vidno::test;
+
+namespace {
+
+/// x and y are columns and rows of the screen: a level line is the function 0 at the height 20.
+FunctionSurface seen_from_the_front(HeightFunction function, int columns, int samples) {
+    FunctionSurface surface;
+    surface.function = std::move(function);
+    surface.left = 0;
+    surface.right = columns;
+    surface.curves = 2;
+    surface.samples = samples;
+    surface.view = {.origin = {0, 20}, .across = {columns, 0}, .back = {0, 0}, .up = 1};
+    return surface;
+}
+
+/// 0 but for one column, where it is 10.
+HeightFunction peak_at(int column) {
+    return [column](double x, double) { return x == column ? 10 : 0; };
+}
+
+std::vector<int> columns_of(const Curve& curve) {
+    std::vector<int> columns;
+    for (const auto& sample : curve.samples) columns.push_back(sample.x);
+    return columns;
+}
+
+bool is_on(const Curve& curve, int column, double y) {
+    return std::any_of(curve.samples.begin(), curve.samples.end(),
+                       [&](const Sample& sample) { return sample.x == column && sample.y == y; });
+}
+
+/// Of the sample on a column; it is there.
+double row_over(const Curve& curve, int column) {
+    const auto found = std::find_if(curve.samples.begin(), curve.samples.end(),
+                                    [&](const Sample& sample) { return sample.x == column; });
+    REQUIRE(found != curve.samples.end());
+    return found->y;
+}
+
+std::string refusal_of(const std::string& text) {
+    try {
+        read_surface(text, "s.json");
+    } catch (const Refused& refused) {
+        return refused.what();
+    }
+    return "taken";
+}
+
+/// A small surface of a function, and the same with one part of its text replaced.
+const std::string small = R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":20,"height":16},)"
+                          R"("function":"x + z","x":[0,4],"z":[2,0],"curves":3,"samples":5,)"
+                          R"("view":{"origin":[1,12],"across":[8,4],"back":[2,-1],"up":0.5}})";
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    REQUIRE(at != text.npos);
+    return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("Surface: a function becomes curves on whole columns") {
+    // Over a column i of 8 x is i / 2. The left end of curve k is at (1 + 2 k, 12 - k); to the right the curve goes down by 4 / 8
+    // a column; half a pixel upward is one of y, and z is 2, 1, 0: 12 - k + i / 2 - (i / 2 + 2 - k) / 2.
+    const Surface surface = read_surface(small, "s.json");
+    REQUIRE(surface.curves.curves.size() == 3);
+    for (int k = 0; k < 3; ++k) {
+        std::vector<Sample> expected;
+        for (int i = 0; i <= 8; i += 2) expected.push_back({1 + 2 * k + i, 11 - k / 2. + i / 4.});
+        CHECK(surface.curves.curves[std::size_t(k)].samples == expected);
+        CHECK(on_columns(surface.curves.curves[std::size_t(k)], surface.curves.area));
+    }
+}
+
+TEST_CASE("Surface: samples stand on the nearest columns when they do not go evenly") {
+    // Of 10 columns 4 parts: 0, 2.5, 5, 7.5, 10.
+    const auto surface = seen_from_the_front([](double, double) { return 0; }, 10, 5);
+    CHECK(columns_of(sampled(surface)[0]) == std::vector{0, 3, 5, 8, 10});
+}
+
+TEST_CASE("Surface: a peak narrower than the step is missed, and found where samples are denser") {
+    auto surface = seen_from_the_front(peak_at(5), 16, 3);
+    CHECK_MESSAGE((columns_of(sampled(surface)[0]) == std::vector{0, 8, 16}), "plain sampling sees a level line");
+    CHECK_FALSE(is_on(sampled(surface)[0], 5, 10));
+    // Halved while the peak is between: 0..8, 4..8, 4..6; never where all is level.
+    surface.tolerance = 0.25;
+    const auto curves = sampled(surface);
+    CHECK(columns_of(curves[0]) == std::vector{0, 4, 5, 6, 8, 16});
+    CHECK(is_on(curves[0], 5, 10));
+    CHECK(sample_count({{}, curves}) == 12);
+}
+
+TEST_CASE("Surface: denser samples find a peak on any column, and are no more than are needed") {
+    for (int peak = 0; peak <= 64; ++peak) {
+        CAPTURE(peak);
+        auto surface = seen_from_the_front(peak_at(peak), 64, 3);
+        surface.tolerance = 0.25;
+        const Curve curve = sampled(surface)[0];
+        CHECK(is_on(curve, peak, 10));
+        CHECK(curve.samples.size() <=
+              3 + 2 * 5);  // 32 columns are halved five times on the way to one, from both its sides
+    }
+}
+
+TEST_CASE(
+    "Surface: with a tolerance no column is farther from the line than that, and there is at most one sample on each") {
+    const auto wave = [](double x, double) { return 10 * std::sin(x * x / 400); };  // quicker to the right
+    auto surface = seen_from_the_front(wave, 200, 6);
+    std::size_t last = 0;
+    for (const double tolerance : {4., 1., 0.25, 0.01, 1e-9}) {
+        CAPTURE(tolerance);
+        surface.tolerance = tolerance;
+        const Curve curve = sampled(surface)[0];
+        for (int x = 0; x <= 200; ++x) {
+            const double exactly = CGAL::to_double(HorizonReference::height(curve, x));
+            CHECK(std::abs(exactly - (20 - wave(x, 0))) <= tolerance + 1e-12);
+        }
+        CHECK(curve.samples.size() > last);
+        last = curve.samples.size();
+    }
+    CHECK(last == 201);
+}
+
+TEST_CASE("Surface: what is written is read as the same again") {
+    const Surface surface = read_surface(small, "s.json");
+    CHECK(read_surface(surface_json(surface), "again") == surface);
+    const Surface given{"g", {{-3, 0, 8, 8}, {{{{-3, 0.1}, {4, -1e300}}}, {{{0, 5}, {1, 6}, {2, 5}}}}}};
+    CHECK(surface_json(given) ==
+          R"({"format":"vidno-surface/1","name":"g","window":{"x":-3,"y":0,"width":8,"height":8},)"
+          R"("curves":[[[-3,0.1],[4,-1e+300]],[[0,5],[1,6],[2,5]]]})");
+    CHECK(read_surface(surface_json(given), "again") == given);
+}
+
+TEST_CASE("Surface: what is refused, with its place and reason") {
+    const auto refused = [](const std::string& from, const std::string& to) {
+        return refusal_of(changed(small, from, to));
+    };
+    CHECK(refusal_of("[]") == "s.json: not an object");
+    CHECK(refused("surface/1", "scene/1") == "s.json: /format: not \"vidno-surface/1\"");
+    CHECK(refused("\"curves\"", "\"planes\"") == "s.json: /planes: unknown key");
+    CHECK(refused("x + z", "x + y") == "s.json: /function: Unexpected token \"y\" found at position 4.");
+    CHECK(refused("x + z", "x #\\n") == "s.json: /function: Unexpected token \"#? \" found at position 2.");
+    CHECK(refused("x + z", "1 / (x - 1)") == "s.json: /function: not finite at x = 1, z = 2");
+    CHECK(refused("[0,4]", "[4,4]") == "s.json: /x: twice the same number");
+    CHECK(refused("\"curves\":3", "\"curves\":1") == "s.json: /curves: not from 2 to 4096");
+    CHECK(refused("\"samples\":5", "\"samples\":10") == "s.json: /samples: not from 2 to 9");
+    CHECK(refused("[1,12]", "[0.5,12]") == "s.json: /view/origin/0: not a whole number");
+    CHECK(refused("0.5}", "0}") == "s.json: /view/up: not above 0");
+    CHECK(refused("[1,12]", "[8,12]") ==
+          "s.json: /view: curve 2 is over the columns 12 to 20, and the window has 0 to 19");
+
+    const auto curves = [](const std::string& text) {
+        return refusal_of(R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":9,"height":9},"curves":)" +
+                          text + "}");
+    };
+    CHECK(curves("[]") == "taken");
+    CHECK(curves("[[[0,1]]]") == "s.json: /curves/0: fewer than two samples");
+    CHECK(curves("[[[0,1],[0,2]]]") == "s.json: /curves/0/1/0: not right of the sample before");
+    CHECK(curves("[[[0,1],[9,2]]]") == "s.json: /curves/0/1/0: not from 0 to 8");
+    CHECK(curves("[[[0,1],[2]]]") == "s.json: /curves/0/1: not a column and a height");
+    CHECK(curves("[[[0,1],[2,\"nan\"]]]").starts_with("s.json: /curves/0/1/1: not a hexadecimal number"));
+}
+
+TEST_CASE("Surface: the text's figure has a pit in its middle, and a wave around it") {
+    const std::string file = VIDNO_ROOT "/lessons/surfaces/waves-and-pit.json";
+    const Surface surface = read_surface(read_file(file), file);
+    REQUIRE(surface.curves.curves.size() == 41);
+    // In the middle of curve 20, x = z = pi, a = 0: y = sin(pi) cos(pi) / 5 - 3/2. On the screen, from the view: the end of the
+    // curve is at (20 + 40, 105 - 40), and the middle 100 columns and 30 rows farther, and 60 * 3/2 rows down.
+    CHECK(row_over(surface.curves.curves[20], 160) == doctest::Approx(65 + 30 + 90));
+    // At the corner x = 0, z = 2 pi sin is 0, and exp(-2 pi^2) nearly so.
+    CHECK(row_over(surface.curves.curves[0], 20) == doctest::Approx(105));
+    CHECK_MESSAGE(sample_count(surface.curves) > 41 * 51, "the pit bends more sharply than every fourth column shows");
+    CHECK(sample_count(surface.curves) < 41 * 60);
+}

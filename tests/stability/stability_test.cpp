@@ -1,0 +1,283 @@
+// Campaigns: what the families and the perturbations are, what a trial counts, and that results add up the same whole,
+// in shards and after a kill.
+
+#include "stability/stability.h"
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "output.h"
+#include "refused.h"
+#include "stability/journal.h"
+#include "support/scenes.h"
+
+using namespace vidno;
+using namespace vidno::test;
+
+namespace {
+
+const Experiment& experiment_of(Experiment::Kind kind, std::string_view how) {
+    return *std::find_if(experiments.begin(), experiments.end(),
+                         [&](const auto& each) { return each.kind == kind && each.how == how; });
+}
+
+Tally tally_of(const Experiment& experiment, const std::vector<Scene>& series, const char* kernel, Method method) {
+    return try_out(experiment, series, {*kernel_named(kernel)}, {method}).front();
+}
+
+std::vector<std::string> names_of_families() {
+    std::vector<std::string> names;
+    for (std::size_t n = 0; n < std::size(families); n += thinning) names.emplace_back(families[n].name);
+    return names;
+}
+
+void run_all(Results& results) {
+    for (const auto& block : results.blocks()) {
+        if (!results.has(block)) results.add(block, run_block(results.campaign(), block));
+    }
+}
+
+Results whole(const Campaign& campaign) {
+    Results results(campaign);
+    run_all(results);
+    return results;
+}
+
+Picture picture_of(const Scene& scene, Method method, const char* kernel) {
+    return run({method, *kernel_named(kernel), Edition::corrected, scene});
+}
+
+const Campaign small{7, 2, {"slivers", "vertices"}, {"float", "double"}, {"zbuffer"}};
+
+/// A file that goes with the test.
+struct TemporaryFile {
+    std::string name;
+
+    explicit TemporaryFile(const std::string& text)
+        : name((std::filesystem::temp_directory_path() / ("vidno-journal-" + std::to_string(getpid()))).string()) {
+        std::ofstream(name, std::ios::binary) << text;
+    }
+    ~TemporaryFile() { std::filesystem::remove(name); }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+};
+
+}  // namespace
+
+TEST_CASE("Moved by an ulp: each coordinate is the double before, itself or the one after, and z stays in range") {
+    const Scene scene = SceneBuilder({0, 0, 8, 8}).polygon({{-1, 4, 1}, {8, 0, -.5}, {1, 8, 0}}).build();
+    RandomPolygons random(std::mt19937(5));
+    int moved = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Scene other = moved_by_ulps(scene, 1, random);
+        for (std::size_t v = 0; v < 3; ++v) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const double was = scene.polygons[0].vertices[v][axis];
+                const double is = other.polygons[0].vertices[v][axis];
+                const double next = std::nextafter(was, is);
+                CHECK((is == was || is == next));
+                CHECK((axis < 2 || std::abs(is) <= 1));
+                moved += is == was ? 0 : 1;
+            }
+        }
+    }
+    CHECK(moved > 100 * 9 / 2);
+}
+
+TEST_CASE("Moved far, a quad is no longer planar and becomes two triangles of its colour") {
+    const Scene scene = SceneBuilder({0, 0, 8, 8}).quad(1, 1, 7, 7, .5).build();
+    RandomPolygons random(std::mt19937(5));
+    const Scene other = moved_by_ulps(scene, std::int64_t{1} << 32, random);
+    REQUIRE(other.polygons.size() == 2);
+    for (const auto& triangle : other.polygons) {
+        CHECK(triangle.vertices.size() == 3);
+        CHECK(triangle.color == scene.polygons[0].color);
+    }
+}
+
+TEST_CASE("A few thousand scenes, random and degenerate: no wrong pixel under filtered, and some under double") {
+    int wrong_in_double = 0;
+    for (const auto& family : families) {
+        RandomPolygons random(std::mt19937(2));
+        for (int i = 0; i < 250; ++i) {
+            CAPTURE(family.name);
+            CAPTURE(i);
+            const Scene scene = moved_by_ulps(random_scene(family, random), std::int64_t{1} << i % 10, random);
+            const Picture right = picture_of(scene, Method::zbuffer, "exact");
+            for (const Method method : {Method::warnock, Method::zbuffer}) {
+                CHECK(different_pixels(picture_of(scene, method, "filtered"), right) == 0);
+                wrong_in_double += different_pixels(picture_of(scene, method, "double"), right) > 0 ? 1 : 0;
+            }
+        }
+    }
+    CHECK(wrong_in_double > 100);
+}
+
+TEST_CASE("Decisions and pixels: double is wrong next to coincidences, in degenerate families") {
+    const Results results = whole({1, 6, {"coplanar", "edges", "vertices"}, {"double"}, {"warnock", "zbuffer"}});
+    for (const auto& family : results.campaign().families) {
+        CAPTURE(family);
+        for (const Tally& tally : results.sum(family, experiment_of(Experiment::Kind::moved, "1"))) {
+            CHECK(tally.runs == 6);
+            CHECK(tally.pixels == 6 * 64);
+            CHECK(tally.wrong_decisions > 0);
+        }
+    }
+}
+
+TEST_CASE("Kernels that are always right are right on every scene, grid on the snapped one") {
+    Results results({3, 1, names_of_families(), {"filtered", "grid:8"}, {"warnock", "zbuffer"}});
+    for (const auto& block : results.blocks()) {
+        if (block.experiment->kind == Experiment::Kind::grown) continue;
+        CAPTURE(block.number);
+        const Tallies tallies = run_block(results.campaign(), block);
+        for (const auto& tally : tallies) CHECK(tally.all_right());
+        results.add(block, tallies);
+    }
+    CHECK(results.as_promised());
+}
+
+TEST_CASE("A kernel that is always right and was wrong breaks its promise, another one gave none") {
+    for (const std::string kernel : {"double", "filtered"}) {
+        Results results({1, 1, {"edges"}, {kernel}, {"zbuffer"}});
+        Tally tally;
+        tally.wrong_pixels = 1;
+        results.add(results.blocks().front(), {tally});
+        CHECK(results.as_promised() == (kernel == "double"));
+    }
+}
+
+TEST_CASE("Flicker: a pixel that changes though it should not") {
+    // Both left sides lie right of the centres of the first column, which should stay white. As floats, which have steps of
+    // 2^-24 there, the first is 1/2 and holds them, the second is 1/2 + 2^-24 and does not.
+    const auto scene_from = [](double left) { return SceneBuilder({0, 0, 8, 8}).quad(left, 0, 8, 8, 0).build(); };
+    const std::vector<Scene> series{scene_from(.5 + 0x1p-26), scene_from(.5 + 3 * 0x1p-26)};
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        const auto& swept = experiment_of(Experiment::Kind::swept, "by ulps");
+        const Tally in_float = tally_of(swept, series, "float", method);
+        CHECK(in_float.runs == 2);
+        CHECK(in_float.wrong_runs == 1);
+        CHECK(in_float.wrong_pixels == 8);
+        CHECK(in_float.steady == 64);
+        CHECK(in_float.flickers == 8);
+        CHECK(tally_of(swept, series, "double", method).all_right());
+    }
+}
+
+TEST_CASE("No flicker: a pixel that changes because it should") {
+    // The left side passes over the centres of the first column.
+    const auto scene_from = [](double left) { return SceneBuilder({0, 0, 8, 8}).quad(left, 0, 8, 8, 0).build(); };
+    const Tally tally = tally_of(experiment_of(Experiment::Kind::swept, "by a pixel"),
+                                 {scene_from(.25), scene_from(.75)}, "double", Method::zbuffer);
+    CHECK(tally.steady == 64 - 8);
+    CHECK(tally.flickers == 0);
+    CHECK(tally.wrong_pixels == 0);
+}
+
+TEST_CASE("Growth of windows: the box of a triangle splits into pixels where the triangle is not") {
+    // Before a backdrop, a triangle on one side of the diagonal. A window of the side 2^m on the diagonal is itself, two such
+    // of half the side, one in the triangle, which covers it, and one beside it: still in its box, so it splits down to pixels.
+    std::array<std::uint64_t, 6> beside{1}, on_diagonal{1};
+    for (std::size_t m = 1; m < beside.size(); ++m) {
+        beside[m] = 1 + 4 * beside[m - 1];
+        on_diagonal[m] = 1 + 2 * on_diagonal[m - 1] + 1 + beside[m - 1];
+    }
+    for (std::size_t m = 3; m < beside.size(); ++m) {
+        const int side = 1 << m;
+        const double far = side;
+        const Scene scene = SceneBuilder({0, 0, side, side})
+                                .quad(0, 0, far, far, 0)
+                                .polygon({{0, 0, .5}, {far, 0, .5}, {far, far, .5}})
+                                .build();
+        const auto& grown = experiment_of(Experiment::Kind::grown, std::to_string(side));
+        CHECK(tally_of(grown, {scene}, "double", Method::warnock).windows == on_diagonal[m]);
+        CHECK_MESSAGE(tally_of(grown, {scene}, "double", Method::zbuffer).runs == 0, "there are none to count");
+    }
+}
+
+TEST_CASE("Results in shards, in any order, are those in one go, byte for byte") {
+    const std::string expected = whole(small).text();
+    Results merged(small);
+    for (const std::size_t shard : {2, 0, 1}) {
+        Results part(small);
+        for (std::size_t i = shard; i < part.blocks().size(); i += 3) {
+            part.add(part.blocks()[i], run_block(small, part.blocks()[i]));
+        }
+        merged.add(part.text(), "part");
+    }
+    CHECK(merged.missing() == 0);
+    CHECK(merged.text() == expected);
+}
+
+TEST_CASE("Results of a killed run are taken up: what was half written is done again") {
+    const std::string expected = whole(small).text();
+    for (const std::size_t cut : {expected.size() - 1, expected.size() / 2, expected.find('\n') + 1}) {
+        Results resumed(small);
+        resumed.add(expected.substr(0, cut), "cut");
+        CHECK(resumed.missing() > 0);
+        run_all(resumed);
+        CHECK(resumed.text() == expected);
+    }
+}
+
+TEST_CASE("Results that are not of the campaign, or not results, are refused") {
+    const Results results = whole({1, 1, {"edges"}, {"double"}, {"zbuffer"}});
+    const std::string header = results.header();
+    const std::string line = results.line(results.blocks().front());
+    const auto changed = [](std::string text, const std::string& from, const std::string& to) {
+        return text.replace(text.find(from), from.size(), to);
+    };
+    const auto refused = [&](const std::string& text) {
+        Results again(results.campaign());
+        CHECK_THROWS_AS(again.add(text, "file"), Refused);
+    };
+    refused("");
+    refused(changed(header, "\"seed\":1", "\"seed\":2") + line);
+    refused(header + "{}\n");
+    refused(header + "nothing\n");
+    refused(header + changed(line, "\"block\":0", "\"block\":1000"));
+    refused(header + changed(line, "\"runs\":1", "\"runs\":-1"));
+    refused(header + changed(line, "moved", "swept"));
+    refused(header + line + changed(line, "\"runs\":1", "\"runs\":2"));
+    Results again(results.campaign());
+    again.add(header + line + line, "file");
+    CHECK_MESSAGE(again.missing() + 1 == again.blocks().size(), "told twice alike, a block counts once");
+}
+
+TEST_CASE("Campaigns name what there is") {
+    CHECK_THROWS_WITH_AS(Results({1, 1, {"cubes"}, {"double"}, {"zbuffer"}}), "there is no family cubes", Refused);
+    CHECK_THROWS_WITH_AS(Results({1, 1, {"edges"}, {"half"}, {"zbuffer"}}), "there is no kernel half", Refused);
+    CHECK_THROWS_WITH_AS(Results({1, 1, {"edges"}, {"double"}, {"painter"}}), "there is no method painter", Refused);
+}
+
+TEST_CASE("Journal: goes on after its last whole line, whatever a kill has left of the next") {
+    for (const std::string left : {"", "fir", "first\n", "first\nsecond\n", "first\nsecond\nthi"}) {
+        const TemporaryFile file(left);
+        const std::string whole_lines = left.find('\n') == left.npos ? "first\n" : left.substr(0, left.rfind('\n') + 1);
+        {
+            Journal journal(file.name, "first\n");
+            CHECK(journal.text() == whole_lines);
+            journal.append("another\n");
+        }
+        CHECK(read_file(file.name) == whole_lines + "another\n");
+    }
+}
+
+TEST_CASE("Journal: a file that begins otherwise is refused and stays as it is") {
+    for (const std::string other : {"second\n", "no line", "first, but longer"}) {
+        const TemporaryFile file(other);
+        CHECK_THROWS_AS(Journal(file.name, "first\n"), Refused);
+        CHECK(read_file(file.name) == other);
+    }
+}
+
+TEST_CASE("Journal: two runs do not write one file") {
+    const TemporaryFile file("");
+    const Journal journal(file.name, "first\n");
+    CHECK_THROWS_AS(Journal(file.name, "first\n"), Refused);
+}

@@ -1,0 +1,88 @@
+/// Chart: what each way to draw a scene costs, and how wrong it is. CHART.md says what the numbers mean.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "chart/axes.h"
+#include "chart/chart_plot.h"
+#include "check/examiner.h"
+
+namespace vidno {
+
+/// What is turned down in a run; in one of a kernel and an edition as they are, nothing.
+enum class Knob : unsigned char { bits, depth, grid, window };
+inline constexpr std::array<std::string_view, 4> knob_names{"bits", "depth", "grid", "window"};
+
+/// A way to draw a scene.
+struct Way {
+    Method method;
+    NamedKernel kernel;
+    Edition edition = Edition::corrected;
+    int smallest_window = 1;
+    std::optional<Knob> knob{};
+    int value = 0;  // how far it is turned
+};
+
+struct Cost {
+    double seconds = 0;  // of a picture without a trace
+    double time = 0;     // relative to the scene's fastest run
+    double operations = 0;
+    std::optional<double> bits{};  // operations by the bits of their numbers
+};
+
+struct ChartRun {
+    Way way;
+    Cost cost;
+    Findings found;
+    Fronts<3, 4> on_front{};
+
+    bool is_complete() const { return found.complete; }
+};
+
+extern const CostAxes<ChartRun, 3> cost_axes;
+extern const ErrorAxes<ChartRun, 4> error_axes;
+
+struct SceneChart {
+    std::string name;
+    std::size_t unsteady = 0;  // pixels that an ulp can change
+    std::size_t pixels = 0, polygons = 0;
+    double area = 0;  // that even the right picture shows in a wrong colour, in pixels
+    std::vector<ChartRun> runs{};
+    std::string scene{};  // the scene itself, as scene_json writes it
+
+    bool degenerate() const { return unsteady > 0; }
+};
+
+/// Each method of the course under each kernel in each edition, and each knob at each place; of the others those that take the
+/// scene, under each kernel that runs them, one of `bits` and one of `grid`.
+std::vector<Way> ways_to_draw(const Scene& scene);
+
+inline constexpr int chart_rounds = 5;
+inline constexpr int largest_charted_side = 512;  // of an area; a larger one would take minutes
+
+/// How often a chart of the scene calls its `progress`.
+std::size_t turns_of(const Scene& scene);
+
+SceneChart chart_of(const Scene& scene, const std::function<void()>& progress);
+
+std::string chart_json(const std::vector<SceneChart>& scenes);
+std::string chart_csv(const std::vector<SceneChart>& scenes);
+
+/// The words in a chart's figure.
+struct ChartWords {
+    std::array<std::string_view, 3> costs;   // by the places of cost_axes
+    std::array<std::string_view, 4> errors;  // and of error_axes
+    std::array<std::string_view, 17> series;
+    std::string_view front, ordinary, degenerate, no_number;
+};
+extern const ChartWords chart_in_english, chart_in_russian;
+
+/// The program by which gnuplot draws a panel a scene, ordinary ones first, as SVG. The axes are given by their places.
+std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
+                         const PlotLayout& layout = {}, const ChartWords& words = chart_in_english);
+
+}  // namespace vidno

@@ -1,0 +1,123 @@
+// The figure of a chart of scenes.
+
+#include <algorithm>
+
+#include "chart/chart.h"
+
+namespace vidno {
+
+const ChartWords chart_in_english{
+    .costs = {"time, times that of the fastest", "operations", "operations times bits"},
+    .errors = {"wrong pixels, %", "area that differs, %", "wrong decisions, %", "depth error, ulps"},
+    .series = {"Warnock, bits of arithmetic", "Warnock, grid", "Warnock, smallest window", "Warnock",
+               "Warnock, printed", "Z-buffer, bits of arithmetic", "Z-buffer, grid", "Z-buffer, bits of depth",
+               "Z-buffer", "Z-buffer, printed", "Warnock, simplest", "Warnock, three lists", "Warnock, angles",
+               "Warnock, at vertices", "Warnock, edge-on shown", "Warnock, back faces removed", "Weiler-Atherton"},
+    .front = "nothing is cheaper and as right",
+    .ordinary = "ordinary",
+    .degenerate = "degenerate",
+    .no_number = "no number"};
+
+const ChartWords chart_in_russian{
+    .costs = {"время относительно самого быстрого прогона", "операции", "операции × биты"},
+    .errors = {"неверные пиксели, %", "площадь расхождения, %", "неверные решения, %", "ошибка глубины, ulp"},
+    .series = {"Варнок, биты арифметики", "Варнок, сетка", "Варнок, наименьшее окно", "Варнок",
+               "Варнок, как напечатано", "Z-буфер, биты арифметики", "Z-буфер, сетка", "Z-буфер, биты глубины",
+               "Z-буфер", "Z-буфер, как напечатано", "Варнок, простейший", "Варнок, три списка", "Варнок, углы",
+               "Варнок, по вершинам", "Варнок, рёбра видны", "Варнок, без нелицевых граней", "Вейлер — Азертон"},
+    .front = "дешевле и не хуже ничего нет",
+    .ordinary = "обычная",
+    .degenerate = "вырожденная",
+    .no_number = "не число"};
+
+namespace {
+
+/// Runs that are drawn alike: along a knob with a line, else points.
+struct Series {
+    Method method;
+    std::optional<Knob> knob;
+    Edition edition;
+    std::string_view color;  // of Okabe and Ito, whom colour-blind people can read
+    int point;               // gnuplot's number for a shape
+
+    bool has(const Way& way) const { return way.method == method && way.knob == knob && way.edition == edition; }
+};
+
+constexpr std::array<Series, 17> all_series{{
+    {Method::warnock, Knob::bits, Edition::corrected, "#0072b2", 9},
+    {Method::warnock, Knob::grid, Edition::corrected, "#56b4e9", 11},
+    {Method::warnock, Knob::window, Edition::corrected, "#cc79a7", 13},
+    {Method::warnock, std::nullopt, Edition::corrected, "#000000", 5},
+    {Method::warnock, std::nullopt, Edition::printed, "#000000", 4},
+    {Method::zbuffer, Knob::bits, Edition::corrected, "#d55e00", 8},
+    {Method::zbuffer, Knob::grid, Edition::corrected, "#e69f00", 10},
+    {Method::zbuffer, Knob::depth, Edition::corrected, "#009e73", 12},
+    {Method::zbuffer, std::nullopt, Edition::corrected, "#000000", 7},
+    {Method::zbuffer, std::nullopt, Edition::printed, "#000000", 6},
+    {Method::warnock_simplest, std::nullopt, Edition::corrected, "#0072b2", 1},
+    {Method::warnock_full, std::nullopt, Edition::corrected, "#0072b2", 2},
+    {Method::warnock_angles, std::nullopt, Edition::corrected, "#0072b2", 3},
+    {Method::warnock_vertex, std::nullopt, Edition::corrected, "#cc79a7", 1},
+    {Method::warnock_edges, std::nullopt, Edition::corrected, "#cc79a7", 2},
+    {Method::warnock_bodies, std::nullopt, Edition::corrected, "#cc79a7", 3},
+    {Method::weiler_atherton, std::nullopt, Edition::corrected, "#009e73", 1},
+}};
+
+/// In per cent, or in ulps.
+double error_in(const SceneChart& scene, const ChartRun& run, std::size_t error) {
+    const auto& axis = error_axes[error];
+    const double value = axis.of(run);
+    if (axis.name == "depthUlps") return value;
+    return 100 * (axis.name == "wrongDecisions" ? value : value / double(scene.pixels));
+}
+
+Plot plot_of(const SceneChart& scene, std::size_t cost, std::size_t error, const ChartWords& words) {
+    Plot plot;
+    plot.title = scene.name + " (" + std::string(scene.degenerate() ? words.degenerate : words.ordinary) + ")";
+    const auto marks = [&](const auto& belongs) {
+        std::vector<PlotMark> found;
+        for (const auto& run : scene.runs) {
+            const auto own_cost = cost_axes[cost].of(run);
+            if (!own_cost || !belongs(run)) continue;
+            found.push_back({*own_cost, error_in(scene, run, error), std::string(run.way.kernel.choice->name)});
+        }
+        return found;
+    };
+    for (const auto& run : scene.runs) plot.errors.push_back(error_in(scene, run, error));
+    for (const auto& series : all_series) {
+        plot.marks.push_back(marks([&](const ChartRun& run) { return series.has(run.way); }));
+        // The kernels of the corrected text stand by their points.
+        // The variants of Warnock's algorithm lie so close that their kernels' names would cover one another.
+        const bool named = !series.knob && series.edition == Edition::corrected && !is_family(series.method);
+        if (named) plot.labels.push_back({plot.marks.back(), is_warnock(series.method)});
+    }
+    plot.front = marks([&](const ChartRun& run) { return run.on_front[cost][error]; });
+    return plot;
+}
+
+PlotWords plot_words(std::size_t cost, std::size_t error, const ChartWords& words) {
+    PlotWords of_plot{.cost = words.costs[cost],
+                      .error = words.errors[error],
+                      .front = words.front,
+                      .no_number = words.no_number,
+                      .series = {},
+                      .plain_costs = cost_axes[cost].name == "time"};
+    for (std::size_t i = 0; i < all_series.size(); ++i) {
+        const auto& series = all_series[i];
+        of_plot.series.push_back({std::string(words.series[i]), series.color, series.point, series.knob.has_value()});
+    }
+    return of_plot;
+}
+
+}  // namespace
+
+std::string chart_script(const std::vector<SceneChart>& scenes, std::size_t cost, std::size_t error,
+                         const PlotLayout& layout, const ChartWords& words) {
+    auto ordered = scenes;
+    std::stable_partition(ordered.begin(), ordered.end(), [](const auto& scene) { return !scene.degenerate(); });
+    std::vector<Plot> plots;
+    for (const auto& scene : ordered) plots.push_back(plot_of(scene, cost, error, words));
+    return plot_script(plots, plot_words(cost, error, words), layout);
+}
+
+}  // namespace vidno

@@ -1,0 +1,130 @@
+// Reading a chart, as chart_json writes it.
+
+#include <limits>
+
+#include "chart/chart_input.h"
+#include "json/json_node.h"
+
+namespace vidno {
+
+namespace {
+
+template <std::size_t count>
+std::size_t place_of(const JsonNode& word, const std::array<std::string_view, count>& names) {
+    const auto found = std::find(names.begin(), names.end(), word.text());
+    if (found == names.end()) word.refuse("unknown word");
+    return std::size_t(found - names.begin());
+}
+
+std::uint64_t count_of(const JsonNode& node) {
+    const double number = node.number();
+    if (!(number >= 0 && number < 0x1p53)) node.refuse("not a count");
+    return std::uint64_t(number);
+}
+
+double number_or_infinite(const JsonNode& node) {
+    if (!node.is_text()) return node.number();
+    if (node.text() != "inf") node.refuse("not a number");
+    return std::numeric_limits<double>::infinity();
+}
+
+/// The items of a list, each as it is read.
+auto all_of(const JsonNode& list, const auto& read) {
+    std::vector<decltype(read(list))> items;
+    for (std::size_t i = 0; i < list.size(); ++i) items.push_back(read(list.at(i)));
+    return items;
+}
+
+NamedKernel kernel_in(const JsonNode& node) {
+    const auto kernel = kernel_named(node.text());
+    if (!kernel) node.refuse("no kernel");
+    return *kernel;
+}
+
+/// Marks the fronts that a run is on.
+void read_fronts(const JsonNode& front, auto& run, const auto& cost_axes, const auto& error_axes) {
+    front.require_keys({cost_axes[0].name, cost_axes[1].name, cost_axes[2].name});
+    for (std::size_t cost = 0; cost < cost_axes.size(); ++cost) {
+        const JsonNode errors = front.at(cost_axes[cost].name);
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            for (std::size_t error = 0; error < error_axes.size(); ++error) {
+                if (errors.at(i).text() == error_axes[error].name) run.on_front[cost][error] = true;
+            }
+        }
+    }
+}
+
+ChartRun run_of(const JsonNode& node) {
+    node.require_keys({"method", "kernel", "edition", "window", "knob", "value", "complete", "seconds", "time",
+                       "operations", "bits", "counts", "wrongPixels", "area", "decisions", "wrongDecisions",
+                       "depthUlps", "front"});
+    ChartRun run{{Method(place_of(node.at("method"), method_names)), kernel_in(node.at("kernel"))}, {}, {}};
+    run.way.edition = Edition(place_of(node.at("edition"), edition_names));
+    run.way.smallest_window = node.at("window").whole_number(1, largest_side);
+    if (!node.at("knob").is_null()) {
+        run.way.knob = Knob(place_of(node.at("knob"), knob_names));
+        run.way.value = node.at("value").whole_number(0, largest_side);
+    }
+    run.cost = {node.at("seconds").number(), node.at("time").number(), node.at("operations").number()};
+    if (!node.at("bits").is_null()) run.cost.bits = node.at("bits").number();
+    run.found.complete = node.at("complete").truth();
+    run.found.wrong_pixels = count_of(node.at("wrongPixels"));
+    run.found.area = node.at("area").number();
+    run.found.decisions = count_of(node.at("decisions"));
+    run.found.wrong_decisions = count_of(node.at("wrongDecisions"));
+    run.found.depth_ulps = number_or_infinite(node.at("depthUlps"));
+    read_fronts(node.at("front"), run, cost_axes, error_axes);
+    return run;
+}
+
+CurveChartRun curve_run_of(const JsonNode& node) {
+    node.require_keys({"method", "kernel", "edition", "knob", "value", "seconds", "time", "operations", "samples",
+                       "counts", "wrongColumns", "height", "decisions", "wrongDecisions", "front"});
+    CurveChartRun run{{kernel_in(node.at("kernel"))}, {}, {}};
+    run.way.edition = Edition(place_of(node.at("edition"), edition_names));
+    if (!node.at("knob").is_null()) {
+        run.way.knob = SamplingKnob(place_of(node.at("knob"), sampling_knob_names));
+        run.way.value = node.at("value").number();
+    }
+    run.cost = {node.at("seconds").number(), node.at("time").number(), node.at("operations").number(),
+                node.at("samples").number()};
+    run.found.wrong_columns = count_of(node.at("wrongColumns"));
+    run.found.height = node.at("height").number();
+    run.found.decisions = count_of(node.at("decisions"));
+    run.found.wrong_decisions = count_of(node.at("wrongDecisions"));
+    read_fronts(node.at("front"), run, curve_cost_axes, curve_error_axes);
+    return run;
+}
+
+SceneChart scene_of(const JsonNode& node) {
+    node.require_keys({"name", "kind", "unsteady", "pixels", "polygons", "area", "scene", "runs"});
+    SceneChart scene{.name = node.at("name").text(),
+                     .unsteady = count_of(node.at("unsteady")),
+                     .pixels = count_of(node.at("pixels")),
+                     .polygons = count_of(node.at("polygons")),
+                     .area = node.at("area").number()};
+    scene.runs = all_of(node.at("runs"), run_of);
+    return scene;
+}
+
+SurfaceChart surface_of(const JsonNode& node) {
+    node.require_keys({"name", "curves", "columns", "runs"}, {"surface"});
+    return {node.at("name").text(), count_of(node.at("curves")), count_of(node.at("columns")),
+            all_of(node.at("runs"), curve_run_of)};
+}
+
+}  // namespace
+
+AnyChart read_chart(std::string_view text, const std::string& file) {
+    return read_json(text, file, [](const JsonNode& node) -> AnyChart {
+        const bool of_surfaces = node.has("surfaces");
+        const std::string_view subjects = of_surfaces ? "surfaces" : "scenes";
+        node.require_keys({"format", "rounds", subjects});
+        if (node.at("format").text() != "vidno-chart/1") node.at("format").refuse("not vidno-chart/1");
+        if (node.at(subjects).size() == 0) node.at(subjects).refuse("none");
+        if (of_surfaces) return all_of(node.at(subjects), surface_of);
+        return all_of(node.at(subjects), scene_of);
+    });
+}
+
+}  // namespace vidno

@@ -1,0 +1,17 @@
+/// Reading charts again, for their figures.
+#pragma once
+
+#include <variant>
+
+#include "chart/chart.h"
+#include "chart/curve_chart.h"
+
+namespace vidno {
+
+/// A chart is of scenes or of surfaces.
+using AnyChart = std::variant<std::vector<SceneChart>, std::vector<SurfaceChart>>;
+
+/// What chart_json wrote. `file` is its name in messages. Throws Refused.
+AnyChart read_chart(std::string_view text, const std::string& file);
+
+}  // namespace vidno

@@ -1,0 +1,61 @@
+#include "check/check.h"
+
+#include "choice/method.h"
+
+namespace vidno {
+
+namespace {
+
+/// Draws up the report of a judged run while it goes on.
+class Report {
+public:
+    Report(Procedure method, const std::function<void()>& progress, const HearEvent& hear)
+        : counted_(method), progress_(progress), hear_(hear) {}
+
+    Followers followers() const { return {&judge_, &survey_, &count_}; }
+    EventSink& sink() { return sink_; }
+    DecisionReport decisions() const { return counted_.report(); }
+
+private:
+    DecisionCount counted_;
+    const std::function<void()>& progress_;
+    const HearEvent& hear_;
+    Judge judge_ = [this](const Verdict& verdict) { counted_.judge(verdict); };
+    Surveyor survey_ = [this](double pixels) { counted_.survey(pixels); };
+    StageCount count_ = [this](FilterStage stage) { counted_.count(stage); };
+    HeardBy<HearEvent> sink_{[this](const EventView& event) {
+        progress_();
+        hear_(event);
+        counted_.follow(event);
+    }};
+};
+
+}  // namespace
+
+Picture right_picture(const Scene& scene, Method method) {
+    return run({reference_of(method), exact_kernel(), Edition::corrected, scene});
+}
+
+CheckReport check_run(const RunRequest& request, const Picture& right, const HearEvent& hear) {
+    Report report(choice_of(request.method).procedure, request.progress, hear);
+    RunRequest judged = request;
+    judged.detail = Detail::signs;
+    judged.sink = &report.sink();
+    Picture picture = judged_run(judged, report.followers());
+    const auto wrong_pixels = different_pixels(picture, right);
+    return {report.decisions(), std::move(picture), wrong_pixels};
+}
+
+CurveCheckReport check_run(const CurveRequest& request, const HearEvent& hear) {
+    Report report(Procedure::floating_horizon, request.progress, hear);
+    CurveRequest judged = request;
+    judged.detail = Detail::signs;
+    judged.sink = &report.sink();
+    DrawnLines lines = told_lines(judged, report.followers());
+    const CurveRequest exactly{exact_kernel(), Edition::corrected, request.scene};
+    const auto wrong =
+        different_columns(columns_drawn(lines, request.scene), columns_drawn(run(exactly), request.scene));
+    return {report.decisions(), std::move(lines), column_count(request.scene), wrong};
+}
+
+}  // namespace vidno

@@ -1,0 +1,17 @@
+/// The decision that an event tells, if it tells one.
+#pragma once
+
+#include <optional>
+
+#include "format/event_sink.h"
+
+namespace vidno {
+
+struct ToldDecision {
+    Decision of;
+    Answer answer;
+};
+
+std::optional<ToldDecision> decision_of(const EventView& event);
+
+}  // namespace vidno

@@ -1,0 +1,58 @@
+/// Examiner: the operations of a run, and its errors, step by step and in the picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "check/check.h"
+#include "check/visible_areas.h"
+
+namespace vidno {
+
+/// The elementary steps of the listings.
+enum class Operation : unsigned char { windows, boxes, depths, orientations, comparisons, intersections, rows, edges };
+inline constexpr std::array<std::string_view, 8> operation_names{
+    "windows", "boxes", "depths", "orientations", "comparisons", "intersections", "rows", "edges"};
+using OperationCounts = std::array<std::uint64_t, operation_names.size()>;
+
+struct Findings {
+    bool complete = true;  // no fault ended the run
+    OperationCounts operations{};
+    std::uint64_t wrong_pixels = 0;
+    double area = 0;  // shown in a wrong colour, in pixels
+    std::uint64_t decisions = 0, wrong_decisions = 0;
+    double depth_ulps = 0;  // of the worst depth; infinite if one was no number
+};
+
+/// What is right in a scene, for runs of it to be held against.
+class Examiner {
+public:
+    explicit Examiner(const Scene& scene);
+    ~Examiner();
+    Examiner(const Examiner&) = delete;
+    Examiner& operator=(const Examiner&) = delete;
+
+    /// `sources`: of each polygon of the request's scene, which one it is of the examiner's.
+    Findings examine(const RunRequest& request, const std::vector<std::size_t>& sources) const;
+
+    std::size_t pixels() const { return right_.pixels().size(); }
+
+    /// How much even the right picture shows in a wrong colour, in pixels: a pixel has one.
+    double area_of_pixels() const { return visible_.wrong_in(right_); }
+
+    /// How many pixels differ in any of some trials, in each of which every coordinate is moved by up to one ulp.
+    std::size_t unsteady_pixels() const;
+
+private:
+    class Depths;
+
+    const Scene& scene_;
+    Picture right_;
+    VisibleAreas visible_;
+    std::unique_ptr<const Depths> depths_;
+};
+
+}  // namespace vidno

@@ -1,0 +1,130 @@
+#include "check/judged_run.h"
+
+#include "check/checked_trace.h"
+#include "check/decision_of.h"
+
+namespace vidno {
+
+namespace {
+
+/// What an always right kernel decides is held against what `exact` decided, one after the other, until they part.
+template <class Taken>
+class Comparison {
+public:
+    explicit Comparison(const std::vector<Taken>& right) : right_(right) {}
+
+    Verdict verdict(Decision of, const Taken& taken, auto&& as_answer) {
+        Verdict verdict{of, as_answer(taken), {}};
+        if (!parted_ && next_ < right_.size()) verdict.truth.answer = as_answer(right_[next_++]);
+        parted_ = parted_ || verdict.wrong();
+        verdict.right_for_operands = !verdict.wrong();
+        return verdict;
+    }
+
+private:
+    const std::vector<Taken>& right_;
+    std::size_t next_ = 0;
+    bool parted_ = false;
+};
+
+RunRequest exactly(const RunRequest& request, EventSink& sink) {
+    RunRequest exact = request;
+    exact.kernel = exact_kernel();
+    exact.sink = &sink;
+    exact.regions = nullptr;
+    return exact;
+}
+
+/// By the decisions that the events tell.
+Picture compared_run(const RunRequest& request, const Followers& followers) {
+    std::vector<Answer> right;
+    HeardBy keep([&](const EventView& event) {
+        if (const auto taken = decision_of(event)) right.push_back(taken->answer);
+    });
+    told_run(exactly(request, keep));
+    Comparison<Answer> comparison(right);
+    HeardBy compare([&](const EventView& event) {
+        if (const auto taken = decision_of(event)) {
+            (*followers.judge)(comparison.verdict(taken->of, taken->answer, std::identity{}));
+        }
+        request.sink->hear(event);
+    });
+    RunRequest compared = request;
+    compared.sink = &compare;
+    return told_run(compared, {.count = followers.count});
+}
+
+/// By the signs: Weiler and Atherton's algorithm decides more than it tells.
+Picture compared_regions(const RunRequest& request, const Followers& followers) {
+    std::vector<Sign> right;
+    const HearSign keep = [&](Sign sign) { right.push_back(sign); };
+    HeardBy nobody([](const EventView&) {});
+    RunRequest exact = exactly(request, nobody);
+    exact.detail = Detail::windows;
+    told_run(exact, {.hear_sign = &keep});
+    Comparison<Sign> comparison(right);
+    const HearSign compare = [&](Sign sign) {
+        const auto as_answer = [](Sign of) { return Answer(int(of)); };
+        (*followers.judge)(comparison.verdict(Decision::comparison, sign, as_answer));
+    };
+    return told_run(request, {.count = followers.count, .hear_sign = &compare});
+}
+
+/// Traces a checked run. `run(sink, followers)` makes the run.
+auto traced_checked(Detail detail, TraceWriter& writer, auto&& run) {
+    CheckedTrace trace(detail, writer);
+    const Judge judge = [&](const Verdict& verdict) { trace.judge(verdict); };
+    const StageCount count = [&](FilterStage stage) { trace.count(stage); };
+    auto result = run(trace, Followers{.judge = &judge, .count = &count});
+    trace.tell_wrong_ones();
+    return result;
+}
+
+/// Whether all of it was written.
+bool to_the_end(TraceWriter& writer, auto&& write) {
+    try {
+        write();
+        return true;
+    } catch (const EventLimitReached&) {
+        writer.finish_partial();
+        return false;
+    }
+}
+
+/// The request told to a sink that hears all decisions.
+auto with_sink(auto request, EventSink& sink) {
+    request.detail = Detail::signs;
+    request.sink = &sink;
+    return request;
+}
+
+}  // namespace
+
+Picture judged_run(const RunRequest& request, const Followers& followers) {
+    if (!request.kernel.is_always_right()) return told_run(request, followers);
+    return request.method == Method::weiler_atherton ? compared_regions(request, followers)
+                                                     : compared_run(request, followers);
+}
+
+bool write_trace(RunRequest request, TraceWriter& writer, bool checked) {
+    request.sink = &writer;
+    return to_the_end(writer, [&] {
+        writer.finish(!checked ? told_run(request)
+                               : traced_checked(request.detail, writer, [&](EventSink& sink, const Followers& by) {
+                                     return judged_run(with_sink(request, sink), by);
+                                 }));
+    });
+}
+
+bool write_trace(CurveRequest request, TraceWriter& writer, bool checked) {
+    request.sink = &writer;
+    return to_the_end(writer, [&] {
+        const auto lines = !checked ? told_lines(request)
+                                    : traced_checked(request.detail, writer, [&](EventSink& sink, const Followers& by) {
+                                          return told_lines(with_sink(request, sink), by);
+                                      });
+        writer.finish("lines", lines_hash(lines));
+    });
+}
+
+}  // namespace vidno

@@ -1,0 +1,60 @@
+#include "choice/choices_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "choice/kernel_choice.h"
+#include "choice/method.h"
+
+namespace vidno {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The editions of a method, each with the kernels under which `runs` says that it runs.
+Json editions_of(auto&& runs) {
+    Json editions;
+    for (std::size_t i = 0; i < edition_choices.size(); ++i) {
+        Json kernels = Json::array();
+        for (const auto& kernel : kernel_choices) {
+            if (runs(kernel, Edition(i))) kernels.push_back(kernel.name);
+        }
+        if (!kernels.empty()) editions[std::string(edition_names[i])] = kernels;
+    }
+    return editions;
+}
+
+Json method_json(const MethodChoice& choice, const Json& editions) {
+    return {{"does", choice.does}, {"domain", choice.rule.domain}, {"rule", choice.rule.rule}, {"editions", editions}};
+}
+
+Json kernel_json(const KernelChoice& choice) {
+    Json kernel{{"rule", choice.rule}, {"alwaysRight", choice.is_always_right}};
+    if (choice.parameter) {
+        const auto [letter, least, most, if_not_said] = *choice.parameter;
+        kernel["parameter"] = {{"letter", std::string(1, letter)}, {"least", least}, {"most", most}};
+    }
+    return kernel;
+}
+
+}  // namespace
+
+std::string choices_json() {
+    Json methods, kernels, editions;
+    for (std::size_t i = 0; i < method_choices.size(); ++i) {
+        methods[std::string(method_names[i])] = method_json(
+            method_choices[i],
+            editions_of([i](const KernelChoice& kernel, Edition edition) { return kernel.runs(Method(i), edition); }));
+    }
+    methods[std::string(curve_method)] = method_json(
+        curve_choice,
+        editions_of([](const KernelChoice& kernel, Edition edition) { return kernel.runs_curves(edition); }));
+    for (const auto& choice : kernel_choices) kernels[std::string(choice.name)] = kernel_json(choice);
+    for (std::size_t i = 0; i < edition_choices.size(); ++i) {
+        editions[std::string(edition_names[i])] = {{"rule", edition_choices[i].rule},
+                                                   {"isMistake", is_mistake(Edition(i))}};
+    }
+    return Json{{"methods", methods}, {"kernels", kernels}, {"editions", editions}}.dump(2) + "\n";
+}
+
+}  // namespace vidno

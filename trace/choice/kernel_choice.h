@@ -1,0 +1,110 @@
+/// KernelChoice: the kernels by name, and what each can do.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "choice/edition.h"
+#include "vidno/kernels/bits.h"
+#include "vidno/kernels/depth_bits.h"
+#include "vidno/kernels/grid.h"
+
+namespace vidno {
+
+enum class KernelKind : unsigned char { binary32, binary64, bits, depth, filtered, grid, exact };
+
+struct KernelChoice {
+    /// A whole number that follows the name: `bits:12`.
+    struct Parameter {
+        char letter;
+        int least, most;
+        std::optional<int> if_not_said{};
+    };
+
+    KernelKind kind;
+    std::string_view name;
+    std::string_view rule;
+    /// Whether a wrong decision or pixel would be an error of the program; under `grid`, of the snapped scene.
+    bool is_always_right = false;
+    bool runs_printed = true;
+    std::optional<Parameter> parameter{};
+    bool runs_warnock = true;
+    bool runs_mistakes = false;
+    bool runs_family = true;   // the Warnock family
+    bool runs_regions = true;  // Weiler and Atherton's algorithm, and the floating horizon
+
+    /// The floating horizon: it takes samples as they are, and has no depths to store.
+    bool runs_curves(Edition edition) const {
+        return runs_regions && !is_mistake(edition) && (runs_printed || edition != Edition::printed);
+    }
+
+    bool runs(Method method, Edition edition) const {
+        const auto only = choice_of(edition).only;
+        if (method == Method::weiler_atherton) return runs_regions && edition == Edition::corrected;
+        if (is_family(method) && !(runs_family && (edition == Edition::corrected || only == method))) return false;
+        return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed) &&
+               (runs_mistakes || !is_mistake(edition)) && (!only || *only == method);
+    }
+};
+
+/// By the places of KernelKind.
+inline constexpr std::array kernel_choices{
+    KernelChoice{.kind = KernelKind::binary32, .name = "float", .rule = "IEEE binary32; decisions as they fall"},
+    KernelChoice{.kind = KernelKind::binary64,
+                 .name = "double",
+                 .rule = "IEEE binary64; decisions as they fall",
+                 .runs_mistakes = true},
+    KernelChoice{.kind = KernelKind::bits,
+                 .name = "bits",
+                 .rule = "every result rounded to P bits; decisions as they fall",
+                 .parameter = {{'P', fewest_bits, most_bits}}},
+    KernelChoice{.kind = KernelKind::depth,
+                 .name = "depth",
+                 .rule = "binary64, and a Z-buffer of B bits; zbuffer only",
+                 .parameter = {{'B', fewest_depth_bits, most_depth_bits}},
+                 .runs_warnock = false,
+                 .runs_family = false,
+                 .runs_regions = false},
+    KernelChoice{.kind = KernelKind::filtered,
+                 .name = "filtered",
+                 .rule = "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
+                 .is_always_right = true,
+                 .runs_printed = false},
+    KernelChoice{
+        .kind = KernelKind::grid,
+        .name = "grid",
+        .rule = "x and y snapped to 1/2^K pixel, whole numbers from there: right for the snapped scene; corrected only",
+        .is_always_right = true,
+        .runs_printed = false,
+        .parameter = {{'K', 1, finest_grid, 8}},
+        .runs_regions = false},
+    KernelChoice{.kind = KernelKind::exact,
+                 .name = "exact",
+                 .rule = "exact rationals; every decision is right, the reference",
+                 .is_always_right = true,
+                 .runs_mistakes = true},
+};
+
+/// A kernel as it is named: `double`, `bits:12`, `grid` for `grid:8`.
+struct NamedKernel {
+    const KernelChoice* choice;
+    int parameter = 0;  // if the choice has one
+
+    KernelKind kind() const { return choice->kind; }
+    std::string name() const;
+    bool snaps() const { return kind() == KernelKind::grid; }  // takes a scene that was snapped
+    bool is_always_right() const { return choice->is_always_right; }
+};
+
+/// None if no kernel has that name, or its parameter is missing or out of range.
+std::optional<NamedKernel> kernel_named(std::string_view name);
+
+/// The one that is always right; it takes every scene and edition.
+NamedKernel exact_kernel();
+
+/// The names that there are: "float, double, bits:P (4 <= P <= 24), ...".
+std::string kernel_names();
+
+}  // namespace vidno

@@ -1,9 +1,0 @@
-#include "event.h"
-
-namespace vidno {
-
-Event EventView::copy() const {
-    return visit([](const auto& event) { return Event(event); });
-}
-
-}  // namespace vidno

@@ -1,0 +1,80 @@
+/// TraceWriter: the sink that writes events as a trace file, header and last line included.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "choice/edition.h"
+#include "format/event_json.h"
+#include "format/event_sink.h"
+#include "vidno/picture.h"
+
+namespace vidno {
+
+struct TraceHeader {
+    Method method{};
+    Edition edition{};
+    std::string kernel;
+    Detail detail{};
+    Scene scene;
+    bool operator==(const TraceHeader&) const = default;
+};
+
+/// The first line of a trace.
+std::string header_json(const TraceHeader& header);
+
+/// "sha256:" and the hash of the bytes.
+std::string hash_text(std::string_view bytes);
+
+/// That of the rows from the top, three bytes R, G, B a pixel.
+std::string picture_hash(const Picture& picture);
+
+/// Thrown out of a run that has told as many events as it may; finish_partial keeps what was told.
+struct EventLimitReached {};
+
+/// Where the lines of a trace are in its text, for who would else have to look for them.
+struct LineIndex {
+    std::vector<std::uint32_t> starts;  // of each event, and of the last line
+    std::vector<std::uint8_t> names;    // of each event, the place in Event
+};
+
+class TraceWriter final : public EventSink {
+public:
+    using Write = std::function<void(std::string_view)>;
+    static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
+
+    /// The header is that of a run of any kind. The index, if there is one, is for a text of less than 2^32 bytes.
+    template <class Header = TraceHeader>
+    TraceWriter(const Header& header, Write write, std::uint64_t most_events = no_limit, LineIndex* index = nullptr)
+        : TraceWriter(header_json(header), polygon_names(header.scene), std::move(write), most_events, index) {}
+
+    /// Throws EventLimitReached instead of writing one more than the most.
+    void hear(const EventView& event) override;
+
+    void finish(const Picture& picture) { finish("picture", picture_hash(picture)); }
+    /// What came out, by its name, and its hash.
+    void finish(std::string_view result, const std::string& hash);
+    void finish_partial();
+
+    std::uint64_t events() const { return events_; }
+
+private:
+    static constexpr std::size_t block = std::size_t{1} << 16;
+
+    TraceWriter(std::string_view first_line, PolygonNames names, Write write, std::uint64_t most_events,
+                LineIndex* index);
+
+    void mark_line() { index_->starts.push_back(std::uint32_t(written_ + text_.size())); }
+    void finish_with(std::string_view rest);
+    void flush();
+
+    EventText lines_;
+    Write write_;
+    std::uint64_t most_events_;
+    LineIndex* index_;
+    std::uint64_t events_ = 0;
+    std::uint64_t written_ = 0;  // bytes
+    Text text_;
+};
+
+}  // namespace vidno

@@ -1,0 +1,35 @@
+/// An event out of a line's tree of JSON values: keys in any order. What is wrong is refused with its path.
+///
+/// quick_event.h reads the lines that the program writes, which are most; this reader takes the others.
+#pragma once
+
+#include "format/event.h"
+#include "format/known_polygons.h"
+#include "json/json_node.h"
+
+namespace vidno {
+
+/// What the header of a trace says about its events.
+struct EventContext {
+    Detail detail{};
+    bool is_exact = false;  // numbers may be fractions
+    KnownPolygons polygons{};
+};
+
+/// Throws Refused.
+Event read_event(const JsonNode& object, const EventContext& context);
+
+/// The place of the node's text among the names. Throws Refused.
+template <std::size_t count>
+std::size_t place_of_word(const JsonNode& node, const std::array<std::string_view, count>& names) {
+    if (node.is_text()) {
+        const auto found = std::find(names.begin(), names.end(), node.text());
+        if (found != names.end()) return std::size_t(found - names.begin());
+    }
+    node.refuse("unknown word");
+}
+
+/// The member of an object. Throws Refused if there is none.
+JsonNode member(const JsonNode& object, std::string_view key);
+
+}  // namespace vidno

@@ -1,0 +1,19 @@
+/// Runs told to the request's sink: one translation unit a kernel, for all methods and editions.
+///
+/// `double`, `filtered` and `grid` are compiled for their own numbers, since a page runs them while a corner is dragged. All other
+/// kernels, and every run that is judged, share the run-time kernel (run_time_kernel.h).
+#pragma once
+
+#include "run/run.h"
+
+namespace vidno {
+
+Picture told_double(const RunRequest&);
+Picture told_filtered(const RunRequest&, const StageCount* count);
+Picture told_grid(const RunRequest&);
+Picture told_run_time(const RunRequest&, const Followers&);
+
+/// Weiler and Atherton's algorithm, under each kernel that runs it.
+Picture told_regions(const RunRequest&, const Followers&);
+
+}  // namespace vidno

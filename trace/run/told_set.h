@@ -1,0 +1,24 @@
+/// What the units of told runs instantiate.
+#pragma once
+
+#include "run/recorded_set.h"
+#include "run/recorder.h"
+#include "run/told.h"
+
+namespace vidno {
+
+template <Kernel K>
+Picture told(const RunRequest& request, const K& kernel) {
+    Recording recording{request.detail, *request.sink};
+    const Recorder<K> recorder(recording);
+    const auto run_set = [&](const auto& set) {
+        return render(request.method, request.scene, kernel, recorder, request.smallest_window, set);
+    };
+    if constexpr (PrintedKernel<K>) {
+        return run_set(AnyEdition(request.method, rules_of(request.edition)));
+    } else {
+        return run_set(AnyMethod(request.method));
+    }
+}
+
+}  // namespace vidno

@@ -1,8 +1,0 @@
-/// For builds with sanitizers, which would compile the same procedures once more for each kernel.
-#include "untraced.h"
-
-namespace vidno {
-
-Picture untraced_run(const RunRequest& request) { return told_to_nobody(request); }
-
-}  // namespace vidno

@@ -1,0 +1,149 @@
+#include "scene/families.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "scene/exact_scene.h"
+
+namespace vidno {
+
+namespace {
+
+using Group = std::vector<Corners>;
+
+Group triangle(RandomPolygons& random, const Area& area) { return {random.triangle(area)}; }
+
+Group neighbours(RandomPolygons& random, const Area& area) {
+    const auto [first, second] = random.neighbours(area);
+    return {first, second};
+}
+
+Group sliver(RandomPolygons& random, const Area& area) { return {random.sliver(area)}; }
+
+Group coplanar(RandomPolygons& random, const Area& area) {
+    const double level = random.whole(-4, 4) / 8.0;
+    const double x_slope = random.whole(-1, 1) / 64.0;
+    const double y_slope = random.whole(-1, 1) / 64.0;
+    Group group{random.triangle(area), random.triangle(area)};
+    for (auto& vertices : group) {
+        for (auto& v : vertices) v.z = level + x_slope * (v.x - area.x) + y_slope * (v.y - area.y);
+    }
+    return group;
+}
+
+/// A tilted rectangle over most of the area, whose plane meets those of the others in it.
+Group interpenetrating(RandomPolygons& random, const Area& area) {
+    const double left = area.x + random.whole(-2, 4) / 2.0;
+    const double top = area.y + random.whole(-2, 4) / 2.0;
+    const double right = area.right() + random.whole(-4, 2) / 2.0;
+    const double bottom = area.bottom() + random.whole(-4, 2) / 2.0;
+    const double level = random.whole(-1, 1) / 16.0;
+    const double x_slope = random.whole(-5, 5) / 64.0;
+    const double y_slope = random.whole(-5, 5) / 64.0;
+    const auto at = [&](double x, double y) {
+        const double from_middle_x = x - area.x - area.width / 2.0;
+        const double from_middle_y = y - area.y - area.height / 2.0;
+        return glm::dvec3(x, y, level + x_slope * from_middle_x + y_slope * from_middle_y);
+    };
+    return {{at(left, top), at(right, top), at(right, bottom), at(left, bottom)}};
+}
+
+glm::dvec3 near_centre(RandomPolygons& random, const Area& area, int margin) {
+    return {area.x + random.whole(-margin, area.width + margin - 1) + 0.5,
+            area.y + random.whole(-margin, area.height + margin - 1) + 0.5, random.depth()};
+}
+
+Group edge_through_centres(RandomPolygons& random, const Area& area) {
+    const glm::dvec3 centre = near_centre(random, area, 0);
+    const glm::dvec3 step{double(random.whole(-3, 3)), double(random.whole(-3, 3)), 0};
+    glm::dvec3 from = centre - double(random.whole(1, 2)) * step;
+    glm::dvec3 to = centre + double(random.whole(1, 2)) * step;
+    from.z = random.depth();
+    to.z = random.depth();
+    return {{from, to, random.vertex(area)}};
+}
+
+Group vertices_on_centres(RandomPolygons& random, const Area& area) {
+    return {{near_centre(random, area, 2), near_centre(random, area, 2), near_centre(random, area, 2)}};
+}
+
+Group collinear(RandomPolygons& random, const Area& area) { return {random.box(area)}; }
+
+Group nearly_edge_on(RandomPolygons& random, const Area& area) {
+    const double off = std::ldexp(1.0, -random.whole(4, 50));
+    return {random.sliver(area, off)};
+}
+
+double moved(double value, std::int64_t ulps) {
+    // Read as whole numbers, the doubles of one sign are in order; this puts the negative ones before the others.
+    const auto flipped = [](std::int64_t bits) {
+        return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+    };
+    return std::bit_cast<double>(flipped(flipped(std::bit_cast<std::int64_t>(value)) + ulps));
+}
+
+}  // namespace
+
+const std::array<Family, 9> families{{
+    {"triangles", "anywhere", triangle},
+    {"neighbours", "triangles that share an edge and its depths", neighbours},
+    {"slivers", "triangles thinner than a pixel", sliver},
+    {"coplanar", "triangles of one plane over each other", coplanar},
+    {"interpenetrating", "tilted rectangles through each other", interpenetrating},
+    {"edges", "triangles with an edge through pixel centres", edge_through_centres},
+    {"vertices", "triangles with their vertices on pixel centres", vertices_on_centres},
+    {"collinear", "boxes with collinear and repeated vertices", collinear},
+    {"steep", "triangles all but edge-on", nearly_edge_on},
+}};
+
+Scene random_scene(const Family& family, RandomPolygons& random) {
+    Scene scene;
+    scene.name = family.name;
+    scene.area = {random.whole(-20, 20), random.whole(-20, 20), family_side, family_side};
+    const auto add = [&](Corners vertices) {
+        const std::size_t index = scene.polygons.size();
+        scene.polygons.push_back({std::to_string(index), color_of(index), std::move(vertices), false});
+    };
+    if (random.whole(0, 1) == 1) {
+        const double left = scene.area.x - 1, right = scene.area.right() + 1;
+        const double top = scene.area.y - 1, bottom = scene.area.bottom() + 1;
+        add({{left, top, -1}, {right, top, -1}, {right, bottom, -1}, {left, bottom, -1}});
+    }
+    for (int groups = random.whole(2, 4); groups > 0; --groups) {
+        for (auto& vertices : family.group(random, scene.area)) add(std::move(vertices));
+    }
+    return admitted(scene);
+}
+
+Scene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& random) {
+    const auto ulps = [&] {
+        const std::uint64_t upper = random.generator();
+        const std::uint64_t drawn = upper << 32 | random.generator();
+        return std::int64_t(drawn % std::uint64_t(2 * most + 1)) - most;
+    };
+    for (auto& polygon : scene.polygons) {
+        for (auto& vertex : polygon.vertices) {
+            for (int axis = 0; axis < 3; ++axis) vertex[axis] = moved(vertex[axis], ulps());
+        }
+    }
+    return admitted(scene);
+}
+
+Scene admitted(const Scene& scene) {
+    Scene result = scene;
+    result.polygons.clear();
+    for (auto polygon : scene.polygons) {
+        for (auto& vertex : polygon.vertices) vertex.z = std::clamp(vertex.z, -1.0, 1.0);
+        if (exact_scene::admit(polygon).admission == Admission::admitted) {
+            result.polygons.push_back(std::move(polygon));
+        } else {
+            const auto parts = exact_scene::cut_into_triangles(polygon);
+            result.polygons.insert(result.polygons.end(), parts.begin(), parts.end());
+        }
+    }
+    return result;
+}
+
+}  // namespace vidno

@@ -1,0 +1,49 @@
+/// SignMap: what a kernel answers to a question at each place of p, beside the right answer.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "run/run.h"
+#include "sign_map/question.h"
+#include "vidno/picture.h"
+
+namespace vidno {
+
+struct SignMap {
+    struct Cell {
+        Sign computed, exact;
+
+        bool differs() const { return computed != exact; }
+    };
+    using Counts = std::array<std::array<int, 3>, 3>;
+
+    std::string name;  // of the question
+    std::string_view decision;
+    AnswerNames answers;
+    std::string kernel;
+    int side;                 // so many places in a row, and rows
+    std::vector<Cell> cells;  // the row of p first
+
+    const Cell& at(int x, int y) const { return cells[std::size_t(y) * side + std::size_t(x)]; }
+
+    /// How many cells have each computed answer, the first index, with each exact one.
+    Counts counts() const;
+    int differing() const;
+};
+
+/// Of the places 0 <= i, j < side <= Question::side. The decision is taken as the corrected procedures take it.
+SignMap sign_map(const Question& question, const NamedKernel& kernel, int side = Question::side);
+
+/// The computed answer is the hue; dark where it differs from the exact one.
+Color color_of(const SignMap::Cell& cell);
+
+/// p at the lower left, as in the published maps, in the colours of its cells. The exact answer changes where black and white
+/// pixels run side by side.
+Picture picture_of(const SignMap& map);
+
+std::string map_json(const SignMap& map);
+
+}  // namespace vidno

@@ -1,0 +1,239 @@
+#include "stability/experiment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "check/check.h"
+#include "scene/snapped_scene.h"
+
+namespace vidno {
+
+namespace {
+
+using Series = std::vector<Scene>;
+using Pictures = std::vector<Picture>;
+
+// ------------------------------------------------------------------------------------- the scenes of a trial
+
+Series moved_by(const Family& family, RandomPolygons& random, std::int64_t ulps) {
+    const Scene scene = random_scene(family, random);
+    return {ulps > 0 ? moved_by_ulps(scene, ulps, random) : scene};
+}
+
+/// The last polygon goes to the right in 256 steps; halfway it is where the family puts it.
+template <class StepOf>
+Series swept_over(const Family& family, RandomPolygons& random, StepOf step_of) {
+    const Scene halfway = random_scene(family, random);
+    const double step = step_of(halfway.polygons.back());
+    Series series;
+    for (int i = -128; i <= 128; ++i) {
+        Scene scene = halfway;
+        for (auto& vertex : scene.polygons.back().vertices) vertex.x += i * step;
+        series.push_back(admitted(scene));
+    }
+    return series;
+}
+
+Series swept_by_ulps(const Family& family, RandomPolygons& random, std::int64_t) {
+    return swept_over(family, random, [](const ScenePolygon& polygon) {
+        double farthest = 0;
+        for (const auto& vertex : polygon.vertices) farthest = std::max(farthest, std::abs(vertex.x));
+        return std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
+    });
+}
+
+Series swept_by_a_pixel(const Family& family, RandomPolygons& random, std::int64_t) {
+    return swept_over(family, random, [](const ScenePolygon&) { return 1.0 / 256; });
+}
+
+void move(Scene& scene, auto&& where) {
+    for (auto& polygon : scene.polygons) {
+        for (auto& vertex : polygon.vertices) vertex = where(vertex);
+    }
+}
+
+/// A scene next to coincidences, and what becomes of it.
+template <class Change>
+Series changed_by(const Family& family, RandomPolygons& random, Change change) {
+    const Scene scene = moved_by_ulps(random_scene(family, random), 1, random);
+    Scene other = scene;
+    change(other);
+    return {scene, admitted(other)};
+}
+
+Series begun_elsewhere(const Family& family, RandomPolygons& random, std::int64_t) {
+    return changed_by(family, random, [](Scene& scene) {
+        for (auto& polygon : scene.polygons) {
+            std::rotate(polygon.vertices.begin(), polygon.vertices.begin() + 1, polygon.vertices.end());
+        }
+    });
+}
+
+Series reversed(const Family& family, RandomPolygons& random, std::int64_t) {
+    return changed_by(family, random, [](Scene& scene) {
+        for (auto& polygon : scene.polygons) std::reverse(polygon.vertices.begin(), polygon.vertices.end());
+    });
+}
+
+Series reordered(const Family& family, RandomPolygons& random, std::int64_t) {
+    return changed_by(family, random, [](Scene& scene) { std::reverse(scene.polygons.begin(), scene.polygons.end()); });
+}
+
+Series shifted(const Family& family, RandomPolygons& random, std::int64_t) {
+    return changed_by(family, random, [](Scene& scene) {
+        move(scene, [](const glm::dvec3& v) { return v + glm::dvec3(1000, -37, 0); });
+        scene.area.x += 1000;
+        scene.area.y -= 37;
+    });
+}
+
+void grow(Scene& scene, int times) {
+    move(scene, [&](const glm::dvec3& v) { return glm::dvec3(times * v.x, times * v.y, v.z); });
+    const auto [x, y, width, height] = scene.area;
+    scene.area = {times * x, times * y, times * width, times * height};
+}
+
+/// Grown and shifted by half a pixel: the centre of the pixel (i, j) becomes that of (2i, 2j).
+Series doubled(const Family& family, RandomPolygons& random, std::int64_t) {
+    return changed_by(family, random, [](Scene& scene) {
+        grow(scene, 2);
+        move(scene, [](const glm::dvec3& v) { return v - glm::dvec3(.5, .5, 0); });
+    });
+}
+
+Series grown_to(const Family& family, RandomPolygons& random, std::int64_t side) {
+    Scene scene = random_scene(family, random);
+    grow(scene, int(side) / family_side);
+    return {scene};
+}
+
+// ------------------------------------------------------------------------------------- what a trial comes to
+
+Tally with_pixels(Tally tally, std::size_t pixels, std::size_t wrong_pixels) {
+    ++tally.runs;
+    tally.wrong_runs += wrong_pixels > 0 ? 1 : 0;
+    tally.pixels += pixels;
+    tally.wrong_pixels += wrong_pixels;
+    return tally;
+}
+
+Tally look_at_decisions(const RunRequest& request) {
+    const CheckReport report = check_run(request, right_picture(request.scene));
+    const Area& area = request.scene.area;
+    Tally tally = with_pixels({}, std::size_t(area.width) * std::size_t(area.height), report.wrong_pixels);
+    for (const auto& each : report.procedures) {
+        tally.decisions += each.decisions - each.undefined;
+        tally.wrong_decisions += each.wrong_for_scene;
+    }
+    return tally;
+}
+
+Tally look_at_windows(RunRequest request) {
+    Tally tally;
+    if (request.method != Method::warnock) return tally;
+    tally.runs = 1;
+    request.progress = [&] { ++tally.windows; };
+    run(request);
+    return tally;
+}
+
+Pictures pictures_of(const Series& series, Method method, const NamedKernel& kernel) {
+    Pictures pictures;
+    for (const auto& scene : series) pictures.push_back(run({method, kernel, Edition::corrected, scene}));
+    return pictures;
+}
+
+Pictures exact_pictures_of(const Series& series) {
+    return pictures_of(series, Method::zbuffer, *kernel_named("exact"));
+}
+
+/// The colours at the centres of the family's area: of a picture k times as large, each k-th pixel of each k-th row.
+std::vector<Color> sampled(const Picture& picture) {
+    const Area& area = picture.area();
+    const int step = area.width / family_side;
+    std::vector<Color> colors;
+    for (int y = area.y; y < area.bottom(); y += step) {
+        for (int x = area.x; x < area.right(); x += step) colors.push_back(picture.at(x, y));
+    }
+    return colors;
+}
+
+Tally look_at_pixels(const Pictures& pictures, const Pictures& right) {
+    Tally tally;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        tally = with_pixels(tally, pictures[i].pixels().size(), different_pixels(pictures[i], right[i]));
+        if (i == 0) continue;
+        const auto before = sampled(pictures[i - 1]), after = sampled(pictures[i]);
+        const auto right_before = sampled(right[i - 1]), right_after = sampled(right[i]);
+        for (std::size_t pixel = 0; pixel < after.size(); ++pixel) {
+            if (right_before[pixel] != right_after[pixel]) continue;
+            ++tally.steady;
+            tally.flickers += before[pixel] != after[pixel] ? 1 : 0;
+        }
+    }
+    return tally;
+}
+
+Series snapped(Series series, int bits) {
+    for (auto& scene : series) scene = snapped_scene(scene, bits).scene;
+    return series;
+}
+
+}  // namespace
+
+using enum Experiment::Kind;
+
+const std::array<Experiment, 21> experiments{{
+    {moved, "0", 0, 1, moved_by},
+    {moved, "1", 1, 1, moved_by},
+    {moved, "2", 2, 1, moved_by},
+    {moved, "4", 4, 1, moved_by},
+    {moved, "16", 16, 1, moved_by},
+    {moved, "2^8", 1 << 8, 1, moved_by},
+    {moved, "2^16", 1 << 16, 1, moved_by},
+    {moved, "2^32", std::int64_t{1} << 32, 1, moved_by},
+    {swept, "by ulps", 0, 256, swept_by_ulps},
+    {swept, "by a pixel", 0, 256, swept_by_a_pixel},
+    {changed, "begun elsewhere", 0, 2, begun_elsewhere},
+    {changed, "reversed", 0, 2, reversed},
+    {changed, "reordered", 0, 2, reordered},
+    {changed, "shifted", 0, 2, shifted},
+    {changed, "doubled", 0, 2, doubled},
+    {grown, "8", 8, 64, grown_to},
+    {grown, "16", 16, 64, grown_to},
+    {grown, "32", 32, 64, grown_to},
+    {grown, "64", 64, 64, grown_to},
+    {grown, "128", 128, 64, grown_to},
+    {grown, "256", 256, 64, grown_to},
+}};
+
+Tally& Tally::operator+=(const Tally& other) {
+    for (const auto& [name, value] : tally_fields) this->*value += other.*value;
+    return *this;
+}
+
+Tallies try_out(const Experiment& experiment, const Series& series, const std::vector<NamedKernel>& kernels,
+                const std::vector<Method>& methods) {
+    const bool at_all_pixels = experiment.kind == swept || experiment.kind == changed;
+    const auto right_of = [&](const Series& of) { return at_all_pixels ? exact_pictures_of(of) : Pictures(); };
+    const Pictures right = right_of(series);
+    Tallies tallies;
+    for (const auto& kernel : kernels) {
+        const bool snaps = kernel.snaps();
+        const Series own = snaps ? snapped(series, kernel.parameter) : series;
+        const Pictures own_right = snaps ? right_of(own) : right;
+        for (const Method method : methods) {
+            const RunRequest request{method, kernel, Edition::corrected, own.front()};
+            switch (experiment.kind) {
+                case moved: tallies.push_back(look_at_decisions(request)); break;
+                case swept:
+                case changed: tallies.push_back(look_at_pixels(pictures_of(own, method, kernel), own_right)); break;
+                case grown: tallies.push_back(look_at_windows(request)); break;
+            }
+        }
+    }
+    return tallies;
+}
+
+}  // namespace vidno

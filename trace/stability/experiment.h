@@ -1,0 +1,62 @@
+/// Experiment: what is done to a family's scenes, and what the runs come to.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "run/run.h"
+#include "scene/families.h"
+
+namespace vidno {
+
+/// What runs came to. "Wrong" is against exact arithmetic on the scene; under `grid`, on the snapped one.
+struct Tally {
+    std::uint64_t runs = 0, wrong_runs = 0;            // wrong: with a wrong pixel
+    std::uint64_t pixels = 0, wrong_pixels = 0;        // of all runs
+    std::uint64_t decisions = 0, wrong_decisions = 0;  // those that have a truth: after a wrong turn some have none
+    std::uint64_t steady = 0, flickers = 0;  // pixels that should stay from one scene to the next; that do not
+    std::uint64_t windows = 0;               // of Warnock's algorithm
+
+    Tally& operator+=(const Tally& other);
+    bool all_right() const { return wrong_pixels + wrong_decisions + flickers == 0; }
+    bool operator==(const Tally&) const = default;
+};
+
+/// By the names under which they are written.
+struct TallyField {
+    std::string_view name;
+    std::uint64_t Tally::*value;
+};
+inline constexpr std::array tally_fields{
+    TallyField{"runs", &Tally::runs},           TallyField{"wrong_runs", &Tally::wrong_runs},
+    TallyField{"pixels", &Tally::pixels},       TallyField{"wrong_pixels", &Tally::wrong_pixels},
+    TallyField{"decisions", &Tally::decisions}, TallyField{"wrong_decisions", &Tally::wrong_decisions},
+    TallyField{"steady", &Tally::steady},       TallyField{"flickers", &Tally::flickers},
+    TallyField{"windows", &Tally::windows},
+};
+
+/// A tally for each kernel, and for it each method.
+using Tallies = std::vector<Tally>;
+
+struct Experiment {
+    /// What is done, and so what is looked at: decisions and pixels; pixels from scene to scene, twice; windows.
+    enum class Kind : unsigned char { moved, swept, changed, grown };
+
+    Kind kind;
+    std::string_view how;  // no two of a kind are alike
+    std::int64_t amount;   // of ulps, of pixels a side
+    std::uint64_t price;   // what a trial costs, in runs: of dear ones there are fewer
+    std::vector<Scene> (*series)(const Family&, RandomPolygons&, std::int64_t amount);  // the scenes of a trial
+};
+
+inline constexpr std::array<std::string_view, 4> kind_names{"moved", "swept", "changed", "grown"};
+
+extern const std::array<Experiment, 21> experiments;
+
+/// Runs a trial. Throws Refused if a scene is too wide for `grid`.
+Tallies try_out(const Experiment& experiment, const std::vector<Scene>& series, const std::vector<NamedKernel>& kernels,
+                const std::vector<Method>& methods);
+
+}  // namespace vidno

@@ -1,0 +1,53 @@
+/// CallStack: which procedures are running at a step, rebuilt from the events.
+#pragma once
+
+#include <type_traits>
+#include <vector>
+
+#include "format/event.h"
+
+namespace vidno {
+
+/// An event that cannot follow: the reason.
+struct Impossible {
+    std::string reason;
+};
+
+class CallStack {
+public:
+    struct Frame {
+        Procedure of;
+        std::optional<Line> at;
+        bool operator==(const Frame&) const = default;
+    };
+
+    /// The bottom frame is the method's.
+    CallStack(Procedure method, Detail detail) : detail_(detail), frames_{{method, std::nullopt}} {}
+
+    const std::vector<Frame>& frames() const { return frames_; }  // outermost first
+
+    template <class E>
+    void take(const E& event) {
+        if constexpr (requires { E::result_of; }) end(E::result_of);
+        frames_.back().at = event.at;
+        if constexpr (std::is_same_v<E, event::Call>) begin(event.of);
+    }
+
+private:
+    void begin(Procedure procedure) {
+        if (frames_.size() > procedure_names.size()) throw Impossible{"the call stack is too deep"};
+        frames_.push_back({procedure, std::nullopt});
+    }
+
+    /// A result closes the frame that its `call` opened; below the level of the call there is none.
+    void end(Procedure procedure) {
+        if (detail_ < event::calls_from(procedure)) return;
+        if (frames_.back().of != procedure) throw Impossible{"a result of a procedure that is not running"};
+        frames_.pop_back();
+    }
+
+    Detail detail_;
+    std::vector<Frame> frames_;
+};
+
+}  // namespace vidno

@@ -1,0 +1,213 @@
+#include "choice/method.h"
+#include "state/state.h"
+#include "state/state_text.h"
+
+namespace vidno {
+
+namespace {
+
+class PolygonStateText : StateText {
+public:
+    explicit PolygonStateText(const State& state) : PolygonStateText(state, polygon_names(state.header().scene)) {}
+
+    std::string line() {
+        begin(state_);
+        out_ += ",\"picture\":";
+        picture();
+        const bool has_windows = is_warnock(state_.header().method);
+        out_ += ",\"warnock\":";
+        has_windows ? warnock() : null();
+        out_ += ",\"zbuffer\":";
+        const bool has_regions = state_.header().method == Method::weiler_atherton;
+        has_windows || has_regions ? null() : z_buffer();
+        if (has_regions) {
+            out_ += ",\"weilerAtherton\":";
+            weiler_atherton();
+        }
+        out_ += "}\n";
+        return out_.string();
+    }
+
+private:
+    PolygonStateText(const State& state, const PolygonNames& names) : StateText(names), state_(state), names_(names) {}
+
+    void picture() {
+        const Area& area = state_.picture().area();
+        out_ += '[';
+        for (int y = area.y; y < area.bottom(); ++y) {
+            if (y > area.y) out_ += ',';
+            out_ += '"';
+            for (int x = area.x; x < area.right(); ++x) append_hex(out_, state_.picture().at(x, y));
+            out_ += '"';
+        }
+        out_ += ']';
+    }
+
+    void window(const Window& w) {
+        list(std::array{w.x, w.y, w.width, w.height}, [this](double v) { append_number(out_, v); });
+    }
+    void apl(const State::Apl& entries) {
+        list(entries, [this](const AplEntry& entry) {
+            out_ += '[';
+            out_ += names_[std::size_t(entry.first.index)];
+            out_ += ',';
+            boolean(entry.second);
+            out_ += ']';
+        });
+    }
+    void joined(const std::vector<State::Joined>& entries) {
+        list(entries, [this](const State::Joined& entry) {
+            out_ += '[';
+            out_ += names_[std::size_t(entry.polygon.index)];
+            out_ += ',';
+            integer(entry.level);
+            out_ += ']';
+        });
+    }
+    void vertices(const std::vector<ValueVertex>& vertices) {
+        list(vertices, [this](const ValueVertex& v) {
+            list(std::array{v.x, v.y, v.z}, [this](const Value& c) { number(c); });
+        });
+    }
+
+    void warnock() {
+        out_ += "{\"stack\":";
+        list(state_.stack(), [this](const auto& stacked) {
+            out_ += "{\"window\":";
+            window(stacked.window);
+            out_ += ",\"apl\":";
+            apl(*stacked.apl);
+            out_ += '}';
+        });
+        const auto& current = state_.current();
+        out_ += ",\"window\":";
+        current ? window(current->window) : null();
+        out_ += ",\"apl\":";
+        current ? apl(*current->apl) : null();
+        out_ += ",\"corners\":";
+        optional(state_.corners(), [this](const auto& corners) {
+            for (std::size_t i = 0; i < 4; ++i) {
+                out_ += i == 0 ? "{\"" : ",\"";
+                out_ += corner_names[i];
+                out_ += "\":";
+                number(corners[i]);
+            }
+            out_ += '}';
+        });
+        out_ += ",\"k\":";
+        optional(state_.k(), [this](int k) { integer(k); });
+        out_ += ",\"count\":";
+        integer(state_.count());
+        out_ += ",\"hasSurround\":";
+        boolean(state_.has_surround());
+        out_ += ",\"color\":";
+        optional(state_.color(), [this](const Color& color) { append_color(out_, color); });
+        out_ += ",\"insider\":";
+        boolean(state_.insider());
+        out_ += ",\"clip\":";
+        optional(state_.clip(), [this](const State::Clip& clip) {
+            out_ += "{\"vertices\":";
+            vertices(clip.vertices);
+            out_ += ",\"next\":";
+            vertices(clip.next);
+            out_ += '}';
+        });
+        if (choice_of(state_.header().method).procedure == Procedure::three_lists_warnock) {
+            out_ += ",\"surrounding\":";
+            joined(state_.surrounding());
+            out_ += ",\"outside\":";
+            joined(state_.outside());
+        }
+        out_ += '}';
+    }
+
+    void parts(const std::vector<PolygonPart>& parts) {
+        list(parts, [this](const PolygonPart& part) {
+            out_ += '[';
+            out_ += names_[std::size_t(part.polygon.index)];
+            out_ += ',';
+            loops(part.region);
+            out_ += ',';
+            boolean(part.ground);
+            out_ += ']';
+        });
+    }
+    void weiler_atherton() {
+        out_ += "{\"lists\":";
+        list(state_.lists(), [this](const auto& pieces) { parts(pieces); });
+        out_ += ",\"list\":";
+        optional(state_.list_in_hand(), [this](const State::ListInHand& in_hand) {
+            out_ += "{\"pieces\":";
+            parts(in_hand.pieces);
+            out_ += ",\"inside\":";
+            parts(in_hand.inside);
+            out_ += ",\"outside\":";
+            parts(in_hand.outside);
+            out_ += '}';
+        });
+        out_ += ",\"facets\":";
+        parts(state_.facets());
+        out_ += ",\"visible\":";
+        parts(state_.visible());
+        out_ += '}';
+    }
+
+    void z_buffer() {
+        out_ += "{\"polygon\":";
+        optional(state_.polygon(), [this](int index) { out_ += names_[std::size_t(index)]; });
+        out_ += ",\"S\":";
+        list(state_.edges(), [this](int edge) { integer(edge); });
+        out_ += ",\"ael\":";
+        list(state_.ael(), [this](const State::AelEntry& entry) { active_edge(entry); });
+        out_ += ",\"y\":";
+        optional(state_.y(), [this](const Value& y) { number(y); });
+        out_ += ",\"row\":";
+        optional(state_.row(), [this](int row) { integer(row); });
+        out_ += ",\"nextS\":";
+        optional(state_.next_start(), [this](const Value& next) { number(next); });
+        out_ += ",\"nextAel\":";
+        optional(state_.next_end(), [this](const Value& next) { number(next); });
+        out_ += ",\"z\":";
+        depths();
+        out_ += '}';
+    }
+    void active_edge(const State::AelEntry& entry) {
+        out_ += "{\"edge\":";
+        integer(entry.edge);
+        const auto field = [this](std::string_view key, const Value& value) {
+            out_ += ",\"";
+            out_ += key;
+            out_ += "\":";
+            number(value);
+        };
+        field("x", entry.x);
+        field("z", entry.z);
+        field("until", entry.until);
+        field("dx", entry.dx);
+        field("dz", entry.dz);
+        out_ += '}';
+    }
+    void depths() {
+        const Area& area = state_.picture().area();
+        if (!state_.depth(area.x, area.y)) return null();
+        out_ += '[';
+        for (int y = area.y; y < area.bottom(); ++y) {
+            out_ += y > area.y ? ",[" : "[";
+            for (int x = area.x; x < area.right(); ++x) {
+                if (x > area.x) out_ += ',';
+                number(*state_.depth(x, y));
+            }
+            out_ += ']';
+        }
+        out_ += ']';
+    }
+
+    const State& state_;
+    PolygonNames names_;
+};
+
+}  // namespace
+
+std::string state_json(const State& state) { return PolygonStateText(state).line(); }
+
+}  // namespace vidno

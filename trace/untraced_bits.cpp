@@ -1,8 +1,0 @@
-#include "untraced_set.h"
-#include "vidno/kernels/bits.h"
-
-namespace vidno {
-
-Picture untraced_bits(const RunRequest& request) { return untraced(request, Bits(request.kernel.parameter)); }
-
-}  // namespace vidno

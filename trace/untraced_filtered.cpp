@@ -1,8 +1,0 @@
-#include "untraced_set.h"
-#include "vidno/kernels/filtered.h"
-
-namespace vidno {
-
-Picture untraced_filtered(const RunRequest& request) { return untraced(request, Filtered{}); }
-
-}  // namespace vidno
