@@ -60,6 +60,9 @@ export const playerStyle = css`
     border-radius: var(--radius);
     background: var(--panel);
   }
+  vidno-keys {
+    order: 2;
+  }
   .said {
     display: flex;
     gap: 0.75rem;

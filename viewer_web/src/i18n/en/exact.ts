@@ -30,8 +30,8 @@ export const exact: ExactTexts = {
     parallel: 'whether the two are parallel',
   },
   causes: {
-    rounded: 'The operation rounded.',
-    drifted: 'It is right for its numbers: they had drifted before.',
+    rounded: 'This operation rounded.',
+    drifted: 'Right for its operands, which had drifted before.',
   },
   answer,
   computed: 'Computed',
@@ -45,12 +45,12 @@ export const exact: ExactTexts = {
   },
   right: 'Right.',
   wrong: 'Wrong.',
-  undefined: 'After a wrong turn there is no right answer here.',
-  unchecked: 'This run was not held against exact arithmetic.',
-  certain: 'Under these numbers every decision is exact.',
+  undefined: 'After a wrong branch there is no right answer here.',
+  unchecked: 'This run was not checked against exact arithmetic.',
+  certain: 'With these numbers every decision is exact.',
   check: 'Check every decision',
   nothing:
-    'This step decides nothing by numbers. Go to a sign, a comparison or a range; “Go to: a wrong decision” finds those that are wrong.',
+    'No numeric decision at this step. Go to a sign, a comparison or a range; “Go to: a wrong decision” finds those that are wrong.',
   lens: (at) => `The same decision around ${at}`,
   apart: (ulp) => `Each square is a neighbouring number, ${ulp} apart.`,
   noLens:

@@ -25,8 +25,12 @@ const place = (at: readonly (number | string)[], words: Words): string => {
   return corner === null ? `point ${point(at)}` : `${corner} corner`;
 };
 
-const edgesOf = (list: readonly number[], words: Words): string =>
-  `${list.length === 1 ? 'Edge' : 'Edges'} ${words.list(list)}`;
+/** "1", "1 and 0", "2, 1 and 0". */
+const allOf = (list: readonly number[]): string =>
+  [list.slice(0, -1).join(', '), list.slice(-1).join()].filter(Boolean).join(' and ');
+
+const edgesOf = (list: readonly number[]): string =>
+  `${list.length === 1 ? 'Edge' : 'Edges'} ${allOf(list)}`;
 
 const currentList = (words: Words): string =>
   words.ids((words.after.warnock?.apl?.entries ?? []).map(([id]) => id));
@@ -52,7 +56,7 @@ export const sentences: Sentences = {
       : `The printed text fails here: ${reason}, pixel (${x}, ${y}).`;
   },
   disagree: ({ of, taken, exact, cause }) =>
-    `Wrong, ${decided[of]}: ${answer(taken)} here, ${answer(exact)} exactly. ${causes[cause]}`,
+    `Wrong, ${decided[of]}: computed ${answer(taken)}, exactly ${answer(exact)}. ${causes[cause]}`,
 
   push: ({ at, window, shared, apl }, words) => {
     if (at === 'W3' || at === 'WS1' || at === 'WF1') {
@@ -62,7 +66,7 @@ export const sentences: Sentences = {
     const list = shared === true ? 'the same list' : 'its own copy of the list';
     return `The part ${windowText(window)} goes on the stack with ${list}.`;
   },
-  skip: ({ window }) => `The part ${windowText(window)} lies off the area: it is left out.`,
+  skip: ({ window }) => `The part ${windowText(window)} lies outside the area: it is skipped.`,
   pop: ({ at, window }, words) =>
     at === 'WF2'
       ? `The window ${windowText(window)} comes off the stack: it is of level ${words.after.warnock?.way?.length ?? 0}.`
@@ -138,7 +142,7 @@ export const sentences: Sentences = {
     `Side ${side} of 4, the ${sides[side - 1] ?? ''} one: the new list is empty.`,
   clip_sign: ({ vertex, sign }) => {
     const where = { '-1': 'on the inner side of', 0: 'on', 1: 'on the outer side of' }[sign];
-    return `The vertex ${point(vertex.slice(0, 2))} lies ${where} this line.`;
+    return `The vertex ${point(vertex.slice(0, 2))} lies ${where} this side.`;
   },
   clip_cross: ({ vertex }) =>
     `The edge crosses the side at ${point(vertex.slice(0, 2))}: the crossing joins the new list.`,
@@ -154,15 +158,15 @@ export const sentences: Sentences = {
       : `The part of ${polygon} in the window has ${words.counted(left.length, vertices)}.`,
   row: ({ row, left, right, first, end }) =>
     first < end
-      ? `Row ${row} meets it from ${short(left)} to ${short(right)}: columns ${first} to ${end - 1}.`
-      : `Row ${row} meets it from ${short(left)} to ${short(right)}: no pixel's centre.`,
+      ? `Row ${row} meets the polygon from ${short(left)} to ${short(right)}: columns ${first} to ${end - 1}.`
+      : `Row ${row} meets the polygon from ${short(left)} to ${short(right)}: no pixel's centre.`,
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} the colour of ${polygon}, in ${words.counted(runs.length, rows)}.`,
 
   ...family.sentences,
 
-  clear: ({ z }) => `The picture is background; every cell of Z holds ${short(z)}.`,
-  polygon: ({ polygon }) => `Now ${polygon}: S and AEL are empty.`,
+  clear: ({ z }) => `The picture is all background; every cell of the Z-buffer holds ${short(z)}.`,
+  polygon: ({ polygon }) => `Next polygon: ${polygon}. S and the AEL are empty.`,
   edge: ({ edge, rows }) => {
     const [first, last] = rows ?? [];
     if (first === undefined || last === undefined) return `Edge ${edge} joins S.`;
@@ -172,19 +176,20 @@ export const sentences: Sentences = {
   extent: ({ ymin, ymax }) => `The polygon reaches from y = ${short(ymin)} to ${short(ymax)}.`,
   scanline: ({ y, row }) => `The scanline is row ${row}, y = ${short(y)}.`,
   ael_add: ({ edge, x, z, until }) =>
-    `Edge ${edge} begins: it joins AEL at x = ${short(x)}, z = ${short(z)}, until ${short(until)}.`,
-  horizontal: ({ edge }) => `Edge ${edge} is level: it is shown at once and does not join AEL.`,
-  leave: ({ edges, next }, words) =>
+    `Edge ${edge} begins: it joins the AEL at x = ${short(x)}, z = ${short(z)}, until ${short(until)}.`,
+  horizontal: ({ edge }) =>
+    `Edge ${edge} is horizontal: it is drawn at once and does not join the AEL.`,
+  leave: ({ edges, next }) =>
     edges.length === 0
       ? 'No edge leaves S.'
-      : `${edgesOf(edges, words)} of S done with${when(next, 'the next begins at')}.`,
+      : `${edgesOf(edges)} ${edges.length === 1 ? 'leaves' : 'leave'} S${when(next, 'the next begins at')}.`,
   ael_sort: ({ edges, next }, words) =>
     edges.length === 0
-      ? 'AEL is empty.'
-      : `AEL from left to right: ${words.list(edges)}${when(next, 'the next change is at')}.`,
+      ? 'The AEL is empty.'
+      : `The AEL from left to right: ${words.list(edges)}${when(next, 'the next change is at')}.`,
   line: ({ row, from, to }) =>
     `Row ${row} from x = ${short(from[0])} (z = ${short(from[1])}) to x = ${short(to[0])} (z = ${short(to[1])}).`,
-  miss: () => 'The line lies off the area: nothing to show.',
+  miss: () => 'The segment lies outside the area: nothing to show.',
   slope: ({ dz }) => `From pixel to pixel z changes by ${short(dz)}.`,
   columns: ({ first, end, z }) =>
     first < end
@@ -200,10 +205,10 @@ export const sentences: Sentences = {
     cells(runs) === 0
       ? `No pixel of row ${row} changes.`
       : `${takes(cells(runs), words)} the colour of ${words.after.zbuffer?.polygon ?? ''}, in row ${row}.`,
-  ael_drop: ({ edges, next }, words) =>
+  ael_drop: ({ edges, next }) =>
     edges.length === 0
       ? 'No edge ends here.'
-      : `${edgesOf(edges, words)} ended: out of AEL${when(next, 'the next change is at')}.`,
+      : `${edgesOf(edges)} ${edges.length === 1 ? 'ends here and leaves' : 'end here and leave'} the AEL${when(next, 'the next change is at')}.`,
   ael_step: ({ edge, x, z }) => `Edge ${edge} steps to x = ${short(x)}, z = ${short(z)}.`,
 
   ...curveSentences,

@@ -43,7 +43,7 @@ export const predict: PredictTexts = {
     octants: ({ polygon, window }) =>
       `OctantAngles: ${polygon} вокруг окна ${windowText(window)}. Октанты нумеруются по ходу часовой стрелки, левый верхний — 0.`,
     corners: ({ polygon }) =>
-      `Глубины ${polygon} в углах известны; за каждой стоит наибольшая до неё.`,
+      `Глубины ${polygon} в углах известны; рядом с каждой — наибольшая из прежних.`,
     inside: ({ polygon, point: at, corner }) =>
       `SurroundTest: ${corner === null ? 'точка' : `${places[corner]} угол`} ${point(at)} и ${polygon}.`,
     point: ({ point: at }) => `Что видно в точке ${point(at)}, центре окна?`,
@@ -68,7 +68,7 @@ export const predict: PredictTexts = {
     stack: ({ clip, nearer }) =>
       `${nearer.length === 0 ? `Внутри ${clip} нет ничего ближе него.` : `Внутри ${clip} ближе него: ${nearer.join(', ')}.`} Какой список берётся из стека следующим?`,
     pixels: ({ polygon, row }) =>
-      `ShowLine: ${polygon} в строке ${row}, там, где уже что-то нарисовано. За каждой глубиной стоит записанная в Z-буфере.`,
+      `ShowLine: ${polygon} в строке ${row}, там, где уже что-то нарисовано. Рядом с каждой глубиной — записанная в Z-буфере.`,
     flags: ({ curve }) =>
       `Visibility: кривая ${curve} над следующими столбцами. У каждого — её высота (растёт вниз) и горизонты.`,
     horizons: ({ curve }) =>
@@ -81,7 +81,7 @@ export const predict: PredictTexts = {
     stay: 'Какие многоугольники останутся в его списке?',
     hides: 'Какой из них закрывает в нём остальные?',
     nearer: 'В каких углах он ближе?',
-    cornerDepths: 'Его глубина здесь и наибольшая до неё:',
+    cornerDepths: 'Его глубина здесь и наибольшая из прежних:',
     inside: 'Лежит ли в нём точка?',
     signs: 'Какие знаки найдутся, ребро за ребром, пока ответ не станет известен?',
     covers: 'Какие многоугольники покрывают точку?',
@@ -107,7 +107,7 @@ export const predict: PredictTexts = {
     leaves: 'Где выходит из него?',
     walked: 'Какие точки идут дальше, пока обход не вернётся к началу?',
     hidden: 'Какие из них сзади?',
-    partDepth: 'Её глубина там против глубины отсекающего:',
+    partDepth: 'Её глубина там в сравнении с глубиной отсекающего:',
     next: 'А потом?',
     clips: 'Какой многоугольник будет отсекающим?',
     listed: 'Части каких многоугольников есть в этом списке?',
@@ -159,7 +159,7 @@ export const predict: PredictTexts = {
   verdicts: { right: 'Верно.', wrong: 'Не совсем.', givenUp: 'Ответа нет.' },
   partRight: 'верно',
   partWrong: 'неверно',
-  rightIs: (answer) => `Верно: ${answer}`,
+  rightIs: (answer) => `Правильный ответ: ${answer}`,
   empty: 'ничего',
   because: 'Почему',
   waits: (step) => `Вопрос ждёт на шаге ${step}`,

@@ -33,8 +33,12 @@ const where = (at: readonly (number | string)[], words: Words): string =>
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-const edgesOf = (list: readonly number[], words: Words): string =>
-  `${list.length === 1 ? 'Ребро' : 'Рёбра'} ${words.list(list)}`;
+/** «1», «1 и 0», «2, 1 и 0». */
+const allOf = (list: readonly number[]): string =>
+  [list.slice(0, -1).join(', '), list.slice(-1).join()].filter(Boolean).join(' и ');
+
+const edgesOf = (list: readonly number[]): string =>
+  `${list.length === 1 ? 'Ребро' : 'Рёбра'} ${allOf(list)}`;
 
 const currentList = (words: Words): string =>
   words.ids((words.after.warnock?.apl?.entries ?? []).map(([id]) => id));
@@ -47,7 +51,7 @@ const { answer, causes, decided } = exact;
 
 export const sentences: Sentences = {
   plane: ({ polygon, plane }) =>
-    `Плоскость ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
+    `Плоскость ${polygon}: a, b, c, d = ${plane.map(short).join('; ')}.`,
   call: ({ of }) => `Начинается ${of}: ${purposes[of]}`,
   depth: ({ at: line, polygon, point: at, z }, words) =>
     `${capital(where(at, words))} глубина ${line === 'PC3' ? '' : 'плоскости '}${polygon} равна ${short(z)}.`,
@@ -57,10 +61,10 @@ export const sentences: Sentences = {
     }
     return x === undefined || y === undefined
       ? `Напечатанный текст здесь ошибается: ${reason}. Прогон окончен.`
-      : `Напечатанный текст здесь ошибается: ${reason}, пиксель (${x}, ${y}).`;
+      : `Напечатанный текст здесь ошибается: ${reason}, пиксель (${x}; ${y}).`;
   },
   disagree: ({ of, taken, exact, cause }) =>
-    `Неверно, ${decided[of]}: здесь ${answer(taken)}, точно ${answer(exact)}. ${causes[cause]}`,
+    `Неверно, ${decided[of]}: вычислено ${answer(taken)}, точно ${answer(exact)}. ${causes[cause]}`,
 
   push: ({ at, window, shared, apl }, words) => {
     if (at === 'W3' || at === 'WS1' || at === 'WF1') {
@@ -131,7 +135,7 @@ export const sentences: Sentences = {
       surrounded: `${covering} закрывает всё: окно получает его цвет.`,
       pixel: 'Окно не больше пикселя: решает точка в его центре.',
       single: `В окне только ${only ?? 'один многоугольник'}: сначала фон, затем ${only ?? 'он сам'}.`,
-      split: 'Ни один из простых случаев: окно делится.',
+      split: 'Ни один из простых случаев не подходит: окно делится.',
     }[event.case];
   },
   fill: ({ rect, color }, words) => `${takes(rect[2] * rect[3], words)} ${colorOf(color, words)}.`,
@@ -153,8 +157,8 @@ export const sentences: Sentences = {
   clip_begin: ({ polygon }) => `${polygon} отсекается по очереди четырьмя сторонами окна.`,
   clip_side: ({ side }) => `Сторона ${side} из 4, ${sides[side - 1] ?? ''}: новый список пуст.`,
   clip_sign: ({ vertex, sign }) => {
-    const place = { '-1': 'с внутренней стороны', 0: 'на самой', 1: 'с внешней стороны' }[sign];
-    return `Вершина ${point(vertex.slice(0, 2))} лежит ${place} прямой.`;
+    const place = { '-1': 'внутри от', 0: 'на прямой', 1: 'снаружи от' }[sign];
+    return `Вершина ${point(vertex.slice(0, 2))} лежит ${place} этой стороны.`;
   },
   clip_cross: ({ vertex }) =>
     `Ребро пересекает сторону в ${point(vertex.slice(0, 2))}: точка входит в новый список.`,
@@ -170,15 +174,15 @@ export const sentences: Sentences = {
       : `У части ${polygon} в окне ${words.counted(left.length, vertices)}.`,
   row: ({ row, left, right, first, end }) =>
     first < end
-      ? `Строка ${row} пересекает его от ${short(left)} до ${short(right)}: столбцы ${first}–${end - 1}.`
-      : `Строка ${row} пересекает его от ${short(left)} до ${short(right)}: ни одного центра пикселя.`,
+      ? `Строка ${row} пересекает многоугольник от ${short(left)} до ${short(right)}: столбцы ${first}–${end - 1}.`
+      : `Строка ${row} пересекает многоугольник от ${short(left)} до ${short(right)}: ни одного центра пикселя.`,
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} цвет ${polygon} в ${words.counted(runs.length, rows)}.`,
 
   ...family.sentences,
 
   clear: ({ z }) => `Изображение заполнено фоном, каждая ячейка Z-буфера — значением ${short(z)}.`,
-  polygon: ({ polygon }) => `Теперь ${polygon}: S и список активных рёбер пусты.`,
+  polygon: ({ polygon }) => `Следующий многоугольник: ${polygon}. S и AEL пусты.`,
   edge: ({ edge, rows }) => {
     const [first, last] = rows ?? [];
     if (first === undefined || last === undefined) return `Ребро ${edge} входит в S.`;
@@ -189,15 +193,15 @@ export const sentences: Sentences = {
   scanline: ({ y, row }) => `Строка растра ${row}, y = ${short(y)}.`,
   ael_add: ({ edge, x, z, until }) =>
     `Ребро ${edge} начинается: входит в AEL с x = ${short(x)}, z = ${short(z)}, до ${short(until)}.`,
-  horizontal: ({ edge }) => `Ребро ${edge} горизонтально: оно рисуется сразу и в список не входит.`,
-  leave: ({ edges, next }, words) =>
+  horizontal: ({ edge }) => `Ребро ${edge} горизонтально: оно рисуется сразу и в AEL не входит.`,
+  leave: ({ edges, next }) =>
     edges.length === 0
       ? 'Из S ничего не удаляется.'
-      : `${edgesOf(edges, words)} — вон из S${when(next, 'следующее начинается в')}.`,
+      : `${edgesOf(edges)} ${edges.length === 1 ? 'удаляется' : 'удаляются'} из S${when(next, 'следующее начинается при y =')}.`,
   ael_sort: ({ edges, next }, words) =>
     edges.length === 0
-      ? 'Список активных рёбер пуст.'
-      : `Активные рёбра слева направо: ${words.list(edges)}${when(next, 'следующее изменение в')}.`,
+      ? 'AEL пуст.'
+      : `AEL слева направо: ${words.list(edges)}${when(next, 'следующее изменение при y =')}.`,
   line: ({ row, from, to }) =>
     `Строка ${row} от x = ${short(from[0])} (z = ${short(from[1])}) до x = ${short(to[0])} (z = ${short(to[1])}).`,
   miss: () => 'Отрезок лежит вне области: показывать нечего.',
@@ -209,17 +213,17 @@ export const sentences: Sentences = {
   pixel: ({ x, y, z, stored, shown }) => {
     const [depth, before] = shortApart(z, stored);
     return shown
-      ? `Пиксель (${x}, ${y}): ${depth} ближе, чем ${before}, — он виден.`
-      : `Пиксель (${x}, ${y}): ${depth} не ближе, чем ${before}, — он закрыт.`;
+      ? `Пиксель (${x}; ${y}): ${depth} ближе, чем ${before}, — он виден.`
+      : `Пиксель (${x}; ${y}): ${depth} не ближе, чем ${before}, — он закрыт.`;
   },
   span: ({ row, runs }, words) =>
     cells(runs) === 0
       ? `В строке ${row} ничего не меняется.`
       : `${takes(cells(runs), words)} цвет ${words.after.zbuffer?.polygon ?? ''} в строке ${row}.`,
-  ael_drop: ({ edges, next }, words) =>
+  ael_drop: ({ edges, next }) =>
     edges.length === 0
-      ? 'Ни одно ребро здесь не кончается.'
-      : `${edgesOf(edges, words)}: конец, удаление из списка${when(next, 'следующее изменение в')}.`,
+      ? 'Ни одно ребро здесь не заканчивается.'
+      : `${edgesOf(edges)} ${edges.length === 1 ? 'заканчивается и удаляется' : 'заканчиваются и удаляются'} из AEL${when(next, 'следующее изменение при y =')}.`,
   ael_step: ({ edge, x, z }) => `Ребро ${edge} делает шаг: x = ${short(x)}, z = ${short(z)}.`,
 
   ...curveSentences,
