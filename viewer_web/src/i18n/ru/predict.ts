@@ -159,7 +159,7 @@ export const predict: PredictTexts = {
   verdicts: { right: 'Верно.', wrong: 'Не совсем.', givenUp: 'Ответа нет.' },
   partRight: 'верно',
   partWrong: 'неверно',
-  rightIs: (answer) => `Правильный ответ: ${answer}`,
+  rightIs: (answer) => `Верно: ${answer}`,
   empty: 'ничего',
   because: 'Почему',
   waits: (step) => `Вопрос ждёт на шаге ${step}`,
