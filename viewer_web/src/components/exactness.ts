@@ -11,10 +11,10 @@ import { isWrong } from '../exactness/verdict.js';
 import type { Verdict } from '../exactness/verdict.js';
 import type { ExactTexts } from '../i18n/exact-texts.js';
 import { texts } from '../i18n/index.js';
-import { point } from '../i18n/words.js';
 import type { SignMaps } from '../live/sign-maps.js';
 import type { Answer } from '../trace/values.js';
 import type { Trace } from '../trace/trace.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { askCheck } from './ask-check.js';
 import { exactnessStyle } from './exactness.style.js';
@@ -183,7 +183,7 @@ export class ExactnessElement extends LitElement {
     if (drawn !== null) return this.map(drawn, isDrawing ? null : verdict);
     if (!isDrawing) return this.noLens(say.noLens);
     return html`<section>
-      <h3>${say.lens(point(at))}</h3>
+      <h3>${say.lens(numbersOf(this.view).point(at))}</h3>
       <p class="hint">${say.drawing}</p>
     </section>`;
   }
@@ -191,7 +191,7 @@ export class ExactnessElement extends LitElement {
   private map({ question, map }: Drawn, verdict: Verdict | null): TemplateResult {
     const say = this.texts;
     const { at, places, asked } = question;
-    const title = say.lens(point(at));
+    const title = say.lens(numbersOf(this.view).point(at));
     return html`<section aria-busy=${this.isDrawing ? 'true' : 'false'}>
       <h3>${title}</h3>
       <p class="hint">${say.apart(power(places.step))}</p>

@@ -5,12 +5,12 @@ import { classMap } from 'lit/directives/class-map.js';
 import { countedIn, texts } from '../i18n/index.js';
 import { sized } from '../i18n/region-texts.js';
 import type { RegionTexts } from '../i18n/region-texts.js';
-import { short } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import type { Piece } from '../regions/events.js';
 import { areaOf } from '../regions/geometry.js';
 import { emptyRegions } from '../regions/state.js';
 import type { List, Regions } from '../regions/state.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { chipsCell, listOf, rowsOf } from './lists.js';
 import { panelsStyle } from './panels.style.js';
@@ -114,7 +114,11 @@ export class RegionsPanel extends LitElement {
     const shown = [...now.visible].reverse();
     const isFresh = now.visible !== old.visible;
     const row = (piece: Piece, i: number): TemplateResult =>
-      this.row(piece, `${say.area} ${short(areaOf(piece[1]))}`, i === 0 && isFresh);
+      this.row(
+        piece,
+        `${say.area} ${numbersOf(this.view).short(areaOf(piece[1]))}`,
+        i === 0 && isFresh,
+      );
     return html`<section>
       <h3>${say.visible}</h3>
       ${listOf(say.visible, 'visible', shown, row, this.view)}

@@ -21,6 +21,7 @@ import type { RegionTexts } from './region-texts.js';
 import type { ReaderTexts } from './reader-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { SolidTexts } from './solid-texts.js';
+import type * as words from './words.js';
 import type { Words } from './words.js';
 
 /** One sentence an event, made from the event and the step that it belongs to. */
@@ -34,6 +35,8 @@ export type ReasonTexts = {
 
 /** Everything that the page says, in one language. */
 export interface Texts {
+  /** How numbers and what is made of them are written. */
+  readonly numbers: Pick<typeof words, 'short' | 'signed' | 'shortApart' | 'point' | 'windowText'>;
   readonly page: PageTexts;
   readonly places: Readonly<Record<Corner, string>>;
   readonly purposes: Readonly<Record<Procedure, string>>;
@@ -173,6 +176,8 @@ export interface PageTexts extends FileTexts {
   readonly ofSteps: (length: string) => string;
   readonly speed: string;
   readonly perSecond: (n: number) => string;
+  /** The same, short. */
+  readonly rate: (n: number) => string;
   readonly keys: string;
   readonly close: string;
   readonly skip: string;

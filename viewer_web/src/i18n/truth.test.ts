@@ -45,7 +45,7 @@ describe('a sentence says no more than the step', () => {
   it('of a line: one that covers no centre need not lie off the area', () => {
     const miss = (at: Event<'miss'>['at']): string =>
       saying({ e: 'miss', at }, 'corrected')[0] ?? '';
-    expect(miss('L1')).toMatch(/^The row lies off the area/u);
+    expect(miss('L1')).toMatch(/^The row lies outside the area/u);
     expect(miss('L2')).toMatch(/^No pixel of the area lies between the ends/u);
   });
 

@@ -198,6 +198,10 @@ export class Words {
   }
 }
 
+/** "1", "1 and 0", "2, 1 and 0". */
+export const listed = (all: readonly (string | number)[], and: string): string =>
+  [all.slice(0, -1).join(', '), all.slice(-1).join('')].filter(Boolean).join(` ${and} `);
+
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 export function cells(runs: readonly (readonly number[])[]): number {

@@ -93,7 +93,7 @@ export const curves: CurveTexts = {
   },
   layers: {
     lines: 'lines so far',
-    curve: 'curve in hand',
+    curve: 'current curve',
     horizons: 'horizons',
     columns: 'flags of columns',
     edges: 'side edges',
@@ -114,7 +114,7 @@ export const curves: CurveTexts = {
   surface: {
     own: 'A surface y = f(x, z)…',
     name: 'Surface',
-    how: 'Drag a sample of the curve in hand up or down; with the keyboard, by the arrow keys up and down. Or change the function.',
+    how: 'Drag a sample of the current curve up or down, or press the up and down arrow keys. Or change the function.',
     title: 'Surface',
     function: 'y as a function of x and z',
     language:

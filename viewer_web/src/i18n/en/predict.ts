@@ -66,7 +66,7 @@ export const predict: PredictTexts = {
     behind: ({ clip }) =>
       `RemoveBehind: the parts inside ${clip}. Depth is compared at the mean of a part’s vertices.`,
     stack: ({ clip, nearer }) =>
-      `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than it.` : `Nearer than ${clip} inside its outline: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
+      `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than ${clip}.` : `Nearer than ${clip} inside its outline: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
     pixels: ({ polygon, row }) =>
       `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
     flags: ({ curve }) =>
@@ -98,7 +98,7 @@ export const predict: PredictTexts = {
     crossings: 'How many crossings are there in all?',
     halved: 'Which edges go to the opposite octant and must be split?',
     pierced: 'Which polygons are split?',
-    pieces: 'How many pieces are there then in all?',
+    pieces: 'How many pieces are there now in all?',
     first: 'A piece of which polygon is the first?',
     within: 'Which of them have a part inside?',
     beyond: 'Which have a part outside?',
@@ -121,7 +121,7 @@ export const predict: PredictTexts = {
     where: 'Where?',
   },
   rows: {
-    signs: 'a sign an edge, such as + 0 −',
+    signs: 'one sign per edge, such as + 0 −',
     list: 'numbers of vertices that stay, x for a crossing, such as 2 x x; − for none',
     order: 'numbers of edges, such as 3 1; − for none',
     walked: 'numbers of points, such as 4 5 9',
@@ -159,7 +159,7 @@ export const predict: PredictTexts = {
   verdicts: { right: 'Right.', wrong: 'Not quite.', givenUp: 'Given up.' },
   partRight: 'right',
   partWrong: 'wrong',
-  rightIs: (answer) => `Right is: ${answer}`,
+  rightIs: (answer) => `Correct: ${answer}`,
   empty: 'none',
   because: 'Why',
   waits: (step) => `A question waits at step ${step}`,

@@ -103,7 +103,7 @@ export const regionSentences: RegionSentences = {
 
 export const regions: RegionTexts = {
   lists: 'Stack of lists',
-  list: 'List in hand',
+  list: 'Current list',
   clip: 'clip polygon',
   ground: 'ground',
   inside: 'Inside',

@@ -50,8 +50,10 @@ export const scene: SceneTexts = {
   split: (n) => `Add a corner after corner ${n}`,
   removeCorner: (n) => `Remove corner ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
-  stands: 'You still see the run before.',
+  stands: 'Showing the previous run.',
   reasons: {
+    'empty, or with signs that no formula has':
+      'empty, or with a character that formulas do not have',
     'has an edge that no other one shares':
       'has an edge that no other one shares: this method takes closed convex bodies',
     'goes along an edge the way another one does':

@@ -14,7 +14,7 @@ export const travel: TravelTexts = {
     ael: 'a change of AEL',
     curve: 'a curve',
     crossing: 'an intersection',
-    list: 'a list in hand',
+    list: 'a list from the stack',
     region: 'a visible region',
     wrong: 'a wrong decision',
     pixel: 'a step of the chosen pixel',

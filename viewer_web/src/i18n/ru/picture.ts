@@ -19,5 +19,5 @@ export const picture: PictureTexts = {
   ramp: 'Чем светлее, тем ближе',
   fromTo: (far, near) => `глубины от ${far}, тёмные, до ${near}, светлые`,
   wrong: (n) => `неверных: ${n}`,
-  lacking: (n) => `без своего цвета: ${n}`,
+  lacking: (n) => `ещё не закрашено: ${n}`,
 };

@@ -1,4 +1,5 @@
 import type { SceneTexts } from '../scene-texts.js';
+import { short } from './numbers.js';
 
 export const scene: SceneTexts = {
   scene: 'Сцена',
@@ -45,7 +46,8 @@ export const scene: SceneTexts = {
   earlier: (id) => `${id} раньше`,
   later: (id) => `${id} позже`,
   remove: (id) => `Удалить ${id}`,
-  corner: (id, n, x, y, z) => `${id}, вершина ${n}: x ${x}, y ${y}, глубина ${z}`,
+  corner: (id, n, x, y, z) =>
+    `${id}, вершина ${n}: x ${short(x)}, y ${short(y)}, глубина ${short(z)}`,
   coordinate: (axis, n) => `${axis} вершины ${n}`,
   follows: 'Следует из глубин первых трёх вершин',
   split: (n) => `Добавить вершину после вершины ${n}`,
@@ -73,7 +75,8 @@ export const scene: SceneTexts = {
     'no such function': 'такой функции нет',
     'takes another number of arguments': 'число аргументов другое',
     'this is more than a formula': 'это больше, чем формула',
-    'empty, or with signs that no formula has': 'пусто, или есть знаки, которых в формулах нет',
+    'empty, or with signs that no formula has':
+      'пусто, или есть символ, которого в формулах не бывает',
     'it ends too early': 'обрывается',
     'not understood': 'непонятно',
   },

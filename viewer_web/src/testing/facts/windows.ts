@@ -169,8 +169,14 @@ export const windowFacts: Facts<
   clip_list: ({ count }) => (count === 0 ? none : only(count)),
   clip_result: ({ polygon, vertices }) =>
     of(polygon, ...(vertices.length === 0 ? [] : [vertices.length])),
-  row: ({ row, left, right, first, end }) =>
-    only(row, left, right, ...(first < end ? new Set([first, end - 1]) : [])),
+  row: ({ at, row, left, right, first, end }, { after }) => {
+    const [id, ...others] = at === 'PR1' ? [] : (after.warnock?.apl ?? []).map(([each]) => each);
+    const columns = first < end ? new Set([first, end - 1]) : [];
+    return {
+      ids: id === undefined || others.length > 0 ? [] : [id],
+      numbers: [row, left, right, ...columns],
+    };
+  },
   draw: ({ polygon, runs }) => of(polygon, total(runs), runs.length),
 };
 
