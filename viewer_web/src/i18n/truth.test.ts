@@ -75,6 +75,19 @@ describe('a sentence says no more than the step', () => {
     ]);
   });
 
+  it('of a flag: what the printed text finds below it need not draw (X-H1)', () => {
+    const below: Event = { e: 'visibility', at: 'FH5', segment: [0, 1], x: 3, flag: -1 };
+    expect(saying(below, 'corrected')).toEqual([
+      'Over column 3 the curve is on the lower horizon or below it, and visible (−1).',
+      'Над столбцом 3 кривая — на нижнем горизонте или ниже него: видна (−1).',
+    ]);
+    expect(saying(below, 'printed')).toEqual([
+      'Over column 3 the curve is on the lower horizon or below it (−1).',
+      'Над столбцом 3 кривая — на нижнем горизонте или ниже него (−1).',
+    ]);
+    expect(saying({ ...below, flag: 1 }, 'printed')[0]).toMatch(/and visible \(1\)\.$/u);
+  });
+
   it('of a list: at the level of windows nobody says which polygons have left it', () => {
     const pop: Event = { e: 'pop', at: 'W5', window: [0, 0, 4, 2] };
     expect(saying(pop, 'corrected', 'windows')).toEqual([

@@ -1,5 +1,5 @@
 import type { Flag } from '../../curves/events.js';
-import { isPoint, metBy } from '../../curves/sides.js';
+import { isLostBelow, isPoint, metBy } from '../../curves/sides.js';
 import type { CurveSentences, CurveTexts } from '../curve-texts.js';
 import { point, short, shortApart } from '../words.js';
 
@@ -19,6 +19,9 @@ const flags: Readonly<Record<`${Flag}`, string>> = {
   2: 'on both horizons, or before any, and visible (2)',
 };
 
+/** The printed text draws nothing between two such points (X-H1). */
+const lostBelow = 'on the lower horizon or below it (−1)';
+
 export const curveSentences: CurveSentences = {
   horizons: ({ upper, lower }) =>
     upper === undefined || lower === undefined
@@ -28,10 +31,11 @@ export const curveSentences: CurveSentences = {
     curve === 0 ? 'The first curve, 0, is the nearest.' : `Curve ${curve} is the next one.`,
   side_edge: ({ at, sample }) =>
     `The ${at === 'FH3' ? 'left' : 'right'} side edge has come to ${point(sample)}.`,
-  visibility: ({ x, flag }, { after }) => {
+  visibility: ({ x, flag }, { after, header }) => {
     const told = after.horizon?.told ?? null;
     const at = told?.x === x ? ` at ${short(told.y)}` : '';
-    return `Over column ${short(x)} the curve${at} is ${flags[flag]}.`;
+    const isLost = isLostBelow(flag, header.edition);
+    return `Over column ${short(x)} the curve${at} is ${isLost ? lostBelow : flags[flag]}.`;
   },
   intersection: ({ at, point: met, columns: between }, { after }) => {
     const horizon = metBy(at, after.horizon ?? null);
