@@ -33,10 +33,15 @@ export type ReasonTexts = {
   readonly [K in Reason]: (...details: Reasons[K]) => string;
 };
 
+/** How numbers and what is made of them are written. */
+export type Numbers = Pick<
+  typeof words,
+  'short' | 'signed' | 'inFull' | 'shortApart' | 'list' | 'point' | 'windowText'
+>;
+
 /** Everything that the page says, in one language. */
 export interface Texts {
-  /** How numbers and what is made of them are written. */
-  readonly numbers: Pick<typeof words, 'short' | 'signed' | 'shortApart' | 'point' | 'windowText'>;
+  readonly numbers: Numbers;
   readonly page: PageTexts;
   readonly places: Readonly<Record<Corner, string>>;
   readonly purposes: Readonly<Record<Procedure, string>>;
@@ -64,7 +69,8 @@ export interface HistoryTexts {
   readonly at: (x: number, y: number) => string;
   /** Of the pixel where the keyboard is, for those who hear the picture. */
   readonly spoken: (at: Pixel, facts: PixelFacts) => string;
-  readonly hint: string;
+  /** With the key for it, where keys of one character do something. */
+  readonly hint: (key: string | null) => string;
   readonly how: string;
   readonly forget: string;
   readonly entries: string;

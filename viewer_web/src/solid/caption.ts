@@ -8,7 +8,7 @@ import { spansOf } from './zbuffer.js';
 
 /** What the box shows, in words: first what never changes in a scene, then what the step shows. */
 export function caption(view: View, space: Space, texts: SolidTexts): readonly string[] {
-  const [far, near] = space.depths.map((z) => numbersOf(view).short(Number(z.toPrecision(2))));
+  const [far, near] = space.depths.map(numbersOf(view).short);
   const depths = texts.depths(far ?? '', near ?? '');
   return [depths, ...warnockWords(view, texts), ...zbufferWords(view, texts)];
 }

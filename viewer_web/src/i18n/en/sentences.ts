@@ -3,6 +3,7 @@ import type { Sentences } from '../texts.js';
 import {
   cells,
   hidingOf,
+  list,
   listed,
   onlyOf,
   point,
@@ -41,8 +42,7 @@ const currentList = (words: Words): string =>
 const { answer, causes, decided } = exact;
 
 export const sentences: Sentences = {
-  plane: ({ polygon, plane }) =>
-    `The plane of ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
+  plane: ({ polygon, plane }) => `The plane of ${polygon}: a, b, c, d = ${list(plane)}.`,
   call: ({ of }) => `${of} begins: ${purposes[of]}`,
   depth: ({ at: line, polygon, point: at, z }, words) =>
     `At the ${place(at, words)} ${line === 'PC3' ? polygon : `the plane of ${polygon}`} has depth ${short(z)}.`,

@@ -1,7 +1,7 @@
 import type { Event } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
 import { capital, cells, hidingOf, listed, onlyOf, sideAlong } from '../words.js';
-import { point, short, shortApart, windowText } from './numbers.js';
+import { list, point, short, shortApart, windowText } from './numbers.js';
 import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
@@ -38,8 +38,7 @@ const sides = { top: 'верхняя', left: 'левая', bottom: 'нижняя
 const { answer, causes, decided } = exact;
 
 export const sentences: Sentences = {
-  plane: ({ polygon, plane }) =>
-    `Плоскость ${polygon}: a, b, c, d = ${plane.map(short).join('; ')}.`,
+  plane: ({ polygon, plane }) => `Плоскость ${polygon}: a, b, c, d = ${list(plane)}.`,
   call: ({ of }) => `Начинается ${of}: ${purposes[of]}`,
   depth: ({ at: line, polygon, point: at, z }, words) =>
     `${capital(where(at, words))} глубина ${line === 'PC3' ? '' : 'плоскости '}${polygon} равна ${short(z)}.`,
