@@ -10,6 +10,7 @@ import type { History } from '../history/history.js';
 import { sayEntry, sayWhy } from '../history/say.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../i18n/texts.js';
+import { liveKey } from '../key-map.js';
 import { polygonThing } from '../pointed.js';
 import { toColor } from '../state/grid.js';
 import type { Pixel } from '../picture/pixel.js';
@@ -55,7 +56,7 @@ export class HistoryElement extends LitElement {
 
   override render(): TemplateResult {
     const { history } = this;
-    if (history === null) return html`<p class="hint">${this.texts.hint}</p>`;
+    if (history === null) return html`<p class="hint">${this.texts.hint(liveKey('P'))}</p>`;
     const { entries } = history;
     const [first, end] = shownAround(this.centre, entries.length);
     return html`

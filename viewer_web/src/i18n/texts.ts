@@ -130,7 +130,8 @@ export interface BookmarkTexts {
   readonly count: (n: number, most: number) => string;
   readonly full: (most: number) => string;
   readonly long: (most: number) => string;
-  readonly hint: string;
+  /** With the key for it, where keys of one character do something. */
+  readonly hint: (key: string | null) => string;
   readonly linked: string;
   /** The same of a page on a disk, whose address leads nobody else here. */
   readonly onDisk: string;

@@ -107,7 +107,8 @@ export const curves: CurveTexts = {
   history: {
     pixel: 'Column',
     at: (x) => `Column ${x}`,
-    hint: 'Click a column of the picture, or press P, to see every curve over it, each flag and each change of the horizons.',
+    hint: (key) =>
+      `Click a column of the picture${key === null ? '' : `, or press ${key},`} to see every curve over it, each flag and each change of the horizons.`,
     how: 'The left and right arrow keys move to another column, with Shift by ten. Enter shows the history of the column. Escape leaves.',
     forget: 'Forget the column',
     entries: 'All that happened over the column',

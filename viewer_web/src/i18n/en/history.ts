@@ -15,7 +15,8 @@ export const history: HistoryTexts = {
     const depths = depth === null ? [] : [`depth ${short(depth)}`];
     return `Pixel (${x}, ${y}): ${[...colors, ...depths].join(', ')}`;
   },
-  hint: 'Click a pixel of the picture, or press P, to see everything that concerned it and why it has its colour.',
+  hint: (key) =>
+    `Click a pixel of the picture${key === null ? '' : `, or press ${key},`} to see everything that concerned it and why it has its colour.`,
   how: 'Arrow keys move to another pixel, with Shift by ten. Enter shows the history of the pixel. Escape leaves.',
   forget: 'Forget the pixel',
   entries: 'All that concerned the pixel',

@@ -6,7 +6,8 @@ const sides = ['top', 'left', 'bottom', 'right'];
 
 export const predict: PredictTexts = {
   title: 'Predict',
-  hint: 'Say what the procedure will do next, and why, before it does it. Press Q for a question.',
+  hint: (key) =>
+    `Say what the procedure will do next, and why, before it does it.${key === null ? '' : ` Press ${key} for a question.`}`,
   next: 'Next question',
   none: 'No more questions of these kinds from here on.',
   forced: 'Stop and ask',

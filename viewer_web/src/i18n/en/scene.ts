@@ -2,7 +2,7 @@ import type { SceneTexts } from '../scene-texts.js';
 
 export const scene: SceneTexts = {
   scene: 'Scene',
-  how: 'Drag a corner, or an edge to move the whole polygon. On a corner, keys move, lift, add and remove: see ?.',
+  how: 'Drag a corner, or an edge to move the whole polygon. On a corner, keys move, lift, add and remove: see “Keys”.',
   run: 'Run',
   method: 'method',
   kernel: 'numbers',
