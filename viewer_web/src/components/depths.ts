@@ -125,7 +125,7 @@ export class DepthsElement extends LitElement {
     return html`<td
       class=${classMap({ changed })}
       .style=${`--near: ${nearness(z)}`}
-      title=${String(z)}
+      title=${numbersOf(this.view).whole(z)}
     >
       ${tiny(z, numbersOf(this.view))}
     </td>`;

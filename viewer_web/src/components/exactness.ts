@@ -130,6 +130,7 @@ export class ExactnessElement extends LitElement {
   private decision(verdict: Verdict): TemplateResult {
     const say = this.texts;
     const { of, numbers, taken, exact, by } = verdict;
+    const { whole } = numbersOf(this.view);
     const title = say.decided[of];
     return html`<section>
       <h3>${title.charAt(0).toUpperCase() + title.slice(1)}</h3>
@@ -137,7 +138,7 @@ export class ExactnessElement extends LitElement {
         ${numbers.map(
           ([name, value]) =>
             html`<dt>${name}</dt>
-              <dd title=${String(value)}>${written(value)}</dd>`,
+              <dd title=${whole(value)}>${written(whole(value))}</dd>`,
         )}
         <dt>${say.computed}</dt>
         <dd class="words computed">${this.answer(verdict, taken)}</dd>
@@ -226,8 +227,7 @@ function isAlike({ asked }: Question, drawn: Drawn | null): boolean {
 }
 
 /** In full, so that the last bit is seen. */
-function written(value: number | string): string {
-  const text = String(value).replace(/^-/, '−').replace('inf', '∞');
+function written(text: string): string {
   return text.length > longest ? `${text.slice(0, longest)}…` : text;
 }
 

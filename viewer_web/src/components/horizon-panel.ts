@@ -156,13 +156,17 @@ export class HorizonPanel extends LitElement {
   private height(which: 'upper' | 'lower', i: number, x: number): TemplateResult {
     const { columns, event, texts: page } = this.view;
     const height: N | null = columns?.horizons[which].row(0)[i] ?? null;
+    const { short, whole } = numbersOf(this.view);
     const one = which === 'upper' ? 'raise' : 'lower';
     const changed =
       event?.e === 'horizon'
         ? event[which].some(([column]) => column === x)
         : event?.e === one && event.x === x;
-    return html`<td class=${classMap({ number: true, changed })} title=${String(height ?? '')}>
-      ${height === null ? page.none : numbersOf(this.view).short(height)}
+    return html`<td
+      class=${classMap({ number: true, changed })}
+      title=${height === null ? '' : whole(height)}
+    >
+      ${height === null ? page.none : short(height)}
     </td>`;
   }
 }

@@ -39,7 +39,8 @@ export function value(
 /** A number of the trace, short; in full when pointed at. */
 export function numberCell(now: N, before: N | undefined, view: View): TemplateResult {
   const changed = now !== before;
-  return html`<td class=${classMap({ number: true, changed })} title=${String(now)}>
-    ${numbersOf(view).short(now)}
+  const { short, whole } = numbersOf(view);
+  return html`<td class=${classMap({ number: true, changed })} title=${whole(now)}>
+    ${short(now)}
   </td>`;
 }

@@ -45,9 +45,7 @@ export class PredictElement extends LitElement {
     return html`<section>
       <p class="hint">${predictor.isOver ? nothing : say.hint(liveKey('Q'))}</p>
       <p role="status">${predictor.isOver ? say.none : nothing}</p>
-      <button class="next" @click=${() => predictor.next()}>
-        ${say.next} ${kbd('Q')}
-      </button>
+      <button class="next" @click=${() => predictor.next()}>${say.next} ${kbd('Q')}</button>
     </section>`;
   }
 

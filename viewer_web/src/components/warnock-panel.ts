@@ -169,7 +169,7 @@ export class WarnockPanel extends LitElement {
     return html`<td
       class=${classMap({ changed, pointed })}
       data-thing=${thing}
-      title=${z === undefined ? nothing : String(z)}
+      title=${z === undefined ? nothing : numbersOf(this.view).whole(z)}
     >
       <small>${texts[this.view.language].places[name]}</small>
       ${z === undefined ? this.view.texts.none : numbersOf(this.view).short(z)}<i>${name}</i>

@@ -17,14 +17,14 @@ function fractionValue(written: string): number {
   return Number((BigInt(above) * scale) / BigInt(below)) / 1e12;
 }
 
-/** The digits of a number that are shown; they need not be all. */
+/** The digits of a number that are shown; if these are not all, there is room for `≈`. */
 function rounded(value: number): string {
   const exact = String(value);
   if (exact.length <= shortest) return exact;
   const size = Math.abs(value);
   if (size < 1e-4 || size >= 1e6) return value.toExponential(2);
   const texts = [4, 3, 2].map((digits) => String(Number(value.toPrecision(digits))));
-  return texts.find((text) => text.length <= shortest) ?? value.toPrecision(2);
+  return texts.find((text) => text.length < shortest) ?? value.toPrecision(2);
 }
 
 function shortNumber(value: number): string {
@@ -49,10 +49,13 @@ export function shortApart(a: N, b: N): readonly [string, string] {
   return looks[0] === looks[1] && a !== b ? [inFull(a), inFull(b)] : looks;
 }
 
+/** All of a number, however long. */
+export const whole = (value: N): string => String(value).replaceAll('-', '−').replace('inf', '∞');
+
 /** Fractions may be longer than any sentence. */
 export function inFull(value: N): string {
-  const text = String(value);
-  return text.length > longest ? short(value) : text.replace('-', '−');
+  const text = whole(value);
+  return text.length > longest ? short(value) : text;
 }
 
 function plain(value: N): string {

@@ -8,6 +8,8 @@ export const short = (value: N): string => comma(words.short(value));
 
 export const signed = (n: number): string => comma(words.signed(n));
 
+export const whole = (value: N): string => comma(words.whole(value));
+
 export const inFull = (value: N): string => comma(words.inFull(value));
 
 export function shortApart(a: N, b: N): readonly [string, string] {
