@@ -74,6 +74,8 @@ export function sayRight({ asks, options, right }: Part, language: Language): st
   const [form, of] = parts[asks];
   const say = (value: string): string => {
     if (value === none) return sayNone(asks, language);
+    // Between the options the sign stands for the word; here the word is the answer.
+    if (of === 'relation') return texts[language].predict.relations[value as Relation];
     const option = options.find((each) => each.value === value);
     return option !== undefined && isItsNote(of)
       ? sayNoted(of, option, language)

@@ -16,7 +16,7 @@ const flags: Readonly<Record<`${Flag}`, string>> = {
   1: 'on the upper horizon or above it, and visible (1)',
   '-1': 'on the lower horizon or below it, and visible (−1)',
   0: 'strictly between the horizons, and hidden (0)',
-  2: 'on both horizons, or before any, and visible (2)',
+  2: 'on both horizons, or there are none yet, and visible (2)',
 };
 
 /** The printed text draws nothing between two such points (X-H1). */
@@ -30,7 +30,7 @@ export const curveSentences: CurveSentences = {
   curve: ({ curve }) =>
     curve === 0 ? 'The first curve, 0, is the nearest.' : `Curve ${curve} is the next one.`,
   side_edge: ({ at, sample }) =>
-    `The ${at === 'FH3' ? 'left' : 'right'} side edge has come to ${point(sample)}.`,
+    `The ${at === 'FH3' ? 'left' : 'right'} side edge now ends at ${point(sample)}.`,
   visibility: ({ x, flag }, { after, header }) => {
     const told = after.horizon?.told ?? null;
     const at = told?.x === x ? ` at ${short(told.y)}` : '';
@@ -132,7 +132,7 @@ export const curves: CurveTexts = {
     samples: 'samples',
     tolerance: 'tolerance',
     toleranceHint:
-      'Pixels: where a curve is farther than that from the line between two samples, one more stands halfway. Empty: none',
+      'In pixels: where a curve is farther than this from the line between two samples, one more sample is put halfway. Empty: no more samples',
     up: 'pixels up',
     ways: {
       origin: 'Left end of the nearest curve, at y = 0',

@@ -31,7 +31,7 @@ export const history: HistoryTexts = {
   because: 'Why it has this colour:',
   why: {
     hides: (polygon) => `${polygon} surrounds this window and hides everything else in it.`,
-    centre: (polygon) => `of all that cover its centre, ${polygon} is the nearest.`,
+    centre: (polygon) => `${polygon} is the nearest of all that cover its centre.`,
     alone: (polygon) => `${polygon} is alone in this window and covers the centre of the pixel.`,
     nearest: (polygon) =>
       `${polygon} is nearer here than all drawn before, and nothing drawn later took the pixel.`,

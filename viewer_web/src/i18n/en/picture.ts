@@ -5,7 +5,7 @@ export const picture: PictureTexts = {
   out: 'Smaller',
   in: 'Larger',
   whole: 'Whole picture',
-  all: 'All vertices, also those outside of the picture',
+  all: 'All vertices, including those outside the picture',
   layer: 'What the pixels show',
   layers: {
     picture: 'Picture so far',

@@ -38,13 +38,13 @@ export const predict: PredictTexts = {
   intro: {
     window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
     relation: ({ polygon, window }) =>
-      `How does ${polygon} lie to the window ${windowText(window)}?`,
+      `How does ${polygon} lie relative to the window ${windowText(window)}?`,
     ray: ({ polygon, window }) =>
       `RayCrossings: ${polygon} and the ray from the centre of the window ${windowText(window)} to the right.`,
     octants: ({ polygon, window }) =>
-      `OctantAngles: ${polygon} about the window ${windowText(window)}. The octants are numbered as a clock goes, the upper left one is 0.`,
+      `OctantAngles: ${polygon} about the window ${windowText(window)}. The octants are numbered clockwise; the upper left one is 0.`,
     corners: ({ polygon }) =>
-      `The depths of ${polygon} at the corners are known; behind each stands the nearest so far.`,
+      `The depths of ${polygon} at the corners are known; beside each is the nearest so far.`,
     inside: ({ polygon, point: at, corner }) =>
       `SurroundTest: the ${corner === null ? 'point' : `${places[corner]} corner`} ${point(at)} and ${polygon}.`,
     point: ({ point: at }) => `What is seen at ${point(at)}, the centre of the window?`,
@@ -69,13 +69,13 @@ export const predict: PredictTexts = {
     stack: ({ clip, nearer }) =>
       `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than ${clip}.` : `Nearer than ${clip} inside its outline: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
     pixels: ({ polygon, row }) =>
-      `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
+      `ShowLine: ${polygon} on row ${row}, where something is drawn already. Beside each depth is the stored one.`,
     flags: ({ curve }) =>
-      `Visibility: curve ${curve} over the next columns. Beside each stand its height, which grows downward, and the horizons.`,
+      `Visibility: curve ${curve} over the next columns. Beside each are its height, which grows downward, and the horizons.`,
     horizons: ({ curve }) =>
-      `Horizon: a segment of curve ${curve} over two columns. Beside each stand its height, which grows downward, and the horizons.`,
+      `Horizon: a segment of curve ${curve} over two columns. Beside each are its height, which grows downward, and the horizons.`,
     meeting: ({ curve }) =>
-      `Intersection: a segment of curve ${curve} between two columns. Beside each stand its height, which grows downward, and the horizons.`,
+      `Intersection: a segment of curve ${curve} between two columns. Beside each are its height, which grows downward, and the horizons.`,
   },
   asks: {
     case: 'Which case is it?',
@@ -88,13 +88,13 @@ export const predict: PredictTexts = {
     covers: 'Which polygons cover the point?',
     wins: 'Which one is seen?',
     depth: 'By which depth?',
-    list: 'Which vertices has the new list, in order?',
+    list: 'Which vertices does the new list have, in order?',
     leave: 'Which edges leave the list?',
     enter: 'Which edges enter it?',
-    order: 'Which edges has it then, from left to right?',
+    order: 'Which edges does it then have, from left to right?',
     shown: 'At which of these columns is it seen?',
     lies: 'How does it lie?',
-    test: 'Which line tells?',
+    test: 'Which line decides?',
     crossed: 'Which edges are counted?',
     crossings: 'How many crossings are there in all?',
     halved: 'Which edges go to the opposite octant and must be split?',
@@ -110,8 +110,8 @@ export const predict: PredictTexts = {
     hidden: 'Which of them are behind?',
     partDepth: 'Its depth there against that of the clip polygon:',
     next: 'And then?',
-    clips: 'Which polygon clips then?',
-    listed: 'Of which polygons has the list pieces?',
+    clips: 'Which polygon is the clip polygon then?',
+    listed: 'Pieces of which polygons are in the list?',
     sum: 'What is the sum, in octants?',
     pixelDepths: 'Its depth there against the stored one:',
     above: 'Over which of these columns is it on the upper horizon or above it?',

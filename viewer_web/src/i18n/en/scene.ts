@@ -1,4 +1,5 @@
 import type { SceneTexts } from '../scene-texts.js';
+import { short } from '../words.js';
 
 export const scene: SceneTexts = {
   scene: 'Scene',
@@ -37,7 +38,7 @@ export const scene: SceneTexts = {
   areaFields: { x: 'left', y: 'top', width: 'width', height: 'height' },
   background: 'background',
   polygons: 'Polygons',
-  order: 'Of equal depths the first wins',
+  order: 'Where depths are equal, the first wins',
   colorOf: (id) => `colour of ${id}`,
   nameOf: (id) => `name of ${id}`,
   cornersOf: (id) => `corners of ${id}`,
@@ -50,6 +51,8 @@ export const scene: SceneTexts = {
   split: (n) => `Add a corner after corner ${n}`,
   removeCorner: (n) => `Remove corner ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
+  formula: (reason) => `The formula: ${reason}`,
+  notFiniteAt: (x, z) => `not finite at x = ${short(x)}, z = ${short(z)}`,
   stands: 'Showing the previous run.',
   reasons: {
     'empty, or with signs that no formula has':

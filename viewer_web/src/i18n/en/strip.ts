@@ -28,7 +28,7 @@ export const strip: StripTexts = {
     polygons: 'The current polygon, in its colour: every second one is striped',
     curves: 'The current curve: every second one is striped',
     levels: 'How often the area was split to get the window',
-    ael: 'Where AEL changes',
+    ael: 'Where the AEL changes',
     calls: 'How deep the calls are nested',
     wrong: 'A wrong decision, if the run was checked',
     fault: 'The printed text fails, or rounding leaves an outline open',

@@ -11,7 +11,7 @@ export const travel: TravelTexts = {
   previous: 'The previous one',
   goals: {
     split: 'a split of a window',
-    ael: 'a change of AEL',
+    ael: 'a change of the AEL',
     curve: 'a curve',
     crossing: 'an intersection',
     list: 'a list from the stack',

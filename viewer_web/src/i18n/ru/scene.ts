@@ -53,6 +53,8 @@ export const scene: SceneTexts = {
   split: (n) => `Добавить вершину после вершины ${n}`,
   removeCorner: (n) => `Удалить вершину ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
+  formula: (reason) => `Формула: ${reason}`,
+  notFiniteAt: (x, z) => `значение не конечно при x = ${short(x)}, z = ${short(z)}`,
   stands: 'Показан прежний прогон.',
   reasons: {
     'not finite': 'не конечное число',
