@@ -163,6 +163,8 @@ export interface PageTexts extends FileTexts {
   /** Of a run: its decisions were held against exact arithmetic. */
   readonly checked: string;
   readonly kernel: string;
+  /** A scene of a lesson, by the name of its file. */
+  readonly scene: (file: string) => string;
   readonly detail: string;
   readonly start: string;
   readonly nothingOpen: string;

@@ -47,6 +47,7 @@ export const page: PageTexts = {
     'line-for-edge': 'mistake: line taken for edge',
   },
   kernel: 'numbers',
+  scene: (file) => file.replaceAll('-', ' '),
   detail: 'detail',
   start: 'Nothing has happened yet. Press → for the first step.',
   nothingOpen: 'Choose a lesson, or open a scene or a trace of your own.',

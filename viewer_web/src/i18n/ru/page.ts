@@ -1,5 +1,6 @@
 import type { PageTexts, Texts } from '../texts.js';
 import { family } from './family.js';
+import { sceneNames } from './scene-names.js';
 
 export const page: PageTexts = {
   tagline: 'почему у пикселя такой цвет',
@@ -48,6 +49,10 @@ export const page: PageTexts = {
     'line-for-edge': 'ошибка: прямая вместо ребра',
   },
   kernel: 'числа',
+  scene: (file) => {
+    const [, name = file, size = ''] = /^(.+?)(?:-(\d+))?$/u.exec(file) ?? [];
+    return [sceneNames[name] ?? name, size].join(' ').trim();
+  },
   detail: 'подробность',
   start: 'Ещё ничего не произошло. Первый шаг — клавиша →.',
   nothingOpen: 'Выберите урок или откройте свою сцену или трассу.',
