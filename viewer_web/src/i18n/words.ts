@@ -96,8 +96,11 @@ export function orderOf(a: N, b: N): -1 | 0 | 1 | null {
 /** Their difference, of infinities too. */
 const comparable = (a: number, b: number): number => (a === b ? 0 : a - b);
 
+/** Texts with numbers in them, one after the other. */
+export const joined = (all: readonly string[]): string => all.join(', ');
+
 export const list = (all: readonly N[], write = short): string =>
-  all.map((each) => write(each)).join(', ');
+  joined(all.map((each) => write(each)));
 
 export const point = (at: readonly N[]): string => `(${list(at)})`;
 

@@ -26,22 +26,24 @@ function warnockWords(view: View, texts: SolidTexts): readonly string[] {
 function cornerWords(view: View, texts: SolidTexts): readonly string[] {
   const depths = cornerDepths(view);
   const polygon = comparedPolygon(view);
+  const { joined, short } = numbersOf(view);
   const own = depths.flatMap((each) =>
-    each.own === null ? [] : [`${each.corner} ${numbersOf(view).short(each.own)}`],
+    each.own === null ? [] : [`${each.corner} ${short(each.own)}`],
   );
-  const stored = depths.map((each) => `${each.corner} ${numbersOf(view).short(each.stored)}`);
+  const stored = depths.map((each) => `${each.corner} ${short(each.stored)}`);
   return [
-    ...(polygon === null || own.length === 0 ? [] : [texts.plane(polygon, own.join(', '))]),
-    ...(stored.length === 0 ? [] : [texts.corners(stored.join(', '))]),
+    ...(polygon === null || own.length === 0 ? [] : [texts.plane(polygon, joined(own))]),
+    ...(stored.length === 0 ? [] : [texts.corners(joined(stored))]),
   ];
 }
 
 function pointWords(view: View, texts: SolidTexts): readonly string[] {
   const at = pointInHand(view) ?? [];
+  const { joined, point, short } = numbersOf(view);
   const depths = depthsAtPoint(view).map(({ polygon, z, told }) =>
-    told ? `${polygon} ${numbersOf(view).short(z)}` : polygon,
+    told ? `${polygon} ${short(z)}` : polygon,
   );
-  return [texts.point(numbersOf(view).point(at), depths.join(', ') || texts.noPolygon)];
+  return [texts.point(point(at), joined(depths) || texts.noPolygon)];
 }
 
 function zbufferWords(view: View, texts: SolidTexts): readonly string[] {

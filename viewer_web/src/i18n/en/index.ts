@@ -16,10 +16,10 @@ import { sentences } from './sentences.js';
 import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
-import { inFull, list, point, short, shortApart, signed, whole, windowText } from '../words.js';
+import { inFull, joined, list, point, short, shortApart, signed, whole, windowText } from '../words.js';
 
 export const texts: Texts = {
-  numbers: { inFull, list, point, short, shortApart, signed, whole, windowText },
+  numbers: { inFull, joined, list, point, short, shortApart, signed, whole, windowText },
   page,
   places,
   purposes,

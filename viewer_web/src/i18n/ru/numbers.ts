@@ -18,8 +18,10 @@ export function shortApart(a: N, b: N): readonly [string, string] {
 }
 
 /** Numbers with commas in them stand apart by semicolons. */
+export const joined = (all: readonly string[]): string => all.join('; ');
+
 export const list = (all: readonly N[], write = short): string =>
-  all.map((each) => write(each)).join('; ');
+  joined(all.map((each) => write(each)));
 
 export const point = (at: readonly N[]): string => `(${list(at)})`;
 
