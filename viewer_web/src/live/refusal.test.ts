@@ -31,7 +31,7 @@ it('is said in the language of the page, with what it is about', () => {
   expect(said).toBe('Формула: rint: такой функции нет');
   const message = 'scene: /function: not finite at x = 0, z = 0.5';
   expect(languages.map((each) => whyRefused(message, drawn, texts[each].scene))).toEqual([
-    'The formula: not finite at x = 0, z = 0.5',
-    'Формула: значение не конечно при x = 0, z = 0,5',
+    'The formula is not finite at x = 0, z = 0.5',
+    'Значение формулы не конечно при x = 0, z = 0,5',
   ]);
 });

@@ -28,7 +28,7 @@ export function refusalOf(message: string, { polygons }: Sketch): SceneRefusal {
 /** The same as a sentence. */
 export function whyRefused(message: string, sketch: Sketch, say: SceneTexts): string {
   const { polygon, reason } = refusalOf(message, sketch);
-  if (polygon === '/function') return say.formula(ofFormula(reason, say));
+  if (polygon === '/function') return ofFormula(reason, say);
   return say.refused(polygon, inWords(reason, say));
 }
 
@@ -36,7 +36,7 @@ export function whyRefused(message: string, sketch: Sketch, say: SceneTexts): st
 function ofFormula(reason: string, say: SceneTexts): string {
   const [, x, z] = /^not finite at x = (\S+), z = (\S+)$/u.exec(reason) ?? [];
   return x === undefined || z === undefined
-    ? inWords(reason, say)
+    ? say.formula(inWords(reason, say))
     : say.notFiniteAt(Number(x), Number(z));
 }
 

@@ -52,7 +52,7 @@ export const scene: SceneTexts = {
   removeCorner: (n) => `Remove corner ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
   formula: (reason) => `The formula: ${reason}`,
-  notFiniteAt: (x, z) => `not finite at x = ${short(x)}, z = ${short(z)}`,
+  notFiniteAt: (x, z) => `The formula is not finite at x = ${short(x)}, z = ${short(z)}`,
   stands: 'Showing the previous run.',
   reasons: {
     'empty, or with signs that no formula has':

@@ -54,7 +54,7 @@ export const scene: SceneTexts = {
   removeCorner: (n) => `Удалить вершину ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
   formula: (reason) => `Формула: ${reason}`,
-  notFiniteAt: (x, z) => `значение не конечно при x = ${short(x)}, z = ${short(z)}`,
+  notFiniteAt: (x, z) => `Значение формулы не конечно при x = ${short(x)}, z = ${short(z)}`,
   stands: 'Показан прежний прогон.',
   reasons: {
     'not finite': 'не конечное число',
