@@ -32,7 +32,7 @@ describe('a file of one’s own', () => {
   const hostile: readonly (readonly [string, string | Buffer, RegExp])[] = [
     ['text.jsonl', 'hello', /Line 1: this is not JSON: "hello"/],
     ['empty.jsonl', '', /empty.jsonl: the file is empty/],
-    ['bad.jsonl.gz', Buffer.from([0x1f, 0x8b, 8, 0, 1, 2, 3]), /broken gzip/],
+    ['bad.jsonl.gz', Buffer.from([0x1f, 0x8b, 8, 0, 1, 2, 3]), /gzip file is damaged/],
     ['unknown.jsonl', `${header}\n{"e":"boom","at":"W1"}\n`, /Line 2, e: "boom" is not an event/],
     ['nan.jsonl', `${header}\n{"e":"corners","at":"PW1","z":NaN}\n`, /Line 2: this is not JSON/],
     [
