@@ -800,7 +800,10 @@ struct ShownLine {
 struct Miss {
     static constexpr Kind kind{"miss", Detail::polygons};
     static constexpr LineSet lines{L1, L2};
-    static constexpr std::string_view says = "the line shows nothing: return";
+    static constexpr std::string_view says =
+        "nothing to show: return. L1 (printed): the scanline lies above or below the area. L2: no pixel centre of the "
+        "area "
+        "lies between the ends (printed: `from` lies right of the area, or `to` left of it)";
     Line at{};
     static void fields(auto&, auto&&) {}
 };

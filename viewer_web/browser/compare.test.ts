@@ -33,9 +33,9 @@ describe('the printed text beside the corrected one', () => {
   it('says how many pixels differ, and marks them', async () => {
     const { page } = await comparing(browser, `${lesson}&with=warnock.printed.double.signs`);
     // All 8 x 8 pixels of N are lost.
-    expect(await differ(page).textContent()).toContain('0 now, 64 in the end');
+    expect(await differ(page).textContent()).toContain('0 now, 64 at the end');
     await page.keyboard.press('End');
-    await expect.poll(() => differ(page).textContent()).toContain('64 now, 64 in the end');
+    await expect.poll(() => differ(page).textContent()).toContain('64 now, 64 at the end');
     const image = (): Promise<string> =>
       page
         .locator('vidno-compared-run.other canvas')
@@ -106,7 +106,7 @@ describe('Warnock beside the Z-buffer', () => {
     expect(await page.locator('.share').textContent()).toContain('share');
     await page.keyboard.press('End');
     await expect.poll(() => stepsOf(page)).toEqual([5337, 541]);
-    expect(await differ(page).textContent()).toContain('0 now, 0 in the end');
+    expect(await differ(page).textContent()).toContain('0 now, 0 at the end');
     expect(await counter(page, 'windows')).toEqual(['149/149', '—']);
     expect(await counter(page, 'ael')).toEqual(['—', '6/6']);
     await page.waitForURL(/with=zbuffer\.corrected\.double\.signs.*step=5337/);
@@ -196,7 +196,7 @@ describe('before and after a drag', () => {
     const last = await stepsOf(page);
     // A corner of the square at (7, 7) went to (6, 7): the edge from (7, 2) then passes the centres of column 6 in rows
     // 2 to 4, x = 7 - (y - 2) / 5 > 6.5 while y < 4.5, closed at 4.5; rows 5 and 6 lose theirs.
-    expect(await differ(page).textContent()).toContain('2 in the end');
+    expect(await differ(page).textContent()).toContain('2 at the end');
     await page.keyboard.press('e');
     await page.locator(handle(1, 2)).waitFor();
     const from = await spotOf(page, 6, 7);
@@ -206,11 +206,11 @@ describe('before and after a drag', () => {
     await page.mouse.move((from.x + to.x) / 2, to.y);
     await page.mouse.move(to.x, to.y);
     await page.mouse.up();
-    await expect.poll(() => differ(page).textContent()).toContain('0 in the end');
+    await expect.poll(() => differ(page).textContent()).toContain('0 at the end');
     expect((await stepsOf(page))[1]).toBe(last[1]);
     expect(await page.locator('.deed').textContent()).toContain('nowhere');
     await page.keyboard.press('Control+z');
-    await expect.poll(() => differ(page).textContent()).toContain('2 in the end');
+    await expect.poll(() => differ(page).textContent()).toContain('2 at the end');
     expect(faults).toEqual([]);
   });
 

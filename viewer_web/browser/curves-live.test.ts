@@ -128,8 +128,8 @@ describe('a surface that the page runs', () => {
     await page.locator('vidno-compared-run.other .name h3').waitFor();
     await page.keyboard.press('End');
     const facts = page.locator('vidno-comparison-facts .differ');
-    await expect.poll(() => facts.innerText()).toMatch(/Columns that differ.*in the end/su);
-    expect(await facts.innerText()).not.toMatch(/\b0 in the end/u);
+    await expect.poll(() => facts.innerText()).toMatch(/Columns that differ.*at the end/su);
+    expect(await facts.innerText()).not.toMatch(/\b0 at the end/u);
     await page.getByLabel('Mark them').check();
     expect(await page.locator('vidno-curve-picture path.rival').count()).toBe(2);
     expect(await violations(page)).toEqual([]);

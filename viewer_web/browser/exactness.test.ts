@@ -43,7 +43,7 @@ describe('what is right', () => {
     await legend.locator('button').click();
     await legend.getByText('if the run was checked: not checked').waitFor();
     await page.locator('vidno-side button.exact').click();
-    await panel(page, '.checked').getByText('wrong at 167 steps').waitFor();
+    await panel(page, '.checked').getByText('wrongly at 167 steps').waitFor();
     await legend.getByText('A wrong decision, if the run was checked', { exact: true }).waitFor();
 
     const goals = page.locator('vidno-travel');
@@ -51,7 +51,7 @@ describe('what is right', () => {
     expect(await goals.locator('.count').textContent()).toBe('167');
     await goals.getByLabel('The next one').click();
     await expect.poll(() => goals.locator('.count').textContent()).toBe('1 / 167');
-    await panel(page, '.verdict.wrong').getByText('right for its numbers').waitFor();
+    await panel(page, '.verdict.wrong').getByText('right for its operands').waitFor();
     expect((await run(page)).lines).toEqual(lines);
     expect(await violations(page)).toEqual([]);
   });
@@ -68,7 +68,7 @@ describe('what is right', () => {
       await goTo(page, step);
       await expect.poll(() => panel(page, 'dd.computed').textContent()).toBe('negative');
       expect(await panel(page, 'dd.exact').textContent()).toBe('positive');
-      expect(await panel(page, '.wrong').textContent()).toContain('The operation rounded');
+      expect(await panel(page, '.wrong').textContent()).toContain('This operation rounded');
       await panel(page, 'h3').getByText('(4.5, 6.5)').waitFor();
     }
   });
@@ -169,7 +169,7 @@ describe('the lens', () => {
     await page.keyboard.press('x');
     await panel(page, '.hint').getByText('There is no map').waitFor();
     await goTo(page, 1);
-    await panel(page, '.hint').getByText('decides nothing').waitFor();
+    await panel(page, '.hint').getByText('No numeric decision').waitFor();
     await page.locator('h1').click();
     await page.keyboard.press('x');
     await page.locator('vidno-warnock').waitFor();

@@ -32,8 +32,8 @@ describe('a file of one’s own', () => {
   const hostile: readonly (readonly [string, string | Buffer, RegExp])[] = [
     ['text.jsonl', 'hello', /Line 1: this is not JSON: "hello"/],
     ['empty.jsonl', '', /empty.jsonl: the file is empty/],
-    ['bad.jsonl.gz', Buffer.from([0x1f, 0x8b, 8, 0, 1, 2, 3]), /broken gzip/],
-    ['unknown.jsonl', `${header}\n{"e":"boom","at":"W1"}\n`, /Line 2, e: "boom" is no event/],
+    ['bad.jsonl.gz', Buffer.from([0x1f, 0x8b, 8, 0, 1, 2, 3]), /gzip file is damaged/],
+    ['unknown.jsonl', `${header}\n{"e":"boom","at":"W1"}\n`, /Line 2, e: "boom" is not an event/],
     ['nan.jsonl', `${header}\n{"e":"corners","at":"PW1","z":NaN}\n`, /Line 2: this is not JSON/],
     [
       'huge.jsonl',
@@ -64,7 +64,7 @@ describe('a file of one’s own', () => {
     await openFile(page, 'late.jsonl', late);
     const notice = page.locator('vidno-notice .shortened');
     await notice.waitFor();
-    expect(await notice.textContent()).toContain(`Line ${wrong}, e: "boom" is no event`);
+    expect(await notice.textContent()).toContain(`Line ${wrong}, e: "boom" is not an event`);
     expect((await shown(page)).length).toBe(wrong - 2);
     await page.keyboard.press('End');
     expect((await shown(page)).step).toBe(wrong - 2);

@@ -51,7 +51,7 @@ describe('keys of one letter', () => {
     await press(again.page, 'k');
     expect(await panel(again.page)).toBe('state');
     await again.page.getByRole('button', { name: 'Keys' }).click();
-    await again.page.getByRole('button', { name: 'All keys as at first' }).click();
+    await again.page.getByRole('button', { name: 'Reset all keys' }).click();
     await leaveMap(again.page);
     await press(again.page, 'x');
     await expect.poll(() => panel(again.page)).toBe('exact');

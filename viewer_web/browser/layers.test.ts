@@ -57,7 +57,7 @@ describe('the difference', () => {
     await page.keyboard.press('End');
     await choice(page).selectOption('difference');
     await expect.poll(() => status(page).textContent()).toContain(`${wrong} pixels wrong`);
-    expect(await status(page).textContent()).toContain('0 lack');
+    expect(await status(page).textContent()).toContain('0 not painted yet');
     expect(faults).toEqual([]);
   });
 
@@ -68,9 +68,9 @@ describe('the difference', () => {
       '&layer=difference',
     );
     await page.keyboard.press('Home');
-    await expect.poll(() => status(page).textContent()).toContain('256 lack');
+    await expect.poll(() => status(page).textContent()).toContain('256 not painted yet');
     await page.keyboard.press('End');
-    await expect.poll(() => status(page).textContent()).toContain('0 lack');
+    await expect.poll(() => status(page).textContent()).toContain('0 not painted yet');
     expect(await status(page).textContent()).toContain('0 pixels wrong');
   });
 });
@@ -93,10 +93,10 @@ describe('the exact picture', () => {
     await rerun(page, () => openFile(page, 'one.json', scene([square])));
     // The square is 5 x 5 pixels.
     await page.keyboard.press('Home');
-    await expect.poll(() => status(page).textContent()).toContain('25 lack');
+    await expect.poll(() => status(page).textContent()).toContain('25 not painted yet');
     await rerun(page, () => openFile(page, 'two.json', scene([triangle, square])));
     await page.keyboard.press('End');
-    await expect.poll(() => status(page).textContent()).toContain('0 lack');
+    await expect.poll(() => status(page).textContent()).toContain('0 not painted yet');
     expect(await status(page).textContent()).toContain('0 pixels wrong');
   });
 });

@@ -21,7 +21,7 @@ describe('a reader who predicts freely', () => {
     await form.getByRole('radio', { name: 'split' }).check();
     await form.getByRole('button', { name: 'Check' }).click();
     expect(await verdict(page)).toEqual(['✓ right', '✗ wrong', '✓ right', 'Not quite.']);
-    expect(await form.locator('.right').allTextContents()).toEqual(['Right is: none']);
+    expect(await form.locator('.right').allTextContents()).toEqual(['Correct: none']);
     expect(await form.locator('.reasons span:first-child').allTextContents()).toEqual([
       '2 polygons counted in the window; none is known to hide the others.',
       'None of the simple cases: the window is split.',

@@ -92,7 +92,7 @@ describe('the strip', () => {
     expect(await tip.count()).toBe(0);
     await page.locator('button[lang=ru]').click();
     await page.mouse.move(x + (3 / 115) * width, y + height / 2);
-    expect(await tip.textContent()).toBe('Шаг 3 из 115: окно 8 × 8 в (2, −1), делится');
+    expect(await tip.textContent()).toBe('Шаг 3 из 115: окно 8 × 8 в (2; −1), делится');
     await page.mouse.move(x, y - 200);
     expect(await tip.count()).toBe(0);
     expect(await stepOf(page)).toBe(0);

@@ -24,11 +24,11 @@ export function invitation(session: Session, language: Language): TemplateResult
 
 function runOf({ trace }: Session, language: Language): TemplateResult | typeof nothing {
   if (trace === null) return nothing;
-  const { page } = texts[language];
+  const { page, scene } = texts[language];
   const { method, edition, kernel, detail } = trace.header;
   return html`<p>
     ${page.methods[method]} · ${page.editions[edition]} · ${page.kernel}: ${kernel} ·
-    ${page.detail}: ${detail}
+    ${page.detail}: ${scene.details[detail]}
   </p>`;
 }
 

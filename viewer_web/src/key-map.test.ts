@@ -1,5 +1,7 @@
 import { afterEach, describe, expect, it } from 'vitest';
-import { KeyMap, keyMap, keyName, withKey } from './key-map.js';
+import { texts } from './i18n/index.js';
+import { languages } from './i18n/language.js';
+import { KeyMap, keyMap, keyName, liveKey, withKey } from './key-map.js';
 
 describe('the keys of one letter', () => {
   it('mean themselves at first', () => {
@@ -62,5 +64,40 @@ describe('the name of a key', () => {
     expect(withKey('Bookmark', 'B')).toBe('Bookmark (K)');
     keyMap.isOff = true;
     expect(withKey('Bookmark', 'B')).toBe('Bookmark');
+  });
+});
+
+/** All that a table says that is the same at any step. */
+function fixedIn(table: object): readonly string[] {
+  return Object.values(table).flatMap((said: unknown) => {
+    if (typeof said === 'string') return [said];
+    return typeof said === 'object' && said !== null ? fixedIn(said) : [];
+  });
+}
+
+describe.each(languages)('what is said of keys (%s)', (language) => {
+  afterEach(() => keyMap.reset());
+  const { bookmarks, predict, history, curves } = texts[language];
+  const hints = [
+    [bookmarks.hint, 'B'],
+    [predict.hint, 'Q'],
+    [history.hint, 'P'],
+    [curves.history.hint, 'P'],
+  ] as const;
+
+  it('names the letter that is pressed now, and none where letters do nothing', () => {
+    for (const [hint, name] of hints) {
+      expect(hint(liveKey(name))).toMatch(new RegExp(`\\b${name}\\b`, 'u'));
+      keyMap.assign(name, 'K');
+      expect(hint(liveKey(name))).toMatch(/\bK\b/u);
+      keyMap.isOff = true;
+      expect(hint(liveKey(name))).not.toMatch(/\b[A-Z]\b|null/u);
+      keyMap.reset();
+    }
+  });
+
+  it('is never a letter that may be another one by now', () => {
+    const named = /(?:press|key|нажм\S*|клавиш\S*) [A-Z?]\b/iu;
+    expect(fixedIn(texts[language]).filter((said) => named.test(said))).toEqual([]);
   });
 });

@@ -75,6 +75,11 @@ export const keyMap = new KeyMap();
 export const keyName = (name: string): string =>
   name.replace(/(?<=^|Shift )[A-Z]$/, (letter) => keyMap.pressed(letter));
 
-/** The same behind a label, where keys of one character do something. */
-export const withKey = (label: string, name: string): string =>
-  keyMap.isOff ? label : `${label} (${keyName(name)})`;
+/** The same, where keys of one character do something. */
+export const liveKey = (name: string): string | null => (keyMap.isOff ? null : keyName(name));
+
+/** A label with its key, where that does something. */
+export function withKey(label: string, name: string): string {
+  const key = liveKey(name);
+  return key === null ? label : `${label} (${key})`;
+}

@@ -1,9 +1,9 @@
 import type { FloatingHorizon } from './curves/state.js';
 import { texts } from './i18n/index.js';
-import { windowText } from './i18n/words.js';
 import type { Pixel } from './picture/pixel.js';
 import { corners } from './trace/events.js';
 import type { Box, Corner } from './trace/values.js';
+import { numbersOf } from './view.js';
 import type { View } from './view.js';
 
 /**
@@ -84,7 +84,7 @@ export function sayThing(view: View): string {
   if (thing.kind === 'curve') return texts[view.language].curves.curve(thing.curve);
   if (thing.kind === 'column') return texts[view.language].curves.history.at(thing.x, 0);
   if (thing.kind === 'pixel') return texts[view.language].history.at(...thing.at);
-  return things.window(windowText(thing.window));
+  return things.window(numbersOf(view).windowText(thing.window));
 }
 
 /** The thing after another, or before it; from none the first or the last, and after these none. */

@@ -10,7 +10,7 @@ export function runName(
     ...(edition === 'corrected' ? [] : [page.editions[edition]]),
     ...(kernel === 'double' ? [] : [kernel]),
     ...(file.includes('.checked.') ? [page.checked] : []),
-    ...(scene === undefined ? [] : [scene]),
+    ...(scene === undefined ? [] : [page.scene(scene)]),
   ];
   return { method: page.methods[method], variant: unusual.join(', ') };
 }

@@ -2,7 +2,7 @@ import type { Columns } from './curves/columns.js';
 import type { Line, Lines } from './curves/lines.js';
 import { sentence, texts } from './i18n/index.js';
 import type { Language } from './i18n/language.js';
-import type { PageTexts } from './i18n/texts.js';
+import type { PageTexts, Texts } from './i18n/texts.js';
 import type { Pixel } from './picture/pixel.js';
 import type { Screen } from './state/screen.js';
 import type { Values } from './state/state.js';
@@ -60,3 +60,7 @@ export function viewOf({ header, timeline }: Trace, step: number, choice: Choice
     sentence: event ? sentence(event, before, after, header, language) : page.start,
   };
 }
+
+/** How numbers are written in the language of a view. */
+export const numbersOf = ({ language }: Pick<View, 'language'>): Texts['numbers'] =>
+  texts[language].numbers;

@@ -37,6 +37,14 @@ describe('a chart', () => {
     expect(JSON.parse(written)).toEqual(JSON.parse(sampleText));
   });
 
+  it.each<[string, Buffer]>([
+    ['UTF-8', Buffer.from(`\ufeff${sampleText}`)],
+    ['UTF-16, little-endian', Buffer.from(`\ufeff${sampleText}`, 'utf16le')],
+    ['UTF-16, big-endian', Buffer.from(`\ufeff${sampleText}`, 'utf16le').swap16()],
+  ])('may be in %s with a byte order mark, as Windows editors write it', async (_name, bytes) => {
+    expect(await readChart(new Blob([new Uint8Array(bytes)]))).toEqual(sample);
+  });
+
   it('of the tests has everything that may stand in one', () => {
     const runs = sample.scenes.flatMap((scene) => scene.runs);
     expect(new Set(sample.scenes.map(({ kind }) => kind))).toEqual(new Set(sceneKinds));

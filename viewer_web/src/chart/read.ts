@@ -1,3 +1,4 @@
+import { toUtf8 } from '../text-file.js';
 import { parseJson } from '../trace/parse.js';
 import { Refusal } from '../trace/refusal.js';
 import { parseChart } from './format.js';
@@ -9,7 +10,7 @@ const mostBytes = 64e6;
 /** Reads a chart; what is wrong with it is a `Refusal`. */
 export async function readChart(file: Blob): Promise<Chart> {
   if (file.size > mostBytes) throw new Refusal('', 'tooLarge');
-  const bytes = await file.arrayBuffer();
+  const bytes = await new Response(file.stream().pipeThrough(toUtf8())).arrayBuffer();
   let text;
   try {
     text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);

@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { cornerThing, edgeThing } from '../pointed.js';
 import { none, parts } from '../predict/question.js';
 import type { Asks, Of, Option } from '../predict/question.js';
-import { sayNone, sayValue } from '../predict/say.js';
+import { isItsNote, sayNone, sayNote, sayValue } from '../predict/say.js';
 import type { Corner } from '../trace/values.js';
 import type { View } from '../view.js';
 import { polygonName } from './parts.js';
@@ -15,15 +15,15 @@ function thingOf(of: Of, value: string): string | typeof nothing {
 }
 
 /** An option as it stands beside its box, or what a part is about. */
-export function valueName(of: Of, { value, note }: Option, view: View): TemplateResult {
-  return html`${nameOf(of, value, view)}
-  ${note === undefined ? nothing : html`<span class="note number">${note}</span>`}`;
+export function valueName(of: Of, option: Option, view: View): TemplateResult {
+  const note = sayNote(option, view.language);
+  return html`${nameOf(of, option.value, view)}
+  ${note === null ? nothing : html`<span class="note number">${note}</span>`}`;
 }
 
-/** A depth is its note. */
 function nameOf(of: Of, value: string, view: View): TemplateResult {
   if (of === 'polygon') return polygonName(value, view);
-  const said = of === 'depth' ? nothing : sayValue(of, value, view.language);
+  const said = isItsNote(of) ? nothing : sayValue(of, value, view.language);
   return html`<span data-thing=${thingOf(of, value)}>${said}</span>`;
 }
 

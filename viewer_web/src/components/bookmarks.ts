@@ -4,6 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
 import { texts } from '../i18n/index.js';
 import type { BookmarkTexts } from '../i18n/texts.js';
+import { liveKey } from '../key-map.js';
 import { isOnDisk } from '../page-file.js';
 import {
   bookmarkAt,
@@ -15,7 +16,7 @@ import {
 import type { Bookmark, Bookmarks } from '../time/bookmarks.js';
 import type { View } from '../view.js';
 import { bookmarksStyle } from './bookmarks.style.js';
-import { keyName } from '../key-map.js';
+import { kbd } from './kbd.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
 
@@ -87,7 +88,7 @@ export class BookmarksElement extends LitElement {
     return html`
       <div class="head">
         <button class="add" @click=${() => this.mark()}>
-          ${known ? say.edit(step) : say.add(step)} <kbd>${keyName('B')}</kbd>
+          ${known ? say.edit(step) : say.add(step)} ${kbd('B')}
         </button>
         <span class="count">${say.count(bookmarks.length, mostBookmarks)}</span>
       </div>
@@ -99,7 +100,7 @@ export class BookmarksElement extends LitElement {
           (bookmark) => this.entry(bookmark),
         )}
       </ol>
-      <p class="hint">${say.hint}</p>
+      <p class="hint">${say.hint(liveKey('B'))}</p>
       <p class="hint">${this.lasting()}</p>
     `;
   }

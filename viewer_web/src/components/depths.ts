@@ -2,9 +2,11 @@ import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
-import { short, toNumber } from '../i18n/words.js';
+import { toNumber } from '../i18n/words.js';
 import { emptyZBuffer } from '../state/zbuffer.js';
 import type { N } from '../trace/values.js';
+import type { Numbers } from '../i18n/texts.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { base } from './theme.js';
 
@@ -123,15 +125,17 @@ export class DepthsElement extends LitElement {
     return html`<td
       class=${classMap({ changed })}
       .style=${`--near: ${nearness(z)}`}
-      title=${String(z)}
+      title=${numbersOf(this.view).whole(z)}
     >
-      ${tiny(z)}
+      ${tiny(z, numbersOf(this.view))}
     </td>`;
   }
 }
 
-/** At most five signs of a number. */
-function tiny(z: N): string {
+/** A depth in two decimals, without the zero before them; `≈` where that is not all of it. */
+function tiny(z: N, { short }: Numbers): string {
   const value = toNumber(z);
-  return Number.isFinite(value) ? short(Number(value.toFixed(2))).replace('0.', '.') : short(z);
+  if (!Number.isFinite(value)) return short(z);
+  const cut = Number(value.toFixed(2));
+  return `${cut === value ? '' : '≈'}${short(cut)}`.replace(/0(?=[.,])/u, '');
 }

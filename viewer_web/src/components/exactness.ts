@@ -11,10 +11,10 @@ import { isWrong } from '../exactness/verdict.js';
 import type { Verdict } from '../exactness/verdict.js';
 import type { ExactTexts } from '../i18n/exact-texts.js';
 import { texts } from '../i18n/index.js';
-import { point } from '../i18n/words.js';
 import type { SignMaps } from '../live/sign-maps.js';
 import type { Answer } from '../trace/values.js';
 import type { Trace } from '../trace/trace.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { askCheck } from './ask-check.js';
 import { exactnessStyle } from './exactness.style.js';
@@ -130,6 +130,7 @@ export class ExactnessElement extends LitElement {
   private decision(verdict: Verdict): TemplateResult {
     const say = this.texts;
     const { of, numbers, taken, exact, by } = verdict;
+    const { whole } = numbersOf(this.view);
     const title = say.decided[of];
     return html`<section>
       <h3>${title.charAt(0).toUpperCase() + title.slice(1)}</h3>
@@ -137,7 +138,7 @@ export class ExactnessElement extends LitElement {
         ${numbers.map(
           ([name, value]) =>
             html`<dt>${name}</dt>
-              <dd title=${String(value)}>${written(value)}</dd>`,
+              <dd title=${whole(value)}>${written(whole(value))}</dd>`,
         )}
         <dt>${say.computed}</dt>
         <dd class="words computed">${this.answer(verdict, taken)}</dd>
@@ -183,7 +184,7 @@ export class ExactnessElement extends LitElement {
     if (drawn !== null) return this.map(drawn, isDrawing ? null : verdict);
     if (!isDrawing) return this.noLens(say.noLens);
     return html`<section>
-      <h3>${say.lens(point(at))}</h3>
+      <h3>${say.lens(numbersOf(this.view).point(at))}</h3>
       <p class="hint">${say.drawing}</p>
     </section>`;
   }
@@ -191,7 +192,7 @@ export class ExactnessElement extends LitElement {
   private map({ question, map }: Drawn, verdict: Verdict | null): TemplateResult {
     const say = this.texts;
     const { at, places, asked } = question;
-    const title = say.lens(point(at));
+    const title = say.lens(numbersOf(this.view).point(at));
     return html`<section aria-busy=${this.isDrawing ? 'true' : 'false'}>
       <h3>${title}</h3>
       <p class="hint">${say.apart(power(places.step))}</p>
@@ -226,8 +227,7 @@ function isAlike({ asked }: Question, drawn: Drawn | null): boolean {
 }
 
 /** In full, so that the last bit is seen. */
-function written(value: number | string): string {
-  const text = String(value).replace(/^-/, '−').replace('inf', '∞');
+function written(text: string): string {
   return text.length > longest ? `${text.slice(0, longest)}…` : text;
 }
 

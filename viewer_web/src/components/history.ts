@@ -10,10 +10,11 @@ import type { History } from '../history/history.js';
 import { sayEntry, sayWhy } from '../history/say.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../i18n/texts.js';
-import { windowText } from '../i18n/words.js';
+import { liveKey } from '../key-map.js';
 import { polygonThing } from '../pointed.js';
 import { toColor } from '../state/grid.js';
 import type { Pixel } from '../picture/pixel.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { hiddenStyle } from './hidden.style.js';
 import { historyStyle } from './history.style.js';
@@ -55,7 +56,7 @@ export class HistoryElement extends LitElement {
 
   override render(): TemplateResult {
     const { history } = this;
-    if (history === null) return html`<p class="hint">${this.texts.hint}</p>`;
+    if (history === null) return html`<p class="hint">${this.texts.hint(liveKey('P'))}</p>`;
     const { entries } = history;
     const [first, end] = shownAround(this.centre, entries.length);
     return html`
@@ -125,7 +126,8 @@ export class HistoryElement extends LitElement {
     const { texts: page } = this.view;
     if (typeof under === 'string') return polygonName(under, this.view);
     if (typeof under === 'number') return texts[this.view.language].curves.curve(under);
-    return html`${page.window} <span class="number">${windowText(under)}</span>`;
+    return html`${page.window}
+      <span class="number">${numbersOf(this.view).windowText(under)}</span>`;
   }
 
   private entry(entry: Entry, history: History): TemplateResult {

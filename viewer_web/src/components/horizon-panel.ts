@@ -8,9 +8,9 @@ import { emptyFloatingHorizon } from '../curves/state.js';
 import type { FloatingHorizon, Looked } from '../curves/state.js';
 import { texts } from '../i18n/index.js';
 import type { CurveTexts } from '../i18n/curve-texts.js';
-import { point, short } from '../i18n/words.js';
 import { columnThing, curveThing } from '../pointed.js';
 import type { N, Sample } from '../trace/values.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { horizonPanelStyle } from './horizon-panel.style.js';
 import { panelsStyle } from './panels.style.js';
@@ -50,8 +50,13 @@ export class HorizonPanel extends LitElement {
         </dl>
       </section>
       <section>
-        <h3>${say.around(short(this.column))}</h3>
-        <div class="list" tabindex="0" role="region" aria-label=${say.around(short(this.column))}>
+        <h3>${say.around(numbersOf(this.view).short(this.column))}</h3>
+        <div
+          class="list"
+          tabindex="0"
+          role="region"
+          aria-label=${say.around(numbersOf(this.view).short(this.column))}
+        >
           ${this.horizons()}
         </div>
       </section>
@@ -86,7 +91,11 @@ export class HorizonPanel extends LitElement {
   }
 
   private edge(name: string, now: Sample | null, old: Sample | null): TemplateResult {
-    return value(name, now === null ? this.view.texts.none : point(now), now !== old);
+    return value(
+      name,
+      now === null ? this.view.texts.none : numbersOf(this.view).point(now),
+      now !== old,
+    );
   }
 
   /** That of the step, or the one that was looked at last. */
@@ -134,7 +143,7 @@ export class HorizonPanel extends LitElement {
     const isFlagged = event?.e === 'visibility' && event.x === x;
     const classes = { current: x === this.column, pointed: pointed === thing };
     return html`<tr class=${classMap(classes)} data-thing=${thing}>
-      <th scope="row" class="number">${short(x)}</th>
+      <th scope="row" class="number">${numbersOf(this.view).short(x)}</th>
       <td class=${classMap({ changed: isFlagged })}>${this.flag(flag)}</td>
       ${this.height('upper', i, x)} ${this.height('lower', i, x)}
     </tr>`;
@@ -147,12 +156,16 @@ export class HorizonPanel extends LitElement {
   private height(which: 'upper' | 'lower', i: number, x: number): TemplateResult {
     const { columns, event, texts: page } = this.view;
     const height: N | null = columns?.horizons[which].row(0)[i] ?? null;
+    const { short, whole } = numbersOf(this.view);
     const one = which === 'upper' ? 'raise' : 'lower';
     const changed =
       event?.e === 'horizon'
         ? event[which].some(([column]) => column === x)
         : event?.e === one && event.x === x;
-    return html`<td class=${classMap({ number: true, changed })} title=${String(height ?? '')}>
+    return html`<td
+      class=${classMap({ number: true, changed })}
+      title=${height === null ? '' : whole(height)}
+    >
       ${height === null ? page.none : short(height)}
     </td>`;
   }

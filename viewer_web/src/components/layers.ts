@@ -3,10 +3,10 @@ import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
 import type { PictureTexts } from '../i18n/picture-texts.js';
-import { short } from '../i18n/words.js';
 import { depthRange, differenceOf, known, layersOf, needsExact } from '../picture/layers.js';
 import type { Difference, Exact, Layer } from '../picture/layers.js';
 import { stops } from '../picture/ramp.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { hiddenStyle } from './hidden.style.js';
 import { textureStyle } from './texture.style.js';
@@ -148,6 +148,7 @@ export class LayersElement extends LitElement {
 
   private ends(): readonly [far: string, near: string] {
     const [far, near] = depthRange(this.view.header.scene);
+    const { short } = numbersOf(this.view);
     return [short(far), short(near)];
   }
 

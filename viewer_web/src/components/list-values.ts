@@ -1,6 +1,6 @@
 import type { TemplateResult } from 'lit';
 import { texts } from '../i18n/index.js';
-import { containment, short } from '../i18n/words.js';
+import { containment } from '../i18n/words.js';
 import type { Warnock } from '../state/warnock.js';
 import type { View } from '../view.js';
 import { polygonName, value } from './parts.js';
@@ -8,8 +8,9 @@ import { polygonName, value } from './parts.js';
 /** What is known of a window with three lists: its level, what an outline counts so far, and what hides all others. */
 export function listValues(view: View, now: Warnock, old: Warnock): readonly TemplateResult[] {
   const { header, language, texts: page } = view;
-  const { panel } = texts[language].family;
-  const sum = now.contained.length === 0 ? page.none : short(containment(now));
+  const { family, numbers } = texts[language];
+  const { panel } = family;
+  const sum = now.contained.length === 0 ? page.none : numbers.short(containment(now));
   const hiding = now.covering === null ? page.none : polygonName(now.covering, view);
   const name = header.method === 'warnock-angles' ? panel.octants : panel.ray;
   return [

@@ -5,6 +5,7 @@ import { valuesInPlay } from '../listing/in-play.js';
 import { listingsOf } from '../listing/listings.js';
 import type { Line, Listing } from '../listing/listings.js';
 import type { Trace } from '../trace/trace.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import './cpp.js';
 import { Follower } from './in-sight.js';
@@ -59,7 +60,7 @@ export class ListingElement extends LitElement {
   }
 
   private procedures(): TemplateResult {
-    this.values = valuesInPlay(this.trace, this.view.step);
+    this.values = valuesInPlay(this.trace, this.view.step, numbersOf(this.view));
     return html`<div
       class="procedures"
       tabindex="0"

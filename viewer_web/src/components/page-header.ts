@@ -3,14 +3,10 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
-import { keyMap, keyName } from '../key-map.js';
 import { headerStyle } from './header.style.js';
+import { kbd } from './kbd.js';
 import './languages.js';
 import { base } from './theme.js';
-
-/** What opens it, besides its button; nothing where keys of one character do nothing. */
-const kbd = (name: string): TemplateResult | typeof nothing =>
-  keyMap.isOff ? nothing : html`<kbd>${keyName(name)}</kbd>`;
 
 /**
  * The line at the top of the page. Events `skip`, to the run, `keys`, `text`, `compare`, `present` and `choose`, of a language, tell what

@@ -112,8 +112,11 @@ const onScreen = css`
   .ael table {
     table-layout: fixed;
   }
-  .ael :is(th:first-child, th:nth-child(4)) {
-    width: 2.4rem;
+  .ael th:first-child {
+    width: 2.3rem;
+  }
+  .ael th:nth-child(4) {
+    width: 1.7rem;
   }
 
   .rows {

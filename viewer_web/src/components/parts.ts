@@ -1,9 +1,9 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
-import { short } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import type { N } from '../trace/values.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 
 /** A colour as a small square. */
@@ -37,9 +37,10 @@ export function value(
 }
 
 /** A number of the trace, short; in full when pointed at. */
-export function numberCell(now: N, before: N | undefined): TemplateResult {
+export function numberCell(now: N, before: N | undefined, view: View): TemplateResult {
   const changed = now !== before;
-  return html`<td class=${classMap({ number: true, changed })} title=${String(now)}>
+  const { short, whole } = numbersOf(view);
+  return html`<td class=${classMap({ number: true, changed })} title=${whole(now)}>
     ${short(now)}
   </td>`;
 }

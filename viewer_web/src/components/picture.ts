@@ -20,6 +20,7 @@ import { shapesOf } from '../picture/shapes.js';
 import { gridShapes, labelsOf, notesOf, outlineShapes, shapesToPoint } from '../picture/still.js';
 import { drawn, labels } from './drawn.js';
 import './handles.js';
+import { numbersOf } from '../view.js';
 import { hiddenStyle } from './hidden.style.js';
 import { marksStyle } from './marks.style.js';
 import { pictureStyle } from './picture.style.js';
@@ -83,7 +84,7 @@ export class PictureElement extends PlaneElement {
     const { header } = this.view;
     const { scale } = frame;
     const marks = marksOf(this.view, frame.sight);
-    const outside = beyond(marks, frame);
+    const outside = beyond(marks, frame, numbersOf(this.view));
     return svg`${this.printing.now && this.cells !== null ? this.pixels() : nothing}
       ${this.under?.(frame)}
       ${guard([frame], () => gridShapes(frame).map(drawn))}

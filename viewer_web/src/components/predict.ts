@@ -4,6 +4,7 @@ import { customElement, property, state } from 'lit/decorators.js';
 import { download, fileName } from '../download.js';
 import { texts } from '../i18n/index.js';
 import type { PredictTexts } from '../i18n/predict-texts.js';
+import { liveKey } from '../key-map.js';
 import type { Kind } from '../predict/question.js';
 import { countOf, isRightAtFirst, scoreOf } from '../predict/score.js';
 import type { Answered } from '../predict/score.js';
@@ -12,7 +13,7 @@ import type { View } from '../view.js';
 import { predictStyle } from './predict.style.js';
 import type { Current, Predictor } from './predictor.js';
 import './question.js';
-import { keyName } from '../key-map.js';
+import { kbd } from './kbd.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
 
@@ -42,11 +43,9 @@ export class PredictElement extends LitElement {
   private nothingAsked(): TemplateResult {
     const { say, predictor } = this;
     return html`<section>
-      <p class="hint">${predictor.isOver ? nothing : say.hint}</p>
+      <p class="hint">${predictor.isOver ? nothing : say.hint(liveKey('Q'))}</p>
       <p role="status">${predictor.isOver ? say.none : nothing}</p>
-      <button class="next" @click=${() => predictor.next()}>
-        ${say.next} <kbd>${keyName('Q')}</kbd>
-      </button>
+      <button class="next" @click=${() => predictor.next()}>${say.next} ${kbd('Q')}</button>
     </section>`;
   }
 

@@ -14,7 +14,7 @@ import { optionName, valueName } from './answers.js';
 import { hiddenStyle } from './hidden.style.js';
 import type { Current, Predictor } from './predictor.js';
 import { questionStyle } from './question.style.js';
-import { keyName } from '../key-map.js';
+import { kbd } from './kbd.js';
 import { base } from './theme.js';
 import type { Command } from './transport.js';
 
@@ -202,7 +202,7 @@ export class QuestionElement extends LitElement {
       </ol>
       <div class="buttons">
         <button class="main" type="button" @click=${() => this.predictor.next()}>
-          ${say.next} <kbd>${keyName('Q')}</kbd>
+          ${say.next} ${kbd('Q')}
         </button>
         ${
           how === 'right'

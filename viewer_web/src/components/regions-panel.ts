@@ -5,12 +5,13 @@ import { classMap } from 'lit/directives/class-map.js';
 import { countedIn, texts } from '../i18n/index.js';
 import { sized } from '../i18n/region-texts.js';
 import type { RegionTexts } from '../i18n/region-texts.js';
-import { short } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import type { Piece } from '../regions/events.js';
 import { areaOf } from '../regions/geometry.js';
+import { isPainting, listInHand } from '../regions/in-hand.js';
 import { emptyRegions } from '../regions/state.js';
-import type { List, Regions } from '../regions/state.js';
+import type { List, ListInHand, Regions } from '../regions/state.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { chipsCell, listOf, rowsOf } from './lists.js';
 import { panelsStyle } from './panels.style.js';
@@ -37,27 +38,35 @@ export class RegionsPanel extends LitElement {
     return this.view.before.regions ?? emptyRegions;
   }
 
+  private get hand(): ListInHand | null {
+    return listInHand(this.view);
+  }
+
+  /** The list before the step, or none as soon as regions are painted. */
+  private get oldHand(): ListInHand | null {
+    return isPainting(this.view) ? null : this.old.inHand;
+  }
+
   override render(): TemplateResult {
-    const { say, now, old } = this;
+    const { say, hand, oldHand } = this;
     return html`${this.found()} ${this.inHand()}
       <section class="lists two">
-        ${this.parts(say.inside, now.inHand?.inside ?? [], old.inHand?.inside ?? [], true)}
-        ${this.parts(say.outside, now.inHand?.outside ?? [], old.inHand?.outside ?? [], false)}
+        ${this.parts(say.inside, hand?.inside ?? [], oldHand?.inside ?? [], true)}
+        ${this.parts(say.outside, hand?.outside ?? [], oldHand?.outside ?? [], false)}
       </section>
       ${this.visible()} ${this.stack()}`;
   }
 
   private found(): TemplateResult {
-    const { say, now, old } = this;
+    const { say, now, old, hand, oldHand } = this;
     const { texts: page } = this.view;
-    const clipOf = ({ inHand }: Regions): string | undefined => inHand?.pieces[0]?.[0];
-    const clip = clipOf(now);
+    const clip = hand?.pieces[0]?.[0];
     return html`<section>
       <dl class="values found">
         ${value(
           `C, ${say.clip}`,
           clip === undefined ? page.none : polygonName(clip, this.view),
-          now.inHand?.pieces !== old.inHand?.pieces,
+          hand?.pieces !== oldHand?.pieces,
         )}
         ${value(say.lists, now.lists.length, now.lists.length !== old.lists.length)}
         ${value(say.shown, now.visible.length, now.visible !== old.visible)}
@@ -67,13 +76,12 @@ export class RegionsPanel extends LitElement {
 
   /** The list that was taken from the stack; before there is one, what is to be sorted. */
   private inHand(): TemplateResult {
-    const { say, now, old } = this;
-    const { inHand, facets } = now;
-    const title = inHand === null ? say.pieces : say.list;
-    const pieces = inHand?.pieces ?? facets;
-    const isOther = inHand?.seen !== old.inHand?.seen;
+    const { say, now, hand, oldHand } = this;
+    const title = now.inHand === null ? say.pieces : say.list;
+    const pieces = hand?.pieces ?? (now.inHand === null ? now.facets : []);
+    const isOther = hand?.seen !== oldHand?.seen;
     const row = (piece: Piece, i: number): TemplateResult =>
-      this.row(piece, this.roleOf(i), isOther && i + 1 === inHand?.seen);
+      this.row(piece, this.roleOf(i), isOther && i + 1 === hand?.seen);
     return html`<section>
       <h3>${title}</h3>
       ${listOf(title, 'hand', pieces, row, this.view)}
@@ -82,11 +90,10 @@ export class RegionsPanel extends LitElement {
 
   /** What became of a piece of the list in hand. */
   private roleOf(index: number): string {
-    const { say, now } = this;
-    const { inHand } = now;
-    if (inHand === null) return '';
+    const { say, hand } = this;
+    if (hand === null) return '';
     if (index === 0) return `C, ${say.clip}`;
-    return index < inHand.seen ? '✓' : '';
+    return index < hand.seen ? '✓' : '';
   }
 
   private parts(title: string, now: List, old: List, isInside: boolean): TemplateResult {
@@ -101,10 +108,10 @@ export class RegionsPanel extends LitElement {
 
   /** How a part inside lies to the clip polygon, where that is known. */
   private orderOf(inside: List, index: number): string {
-    const { say, now } = this;
+    const { say, hand } = this;
     if (inside[index]?.[2] === true) return '';
     const place = inside.slice(0, index).filter(([, , ground]) => !ground).length;
-    const behind = now.inHand?.behind[place];
+    const behind = hand?.behind[place];
     if (behind === undefined) return '';
     return behind ? say.behind : say.nearer;
   }
@@ -114,7 +121,11 @@ export class RegionsPanel extends LitElement {
     const shown = [...now.visible].reverse();
     const isFresh = now.visible !== old.visible;
     const row = (piece: Piece, i: number): TemplateResult =>
-      this.row(piece, `${say.area} ${short(areaOf(piece[1]))}`, i === 0 && isFresh);
+      this.row(
+        piece,
+        `${say.area} ${numbersOf(this.view).short(areaOf(piece[1]))}`,
+        i === 0 && isFresh,
+      );
     return html`<section>
       <h3>${say.visible}</h3>
       ${listOf(say.visible, 'visible', shown, row, this.view)}

@@ -61,7 +61,7 @@ export const solidStyle = css`
   .views :focus-visible {
     outline-offset: -3px;
   }
-  @container (max-width: 290px) {
+  @container (max-width: 320px) {
     vidno-zoom-bar {
       top: auto;
       bottom: calc(var(--foot, 0px) + 0.375rem);

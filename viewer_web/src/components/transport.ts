@@ -109,7 +109,7 @@ export class TransportElement extends LitElement {
       <span>${texts.speed}</span>
       <select @change=${this.onSpeed} title=${texts.perSecond(this.speed)}>
         ${speedsWith(this.speed).map(
-          (n) => html`<option value=${n} ?selected=${n === this.speed}>${n}/s</option>`,
+          (n) => html`<option value=${n} ?selected=${n === this.speed}>${texts.rate(n)}</option>`,
         )}
       </select>
     </label>`;

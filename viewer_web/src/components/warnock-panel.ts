@@ -3,13 +3,13 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import type { FamilyTexts } from '../i18n/family-texts.js';
-import { short, windowText } from '../i18n/words.js';
 import { texts } from '../i18n/index.js';
 import { cornerThing, polygonThing, windowThing } from '../pointed.js';
 import { emptyWarnock } from '../state/warnock.js';
 import type { Entry, Joined, StackedWindow, Warnock } from '../state/warnock.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Corner } from '../trace/values.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { listValues } from './list-values.js';
 import { chipsCell, listOf, rowsOf } from './lists.js';
@@ -102,7 +102,7 @@ export class WarnockPanel extends LitElement {
       <dl class="values">
         ${value(
           page.window,
-          now.window ? windowText(now.window) : page.none,
+          now.window ? numbersOf(this.view).windowText(now.window) : page.none,
           now.window !== old.window,
           'wide',
         )}
@@ -140,7 +140,7 @@ export class WarnockPanel extends LitElement {
     }
     const found = now.nearest;
     const shown = found
-      ? html`${polygonName(found.polygon, this.view)} ${short(found.z)}`
+      ? html`${polygonName(found.polygon, this.view)} ${numbersOf(this.view).short(found.z)}`
       : page.none;
     return value('PointColor', shown, found !== old.nearest);
   }
@@ -169,10 +169,10 @@ export class WarnockPanel extends LitElement {
     return html`<td
       class=${classMap({ changed, pointed })}
       data-thing=${thing}
-      title=${z === undefined ? nothing : String(z)}
+      title=${z === undefined ? nothing : numbersOf(this.view).whole(z)}
     >
       <small>${texts[this.view.language].places[name]}</small>
-      ${z === undefined ? this.view.texts.none : short(z)}<i>${name}</i>
+      ${z === undefined ? this.view.texts.none : numbersOf(this.view).short(z)}<i>${name}</i>
     </td>`;
   }
 
@@ -247,7 +247,9 @@ export class WarnockPanel extends LitElement {
     const pointed = thing === this.view.pointed;
     const ids = entries.map(([id]) => id);
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
-      <td class=${classMap({ number: true, changed })}>${windowText(window)}</td>
+      <td class=${classMap({ number: true, changed })}>
+        ${numbersOf(this.view).windowText(window)}
+      </td>
       ${
         this.areListsTold
           ? html`<td class="number">${entries.length}</td>

@@ -2,11 +2,11 @@ import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
-import { short } from '../i18n/words.js';
 import { edgeThing } from '../pointed.js';
 import { emptyZBuffer } from '../state/zbuffer.js';
 import type { ActiveEdge, ZBuffer } from '../state/zbuffer.js';
 import type { N } from '../trace/values.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import './depths.js';
 import { panelsStyle } from './panels.style.js';
@@ -54,6 +54,7 @@ export class ZBufferPanel extends LitElement {
   private scanline(): TemplateResult {
     const { now, old } = this;
     const { texts } = this.view;
+    const { short } = numbersOf(this.view);
     const number = (n: N | null): string => (n === null ? texts.none : short(n));
     const polygon = now.polygon === null ? texts.none : polygonName(now.polygon, this.view);
     return html`<section>
@@ -93,8 +94,9 @@ export class ZBufferPanel extends LitElement {
     const pointed = thing === this.view.pointed;
     return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
       <td class=${classMap({ number: true, changed: before === undefined })}>${edge}</td>
-      ${numberCell(x, before?.x)} ${numberCell(z, before?.z)} ${numberCell(until, before?.until)}
-      ${numberCell(dx, before?.dx)} ${numberCell(dz, before?.dz)}
+      ${numberCell(x, before?.x, this.view)} ${numberCell(z, before?.z, this.view)}
+      ${numberCell(until, before?.until, this.view)} ${numberCell(dx, before?.dx, this.view)}
+      ${numberCell(dz, before?.dz, this.view)}
     </tr>`;
   }
 }

@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { texts } from '../i18n/index.js';
+import { languages } from '../i18n/language.js';
 import { answers, questionFrom } from '../testing/questions.js';
 import { textOf, traceOf } from '../testing/traces.js';
 import type { Trace } from '../trace/trace.js';
@@ -12,10 +14,12 @@ describe('the floating horizon asks', () => {
     const question = questionFrom(await crossing(), 1, 'flags');
     expect(question.about.curve).toBe(1);
     expect(answers(question)).toEqual({ above: ['2', '3', '4'], below: ['1'] });
-    expect(question.parts[0]?.options[1]).toEqual({
-      value: '2',
-      note: 'y = 1, upper 1.5, lower 1.5',
-    });
+    const second = question.parts[0]?.options[1];
+    expect(second?.value).toBe('2');
+    expect(languages.map((language) => second?.note?.(texts[language]))).toEqual([
+      'y = 1; upper 1.5; lower 1.5',
+      'y = 1; верхний 1,5; нижний 1,5',
+    ]);
   });
 
   it('over which columns the horizons change', async () => {

@@ -1,4 +1,3 @@
-import { short } from '../i18n/words.js';
 import { columnThing, curveThing } from '../pointed.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
@@ -18,13 +17,14 @@ const farthest = 200;
 
 type Height = Event<'height'>;
 
-const noted = (name: string, value: N | null | undefined): string =>
-  `${name} ${value === null || value === undefined ? '—' : short(value)}`;
-
 /** A column with what is known over it, to answer by. */
 const columnOption = (x: number, y: N, upper?: N | null, lower?: N | null): Option => ({
   value: String(x),
-  note: [noted('y =', y), noted('upper', upper), noted('lower', lower)].join(', '),
+  note: ({ numbers, curves }) => {
+    const shown = (value: N | null | undefined): string =>
+      value === null || value === undefined ? '—' : numbers.short(value);
+    return `y = ${numbers.short(y)}; ${curves.upper} ${shown(upper)}; ${curves.lower} ${shown(lower)}`;
+  },
 });
 
 const hasHorizon = ({ upper, lower }: Height): boolean =>

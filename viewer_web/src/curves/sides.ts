@@ -1,3 +1,4 @@
+import type { Edition } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 import type { Flag } from './events.js';
 import type { FloatingHorizon } from './state.js';
@@ -25,6 +26,10 @@ export function metBy(
   if (side === 'above') return 'upper';
   return side === 'below' && was !== 'hidden' ? 'lower' : null;
 }
+
+/** Whether the printed text says of a point that it lies below, and need not draw it (X-H1). */
+export const isLostBelow = (flag: Flag, edition: Edition): boolean =>
+  flag === -1 && edition === 'printed';
 
 /** Whether a part of a segment is a point on a column. */
 export function isPoint({

@@ -1,6 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { readHistory } from '../testing/histories.js';
 import { textOf } from '../testing/traces.js';
+import type { Edition } from '../trace/editions.js';
+import type { Event } from '../trace/events.js';
+import { ColumnWatch } from './watch.js';
 
 /** Curve and outcome of each flag over column 4. */
 const told = async (detail: string): Promise<readonly unknown[]> => {
@@ -25,6 +28,16 @@ describe('the history of a column', () => {
       ]);
     },
   );
+
+  it('calls what lies below visible, but not of the printed text, which need not draw it (X-H1)', () => {
+    const below = { e: 'visibility', at: 'FH5', segment: [0, 1], x: 4, flag: -1 } as const;
+    const outcomeIn = (edition: Edition, event: Event): unknown =>
+      new ColumnWatch([4, 0], 'signs', edition).see(event, 1);
+    expect(outcomeIn('corrected', below)).toBe('pass');
+    expect(outcomeIn('printed', below)).toBe('note');
+    expect(outcomeIn('printed', { ...below, flag: 1 })).toBe('pass');
+    expect(outcomeIn('printed', { ...below, flag: 0 })).toBe('fail');
+  });
 
   it('has the heights and each change of the horizons where the trace tells them', async () => {
     const { entries } = await readHistory(textOf('hills.floating-horizon.signs.jsonl'), [4, 0]);

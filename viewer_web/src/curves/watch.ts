@@ -2,7 +2,9 @@ import { noted, only, test } from '../history/entry.js';
 import type { Outcome, Wanted, Watch } from '../history/entry.js';
 import type { Known } from '../i18n/words.js';
 import type { Pixel } from '../picture/pixel.js';
+import type { Edition } from '../trace/editions.js';
 import type { CurveEvents, Detail, Event } from '../trace/events.js';
+import { isLostBelow } from './sides.js';
 import { emptyFloatingHorizon, placeAfter } from './state.js';
 import type { FloatingHorizon } from './state.js';
 
@@ -15,7 +17,6 @@ const isAmong = (changes: readonly (readonly [number, unknown])[], x: number): b
 
 const judges: { readonly [K in keyof CurveEvents]?: Judge<K> } = {
   height: over,
-  visibility: (event, x) => (event.x === x ? test(event.flag !== 0) : null),
   draw_line: ({ fromColumns, toColumns }, x) =>
     fromColumns[1] <= x && x <= toColumns[0] ? 'paint' : null,
   intersection: ({ columns: [left, right] }, x) => noted(left <= x && x <= right),
@@ -43,7 +44,11 @@ export class ColumnWatch implements Watch {
   private horizon: FloatingHorizon = emptyFloatingHorizon;
   private toldAt = 0;
 
-  constructor([x]: Pixel, detail: Detail) {
+  constructor(
+    [x]: Pixel,
+    detail: Detail,
+    private readonly edition: Edition,
+  ) {
     this.x = x;
     this.wanted = wantedAt[detail];
   }
@@ -59,18 +64,23 @@ export class ColumnWatch implements Watch {
     return found !== null && Number(found[1]) !== this.x;
   }
 
-  private look(event: Event<'visibility'>): void {
-    const { horizon } = this;
+  /** What Visibility says of a column tells which horizon is met, and of this one whether the curve is visible. */
+  private look(event: Event<'visibility'>): Outcome | null {
+    const { horizon, edition } = this;
     this.horizon = { ...horizon, place: placeAfter(event, horizon.place) };
+    if (event.x !== this.x) return null;
+    return isLostBelow(event.flag, edition) ? 'note' : test(event.flag !== 0);
   }
 
   see(event: Event, step: number): Outcome | null {
     if (event.e === 'curve') this.horizon = { ...emptyFloatingHorizon, curve: event.curve };
-    if (event.e === 'visibility') this.look(event);
     if (event.e === 'height' && event.x === this.x) this.horizon = { ...this.horizon, told: event };
     if (event.e === 'disagree') return this.toldAt === step - 1 ? 'wrong' : null;
     const judge = (judges as Readonly<Partial<Record<string, Judge<keyof CurveEvents>>>>)[event.e];
-    const outcome = judge?.(event as CurveEvents[keyof CurveEvents], this.x) ?? null;
+    const outcome =
+      event.e === 'visibility'
+        ? this.look(event)
+        : (judge?.(event as CurveEvents[keyof CurveEvents], this.x) ?? null);
     if (outcome !== null) this.toldAt = step;
     return outcome;
   }

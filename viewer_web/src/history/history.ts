@@ -1,8 +1,8 @@
 import { ColumnWatch } from '../curves/watch.js';
 import { isIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import type { Detail } from '../trace/events.js';
 import { RegionWatch } from '../regions/watch.js';
+import type { Header } from '../trace/header.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
 import type { Trace } from '../trace/trace.js';
@@ -12,10 +12,10 @@ import { ZBufferWatch } from './zbuffer.js';
 
 const atOnce = 4096;
 
-const watches: Readonly<Record<MethodKind, (pixel: Pixel, detail: Detail) => Watch>> = {
-  windows: (pixel, detail) => new WarnockWatch(pixel, detail),
+const watches: Readonly<Record<MethodKind, (pixel: Pixel, header: Header) => Watch>> = {
+  windows: (pixel, { detail }) => new WarnockWatch(pixel, detail),
   scanlines: (pixel) => new ZBufferWatch(pixel),
-  curves: (pixel, detail) => new ColumnWatch(pixel, detail),
+  curves: (pixel, { detail, edition }) => new ColumnWatch(pixel, detail, edition),
   regions: (pixel) => new RegionWatch(pixel),
 };
 
@@ -33,8 +33,8 @@ export class History {
     readonly trace: Trace,
     readonly pixel: Pixel,
   ) {
-    const { method, detail } = trace.header;
-    this.watch = watches[methodKindOf(method)](pixel, detail);
+    const { header } = trace;
+    this.watch = watches[methodKindOf(header.method)](pixel, header);
   }
 
   get entries(): readonly Entry[] {

@@ -4,7 +4,7 @@ import * as en from './en/index.js';
 import type { Language } from './language.js';
 import * as ru from './ru/index.js';
 import type { Texts } from './texts.js';
-import { Words, counted } from './words.js';
+import { Words, counted, withoutDoubledSigns } from './words.js';
 import type { Known, PluralForms, ShownHeader } from './words.js';
 
 export const texts: Readonly<Record<Language, Texts>> = { en: en.texts, ru: ru.texts };
@@ -28,7 +28,7 @@ export function sentence(
 ): string {
   const words = new Words(before, after, header, texts[language], rules[language]);
   const say = texts[language].sentences[event.e] as (event: Event, words: Words) => string;
-  return say(event, words);
+  return withoutDoubledSigns(say(event, words));
 }
 
 function reasonOf({ refusal }: Complaint, language: Language): string {

@@ -7,7 +7,8 @@ import type { Event } from '../trace/events.js';
 /** What is said where one predicts the next steps. */
 export interface PredictTexts {
   readonly title: string;
-  readonly hint: string;
+  /** With the key for it, where keys of one character do something. */
+  readonly hint: (key: string | null) => string;
   readonly next: string;
   readonly none: string;
   readonly forced: string;

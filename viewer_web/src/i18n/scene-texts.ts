@@ -47,6 +47,9 @@ export interface SceneTexts {
   readonly split: (n: number) => string;
   readonly removeCorner: (n: number) => string;
   readonly refused: (polygon: string | null, reason: string) => string;
+  /** The same of a surface's formula. */
+  readonly formula: (reason: string) => string;
+  readonly notFiniteAt: (x: number, z: number) => string;
   readonly stands: string;
   /** Of the library's reasons, those that a drawing can meet. */
   readonly reasons: Readonly<Record<string, string>>;

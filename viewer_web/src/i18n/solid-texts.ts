@@ -8,7 +8,7 @@ export interface SolidTexts {
   readonly turn: string;
   readonly views: Readonly<Record<ViewName, string>>;
   readonly missing: string;
-  readonly depths: (far: string, near: string, part: string) => string;
+  readonly depths: (far: string, near: string) => string;
   readonly window: (window: string) => string;
   readonly corners: (depths: string) => string;
   readonly plane: (polygon: string, depths: string) => string;

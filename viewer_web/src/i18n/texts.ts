@@ -21,6 +21,7 @@ import type { RegionTexts } from './region-texts.js';
 import type { ReaderTexts } from './reader-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { SolidTexts } from './solid-texts.js';
+import type * as words from './words.js';
 import type { Words } from './words.js';
 
 /** One sentence an event, made from the event and the step that it belongs to. */
@@ -32,8 +33,23 @@ export type ReasonTexts = {
   readonly [K in Reason]: (...details: Reasons[K]) => string;
 };
 
+/** How numbers and what is made of them are written. */
+export type Numbers = Pick<
+  typeof words,
+  | 'short'
+  | 'signed'
+  | 'whole'
+  | 'inFull'
+  | 'shortApart'
+  | 'joined'
+  | 'list'
+  | 'point'
+  | 'windowText'
+>;
+
 /** Everything that the page says, in one language. */
 export interface Texts {
+  readonly numbers: Numbers;
   readonly page: PageTexts;
   readonly places: Readonly<Record<Corner, string>>;
   readonly purposes: Readonly<Record<Procedure, string>>;
@@ -61,7 +77,8 @@ export interface HistoryTexts {
   readonly at: (x: number, y: number) => string;
   /** Of the pixel where the keyboard is, for those who hear the picture. */
   readonly spoken: (at: Pixel, facts: PixelFacts) => string;
-  readonly hint: string;
+  /** With the key for it, where keys of one character do something. */
+  readonly hint: (key: string | null) => string;
   readonly how: string;
   readonly forget: string;
   readonly entries: string;
@@ -121,7 +138,8 @@ export interface BookmarkTexts {
   readonly count: (n: number, most: number) => string;
   readonly full: (most: number) => string;
   readonly long: (most: number) => string;
-  readonly hint: string;
+  /** With the key for it, where keys of one character do something. */
+  readonly hint: (key: string | null) => string;
   readonly linked: string;
   /** The same of a page on a disk, whose address leads nobody else here. */
   readonly onDisk: string;
@@ -153,6 +171,8 @@ export interface PageTexts extends FileTexts {
   /** Of a run: its decisions were held against exact arithmetic. */
   readonly checked: string;
   readonly kernel: string;
+  /** A scene of a lesson, by the name of its file. */
+  readonly scene: (file: string) => string;
   readonly detail: string;
   readonly start: string;
   readonly nothingOpen: string;
@@ -173,6 +193,8 @@ export interface PageTexts extends FileTexts {
   readonly ofSteps: (length: string) => string;
   readonly speed: string;
   readonly perSecond: (n: number) => string;
+  /** The same, short. */
+  readonly rate: (n: number) => string;
   readonly keys: string;
   readonly close: string;
   readonly skip: string;

@@ -45,7 +45,7 @@ describe('a sentence says no more than the step', () => {
   it('of a line: one that covers no centre need not lie off the area', () => {
     const miss = (at: Event<'miss'>['at']): string =>
       saying({ e: 'miss', at }, 'corrected')[0] ?? '';
-    expect(miss('L1')).toMatch(/^The row lies off the area/u);
+    expect(miss('L1')).toMatch(/^The row lies outside the area/u);
     expect(miss('L2')).toMatch(/^No pixel of the area lies between the ends/u);
   });
 
@@ -73,6 +73,19 @@ describe('a sentence says no more than the step', () => {
       'The box of A, the first that is counted, does not lie strictly inside the window.',
       'Габаритный прямоугольник A, первого из учтённых, не лежит строго внутри окна.',
     ]);
+  });
+
+  it('of a flag: what the printed text finds below it need not draw (X-H1)', () => {
+    const below: Event = { e: 'visibility', at: 'FH5', segment: [0, 1], x: 3, flag: -1 };
+    expect(saying(below, 'corrected')).toEqual([
+      'Over column 3 the curve is on the lower horizon or below it, and visible (−1).',
+      'Над столбцом 3 кривая — на нижнем горизонте или ниже него: видна (−1).',
+    ]);
+    expect(saying(below, 'printed')).toEqual([
+      'Over column 3 the curve is on the lower horizon or below it (−1).',
+      'Над столбцом 3 кривая — на нижнем горизонте или ниже него (−1).',
+    ]);
+    expect(saying({ ...below, flag: 1 }, 'printed')[0]).toMatch(/and visible \(1\)\.$/u);
   });
 
   it('of a list: at the level of windows nobody says which polygons have left it', () => {

@@ -17,19 +17,28 @@ function fractionValue(written: string): number {
   return Number((BigInt(above) * scale) / BigInt(below)) / 1e12;
 }
 
-function shortNumber(value: number): string {
+/** The digits of a number that are shown; if these are not all, there is room for `≈`. */
+function rounded(value: number): string {
   const exact = String(value);
   if (exact.length <= shortest) return exact;
   const size = Math.abs(value);
   if (size < 1e-4 || size >= 1e6) return value.toExponential(2);
-  const rounded = [4, 3, 2].map((digits) => String(Number(value.toPrecision(digits))));
-  return rounded.find((text) => text.length <= shortest) ?? value.toPrecision(2);
+  const texts = [4, 3, 2].map((digits) => String(Number(value.toPrecision(digits))));
+  return texts.find((text) => text.length < shortest) ?? value.toPrecision(2);
 }
 
-/** A number of a trace as it is shown: short, with a real minus sign; `≈` where a fraction was cut. */
-export function short(value: N): string {
-  return plain(value).replace('-', '−');
+function shortNumber(value: number): string {
+  const text = rounded(value);
+  return Number(text) === value || Number.isNaN(value) ? text : `≈${text}`;
 }
+
+/** A number of a trace as it is shown: short, with a real minus sign; `≈` where that is not all of it. */
+export function short(value: N): string {
+  return plain(value).replaceAll('-', '−');
+}
+
+/** A text in which `x = ≈0.3` is `x ≈ 0.3`. */
+export const withoutDoubledSigns = (text: string): string => text.replaceAll('= ≈', '≈ ');
 
 /** A whole number that is added. */
 export const signed = (n: number): string => (n > 0 ? `+${n}` : short(n));
@@ -40,10 +49,13 @@ export function shortApart(a: N, b: N): readonly [string, string] {
   return looks[0] === looks[1] && a !== b ? [inFull(a), inFull(b)] : looks;
 }
 
+/** All of a number, however long. */
+export const whole = (value: N): string => String(value).replaceAll('-', '−').replace('inf', '∞');
+
 /** Fractions may be longer than any sentence. */
-function inFull(value: N): string {
-  const text = String(value);
-  return text.length > longest ? short(value) : text.replace('-', '−');
+export function inFull(value: N): string {
+  const text = whole(value);
+  return text.length > longest ? short(value) : text;
 }
 
 function plain(value: N): string {
@@ -52,7 +64,7 @@ function plain(value: N): string {
   if (value.endsWith('/1')) return value.slice(0, -2);
   if (value === 'nan' || value.length <= shortest) return value;
   if (value.endsWith('/0')) return value;
-  return `≈${shortNumber(fractionValue(value))}`;
+  return `≈${rounded(fractionValue(value))}`;
 }
 
 /** The number to plot, where there is one. */
@@ -84,9 +96,13 @@ export function orderOf(a: N, b: N): -1 | 0 | 1 | null {
 /** Their difference, of infinities too. */
 const comparable = (a: number, b: number): number => (a === b ? 0 : a - b);
 
-export function point(at: readonly N[]): string {
-  return `(${at.map(short).join(', ')})`;
-}
+/** Texts with numbers in them, one after the other. */
+export const joined = (all: readonly string[]): string => all.join(', ');
+
+export const list = (all: readonly N[], write = short): string =>
+  joined(all.map((each) => write(each)));
+
+export const point = (at: readonly N[]): string => `(${list(at)})`;
 
 /** Whole numbers from one to another, where a dash may stand between them. */
 export function rangeOf(first: number, last: number): string {
@@ -197,6 +213,10 @@ export class Words {
     return edges.join(', ');
   }
 }
+
+/** "1", "1 and 0", "2, 1 and 0". */
+export const listed = (all: readonly (string | number)[], and: string): string =>
+  [all.slice(0, -1).join(', '), all.slice(-1).join('')].filter(Boolean).join(` ${and} `);
 
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 

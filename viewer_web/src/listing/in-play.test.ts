@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../i18n/language.js';
 import { headerOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { valuesInPlay } from './in-play.js';
@@ -20,9 +22,12 @@ const events: readonly Event[] = [
   { e: 'surround', at: 'PW8', polygon: 'B', point: [0, 0], inside: true },
 ];
 
-async function at(step: number): Promise<Readonly<Record<string, string>>> {
+async function at(
+  step: number,
+  language: Language = 'en',
+): Promise<Readonly<Record<string, string>>> {
   const trace = await traceOf(textWith(headerOf('warnock'), events));
-  return Object.fromEntries(valuesInPlay(trace, step));
+  return Object.fromEntries(valuesInPlay(trace, step, texts[language].numbers));
 }
 
 describe('the values in play', () => {
@@ -35,6 +40,10 @@ describe('the values in play', () => {
       S2: '−4 < 0',
       S3: '−2 < 0',
     });
+  });
+
+  it('are written as the language writes numbers', async () => {
+    expect((await at(12, 'ru'))['W5']).toBe('(0; 0) 8 × 8');
   });
 
   it('of a later line are over when its loop begins again', async () => {

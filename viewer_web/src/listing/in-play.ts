@@ -1,3 +1,4 @@
+import type { Numbers } from '../i18n/texts.js';
 import { depthChanges } from '../state/state.js';
 import type { EventName } from '../trace/events.js';
 import type { Trace } from '../trace/trace.js';
@@ -22,6 +23,7 @@ function placeOf(label: string): readonly [procedure: string, line: number] {
 export function valuesInPlay(
   { header, timeline }: Trace,
   step: number,
+  numbers: Numbers,
 ): ReadonlyMap<string, string> {
   const changes = depthChanges(header.detail);
   const values = new Map<string, string>();
@@ -38,7 +40,7 @@ export function valuesInPlay(
     const [procedure, line] = placeOf(event.at);
     if (change > 0) lines = new Map();
     if (line <= (lines.get(procedure) ?? Infinity)) {
-      const note = noteOf(event);
+      const note = noteOf(event, numbers);
       if (note !== null && !values.has(event.at)) values.set(event.at, note);
       lines.set(procedure, line);
     }

@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest';
 import { texts } from '../i18n/index.js';
+import { languages } from '../i18n/language.js';
 import { refusalOf, whyRefused } from './refusal.js';
 import { addPolygon, emptySketch } from './sketch.js';
 
@@ -27,5 +28,10 @@ it.each([
 
 it('is said in the language of the page, with what it is about', () => {
   const said = whyRefused('scene: /function: rint: no such function', drawn, texts.ru.scene);
-  expect(said).toContain('rint: такой функции нет');
+  expect(said).toBe('Формула: rint: такой функции нет');
+  const message = 'scene: /function: not finite at x = 0, z = 0.5';
+  expect(languages.map((each) => whyRefused(message, drawn, texts[each].scene))).toEqual([
+    'The formula is not finite at x = 0, z = 0.5',
+    'Значение формулы не конечно при x = 0, z = 0,5',
+  ]);
 });

@@ -28,7 +28,16 @@ export function refusalOf(message: string, { polygons }: Sketch): SceneRefusal {
 /** The same as a sentence. */
 export function whyRefused(message: string, sketch: Sketch, say: SceneTexts): string {
   const { polygon, reason } = refusalOf(message, sketch);
+  if (polygon === '/function') return ofFormula(reason, say);
   return say.refused(polygon, inWords(reason, say));
+}
+
+/** What is wrong with the function of a surface, perhaps with the place where it is. */
+function ofFormula(reason: string, say: SceneTexts): string {
+  const [, x, z] = /^not finite at x = (\S+), z = (\S+)$/u.exec(reason) ?? [];
+  return x === undefined || z === undefined
+    ? say.formula(inWords(reason, say))
+    : say.notFiniteAt(Number(x), Number(z));
 }
 
 /** A reason may say first what it is about: "rint: no such function". */

@@ -1,4 +1,4 @@
-import { point as sayPoint } from '../i18n/words.js';
+import type { Numbers } from '../i18n/texts.js';
 import type { Frame, Point } from './frame.js';
 import type { Mark, Role } from './mark.js';
 import { pathData } from './shapes.js';
@@ -17,11 +17,11 @@ export interface Beyond {
   readonly labels: readonly Label[];
 }
 
-export function beyond(marks: readonly Mark[], frame: Frame): Beyond {
+export function beyond(marks: readonly Mark[], frame: Frame, { point }: Numbers): Beyond {
   const found = new Map<string, { readonly role: Role; readonly at: Point }>();
   for (const mark of marks) {
     if (mark.kind !== 'point' || !told.includes(mark.role) || isSeen(mark.at, frame)) continue;
-    found.set(sayPoint(mark.at), mark);
+    found.set(point(mark.at), mark);
   }
   const all = [...found];
   return {

@@ -1,3 +1,4 @@
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { element, escaped } from '../xml.js';
 import { beyond } from './beyond.js';
@@ -64,7 +65,7 @@ export function figureOf(view: View, { under, over }: Layers = { under: [], over
   // Neighbours must meet without a seam.
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
   const marked = marksOf({ ...view, pointed: null, asked: [] }, frame.sight);
-  const outside = beyond(marked, frame);
+  const outside = beyond(marked, frame, numbersOf(view));
   const marks = [...marked.flatMap((mark) => shapesOf(mark, scale)), ...outside.shapes];
   const shapes = [...gridShapes(frame), ...under, ...outlineShapes(scene), ...over, ...marks].map(
     (shape) => pathOf(shape, scale),

@@ -1,9 +1,8 @@
-import { short } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import { inOrder, nextOf, stepsOf } from './ahead.js';
 import { edgeNote, mostOptions } from './asker.js';
 import type { Asker } from './asker.js';
-import type { Part } from './question.js';
+import type { Option, Part } from './question.js';
 
 /** What is the list of active edges on the next scanline? */
 export const ael: Asker<'ael'> = {
@@ -25,9 +24,9 @@ export const ael: Asker<'ael'> = {
       value: String(edge),
       note: edgeNote(polygon, edge),
     }));
-    const active = zbuffer.ael.map(({ edge, x, dx, until: last }) => ({
+    const active = zbuffer.ael.map(({ edge, x, dx, until: last }): Option => ({
       value: String(edge),
-      note: `x = ${short(x)}, Δx = ${short(dx)}, y → ${short(last)}`,
+      note: ({ numbers: { short } }) => `x = ${short(x)}; Δx = ${short(dx)}; y → ${short(last)}`,
     }));
     const leave: Part = {
       asks: 'leave',

@@ -2,8 +2,8 @@ import { orderOf, point, short, toNumber } from '../i18n/words.js';
 import type { Detail, EventName, Method } from '../trace/events.js';
 import type { Header, Polygon } from '../trace/header.js';
 import type { Trace } from '../trace/trace.js';
-import type { N } from '../trace/values.js';
-import type { Kind, Option, Question } from './question.js';
+import type { N, Point } from '../trace/values.js';
+import type { Kind, Note, Option, Question } from './question.js';
 
 /** Asks questions of one kind. */
 export interface Asker<K extends Kind = Kind> {
@@ -27,7 +27,10 @@ export const optionsOf = (values: readonly string[]): readonly Option[] =>
 export function depthOptions(depths: readonly N[]): readonly Option[] {
   const all = [...new Set(depths)].sort((a, b) => toNumber(a) - toNumber(b));
   const areShort = new Set(all.map(short)).size === all.length;
-  return all.map((z) => ({ value: String(z), note: areShort ? short(z) : String(z) }));
+  return all.map((z) => ({
+    value: String(z),
+    note: ({ numbers }) => (areShort ? numbers.short(z) : numbers.inFull(z)),
+  }));
 }
 
 export type Relation = '>' | '=' | '<';
@@ -44,7 +47,12 @@ export function relationOf(z: N, against: N, nearer: boolean, { kernel }: Header
 }
 
 /** An edge by its ends. */
-export function edgeNote({ vertices }: Polygon, edge: number): string {
+export function edgeNote({ vertices }: Polygon, edge: number): Note {
   const ends = [vertices[edge], vertices[(edge + 1) % vertices.length]];
-  return ends.map((vertex) => point(vertex?.slice(0, 2) ?? [])).join(' → ');
+  return ({ numbers: { point } }) =>
+    ends.map((vertex) => point(vertex?.slice(0, 2) ?? [])).join(' → ');
 }
+
+/** Points as options; each is named in one way in all languages, and shown by its note. */
+export const pointOptions = (points: readonly Point[]): readonly Option[] =>
+  points.map((at) => ({ value: point(at), note: ({ numbers }) => numbers.point(at) }));

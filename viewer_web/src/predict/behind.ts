@@ -1,4 +1,4 @@
-import { point, toNumber } from '../i18n/words.js';
+import { toNumber } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import { boundsOf } from '../regions/geometry.js';
 import type { Piece } from '../regions/events.js';
@@ -15,7 +15,7 @@ export type Becomes = (typeof becomes)[number];
 /** A part by the box around it. */
 function optionOf([id, region]: Piece): Option {
   const { from, to } = boundsOf(region);
-  return { value: id, note: `${point(from)} – ${point(to)}` };
+  return { value: id, note: ({ numbers: { point } }) => `${point(from)} – ${point(to)}` };
 }
 
 /** Which parts inside does the clip polygon hide, and is it visible then? */

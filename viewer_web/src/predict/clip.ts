@@ -1,9 +1,9 @@
-import { point } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from './ahead.js';
 import { optionsOf } from './asker.js';
 import type { Asker } from './asker.js';
+import type { Given } from './question.js';
 
 /** Stands in a list of vertices for one that a crossing makes. */
 export const crossing = 'x';
@@ -30,10 +30,10 @@ export const clip: Asker<'clip'> = {
     const right = inOrder(crossed, kept).map((at) =>
       inTurn.includes(at) ? String(inTurn.indexOf(at) + 1) : crossing,
     );
-    const vertices = begun.vertices.map((vertex, i) => ({
+    const vertices = begun.vertices.map((vertex, i): Given => ({
       value: String(i + 1),
-      of: 'vertex' as const,
-      note: point(vertex.slice(0, 2)),
+      of: 'vertex',
+      note: ({ numbers }) => numbers.point(vertex.slice(0, 2)),
     }));
     const { polygon } = result.event;
     return {

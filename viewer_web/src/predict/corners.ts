@@ -1,4 +1,3 @@
-import { short } from '../i18n/words.js';
 import { cornerThing, polygonThing } from '../pointed.js';
 import { corners as places } from '../trace/events.js';
 import { hasWindows } from '../trace/events.js';
@@ -42,7 +41,7 @@ export const corners: Asker<'corners'> = {
           asks: 'nearer',
           options: all.map(({ place, z, against }) => ({
             value: place,
-            note: `${short(z)} ? ${short(against)}`,
+            note: ({ numbers: { short } }) => `${short(z)} ? ${short(against)}`,
           })),
           right: nearer.event.corners,
         },

@@ -1,7 +1,7 @@
 import { point } from '../i18n/words.js';
 import { polygonThing } from '../pointed.js';
 import { inOrder, stepsOf } from './ahead.js';
-import { mostOptions, optionsOf } from './asker.js';
+import { mostOptions, pointOptions } from './asker.js';
 import type { Asker } from './asker.js';
 import { clippingAt, hasRegions } from './pieces.js';
 
@@ -14,13 +14,13 @@ export const entering: Asker<'entering'> = {
     const clipping = clippingAt(trace, step);
     if (clipping === null) return null;
     const { clip, outline, result } = clipping;
-    const points = outline.map(({ from }) => point(from));
-    if (points.length > mostOptions || new Set(points).size < points.length) return null;
+    const options = pointOptions(outline.map(({ from }) => from));
+    const points = new Set(options.map(({ value }) => value));
+    if (options.length > mostOptions || points.size < options.length) return null;
     const until = result.step;
     const enters = stepsOf(trace, step, until, 'entering');
     const leaves = stepsOf(trace, step, until, 'leaving');
     const { polygon } = result.event;
-    const options = optionsOf(points);
     return {
       kind: 'entering',
       step,

@@ -1,6 +1,6 @@
-import { point, short, windowText } from '../i18n/words.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
+import type { Numbers } from '../i18n/texts.js';
 import type { Piece } from '../regions/events.js';
 import type { Regions } from '../regions/state.js';
 import type { Joined, Warnock } from '../state/warnock.js';
@@ -23,7 +23,7 @@ function windowFacts({ after, texts: page, language, header: { method } }: View)
     .map(([id, surrounds]) => (surrounds ? `${id} (${page.surrounds})` : id));
   const others = length > mostOptions ? [page.more(length - mostOptions)] : [];
   return [
-    [page.window, windowText(window)],
+    [page.window, texts[language].numbers.windowText(window)],
     [page.apl, [...listed, ...others].join(', ')],
     ...(hasThreeLists(method) ? listFacts(way.length, joined, language) : []),
   ];
@@ -41,9 +41,9 @@ function listFacts(level: number, joined: Warnock['joined'], language: Language)
   ];
 }
 
-function scanlineFacts({ after }: View): readonly Fact[] {
+function scanlineFacts({ after, language }: View): readonly Fact[] {
   const { y } = after.zbuffer ?? {};
-  return y == null ? [] : [['yₜ', short(y)]];
+  return y == null ? [] : [['yₜ', texts[language].numbers.short(y)]];
 }
 
 /** The list in hand; before there is one, what will be sorted. */
@@ -52,10 +52,10 @@ const piecesOf = ({ inHand, facets }: Regions): readonly Piece[] => inHand?.piec
 /** The pieces with their outlines as one walks along them, and the polygons of the other lists, the top one first. */
 function regionFacts({ after: { regions }, texts: page, language }: View): readonly Fact[] {
   if (regions === null) return [];
-  const say = texts[language].regions;
+  const { regions: say, numbers } = texts[language];
   const pieces = piecesOf(regions);
   const listed = pieces.slice(0, mostOptions).map(([id, region, ground]) => {
-    const loops = region.map((loop) => loop.map(point).join(' ')).join(' / ');
+    const loops = region.map((loop) => loop.map(numbers.point).join(' ')).join(' / ');
     return `${id}${ground ? ` (${say.ground})` : ''}: ${loops}`;
   });
   const others = pieces.length > mostOptions ? [page.more(pieces.length - mostOptions)] : [];
@@ -67,11 +67,8 @@ function regionFacts({ after: { regions }, texts: page, language }: View): reado
 }
 
 /** In full, to be worked with. */
-const vertices = (polygon: Polygon | undefined): string =>
-  (polygon?.vertices ?? [])
-    .map((vertex) => `(${vertex.join(', ')})`)
-    .join(' ')
-    .replaceAll('-', '−');
+const vertices = (polygon: Polygon | undefined, { list, inFull }: Numbers): string =>
+  (polygon?.vertices ?? []).map((vertex) => `(${list(vertex, inFull)})`).join(' ');
 
 /** The polygons that a question is about. */
 function idsOf({ after }: View, { about }: Question): readonly string[] {
@@ -81,18 +78,19 @@ function idsOf({ after }: View, { about }: Question): readonly string[] {
 }
 
 function polygonFacts(view: View, question: Question): readonly Fact[] {
-  const { header, texts: page } = view;
+  const { header, texts: page, language } = view;
   return idsOf(view, question).map((id) => [
     page.things.polygon(id),
-    vertices(header.scene.byId.get(id)),
+    vertices(header.scene.byId.get(id), texts[language].numbers),
   ]);
 }
 
 /** What must be known at its step to answer a question, beside its own words and options. */
 export function factsOf(view: View, question: Question): readonly Fact[] {
   const { area } = view.header.scene;
+  const { predict, numbers } = texts[view.language];
   return [
-    [texts[view.language].predict.area, windowText([area.x, area.y, area.width, area.height])],
+    [predict.area, numbers.windowText([area.x, area.y, area.width, area.height])],
     ...windowFacts(view),
     ...scanlineFacts(view),
     ...regionFacts(view),

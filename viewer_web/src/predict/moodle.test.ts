@@ -134,7 +134,7 @@ describe('a question for Moodle', () => {
     expect(lines.slice(0, 11)).toEqual([
       'RegionClip: walk round the part of Q inside W, from point 3, where the outline of Q enters. The points of that outline come first, then the other vertices of W, each in the order of the walk.',
       'Area: (0, 0) 16 × 16',
-      'List in hand: W: (2, 12) (2, 2) (14, 2) (14, 12); Q: (4, 14) (4, 6) (8, 6) (8, 14); S: (0, 16) (0, 0) (16, 0) (16, 16)',
+      'Current list: W: (2, 12) (2, 2) (14, 2) (14, 12); Q: (4, 14) (4, 6) (8, 6) (8, 14); S: (0, 16) (0, 0) (16, 0) (16, 16)',
       'Stack of lists: ∅',
       'Polygon W: (2, 2, 0.125) (14, 2, 0.875) (14, 12, 0.875) (2, 12, 0.125)',
       'Polygon Q: (4, 6, 0.75) (8, 6, 0.75) (8, 14, 0.75) (4, 14, 0.75)',

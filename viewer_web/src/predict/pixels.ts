@@ -1,4 +1,3 @@
-import { short } from '../i18n/words.js';
 import { pixelThing } from '../pointed.js';
 import { inOrder, nextOf, stepsOf } from './ahead.js';
 import { mostOptions, relationOf, relationOptions } from './asker.js';
@@ -36,7 +35,7 @@ export const pixels: Asker<'pixels'> = {
           asks: 'shown',
           options: asked.map(({ x, z, stored }) => ({
             value: String(x),
-            note: `${short(z)} ? ${short(stored)}`,
+            note: ({ numbers: { short } }) => `${short(z)} ? ${short(stored)}`,
           })),
           right: asked.filter(({ shown }) => shown).map(({ x }) => String(x)),
         },

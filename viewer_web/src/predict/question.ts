@@ -1,3 +1,4 @@
+import type { Texts } from '../i18n/texts.js';
 import type { Box, Corner, Point } from '../trace/values.js';
 
 /** What is asked about, in the order in which the reader chooses among them. */
@@ -95,22 +96,28 @@ export const parts = {
 } as const satisfies Readonly<Record<string, readonly [Form, Of]>>;
 export type Asks = keyof typeof parts;
 
+/** What is known of an option, to answer by, as a language writes it. */
+export type Note = (texts: Pick<Texts, 'numbers' | 'curves'>) => string;
+
 export interface Option {
   readonly value: string;
-  /** What is known of it, to answer by. */
-  readonly note?: string;
+  readonly note?: Note;
 }
 
 /** No polygon at all, among options that are polygons. */
 export const none = '';
+
+/** What a part is about, where that is not its options. */
+export interface Given extends Option {
+  readonly of: Of;
+}
 
 /** One thing that is asked. An answer to it is a list of options' values. */
 export interface Part {
   readonly asks: Asks;
   readonly options: readonly Option[];
   readonly right: readonly string[];
-  /** What the part is about, where that is not its options. */
-  readonly given?: readonly (Option & { readonly of: Of })[];
+  readonly given?: readonly Given[];
 }
 
 /** What the words of a question name. */

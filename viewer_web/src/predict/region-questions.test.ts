@@ -1,8 +1,11 @@
 import { describe, expect, it } from 'vitest';
+import { texts } from '../i18n/index.js';
+import { languages } from '../i18n/language.js';
 import { answers, questionFrom } from '../testing/questions.js';
 import { textOf, traceOf } from '../testing/traces.js';
 import type { Trace } from '../trace/trace.js';
 import { nextQuestion } from './questions.js';
+import { sayRight } from './say.js';
 
 /**
  * The scene of lesson 14. W is the rectangle from (2, 2) to (14, 12), its depth is x / 16; Q the one from (4, 6) to (8, 14) at
@@ -16,7 +19,7 @@ describe('Weiler and Atherton’s algorithm asks', () => {
     const question = questionFrom(await wall(), 1, 'sort');
     expect(question.about).toEqual({ pieces: 3 });
     expect(answers(question)).toEqual({ first: ['W'], depth: ['7/8'] });
-    expect(question.parts[1]?.options.map(({ note }) => note)).toEqual([
+    expect(question.parts[1]?.options.map(({ note }) => note?.(texts.en))).toEqual([
       '−1/2',
       '1/8',
       '3/4',
@@ -45,6 +48,9 @@ describe('Weiler and Atherton’s algorithm asks', () => {
       '(8, 12)',
     ]);
     expect(answers(question)).toEqual({ enters: ['(4, 12)'], leaves: ['(8, 12)'] });
+    const [enters] = question.parts;
+    if (enters === undefined) throw new Error('It asks nothing.');
+    expect(languages.map((language) => sayRight(enters, language))).toEqual(['(4, 12)', '(4; 12)']);
   });
 
   it('and that an outline around it does neither', async () => {
@@ -67,7 +73,7 @@ describe('Weiler and Atherton’s algorithm asks', () => {
     expect(answers(first)).toEqual({ walked: ['4', '5', '6'] });
     // From (8, 12), 2, along W to (4, 12), 3, where it leaves; along Q by (4, 6), 7, and (8, 6), 8, back to (8, 12).
     const second = questionFrom(await wall(), 69, 'walk');
-    expect(second.parts[0]?.given?.map(({ note }) => note)).toEqual([
+    expect(second.parts[0]?.given?.map(({ note }) => note?.(texts.en))).toEqual([
       '(14, 12)',
       '(8, 12)',
       '(4, 12)',

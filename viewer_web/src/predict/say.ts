@@ -1,4 +1,5 @@
 import { between } from '../curves/ask.js';
+import { withoutDoubledSigns } from '../i18n/words.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../i18n/language.js';
 import type { Case } from '../time/course.js';
@@ -53,11 +54,19 @@ export function sayNone(asks: Asks, language: Language): string {
   return noPolygon[asks === 'wins' ? 'wins' : 'hides'];
 }
 
-/** A value and its note in one line; a depth is its note. */
-export function sayNoted(of: Of, { value, note }: Option, language: Language): string {
-  const said = words[of](value, language);
-  if (note === undefined) return said;
-  return of === 'depth' ? note : `${said}: ${note}`;
+/** What is known of an option; null if nothing. */
+export const sayNote = ({ note }: Option, language: Language): string | null =>
+  note === undefined ? null : withoutDoubledSigns(note(texts[language]));
+
+/** Whether an option is shown by its note alone. */
+export const isItsNote = (of: Of): boolean => of === 'depth' || of === 'point';
+
+/** A value and its note in one line. */
+export function sayNoted(of: Of, option: Option, language: Language): string {
+  const said = words[of](option.value, language);
+  const note = sayNote(option, language);
+  if (note === null) return said;
+  return isItsNote(of) ? note : `${said}: ${note}`;
 }
 
 /** The right answer to a part, in words. */
@@ -65,8 +74,12 @@ export function sayRight({ asks, options, right }: Part, language: Language): st
   const [form, of] = parts[asks];
   const say = (value: string): string => {
     if (value === none) return sayNone(asks, language);
-    const note = of === 'depth' ? options.find((each) => each.value === value)?.note : undefined;
-    return note ?? words[of](value, language);
+    // Between the options the sign stands for the word; here the word is the answer.
+    if (of === 'relation') return texts[language].predict.relations[value as Relation];
+    const option = options.find((each) => each.value === value);
+    return option !== undefined && isItsNote(of)
+      ? sayNoted(of, option, language)
+      : words[of](value, language);
   };
   if (right.length === 0) return texts[language].predict.empty;
   return form === 'row' ? right.map(itself).join(' ') : right.map(say).join(', ');

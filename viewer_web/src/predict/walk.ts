@@ -32,8 +32,10 @@ export const walk: Asker<'walk'> = {
     const enters = stepsOf(trace, step, until, 'entering');
     const leaves = stepsOf(trace, step, until, 'leaving');
     const [start] = enters.map(({ event }) => point(event.point));
-    const own = outline.map(({ from }) => point(from));
-    const points = [...new Set([...own, ...clip[1].flat().map(point)])];
+    const places = new Map(
+      [...outline.map(({ from }) => from), ...clip[1].flat()].map((at) => [point(at), at]),
+    );
+    const points = [...places.keys()];
     const { polygon, inside } = result.event;
     if (start === undefined || points.length > mostPoints) return null;
     const way = afterStart(
@@ -53,7 +55,11 @@ export const walk: Asker<'walk'> = {
           asks: 'walked',
           options: optionsOf(numbers),
           right: way.map(numberOf),
-          given: points.map((at) => ({ value: numberOf(at), of: 'vertex', note: at })),
+          given: [...places].map(([name, at]) => ({
+            value: numberOf(name),
+            of: 'vertex',
+            note: ({ numbers: write }) => write.point(at),
+          })),
         },
       ],
       because: inOrder(enters, leaves, [result]),

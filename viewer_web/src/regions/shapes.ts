@@ -9,6 +9,7 @@ import type { Point } from '../trace/values.js';
 import type { View } from '../view.js';
 import type { Piece, Region } from './events.js';
 import { hatchData, regionData } from './geometry.js';
+import { listInHand } from './in-hand.js';
 import type { RegionLayer } from './layers.js';
 import { emptyRegions } from './state.js';
 import type { Crossings, List, Regions } from './state.js';
@@ -31,8 +32,9 @@ const casing = (look: string, d: string): readonly Shape[] => [
 const isBegun = ({ lists, inHand }: Regions): boolean => lists.length > 0 || inHand !== null;
 
 /** The piece that is looked at, or that the step has put inside and outside. */
-function subjectOf({ after, event }: View): Piece | undefined {
-  const { inHand } = after.regions ?? emptyRegions;
+function subjectOf(view: View): Piece | undefined {
+  const { event } = view;
+  const inHand = listInHand(view);
   if (inHand === null) return undefined;
   const isDone = event?.e === 'clipped' || event?.e === 'beside';
   const isOver = event !== null && !isDone && !inClip.includes(event.e);
@@ -73,8 +75,8 @@ type Draw = (view: View, frame: Frame) => readonly Shape[];
 const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>> = {
   list: (view) => {
     const regions = view.after.regions ?? emptyRegions;
-    const { inHand, facets } = regions;
-    if (!isBegun(regions)) return [{ look: 'facet', d: outlines(facets) }];
+    if (!isBegun(regions)) return [{ look: 'facet', d: outlines(regions.facets) }];
+    const inHand = listInHand(view);
     const clip = inHand?.pieces[0];
     const subject = subjectOf(view);
     return [
@@ -83,11 +85,12 @@ const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>>
       ...(subject === undefined ? [] : casing('subject', regionData(subject[1]))),
     ];
   },
-  parts: ({ event, after }, frame) => {
+  parts: (view, frame) => {
+    const { event } = view;
     if (event?.e === 'clipped' && event.at === 'SP1') {
       return partShapes('inside', [event.inside], frame);
     }
-    const { inHand } = after.regions ?? emptyRegions;
+    const inHand = listInHand(view);
     const regionsOf = (list: List = []): readonly Region[] => list.map(([, region]) => region);
     return [
       ...partShapes('outside', regionsOf(inHand?.outside), frame),

@@ -1,16 +1,15 @@
 import type { SolidTexts } from '../i18n/solid-texts.js';
-import { point, short, windowText } from '../i18n/words.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { comparedPolygon, cornerDepths } from './corners.js';
 import { depthsAtPoint, pointInHand } from './point.js';
-import { depthOfBox } from './space.js';
 import type { Space } from './space.js';
 import { spansOf } from './zbuffer.js';
 
 /** What the box shows, in words: first what never changes in a scene, then what the step shows. */
 export function caption(view: View, space: Space, texts: SolidTexts): readonly string[] {
-  const [far, near] = space.depths.map((z) => short(Number(z.toPrecision(2))));
-  const depths = texts.depths(far ?? '', near ?? '', String(depthOfBox));
+  const [far, near] = space.depths.map(numbersOf(view).short);
+  const depths = texts.depths(far ?? '', near ?? '');
   return [depths, ...warnockWords(view, texts), ...zbufferWords(view, texts)];
 }
 
@@ -18,7 +17,7 @@ function warnockWords(view: View, texts: SolidTexts): readonly string[] {
   const { window = null, clip = null } = view.after.warnock ?? {};
   if (window === null) return [];
   return [
-    texts.window(windowText(window)),
+    texts.window(numbersOf(view).windowText(window)),
     ...(pointInHand(view) === null ? cornerWords(view, texts) : pointWords(view, texts)),
     ...(clip === null ? [] : [texts.clip]),
   ];
@@ -27,22 +26,24 @@ function warnockWords(view: View, texts: SolidTexts): readonly string[] {
 function cornerWords(view: View, texts: SolidTexts): readonly string[] {
   const depths = cornerDepths(view);
   const polygon = comparedPolygon(view);
+  const { joined, short } = numbersOf(view);
   const own = depths.flatMap((each) =>
     each.own === null ? [] : [`${each.corner} ${short(each.own)}`],
   );
   const stored = depths.map((each) => `${each.corner} ${short(each.stored)}`);
   return [
-    ...(polygon === null || own.length === 0 ? [] : [texts.plane(polygon, own.join(', '))]),
-    ...(stored.length === 0 ? [] : [texts.corners(stored.join(', '))]),
+    ...(polygon === null || own.length === 0 ? [] : [texts.plane(polygon, joined(own))]),
+    ...(stored.length === 0 ? [] : [texts.corners(joined(stored))]),
   ];
 }
 
 function pointWords(view: View, texts: SolidTexts): readonly string[] {
   const at = pointInHand(view) ?? [];
+  const { joined, point, short } = numbersOf(view);
   const depths = depthsAtPoint(view).map(({ polygon, z, told }) =>
     told ? `${polygon} ${short(z)}` : polygon,
   );
-  return [texts.point(point(at), depths.join(', ') || texts.noPolygon)];
+  return [texts.point(point(at), joined(depths) || texts.noPolygon)];
 }
 
 function zbufferWords(view: View, texts: SolidTexts): readonly string[] {
@@ -53,10 +54,16 @@ function zbufferWords(view: View, texts: SolidTexts): readonly string[] {
   return [
     texts.scanline(String(row), edges),
     ...spansOf(view).map(([[x0, , z0], [x1, , z1]]) =>
-      texts.span(point([x0, z0]), point([x1, z1])),
+      texts.span(numbersOf(view).point([x0, z0]), numbersOf(view).point([x1, z1])),
     ),
     ...(event?.e === 'pixel'
-      ? [texts.pixel(point([event.x, event.y]), short(event.z), short(event.stored))]
+      ? [
+          texts.pixel(
+            numbersOf(view).point([event.x, event.y]),
+            numbersOf(view).short(event.z),
+            numbersOf(view).short(event.stored),
+          ),
+        ]
       : []),
   ];
 }

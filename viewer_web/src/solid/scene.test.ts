@@ -84,6 +84,8 @@ describe('the corners of the window', () => {
     // The plane over the window, dashed in the colour of A.
     expect(lines.find(({ look }) => look === 'clip')?.color).toBe('#112233');
     expect(words(view)).toContain('On the plane of A: lb 0.5, lt 0.4.');
+    const russian = caption({ ...view, language: 'ru' }, spaceOf(view), texts.ru.solid);
+    expect(russian).toContain('На плоскости A: lb 0,5; lt 0,4.');
   });
 
   it('say which is nearer when that is decided', async () => {

@@ -1,7 +1,9 @@
-import { short, toNumber } from '../i18n/words.js';
+import { toNumber } from '../i18n/words.js';
 import { cornerThing } from '../pointed.js';
 import type { Clip } from '../state/warnock.js';
 import type { N, Vertex } from '../trace/values.js';
+import type { Numbers } from '../i18n/texts.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { comparedPolygon, cornerDepths } from './corners.js';
 import type { CornerDepth } from './corners.js';
@@ -44,7 +46,7 @@ function cornersDrawing(view: View, space: Space): Partial<Drawing> {
   const depths = cornerDepths(view);
   return together(planeDrawing(view, space), {
     dots: depths.flatMap(cornerDots),
-    labels: depths.flatMap(cornerLabels),
+    labels: depths.flatMap((each) => cornerLabels(each, numbersOf(view))),
   });
 }
 
@@ -69,7 +71,10 @@ function cornerDots({ at, stored, own, nearer }: CornerDepth): readonly Dot[] {
 }
 
 /** The new depth stands outside the window, with the corner's name; the stored one beside its point, or outside if alone. */
-function cornerLabels({ corner, at, stored, own, nearer }: CornerDepth): readonly Label[] {
+function cornerLabels(
+  { corner, at, stored, own, nearer }: CornerDepth,
+  { short }: Numbers,
+): readonly Label[] {
   const across = corner.startsWith('l') ? -1 : 1;
   const outward = corner.endsWith('b') ? -1 : 1;
   const thing = cornerThing(corner);
@@ -91,6 +96,7 @@ function pointDrawing(view: View, space: Space): Partial<Drawing> {
   const at = pointInHand(view);
   if (at === null) return noDrawing;
   const depths = depthsAtPoint(view);
+  const { short } = numbersOf(view);
   return {
     lines: along(...at, space, 'side'),
     dots: depths.map(({ z, role }) => ({ role, at: spotAt(at, z) })),

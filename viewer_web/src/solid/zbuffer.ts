@@ -1,9 +1,11 @@
-import { short, toNumber } from '../i18n/words.js';
+import { toNumber } from '../i18n/words.js';
 import { edgeThing } from '../pointed.js';
 import type { ActiveEdge } from '../state/zbuffer.js';
 import type { Event } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import type { N } from '../trace/values.js';
+import type { Numbers } from '../i18n/texts.js';
+import { numbersOf } from '../view.js';
 import type { View } from '../view.js';
 import { cased, column, noDrawing, together } from './drawing.js';
 import type { Drawing } from './drawing.js';
@@ -29,7 +31,7 @@ export function zbufferDrawing(view: View, space: Space): Drawing {
         thing: edgeThing(entry.edge),
       })),
     },
-    view.event?.e === 'pixel' ? pixelDrawing(view.event, space) : {},
+    view.event?.e === 'pixel' ? pixelDrawing(view.event, space, numbersOf(view)) : {},
   );
 }
 
@@ -77,7 +79,11 @@ export function spansOf({ event, after }: View): readonly (readonly [Spot, Spot]
 }
 
 /** The pixel in hand as a column, with the stored depth and the new one. */
-function pixelDrawing({ x, y, z, stored, shown }: Event<'pixel'>, space: Space): Partial<Drawing> {
+function pixelDrawing(
+  { x, y, z, stored, shown }: Event<'pixel'>,
+  space: Space,
+  { short }: Numbers,
+): Partial<Drawing> {
   const at = (depth: N): Spot => [x + 0.5, y + 0.5, toNumber(depth)];
   return together(column([x, y, 1, 1], space, 'window'), {
     dots: [

@@ -1,7 +1,8 @@
 import { expect } from 'vitest';
+import { texts } from '../i18n/index.js';
 import { point, toNumber } from '../i18n/words.js';
 import { stepsOf } from '../predict/ahead.js';
-import type { Kind, Question } from '../predict/question.js';
+import type { Given, Kind, Question } from '../predict/question.js';
 import type { Piece, Region } from '../regions/events.js';
 import { holds } from '../regions/geometry.js';
 import type { Point } from '../trace/values.js';
@@ -27,7 +28,7 @@ type RegionKind = Extract<
 >;
 
 /** What a part says it is about, or what is to be typed for it. */
-const givenOf = ({ parts }: Question, asks: string): readonly { value: string; note?: string }[] =>
+const givenOf = ({ parts }: Question, asks: string): readonly Given[] =>
   parts.find((part) => part.asks === asks)?.given ?? [];
 
 /** Of the questions about Weiler and Atherton's algorithm, what their answers agree with. */
@@ -70,8 +71,8 @@ export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
   walk: ({ question, after, right }) => {
     if (question.kind !== 'walk') return;
     const points = givenOf(question, 'walked');
-    const walked = [question.about.from, ...(right['walked'] ?? [])].map(
-      (number) => points.find(({ value }) => value === number)?.note,
+    const walked = [question.about.from, ...(right['walked'] ?? [])].map((number) =>
+      points.find(({ value }) => value === number)?.note?.(texts.en),
     );
     const [, region = []] = after.regions?.inHand?.inside.at(-1) ?? [];
     const loops = region

@@ -19,7 +19,7 @@ describe('where one is', () => {
     expect(say(1)).toBe('Step 1 of 115');
     expect(say(2)).toBe('Step 2 of 115: window 8 × 8 at (2, −1), split');
     expect(say(22)).toBe('Step 22 of 115: window 1 × 1 at (6, 2), pixel');
-    expect(sayPlace(course, 22, [], texts.ru)).toBe('Шаг 22 из 115: окно 1 × 1 в (6, 2), пиксель');
+    expect(sayPlace(course, 22, [], texts.ru)).toBe('Шаг 22 из 115: окно 1 × 1 в (6; 2), пиксель');
   });
 
   it('is a polygon and a row', async () => {

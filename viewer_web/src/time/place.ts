@@ -1,5 +1,4 @@
 import type { Texts } from '../i18n/texts.js';
-import { point, short } from '../i18n/words.js';
 import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 import type { Box } from '../trace/values.js';
@@ -61,18 +60,21 @@ export function sayPlace(
   course: Course,
   step: number,
   bookmarks: Bookmarks,
-  { strip, curves }: Texts,
+  { strip, curves, numbers }: Texts,
 ): string {
   const place = placeAt(course, step);
   const { window, polygon, curve, row } = place;
   const bookmark = bookmarkAt(bookmarks, step);
   const said = [
     window &&
-      strip.windowAt(`${short(window[2])} × ${short(window[3])}`, point(window.slice(0, 2))),
+      strip.windowAt(
+        `${numbers.short(window[2])} × ${numbers.short(window[3])}`,
+        numbers.point(window.slice(0, 2)),
+      ),
     place.case && strip.cases[place.case],
     polygon !== null && strip.polygon(polygon),
     curve !== null && curves.curve(curve).toLowerCase(),
-    row !== null && strip.row(short(row)),
+    row !== null && strip.row(numbers.short(row)),
     place.wrong && strip.marks.wrong,
     place.fault && strip.marks.fault,
     bookmark && strip.bookmark(bookmark.note),

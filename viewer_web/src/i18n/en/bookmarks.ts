@@ -10,7 +10,8 @@ export const bookmarks: BookmarkTexts = {
   count: (n, most) => `${n} of ${most}`,
   full: (most) => `There are ${most} bookmarks, and a link holds no more: remove one first.`,
   long: (most) => `A note has at most ${most} characters.`,
-  hint: 'Press B to bookmark the step that is shown, with a note. Enter ends the note.',
+  hint: (key) =>
+    `${key === null ? 'Bookmark' : `Press ${key} to bookmark`} the step that is shown, with a note. Enter ends the note.`,
   linked: 'The link to this page holds them: copy it from the address line and send it.',
   onDisk: 'To send them, save the page: the button “Save page” is on the tab “Scene”.',
   unlinked:

@@ -1,5 +1,5 @@
 import type { Flag } from '../../curves/events.js';
-import { isPoint, metBy } from '../../curves/sides.js';
+import { isLostBelow, isPoint, metBy } from '../../curves/sides.js';
 import type { CurveSentences, CurveTexts } from '../curve-texts.js';
 import { point, short, shortApart } from '../words.js';
 
@@ -16,8 +16,11 @@ const flags: Readonly<Record<`${Flag}`, string>> = {
   1: 'on the upper horizon or above it, and visible (1)',
   '-1': 'on the lower horizon or below it, and visible (−1)',
   0: 'strictly between the horizons, and hidden (0)',
-  2: 'on both horizons, or before any, and visible (2)',
+  2: 'on both horizons, or there are none yet, and visible (2)',
 };
+
+/** The printed text draws nothing between two such points (X-H1). */
+const lostBelow = 'on the lower horizon or below it (−1)';
 
 export const curveSentences: CurveSentences = {
   horizons: ({ upper, lower }) =>
@@ -27,11 +30,12 @@ export const curveSentences: CurveSentences = {
   curve: ({ curve }) =>
     curve === 0 ? 'The first curve, 0, is the nearest.' : `Curve ${curve} is the next one.`,
   side_edge: ({ at, sample }) =>
-    `The ${at === 'FH3' ? 'left' : 'right'} side edge has come to ${point(sample)}.`,
-  visibility: ({ x, flag }, { after }) => {
+    `The ${at === 'FH3' ? 'left' : 'right'} side edge now ends at ${point(sample)}.`,
+  visibility: ({ x, flag }, { after, header }) => {
     const told = after.horizon?.told ?? null;
     const at = told?.x === x ? ` at ${short(told.y)}` : '';
-    return `Over column ${short(x)} the curve${at} is ${flags[flag]}.`;
+    const isLost = isLostBelow(flag, header.edition);
+    return `Over column ${short(x)} the curve${at} is ${isLost ? lostBelow : flags[flag]}.`;
   },
   intersection: ({ at, point: met, columns: between }, { after }) => {
     const horizon = metBy(at, after.horizon ?? null);
@@ -93,7 +97,7 @@ export const curves: CurveTexts = {
   },
   layers: {
     lines: 'lines so far',
-    curve: 'curve in hand',
+    curve: 'current curve',
     horizons: 'horizons',
     columns: 'flags of columns',
     edges: 'side edges',
@@ -103,7 +107,8 @@ export const curves: CurveTexts = {
   history: {
     pixel: 'Column',
     at: (x) => `Column ${x}`,
-    hint: 'Click a column of the picture, or press P, to see every curve over it, each flag and each change of the horizons.',
+    hint: (key) =>
+      `Click a column of the picture${key === null ? '' : `, or press ${key},`} to see every curve over it, each flag and each change of the horizons.`,
     how: 'The left and right arrow keys move to another column, with Shift by ten. Enter shows the history of the column. Escape leaves.',
     forget: 'Forget the column',
     entries: 'All that happened over the column',
@@ -114,7 +119,7 @@ export const curves: CurveTexts = {
   surface: {
     own: 'A surface y = f(x, z)…',
     name: 'Surface',
-    how: 'Drag a sample of the curve in hand up or down; with the keyboard, by the arrow keys up and down. Or change the function.',
+    how: 'Drag a sample of the current curve up or down, or press the up and down arrow keys. Or change the function.',
     title: 'Surface',
     function: 'y as a function of x and z',
     language:
@@ -127,7 +132,7 @@ export const curves: CurveTexts = {
     samples: 'samples',
     tolerance: 'tolerance',
     toleranceHint:
-      'Pixels: where a curve is farther than that from the line between two samples, one more stands halfway. Empty: none',
+      'In pixels: where a curve is farther than this from the line between two samples, one more sample is put halfway. Empty: no more samples',
     up: 'pixels up',
     ways: {
       origin: 'Left end of the nearest curve, at y = 0',

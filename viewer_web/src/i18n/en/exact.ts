@@ -30,8 +30,8 @@ export const exact: ExactTexts = {
     parallel: 'whether the two are parallel',
   },
   causes: {
-    rounded: 'The operation rounded.',
-    drifted: 'It is right for its numbers: they had drifted before.',
+    rounded: 'This operation rounded.',
+    drifted: 'Right for its operands, which had drifted before.',
   },
   answer,
   computed: 'Computed',
@@ -45,30 +45,30 @@ export const exact: ExactTexts = {
   },
   right: 'Right.',
   wrong: 'Wrong.',
-  undefined: 'After a wrong turn there is no right answer here.',
-  unchecked: 'Not checked: this run was not held against exact arithmetic.',
+  undefined: 'After a wrong branch there is no right answer here.',
+  unchecked: 'Not checked: this run was not compared with exact arithmetic.',
   notChecked: 'not checked',
   checking: 'Checking every decision of this run…',
   checkingShort: 'checking…',
   found: (wrong) =>
     wrong === 0
       ? 'Checked: every decision of this run is right.'
-      : `Checked: decisions of this run are wrong at ${wrong} ${wrong === 1 ? 'step' : 'steps'}.`,
+      : `Checked: this run decides wrongly at ${wrong} ${wrong === 1 ? 'step' : 'steps'}.`,
   unable: {
     otherRun:
-      'Not checked: the library runs this scene otherwise. Another program, or another version, made this trace.',
-    notHere: 'Not checked: the library does not run this text under these numbers.',
-    tooLong: 'Not checked: checked, the run would be too long for this page.',
+      'Not checked: the library runs this scene differently. Another program, or another version, made this trace.',
+    notHere: 'Not checked: the library does not run this text with these numbers.',
+    tooLong: 'Not checked: with its checks the run would be too long for this page.',
     failed: 'Not checked: the library could not run this scene again.',
   },
-  certain: 'Under these numbers every decision is exact.',
+  certain: 'With these numbers every decision is exact.',
   check: 'Check every decision',
-  nothing: 'This step decides nothing by numbers. Go to a sign, a comparison or a range.',
-  findWrong: '“Go to: a wrong decision” finds those that are wrong.',
+  nothing: 'No numeric decision at this step. Go to a sign, a comparison or a range.',
+  findWrong: '“Go to: a wrong decision” finds the wrong ones.',
   lens: (at) => `The same decision around ${at}`,
   apart: (ulp) => `Each square is a neighbouring number, ${ulp} apart.`,
   noLens:
-    'There is no map of this decision: signs and comparisons of two polygons’ depths have one, but not under all numbers.',
+    'There is no map of this decision: signs and comparisons of two polygons’ depths have one, but not with all kinds of numbers.',
   drawing: 'Asking at each neighbour…',
   wrongPlaces: (wrong, all) =>
     wrong === 0 ? `Right at all ${all} places.` : `Wrong at ${wrong} of ${all} places.`,

@@ -38,7 +38,7 @@ export const family: FamilyTexts = {
       'Convex planar polygons. Scans each with an active edge list; keeps the nearest depth at each pixel.',
   },
   purposes: {
-    Relation: 'how does the polygon lie to the window?',
+    Relation: 'how does the polygon lie relative to the window?',
     TrialFunction: 'does an edge of the polygon meet the window?',
     RayCrossings: 'how often does the outline cross a ray from the centre of the window?',
     OctantAngles: 'how far does the outline go round the window?',
@@ -60,7 +60,7 @@ export const family: FamilyTexts = {
         ? `${polygon} goes round clockwise: it looks away from the viewer and does not take part.`
         : `${polygon} goes round counter-clockwise: it looks towards the viewer and takes part.`,
     rejoin: ({ polygon, list, level }) =>
-      `${polygon} was found to ${found[list]} at a window of level ${level}, and this one is no part of that: it goes back to the third list.`,
+      `${polygon} was found to ${found[list]} a window of level ${level}, and this window is not part of that one: it goes back to the third list.`,
     join: ({ polygon, list, level }) =>
       `${polygon} joins the ${lists[list]} polygons at level ${level}: it is so for all parts of this window.`,
     relation: ({ polygon, relation }) =>

@@ -15,7 +15,8 @@ export const history: HistoryTexts = {
     const depths = depth === null ? [] : [`depth ${short(depth)}`];
     return `Pixel (${x}, ${y}): ${[...colors, ...depths].join(', ')}`;
   },
-  hint: 'Click a pixel of the picture, or press P, to see everything that concerned it and why it has its colour.',
+  hint: (key) =>
+    `Click a pixel of the picture${key === null ? '' : `, or press ${key},`} to see everything that concerned it and why it has its colour.`,
   how: 'Arrow keys move to another pixel, with Shift by ten. Enter shows the history of the pixel. Escape leaves.',
   forget: 'Forget the pixel',
   entries: 'All that concerned the pixel',
@@ -30,7 +31,7 @@ export const history: HistoryTexts = {
   because: 'Why it has this colour:',
   why: {
     hides: (polygon) => `${polygon} surrounds this window and hides everything else in it.`,
-    centre: (polygon) => `of all that cover its centre, ${polygon} is the nearest.`,
+    centre: (polygon) => `${polygon} is the nearest of all that cover its centre.`,
     alone: (polygon) => `${polygon} is alone in this window and covers the centre of the pixel.`,
     nearest: (polygon) =>
       `${polygon} is nearer here than all drawn before, and nothing drawn later took the pixel.`,

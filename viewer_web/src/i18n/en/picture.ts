@@ -5,7 +5,7 @@ export const picture: PictureTexts = {
   out: 'Smaller',
   in: 'Larger',
   whole: 'Whole picture',
-  all: 'All vertices, also those outside of the picture',
+  all: 'All vertices, including those outside the picture',
   layer: 'What the pixels show',
   layers: {
     picture: 'Picture so far',
@@ -18,6 +18,6 @@ export const picture: PictureTexts = {
   computing: 'Computing the exact picture…',
   ramp: 'The lighter, the nearer',
   fromTo: (far, near) => `depths from ${far}, dark, to ${near}, light`,
-  wrong: (n) => `${n} pixels wrong so far`,
-  lacking: (n) => `${n} lack their colour`,
+  wrong: (n) => (n === 1 ? '1 pixel wrong so far' : `${n} pixels wrong so far`),
+  lacking: (n) => `${n} not painted yet`,
 };

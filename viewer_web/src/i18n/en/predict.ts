@@ -6,7 +6,8 @@ const sides = ['top', 'left', 'bottom', 'right'];
 
 export const predict: PredictTexts = {
   title: 'Predict',
-  hint: 'Say what the procedure will do next, and why, before it does it. Press Q for a question.',
+  hint: (key) =>
+    `Say what the procedure will do next, and why, before it does it.${key === null ? '' : ` Press ${key} for a question.`}`,
   next: 'Next question',
   none: 'No more questions of these kinds from here on.',
   forced: 'Stop and ask',
@@ -37,13 +38,13 @@ export const predict: PredictTexts = {
   intro: {
     window: ({ window }) => `What becomes of the window ${windowText(window)}?`,
     relation: ({ polygon, window }) =>
-      `How does ${polygon} lie to the window ${windowText(window)}?`,
+      `How does ${polygon} lie relative to the window ${windowText(window)}?`,
     ray: ({ polygon, window }) =>
       `RayCrossings: ${polygon} and the ray from the centre of the window ${windowText(window)} to the right.`,
     octants: ({ polygon, window }) =>
-      `OctantAngles: ${polygon} about the window ${windowText(window)}. The octants are numbered as a clock goes, the upper left one is 0.`,
+      `OctantAngles: ${polygon} about the window ${windowText(window)}. The octants are numbered clockwise; the upper left one is 0.`,
     corners: ({ polygon }) =>
-      `The depths of ${polygon} at the corners are known; behind each stands the nearest so far.`,
+      `The depths of ${polygon} at the corners are known; beside each is the nearest so far.`,
     inside: ({ polygon, point: at, corner }) =>
       `SurroundTest: the ${corner === null ? 'point' : `${places[corner]} corner`} ${point(at)} and ${polygon}.`,
     point: ({ point: at }) => `What is seen at ${point(at)}, the centre of the window?`,
@@ -66,15 +67,15 @@ export const predict: PredictTexts = {
     behind: ({ clip }) =>
       `RemoveBehind: the parts inside ${clip}. Depth is compared at the mean of a part’s vertices.`,
     stack: ({ clip, nearer }) =>
-      `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than it.` : `Nearer than ${clip} inside its outline: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
+      `${nearer.length === 0 ? `Nothing inside ${clip} is nearer than ${clip}.` : `Nearer than ${clip} inside its outline: ${nearer.join(', ')}.`} Which list comes off the stack next?`,
     pixels: ({ polygon, row }) =>
-      `ShowLine: ${polygon} on row ${row}, where something is drawn already. Behind each depth stands the stored one.`,
+      `ShowLine: ${polygon} on row ${row}, where something is drawn already. Beside each depth is the stored one.`,
     flags: ({ curve }) =>
-      `Visibility: curve ${curve} over the next columns. Beside each stand its height, which grows downward, and the horizons.`,
+      `Visibility: curve ${curve} over the next columns. Beside each are its height, which grows downward, and the horizons.`,
     horizons: ({ curve }) =>
-      `Horizon: a segment of curve ${curve} over two columns. Beside each stand its height, which grows downward, and the horizons.`,
+      `Horizon: a segment of curve ${curve} over two columns. Beside each are its height, which grows downward, and the horizons.`,
     meeting: ({ curve }) =>
-      `Intersection: a segment of curve ${curve} between two columns. Beside each stand its height, which grows downward, and the horizons.`,
+      `Intersection: a segment of curve ${curve} between two columns. Beside each are its height, which grows downward, and the horizons.`,
   },
   asks: {
     case: 'Which case is it?',
@@ -87,18 +88,18 @@ export const predict: PredictTexts = {
     covers: 'Which polygons cover the point?',
     wins: 'Which one is seen?',
     depth: 'By which depth?',
-    list: 'Which vertices has the new list, in order?',
+    list: 'Which vertices does the new list have, in order?',
     leave: 'Which edges leave the list?',
     enter: 'Which edges enter it?',
-    order: 'Which edges has it then, from left to right?',
+    order: 'Which edges does it then have, from left to right?',
     shown: 'At which of these columns is it seen?',
     lies: 'How does it lie?',
-    test: 'Which line tells?',
+    test: 'Which line decides?',
     crossed: 'Which edges are counted?',
     crossings: 'How many crossings are there in all?',
     halved: 'Which edges go to the opposite octant and must be split?',
     pierced: 'Which polygons are split?',
-    pieces: 'How many pieces are there then in all?',
+    pieces: 'How many pieces are there now in all?',
     first: 'A piece of which polygon is the first?',
     within: 'Which of them have a part inside?',
     beyond: 'Which have a part outside?',
@@ -109,8 +110,8 @@ export const predict: PredictTexts = {
     hidden: 'Which of them are behind?',
     partDepth: 'Its depth there against that of the clip polygon:',
     next: 'And then?',
-    clips: 'Which polygon clips then?',
-    listed: 'Of which polygons has the list pieces?',
+    clips: 'Which polygon is the clip polygon then?',
+    listed: 'Pieces of which polygons are in the list?',
     sum: 'What is the sum, in octants?',
     pixelDepths: 'Its depth there against the stored one:',
     above: 'Over which of these columns is it on the upper horizon or above it?',
@@ -121,7 +122,7 @@ export const predict: PredictTexts = {
     where: 'Where?',
   },
   rows: {
-    signs: 'a sign an edge, such as + 0 −',
+    signs: 'one sign per edge, such as + 0 −',
     list: 'numbers of vertices that stay, x for a crossing, such as 2 x x; − for none',
     order: 'numbers of edges, such as 3 1; − for none',
     walked: 'numbers of points, such as 4 5 9',
@@ -159,7 +160,7 @@ export const predict: PredictTexts = {
   verdicts: { right: 'Right.', wrong: 'Not quite.', givenUp: 'Given up.' },
   partRight: 'right',
   partWrong: 'wrong',
-  rightIs: (answer) => `Right is: ${answer}`,
+  rightIs: (answer) => `Correct: ${answer}`,
   empty: 'none',
   because: 'Why',
   waits: (step) => `A question waits at step ${step}`,

@@ -18,6 +18,6 @@ export const reader: ReaderTexts = {
   next: 'Next lesson',
   otherLessons: 'Other lessons',
   refused: (where, reason) =>
-    `The text of this lesson cannot be read${where === '' ? '' : ` at ${where}`}: ${reason}. Its runs are there as ever.`,
-  broken: 'The text of this lesson cannot be read. Its runs are there as ever.',
+    `The text of this lesson cannot be read${where === '' ? '' : ` at ${where}`}: ${reason}. Its runs still work.`,
+  broken: 'The text of this lesson cannot be read. Its runs still work.',
 };

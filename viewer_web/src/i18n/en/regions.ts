@@ -22,7 +22,7 @@ const lies = {
 export const regionSentences: RegionSentences = {
   cut_to_area: ({ polygon, region }, words) =>
     region.length === 0
-      ? `No part of ${polygon} lies in the area: it takes no part.`
+      ? `No part of ${polygon} lies in the area: it is left out.`
       : `The part of ${polygon} in the area has ${words.counted(verticesOf(region), vertices)}.`,
   pierce: ({ polygon, other, normal, point: at }) =>
     `${polygon} and ${other} pierce each other: the line where their planes meet, through ${point(at)}, divides what they share. Towards ${point(normal)} ${polygon} is nearer.`,
@@ -41,7 +41,7 @@ export const regionSentences: RegionSentences = {
     const n = words.counted(all.length, pieces);
     if (at === 'WA3') return `The sorted list goes on the stack: ${ids}.`;
     if (at === 'WA6') {
-      return `What lies outside the clip polygon is looked at by itself: ${n} on the stack, ${ids}.`;
+      return `What lies outside the clip polygon is handled separately: ${n} on the stack, ${ids}.`;
     }
     const last = all.at(-1)?.[0] ?? '';
     return `The clip polygon ${last} is not the nearest here: what is nearer goes on the stack, and ${last} as its ground, ${ids}.`;
@@ -82,7 +82,7 @@ export const regionSentences: RegionSentences = {
   nearer_ones: ({ polygons }, words) => {
     const clip = words.after.regions?.inHand?.pieces[0]?.[0] ?? 'the clip polygon';
     return polygons.length === 0
-      ? `Nothing inside is nearer than ${clip}: the rest inside goes.`
+      ? `Nothing inside is nearer than ${clip}: the rest inside is dropped.`
       : `Nearer than ${clip}: ${words.ids(polygons)}. So ${clip} is not what shows first.`;
   },
   show: ({ polygon, region }, words) =>
@@ -103,7 +103,7 @@ export const regionSentences: RegionSentences = {
 
 export const regions: RegionTexts = {
   lists: 'Stack of lists',
-  list: 'List in hand',
+  list: 'Current list',
   clip: 'clip polygon',
   ground: 'ground',
   inside: 'Inside',

@@ -1,8 +1,9 @@
 import type { SceneTexts } from '../scene-texts.js';
+import { short } from '../words.js';
 
 export const scene: SceneTexts = {
   scene: 'Scene',
-  how: 'Drag a corner, or an edge to move the whole polygon. On a corner, keys move, lift, add and remove: see ?.',
+  how: 'Drag a corner, or an edge to move the whole polygon. On a corner, keys move, lift, add and remove: see “Keys”.',
   run: 'Run',
   method: 'method',
   kernel: 'numbers',
@@ -37,7 +38,7 @@ export const scene: SceneTexts = {
   areaFields: { x: 'left', y: 'top', width: 'width', height: 'height' },
   background: 'background',
   polygons: 'Polygons',
-  order: 'Of equal depths the first wins',
+  order: 'Where depths are equal, the first wins',
   colorOf: (id) => `colour of ${id}`,
   nameOf: (id) => `name of ${id}`,
   cornersOf: (id) => `corners of ${id}`,
@@ -50,8 +51,12 @@ export const scene: SceneTexts = {
   split: (n) => `Add a corner after corner ${n}`,
   removeCorner: (n) => `Remove corner ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
-  stands: 'You still see the run before.',
+  formula: (reason) => `The formula: ${reason}`,
+  notFiniteAt: (x, z) => `The formula is not finite at x = ${short(x)}, z = ${short(z)}`,
+  stands: 'Showing the previous run.',
   reasons: {
+    'empty, or with signs that no formula has':
+      'empty, or with a character that formulas do not have',
     'has an edge that no other one shares':
       'has an edge that no other one shares: this method takes closed convex bodies',
     'goes along an edge the way another one does':

@@ -3,6 +3,8 @@ import type { Sentences } from '../texts.js';
 import {
   cells,
   hidingOf,
+  list,
+  listed,
   onlyOf,
   point,
   short,
@@ -22,15 +24,11 @@ import { columnsOf, takes, zbufferSentences } from './zbuffer.js';
 const rows = { one: 'row', other: 'rows' };
 const vertices = { one: 'vertex', other: 'vertices' };
 
-/** "A, B and the background". */
-const listed = (names: readonly string[]): string =>
-  names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1) ?? ''}`;
-
 const colorOf = (event: Event<'fill'>, words: Words): string => {
   const { polygons, background } = words.ownersOf(event);
   if (polygons.length === 0) return background ? 'the background' : `the colour ${event.color}`;
   if (polygons.length === 1 && !background) return `the colour of ${polygons.join('')}`;
-  return `the colour that ${listed([...polygons, ...(background ? ['the background'] : [])])} share`;
+  return `the colour that ${listed([...polygons, ...(background ? ['the background'] : [])], 'and')} share`;
 };
 
 const place = (at: readonly (number | string)[], words: Words): string => {
@@ -44,8 +42,7 @@ const currentList = (words: Words): string =>
 const { answer, causes, decided } = exact;
 
 export const sentences: Sentences = {
-  plane: ({ polygon, plane }) =>
-    `The plane of ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
+  plane: ({ polygon, plane }) => `The plane of ${polygon}: a, b, c, d = ${list(plane)}.`,
   call: ({ of }) => `${of} begins: ${purposes[of]}`,
   depth: ({ at: line, polygon, point: at, z }, words) =>
     `At the ${place(at, words)} ${line === 'PC3' ? polygon : `the plane of ${polygon}`} has depth ${short(z)}.`,
@@ -58,7 +55,7 @@ export const sentences: Sentences = {
       : `The printed text fails here: ${reason}, pixel ${point([x, y])}.`;
   },
   disagree: ({ of, taken, exact, cause }) =>
-    `Wrong, ${decided[of]}: ${answer(taken)} here, ${answer(exact)} exactly. ${causes[cause]}`,
+    `Wrong, ${decided[of]}: computed ${answer(taken)}, exactly ${answer(exact)}. ${causes[cause]}`,
 
   push: ({ at, window, shared, apl }, words) => {
     if (at === 'W3' || at === 'WS1' || at === 'WF1') {
@@ -68,7 +65,7 @@ export const sentences: Sentences = {
     const list = shared === true ? 'the same list' : 'its own copy of the list';
     return `The part ${windowText(window)} goes on the stack with ${list}.`;
   },
-  skip: ({ window }) => `The part ${windowText(window)} lies off the area: it is left out.`,
+  skip: ({ window }) => `The part ${windowText(window)} lies outside the area: it is skipped.`,
   pop: ({ at, window }, words) => {
     const taken = `The window ${windowText(window)} comes off the stack`;
     if (at === 'WF2') {
@@ -174,10 +171,11 @@ export const sentences: Sentences = {
     left.length === 0
       ? `Clipping leaves nothing of ${polygon}.`
       : `Clipping leaves a part of ${polygon} with ${words.counted(left.length, vertices)}.`,
-  row: ({ row, left, right, first, end }) =>
-    first < end
-      ? `Row ${short(row)} meets it from ${short(left)} to ${short(right)}: ${columnsOf(first, end - 1)}.`
-      : `Row ${short(row)} meets it from ${short(left)} to ${short(right)}: no pixel's centre.`,
+  row: ({ at, row, left, right, first, end }, { after }) => {
+    const met = at === 'PR1' ? 'the region' : (onlyOf(after) ?? 'the polygon');
+    const where = first < end ? columnsOf(first, end - 1) : 'no pixel’s centre';
+    return `Row ${short(row)} meets ${met} from ${short(left)} to ${short(right)}: ${where}.`;
+  },
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} the colour of ${polygon}, in ${words.counted(runs.length, rows)}.`,
 

@@ -3,12 +3,11 @@ import type { SolidTexts } from '../solid-texts.js';
 export const solid: SolidTexts = {
   solid: '3D',
   title: 'The scene in 3D',
-  how: 'Drag or press arrow keys to turn, with Shift to move; wheel, + or − to zoom; 0 for all as at first.',
+  how: 'Drag or press the arrow keys to turn, with Shift to move; wheel, + or − to zoom; 0 to reset. The camera is orthographic.',
   turn: 'Seen from',
-  views: { front: 'Front', side: 'Side', askew: 'Askew' },
-  missing: 'This browser has no WebGL: of the polygons you see the outlines only.',
-  depths: (far, near, part) =>
-    `z grows toward you: ${far} to ${near} takes ${part} of the longer side.`,
+  views: { front: 'Front', side: 'Side', askew: 'Axonometric' },
+  missing: 'This browser has no WebGL: you see only the outlines of the polygons.',
+  depths: (far, near) => `Larger z is nearer: ${far} to ${near}. The depth axis is not to scale.`,
   window: (window) => `Window ${window}: the column along z.`,
   corners: (depths) => `Nearest so far at its corners: ${depths}.`,
   plane: (polygon, depths) => `On the plane of ${polygon}: ${depths}.`,

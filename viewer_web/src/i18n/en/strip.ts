@@ -25,10 +25,10 @@ export const strip: StripTexts = {
   legend: 'What the strip shows',
   explain: {
     cases: 'Windows, by what each comes to:',
-    polygons: 'Which polygon is in hand, in its colour: every second one is striped',
-    curves: 'Which curve is in hand: every second one is striped',
+    polygons: 'The current polygon, in its colour: every second one is striped',
+    curves: 'The current curve: every second one is striped',
     levels: 'How often the area was split to get the window',
-    ael: 'Where AEL changes',
+    ael: 'Where the AEL changes',
     calls: 'How deep the calls are nested',
     wrong: 'A wrong decision, if the run was checked',
     fault: 'The printed text fails, or rounding leaves an outline open',
@@ -36,5 +36,5 @@ export const strip: StripTexts = {
     now: 'The step that is shown',
   },
   columns:
-    'Where a dot stands for many steps, each colour is as tall as its share of them; depths are pale up to the greatest and dark up to the mean; and no mark is left out.',
+    'One column of dots is many steps: each colour is as tall as its share of them; pale, the greatest level; dark, the mean. No mark is left out.',
 };

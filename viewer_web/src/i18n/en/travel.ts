@@ -11,10 +11,10 @@ export const travel: TravelTexts = {
   previous: 'The previous one',
   goals: {
     split: 'a split of a window',
-    ael: 'a change of AEL',
+    ael: 'a change of the AEL',
     curve: 'a curve',
     crossing: 'an intersection',
-    list: 'a list in hand',
+    list: 'a list from the stack',
     region: 'a visible region',
     wrong: 'a wrong decision',
     pixel: 'a step of the chosen pixel',

@@ -1,6 +1,6 @@
 import type { ZBufferEvents } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
-import { capital, cells, orderOf, point, short, shortApart } from '../words.js';
+import { capital, cells, listed, orderOf, point, short, shortApart } from '../words.js';
 import type { Words } from '../words.js';
 
 const pixels = { one: 'pixel', other: 'pixels' };
@@ -13,15 +13,16 @@ export const columnsOf = (first: number, last: number): string =>
 export const takes = (n: number, words: Words): string =>
   `${words.counted(n, pixels)} ${n === 1 ? 'takes' : 'take'}`;
 
-const edgesOf = (list: readonly number[], words: Words): string =>
-  `${list.length === 1 ? 'Edge' : 'Edges'} ${words.list(list)}`;
+/** "Edge 1 leaves", "Edges 1 and 0 leave". */
+const edgesDo = (list: readonly number[], one: string, several: string): string =>
+  `${list.length === 1 ? 'Edge' : 'Edges'} ${listed(list, 'and')} ${list.length === 1 ? one : several}`;
 
 const when = (next: number | string, before: string): string =>
   next === 'inf' ? '' : `; ${before} ${short(next)}`;
 
 export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
-  clear: ({ z }) => `The picture is background; every cell of Z holds ${short(z)}.`,
-  polygon: ({ polygon }) => `Now ${polygon}: S and AEL are empty.`,
+  clear: ({ z }) => `The picture is all background; every cell of the Z-buffer holds ${short(z)}.`,
+  polygon: ({ polygon }) => `Next polygon: ${polygon}. S and the AEL are empty.`,
   edge: ({ edge, rows }) => {
     const [first, last] = rows ?? [];
     if (first === undefined || last === undefined) return `Edge ${edge} joins S.`;
@@ -32,21 +33,22 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
   extent: ({ ymin, ymax }) => `The polygon reaches from y = ${short(ymin)} to ${short(ymax)}.`,
   scanline: ({ y, row }) => `The scanline is row ${short(row)}, y = ${short(y)}.`,
   ael_add: ({ edge, x, z, until }) =>
-    `Edge ${edge} begins: it joins AEL at x = ${short(x)}, z = ${short(z)}, until ${short(until)}.`,
-  horizontal: ({ edge }) => `Edge ${edge} is level: it is shown at once and does not join AEL.`,
-  leave: ({ edges, next }, words) =>
+    `Edge ${edge} begins: it joins the AEL at x = ${short(x)}, z = ${short(z)}, until ${short(until)}.`,
+  horizontal: ({ edge }) =>
+    `Edge ${edge} is horizontal: it is drawn at once and does not join the AEL.`,
+  leave: ({ edges, next }) =>
     edges.length === 0
       ? 'No edge leaves S.'
-      : `${edgesOf(edges, words)} of S done with${when(next, 'the next begins at')}.`,
+      : `${edgesDo(edges, 'leaves', 'leave')} S${when(next, 'the next begins at')}.`,
   ael_sort: ({ edges, next }, words) =>
     edges.length === 0
-      ? 'AEL is empty.'
-      : `AEL from left to right: ${words.list(edges)}${when(next, 'the next change is at')}.`,
+      ? 'The AEL is empty.'
+      : `The AEL from left to right: ${words.list(edges)}${when(next, 'the next change is at')}.`,
   line: ({ row, from, to }) =>
     `Row ${short(row)} from x = ${short(from[0])} (z = ${short(from[1])}) to x = ${short(to[0])} (z = ${short(to[1])}).`,
   miss: ({ at }) =>
     at === 'L1'
-      ? 'The row lies off the area: nothing to show.'
+      ? 'The row lies outside the area: nothing to show.'
       : 'No pixel of the area lies between the ends: nothing to show.',
   slope: ({ dz }) => `From pixel to pixel z changes by ${short(dz)}.`,
   columns: ({ first, end, z }) =>
@@ -69,9 +71,9 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
     cells(runs) === 0
       ? `No pixel of row ${short(row)} changes.`
       : `${takes(cells(runs), words)} the colour of ${words.after.zbuffer?.polygon ?? ''}, in row ${short(row)}.`,
-  ael_drop: ({ edges, next }, words) =>
+  ael_drop: ({ edges, next }) =>
     edges.length === 0
       ? 'No edge ends here.'
-      : `${edgesOf(edges, words)} ended: out of AEL${when(next, 'the next change is at')}.`,
+      : `${edgesDo(edges, 'ends here and leaves', 'end here and leave')} the AEL${when(next, 'the next change is at')}.`,
   ael_step: ({ edge, x, z }) => `Edge ${edge} steps to x = ${short(x)}, z = ${short(z)}.`,
 };

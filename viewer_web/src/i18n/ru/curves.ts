@@ -1,5 +1,5 @@
 import type { Flag } from '../../curves/events.js';
-import { isPoint, metBy } from '../../curves/sides.js';
+import { isLostBelow, isPoint, metBy } from '../../curves/sides.js';
 import type { CurveSentences, CurveTexts } from '../curve-texts.js';
 import { rangeOf } from '../words.js';
 import { point, short, shortApart } from './numbers.js';
@@ -20,6 +20,9 @@ const flags: Readonly<Record<`${Flag}`, string>> = {
   2: 'на обоих горизонтах, или их ещё нет: видна (2)',
 };
 
+/** Между двумя такими точками напечатанный текст ничего не рисует (X-H1). */
+const lostBelow = 'на нижнем горизонте или ниже него (−1)';
+
 export const curveSentences: CurveSentences = {
   horizons: ({ upper, lower }) =>
     upper === undefined || lower === undefined
@@ -29,10 +32,11 @@ export const curveSentences: CurveSentences = {
     curve === 0 ? 'Первая кривая, 0, ближе всех.' : `Следующая кривая — ${curve}.`,
   side_edge: ({ at, sample }) =>
     `${at === 'FH3' ? 'Левое' : 'Правое'} боковое ребро дошло до ${point(sample)}.`,
-  visibility: ({ x, flag }, { after }) => {
+  visibility: ({ x, flag }, { after, header }) => {
     const told = after.horizon?.told ?? null;
     const at = told?.x === x ? ` на высоте ${short(told.y)}` : '';
-    return `Над столбцом ${short(x)} кривая${at} — ${flags[flag]}.`;
+    const isLost = isLostBelow(flag, header.edition);
+    return `Над столбцом ${short(x)} кривая${at} — ${isLost ? lostBelow : flags[flag]}.`;
   },
   intersection: ({ at, point: met, columns: between }, { after }) => {
     const horizon = metBy(at, after.horizon ?? null);
@@ -103,7 +107,8 @@ export const curves: CurveTexts = {
   history: {
     pixel: 'Столбец',
     at: (x) => `Столбец ${x}`,
-    hint: 'Щёлкните по столбцу изображения или нажмите P: здесь будут все кривые над ним, каждый признак и каждое изменение горизонтов.',
+    hint: (key) =>
+      `Щёлкните по столбцу изображения${key === null ? '' : ` или нажмите ${key}`}: здесь будут все кривые над ним, каждый признак и каждое изменение горизонтов.`,
     how: 'Стрелки влево и вправо — другой столбец, с Shift — через десять. Enter показывает историю столбца. Escape — выход.',
     forget: 'Забыть столбец',
     entries: 'Всё, что было над столбцом',

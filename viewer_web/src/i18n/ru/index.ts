@@ -5,6 +5,7 @@ import { exact } from './exact.js';
 import { compare } from './compare.js';
 import { family } from './family.js';
 import { history } from './history.js';
+import * as numbers from './numbers.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
 import { predict } from './predict.js';
@@ -18,6 +19,7 @@ import { strip } from './strip.js';
 import { travel } from './travel.js';
 
 export const texts: Texts = {
+  numbers,
   page,
   places,
   purposes,

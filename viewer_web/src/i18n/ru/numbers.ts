@@ -8,13 +8,22 @@ export const short = (value: N): string => comma(words.short(value));
 
 export const signed = (n: number): string => comma(words.signed(n));
 
+export const whole = (value: N): string => comma(words.whole(value));
+
+export const inFull = (value: N): string => comma(words.inFull(value));
+
 export function shortApart(a: N, b: N): readonly [string, string] {
   const [one, other] = words.shortApart(a, b);
   return [comma(one), comma(other)];
 }
 
-/** Coordinates with commas in them stand apart by semicolons. */
-export const point = (at: readonly N[]): string => `(${at.map(short).join('; ')})`;
+/** Numbers with commas in them stand apart by semicolons. */
+export const joined = (all: readonly string[]): string => all.join('; ');
+
+export const list = (all: readonly N[], write = short): string =>
+  joined(all.map((each) => write(each)));
+
+export const point = (at: readonly N[]): string => `(${list(at)})`;
 
 export const windowText = ([x, y, width, height]: Box): string =>
   `${point([x, y])} ${short(width)} × ${short(height)}`;

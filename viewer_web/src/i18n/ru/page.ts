@@ -1,5 +1,6 @@
 import type { PageTexts, Texts } from '../texts.js';
 import { family } from './family.js';
+import { sceneNames } from './scene-names.js';
 
 export const page: PageTexts = {
   tagline: 'почему у пикселя такой цвет',
@@ -48,6 +49,10 @@ export const page: PageTexts = {
     'line-for-edge': 'ошибка: прямая вместо ребра',
   },
   kernel: 'числа',
+  scene: (file) => {
+    const [, name = file, size = ''] = /^(.+?)(?:-(\d+))?$/u.exec(file) ?? [];
+    return [sceneNames[name] ?? name, size].join(' ').trim();
+  },
   detail: 'подробность',
   start: 'Ещё ничего не произошло. Первый шаг — клавиша →.',
   nothingOpen: 'Выберите урок или откройте свою сцену или трассу.',
@@ -73,6 +78,7 @@ export const page: PageTexts = {
   ofSteps: (length) => `из ${length}`,
   speed: 'Скорость',
   perSecond: (n) => `шагов в секунду: ${n}`,
+  rate: (n) => `${String(n).replace('.', ',')}/с`,
   keys: 'Клавиши',
   close: 'Закрыть',
   skip: 'К управлению',
@@ -109,7 +115,7 @@ export const page: PageTexts = {
     source: 'процедуры на C++ и обратно',
     exact: 'сверить решение с точной арифметикой и обратно',
     solid: 'сцена в пространстве и обратно',
-    turn: 'там: повернуть, с Shift сдвинуть; масштаб, всё как вначале',
+    turn: 'там: повернуть; с Shift — сдвинуть; масштаб; исходный вид',
     edit: 'править сцену и обратно',
     draw: 'нарисовать многоугольник',
     undo: 'отменить, вернуть правку сцены',
@@ -117,7 +123,7 @@ export const page: PageTexts = {
     present: 'показ в зале: крупный текст и ничего лишнего',
     remote: 'там же и с пульта: вперёд, назад, тёмный экран, выйти',
     compare: 'сравнить с другим прогоном, закончить сравнение',
-    parting: 'туда, где они расходятся в действии; в записи',
+    parting: 'к первому различию в решении; в записи',
     save: 'сохранить изображение: SVG, PNG',
     reader: 'показать, скрыть текст урока',
     map: 'этот список клавиш',
@@ -127,7 +133,7 @@ export const page: PageTexts = {
     everywhereHint: 'Если выключено, буквы, цифры и знаки действуют только там, где стоит фокус',
     change: (use) => `Клавиша: ${use}`,
     changeHint: 'Чтобы сменить букву, выберите её в списке и нажмите другую.',
-    reset: 'Все клавиши как вначале',
+    reset: 'Вернуть исходные клавиши',
   },
   window: 'Окно',
   none: '—',
@@ -147,8 +153,8 @@ export const page: PageTexts = {
     inHand: 'текущая кривая',
     upper: 'верхний горизонт',
     lower: 'нижний горизонт',
-    above: 'видна выше',
-    below: 'видна ниже',
+    above: 'выше горизонтов',
+    below: 'ниже горизонтов',
     hidden: 'не видна',
     sideEdge: 'боковое ребро',
     clipRegion: 'отсекающий',
@@ -176,7 +182,7 @@ export const page: PageTexts = {
   no: 'нет',
   more: (n) => `и ещё ${n}`,
   notInTrace: 'В этой трассе таких подробностей нет.',
-  defect: (id) => `Напечатанный текст здесь ошибается: ${id}`,
+  defect: (id) => `Ошибка напечатанного текста: ${id}`,
 };
 
 export const places: Texts['places'] = {

@@ -1,8 +1,9 @@
 import type { SceneTexts } from '../scene-texts.js';
+import { short } from './numbers.js';
 
 export const scene: SceneTexts = {
   scene: 'Сцена',
-  how: 'Тяните за вершину, а за ребро — весь многоугольник. На вершине действуют клавиши: они в списке «?».',
+  how: 'Тяните за вершину, а за ребро — весь многоугольник. На вершине действуют клавиши: они в списке «Клавиши».',
   run: 'Прогон',
   method: 'метод',
   kernel: 'числа',
@@ -45,12 +46,15 @@ export const scene: SceneTexts = {
   earlier: (id) => `${id} раньше`,
   later: (id) => `${id} позже`,
   remove: (id) => `Удалить ${id}`,
-  corner: (id, n, x, y, z) => `${id}, вершина ${n}: x ${x}, y ${y}, глубина ${z}`,
+  corner: (id, n, x, y, z) =>
+    `${id}, вершина ${n}: x ${short(x)}, y ${short(y)}, глубина ${short(z)}`,
   coordinate: (axis, n) => `${axis} вершины ${n}`,
   follows: 'Следует из глубин первых трёх вершин',
   split: (n) => `Добавить вершину после вершины ${n}`,
   removeCorner: (n) => `Удалить вершину ${n}`,
   refused: (polygon, reason) => (polygon === null ? reason : `${polygon}: ${reason}`),
+  formula: (reason) => `Формула: ${reason}`,
+  notFiniteAt: (x, z) => `Значение формулы не конечно при x = ${short(x)}, z = ${short(z)}`,
   stands: 'Показан прежний прогон.',
   reasons: {
     'not finite': 'не конечное число',
@@ -73,7 +77,8 @@ export const scene: SceneTexts = {
     'no such function': 'такой функции нет',
     'takes another number of arguments': 'число аргументов другое',
     'this is more than a formula': 'это больше, чем формула',
-    'empty, or with signs that no formula has': 'пусто, или есть знаки, которых в формулах нет',
+    'empty, or with signs that no formula has':
+      'пусто, или есть символ, которого в формулах не бывает',
     'it ends too early': 'обрывается',
     'not understood': 'непонятно',
   },

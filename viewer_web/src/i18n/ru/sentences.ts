@@ -1,7 +1,7 @@
 import type { Event } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
-import { capital, cells, hidingOf, onlyOf, sideAlong } from '../words.js';
-import { point, short, shortApart, windowText } from './numbers.js';
+import { capital, cells, hidingOf, listed, onlyOf, sideAlong } from '../words.js';
+import { list, point, short, shortApart, windowText } from './numbers.js';
 import type { Words } from '../words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
@@ -14,15 +14,11 @@ import { columnsOf, takes, zbufferSentences } from './zbuffer.js';
 const rows = { one: 'строке', other: 'строках' };
 const vertices = { one: 'вершина', few: 'вершины', other: 'вершин' };
 
-/** «A, B и фона». */
-const listed = (names: readonly string[]): string =>
-  names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} и ${names.at(-1) ?? ''}`;
-
 const colorOf = (event: Event<'fill'>, words: Words): string => {
   const { polygons, background } = words.ownersOf(event);
   if (polygons.length === 0) return background ? 'цвет фона' : `цвет ${event.color}`;
   if (polygons.length === 1 && !background) return `цвет ${polygons.join('')}`;
-  return `общий цвет ${listed([...polygons, ...(background ? ['фона'] : [])])}`;
+  return `общий цвет ${listed([...polygons, ...(background ? ['фона'] : [])], 'и')}`;
 };
 
 const inCorner: Readonly<Record<string, string>> = {
@@ -42,8 +38,7 @@ const sides = { top: 'верхняя', left: 'левая', bottom: 'нижняя
 const { answer, causes, decided } = exact;
 
 export const sentences: Sentences = {
-  plane: ({ polygon, plane }) =>
-    `Плоскость ${polygon}: a, b, c, d = ${plane.map(short).join(', ')}.`,
+  plane: ({ polygon, plane }) => `Плоскость ${polygon}: a, b, c, d = ${list(plane)}.`,
   call: ({ of }) => `Начинается ${of}: ${purposes[of]}`,
   depth: ({ at: line, polygon, point: at, z }, words) =>
     `${capital(where(at, words))} глубина ${line === 'PC3' ? '' : 'плоскости '}${polygon} равна ${short(z)}.`,
@@ -56,7 +51,7 @@ export const sentences: Sentences = {
       : `Напечатанный текст здесь ошибается: ${reason}, пиксель ${point([x, y])}.`;
   },
   disagree: ({ of, taken, exact, cause }) =>
-    `Неверно, ${decided[of]}: здесь ${answer(taken)}, точно ${answer(exact)}. ${causes[cause]}`,
+    `Неверно, ${decided[of]}: вычислено ${answer(taken)}, точно ${answer(exact)}. ${causes[cause]}`,
 
   push: ({ at, window, shared, apl }, words) => {
     if (at === 'W3' || at === 'WS1' || at === 'WF1') {
@@ -129,7 +124,7 @@ export const sentences: Sentences = {
       surrounded: `${covering} закрывает всё: окно получает его цвет.`,
       pixel: 'Окно не больше пикселя: решает точка в его центре.',
       single: `В окне остался только ${only ?? 'один многоугольник'}: сначала фон, затем ${only ?? 'он сам'}.`,
-      split: 'Ни один из простых случаев: окно делится.',
+      split: 'Ни один из простых случаев не подходит: окно делится.',
     }[event.case];
   },
   fill: (event, words) =>
@@ -177,10 +172,11 @@ export const sentences: Sentences = {
     left.length === 0
       ? `После отсечения от ${polygon} ничего не осталось.`
       : `После отсечения от ${polygon} осталась часть: ${words.counted(left.length, vertices)}.`,
-  row: ({ row, left, right, first, end }) =>
-    first < end
-      ? `Строка ${short(row)} пересекает его от ${short(left)} до ${short(right)}: ${columnsOf(first, end - 1)}.`
-      : `Строка ${short(row)} пересекает его от ${short(left)} до ${short(right)}: ни одного центра пикселя.`,
+  row: ({ at, row, left, right, first, end }, { after }) => {
+    const met = at === 'PR1' ? 'область' : (onlyOf(after) ?? 'многоугольник');
+    const where = first < end ? columnsOf(first, end - 1) : 'ни одного центра пикселя';
+    return `Строка ${short(row)} пересекает ${met} от ${short(left)} до ${short(right)}: ${where}.`;
+  },
   draw: ({ polygon, runs }, words) =>
     `${takes(cells(runs), words)} цвет ${polygon} в ${words.counted(runs.length, rows)}.`,
 

@@ -14,7 +14,7 @@ export const travel: TravelTexts = {
     ael: 'изменение AEL',
     curve: 'кривая',
     crossing: 'встреча с горизонтом',
-    list: 'текущий список',
+    list: 'список из стека',
     region: 'видимая область',
     wrong: 'неверное решение',
     pixel: 'шаг выбранного пикселя',

@@ -1,6 +1,6 @@
 import type { ZBufferEvents } from '../../trace/events.js';
 import type { Sentences } from '../texts.js';
-import { capital, cells, orderOf, rangeOf } from '../words.js';
+import { capital, cells, listed, orderOf, rangeOf } from '../words.js';
 import { point, short, shortApart } from './numbers.js';
 import type { Words } from '../words.js';
 
@@ -14,15 +14,16 @@ export const columnsOf = (first: number, last: number): string =>
 export const takes = (n: number, words: Words): string =>
   `${words.counted(n, pixels)} ${n % 10 === 1 && n % 100 !== 11 ? 'получает' : 'получают'}`;
 
-const edgesOf = (list: readonly number[], words: Words): string =>
-  `${list.length === 1 ? 'Ребро' : 'Рёбра'} ${words.list(list)}`;
+/** «Ребро 1 удаляется», «Рёбра 1 и 0 удаляются». */
+const edgesDo = (list: readonly number[], one: string, several: string): string =>
+  `${list.length === 1 ? 'Ребро' : 'Рёбра'} ${listed(list, 'и')} ${list.length === 1 ? one : several}`;
 
 const when = (next: number | string, before: string): string =>
   next === 'inf' ? '' : `; ${before} ${short(next)}`;
 
 export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
   clear: ({ z }) => `Изображение заполнено фоном, каждая ячейка Z-буфера — значением ${short(z)}.`,
-  polygon: ({ polygon }) => `Теперь ${polygon}: S и список активных рёбер пусты.`,
+  polygon: ({ polygon }) => `Следующий многоугольник: ${polygon}. S и AEL пусты.`,
   edge: ({ edge, rows }) => {
     const [first, last] = rows ?? [];
     if (first === undefined || last === undefined) return `Ребро ${edge} входит в S.`;
@@ -32,16 +33,16 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
   extent: ({ ymin, ymax }) => `Многоугольник простирается от y = ${short(ymin)} до ${short(ymax)}.`,
   scanline: ({ y, row }) => `Строка растра ${short(row)}, y = ${short(y)}.`,
   ael_add: ({ edge, x, z, until }) =>
-    `Ребро ${edge} начинается: входит в AEL с x = ${short(x)}, z = ${short(z)}, до ${short(until)}.`,
-  horizontal: ({ edge }) => `Ребро ${edge} горизонтально: оно рисуется сразу и в список не входит.`,
-  leave: ({ edges, next }, words) =>
+    `Ребро ${edge} начинается: входит в AEL с x = ${short(x)}, z = ${short(z)}, до отметки ${short(until)}.`,
+  horizontal: ({ edge }) => `Ребро ${edge} горизонтально: оно рисуется сразу и в AEL не входит.`,
+  leave: ({ edges, next }) =>
     edges.length === 0
       ? 'Из S ничего не удаляется.'
-      : `${edgesOf(edges, words)} — вон из S${when(next, 'следующее начинается в')}.`,
+      : `${edgesDo(edges, 'удаляется', 'удаляются')} из S${when(next, 'следующее начинается на отметке')}.`,
   ael_sort: ({ edges, next }, words) =>
     edges.length === 0
-      ? 'Список активных рёбер пуст.'
-      : `Активные рёбра слева направо: ${words.list(edges)}${when(next, 'следующее изменение в')}.`,
+      ? 'AEL пуст.'
+      : `AEL слева направо: ${words.list(edges)}${when(next, 'следующее изменение — на отметке')}.`,
   line: ({ row, from, to }) =>
     `Строка ${short(row)} от x = ${short(from[0])} (z = ${short(from[1])}) до x = ${short(to[0])} (z = ${short(to[1])}).`,
   miss: ({ at }) =>
@@ -69,9 +70,9 @@ export const zbufferSentences: Pick<Sentences, keyof ZBufferEvents> = {
     cells(runs) === 0
       ? `В строке ${short(row)} ничего не меняется.`
       : `${takes(cells(runs), words)} цвет ${words.after.zbuffer?.polygon ?? ''} в строке ${short(row)}.`,
-  ael_drop: ({ edges, next }, words) =>
+  ael_drop: ({ edges, next }) =>
     edges.length === 0
-      ? 'Ни одно ребро здесь не кончается.'
-      : `${edgesOf(edges, words)}: конец, удаление из списка${when(next, 'следующее изменение в')}.`,
+      ? 'Ни одно ребро здесь не заканчивается.'
+      : `${edgesDo(edges, 'заканчивается и удаляется', 'заканчиваются и удаляются')} из AEL${when(next, 'следующее изменение — на отметке')}.`,
   ael_step: ({ edge, x, z }) => `Ребро ${edge} делает шаг: x = ${short(x)}, z = ${short(z)}.`,
 };

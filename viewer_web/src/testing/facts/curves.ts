@@ -10,9 +10,12 @@ export const curveFacts: Facts<keyof CurveEvents> = {
     numbers: sample,
     says: answered(at === 'FH3', said(/left/u, /Левое/u), said(/right/u, /Правое/u)),
   }),
-  visibility: ({ x, flag }, { height }) => ({
+  visibility: ({ x, flag }, { height, edition }) => ({
     numbers: [x, flag, ...(height?.x === x ? [height.y] : [])],
-    says: answered(flag === 0, said(/hidden/u, /не видна/u), said(/visible/u, /: видна/u)),
+    says:
+      edition === 'printed' && flag === -1
+        ? [said(/below it \(−1\)\.$/u, /ниже него \(−1\)\.$/u)]
+        : answered(flag === 0, said(/hidden/u, /не видна/u), said(/visible/u, /: видна/u)),
   }),
   intersection: ({ point, columns: [left, right] }) =>
     only(...point, left, ...(left === right ? [] : [right])),

@@ -30,7 +30,7 @@ export const scanlineFacts: Facts<keyof ZBufferEvents> = {
   miss: ({ at }) => ({
     says: answered(
       at === 'L1',
-      said(/The row lies off/u, /Строка лежит вне/u),
+      said(/The row lies outside/u, /Строка лежит вне/u),
       said(/No pixel of the area/u, /ни одного пикселя области/u),
     ),
   }),

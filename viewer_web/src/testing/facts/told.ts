@@ -12,7 +12,7 @@ export function value(n: N): number {
 }
 
 const number =
-  /(?<![\p{L}\d])[−+]?(?:∞|nan|\d+(?:[.,]\d+)?(?:e[+−-]?\d+)?(?:\/\d+)?)(?![\p{L}\d])/giu;
+  /(?<![\p{L}\d])(?:≈ ?)?[−+]?(?:∞|nan|\d+(?:[.,]\d+)?(?:e[+−-]?\d+)?(?:\/\d+)?)(?![\p{L}\d])/giu;
 
 /** A number as a sentence shows it, and by how much that may be off. */
 interface Shown {
@@ -21,10 +21,14 @@ interface Shown {
 }
 
 function shown(text: string): Shown {
-  const plain = text.replaceAll('−', '-').replace('+', '').replace('∞', 'inf').replace(',', '.');
+  const isCut = text.startsWith('≈');
+  const plain = text
+    .replace(/≈ ?|\+/u, '')
+    .replaceAll('−', '-')
+    .replace('∞', 'inf')
+    .replace(',', '.');
   if (plain.includes('/') || /inf|nan/iu.test(plain)) return { value: value(plain), off: 1e-15 };
   const [, decimals = '', power = '0'] = /^-?\d+(?:\.(\d+))?(?:e(.*))?$/u.exec(plain) ?? [];
-  const isCut = decimals !== '' || power !== '0';
   return {
     value: Number(plain),
     off: isCut ? 0.5001 * 10 ** (Number(power) - decimals.length) : 0,
@@ -35,11 +39,10 @@ function shown(text: string): Shown {
 const rising = (a: number, b: number): number =>
   a < b || Number.isNaN(b) ? -1 : a > b || Number.isNaN(a) ? 1 : 0;
 
-/** Whole numbers are exact; one that is nearly whole looks as if it were, at four digits. */
+/** What is not said to be cut is exact; a number that is nearly whole looks as if it were, at four digits. */
 function isOf({ value: told, off }: Shown, right: number): boolean {
   if (Object.is(told, right) || told === right) return true;
-  const most = off === 0 && !Number.isInteger(right) ? 0.0005 * Math.abs(told) : off;
-  return Math.abs(told - right) <= most;
+  return off > 0 && Math.abs(told - right) <= Math.max(off, 0.0005 * Math.abs(told));
 }
 
 /** What is wrong with a sentence that should state this, in words; null if nothing. */

@@ -58,120 +58,126 @@ const hiding = ({ covered, after }: Moment): string | null =>
 
 export const known = (id: string | null): Fact => (id === null ? none : { ids: [id] });
 
-export const windowFacts: Facts<Exclude<keyof (CommonEvents & WarnockEvents), keyof FamilyEvents>> =
-  {
-    plane: ({ polygon, plane }) => of(polygon, ...plane),
-    call: () => none,
-    depth: ({ polygon, point, z }, moment) => both(of(polygon, z), place(point, moment)),
-    fault: ({ x, y }) => (x === undefined || y === undefined ? none : only(x, y)),
-    disagree: ({ taken, exact }) =>
-      only(...[taken, exact].flatMap((each) => (typeof each === 'number' ? [each] : range(each)))),
-    push: ({ window, apl = [] }) => ({ ids: listed(apl.map(([id]) => id)), numbers: window }),
-    skip: ({ window }) => ({ numbers: window }),
-    pop: ({ at, window }, { after, detail, level }) => {
-      if (at === 'WF2') return only(...window, level);
-      const ids = (after.warnock?.apl ?? []).map(([id]) => id);
-      return { ids: detail === 'windows' ? [] : listed(ids), numbers: window };
-    },
-    corners: ({ z }) => only(z),
-    box: ({ polygon, outside: is }) => ({
-      ids: [polygon],
-      says: answered(is, outside, said(/meets the window/u, /пересекается с окном/u)),
-    }),
-    discard: ({ polygon }) => ({
-      ids: [polygon],
-      says: [said(/is not counted/u, /не учитывается/u)],
-    }),
-    count: ({ polygon, count }) => of(polygon, count),
-    compare: ({ polygon, corner, z, against, nearer }) => ({
-      ...of(polygon, z, against),
+type WindowEvent = Exclude<keyof (CommonEvents & WarnockEvents), keyof FamilyEvents>;
+
+export const windowFacts: Facts<WindowEvent> = {
+  plane: ({ polygon, plane }) => of(polygon, ...plane),
+  call: () => none,
+  depth: ({ polygon, point, z }, moment) => both(of(polygon, z), place(point, moment)),
+  fault: ({ x, y }) => (x === undefined || y === undefined ? none : only(x, y)),
+  disagree: ({ taken, exact }) =>
+    only(...[taken, exact].flatMap((each) => (typeof each === 'number' ? [each] : range(each)))),
+  push: ({ window, apl = [] }) => ({ ids: listed(apl.map(([id]) => id)), numbers: window }),
+  skip: ({ window }) => ({ numbers: window }),
+  pop: ({ at, window }, { after, detail, level }) => {
+    if (at === 'WF2') return only(...window, level);
+    const ids = (after.warnock?.apl ?? []).map(([id]) => id);
+    return { ids: detail === 'windows' ? [] : listed(ids), numbers: window };
+  },
+  corners: ({ z }) => only(z),
+  box: ({ polygon, outside: is }) => ({
+    ids: [polygon],
+    says: answered(is, outside, said(/meets the window/u, /пересекается с окном/u)),
+  }),
+  discard: ({ polygon }) => ({
+    ids: [polygon],
+    says: [said(/is not counted/u, /не учитывается/u)],
+  }),
+  count: ({ polygon, count }) => of(polygon, count),
+  compare: ({ polygon, corner, z, against, nearer }) => ({
+    ...of(polygon, z, against),
+    says: [
+      ...(corner === undefined ? [] : [corners[corner]]),
+      ...answered(
+        nearer,
+        said(/is nearer: .* > /u, / ближе: .* > /u),
+        said(/is not nearer: .* ≯ /u, /не ближе: .* ≯ /u),
+      ),
+    ],
+  }),
+  nearer: ({ polygon, corners: at, k }) => ({
+    ...of(polygon, ...(k === 0 ? [4] : [k, 4])),
+    says: k === 4 ? [] : at.map((corner) => corners[corner]),
+  }),
+  uncover: ({ polygon }, { covered: [before] }) => both(of(polygon), known(before)),
+  surround: ({ polygon, point, inside: is }, moment) =>
+    both(of(polygon), place(point, moment), { says: answered(is, inside, outside) }),
+  mark: ({ polygon }) => of(polygon),
+  cover: ({ polygon }) => of(polygon),
+  insider: ({ polygon, inside: is }) => ({
+    ids: [polygon],
+    says: answered(
+      is,
+      said(/ lies strictly/u, /[^е] лежит строго/u),
+      said(/does not lie strictly/u, /не лежит строго/u),
+    ),
+  }),
+  summary: ({ count, hasSurround }, { covered }) =>
+    both(
+      only(count),
+      hasSurround ? known(covered[1]) : { says: [said(/none is known/u, /неизвестно/u)] },
+    ),
+  decide: ({ case: which }, moment) => {
+    if (which === 'empty') return { says: [background] };
+    if (which === 'surrounded')
+      return both(known(hiding(moment)), { says: [said(/hides everything/u, /закрывает всё/u)] });
+    const [first, ...others] = (moment.after.warnock?.apl ?? []).map(([id]) => id);
+    if (which === 'pixel') return { says: [said(/no larger than a pixel/u, /не больше пикселя/u)] };
+    if (which === 'split') return { says: [said(/is split/u, /делится/u)] };
+    return first === undefined || others.length > 0
+      ? { says: [background] }
+      : { ids: [first], says: [background] };
+  },
+  fill: ({ at, rect, color }, moment) =>
+    both(
+      only(rect[2] * rect[3]),
+      owner(
+        color,
+        atPoint.includes(at) ? moment.nearest : hiding(moment),
+        ground.includes(at),
+        moment,
+      ),
+    ),
+  nearest: ({ polygon, z }) => of(polygon, z),
+  color: ({ point, color }, moment) =>
+    both(only(...point), owner(color, moment.nearest, false, moment)),
+  orient: ({ at, polygon, edge, point, value: f, sign }, moment) =>
+    both(of(polygon, edge, f), at === 'TF2' || at === 'OA4' ? place(point, moment) : none, {
       says: [
-        ...(corner === undefined ? [] : [corners[corner]]),
-        ...answered(
-          nearer,
-          said(/is nearer: .* > /u, / ближе: .* > /u),
-          said(/is not nearer: .* ≯ /u, /не ближе: .* ≯ /u),
-        ),
+        {
+          '-1': said(/negative side/u, /отрицательную сторону/u),
+          0: said(/on the line/u, /на прямой/u),
+          1: said(/positive side/u, /положительную сторону/u),
+        }[sign],
       ],
     }),
-    nearer: ({ polygon, corners: at, k }) => ({
-      ...of(polygon, ...(k === 0 ? [4] : [k, 4])),
-      says: k === 4 ? [] : at.map((corner) => corners[corner]),
-    }),
-    uncover: ({ polygon }, { covered: [before] }) => both(of(polygon), known(before)),
-    surround: ({ polygon, point, inside: is }, moment) =>
-      both(of(polygon), place(point, moment), { says: answered(is, inside, outside) }),
-    mark: ({ polygon }) => of(polygon),
-    cover: ({ polygon }) => of(polygon),
-    insider: ({ polygon, inside: is }) => ({
-      ids: [polygon],
-      says: answered(
-        is,
-        said(/ lies strictly/u, /[^е] лежит строго/u),
-        said(/does not lie strictly/u, /не лежит строго/u),
-      ),
-    }),
-    summary: ({ count, hasSurround }, { covered }) =>
-      both(
-        only(count),
-        hasSurround ? known(covered[1]) : { says: [said(/none is known/u, /неизвестно/u)] },
-      ),
-    decide: ({ case: which }, moment) => {
-      if (which === 'empty') return { says: [background] };
-      if (which === 'surrounded')
-        return both(known(hiding(moment)), { says: [said(/hides everything/u, /закрывает всё/u)] });
-      const [first, ...others] = (moment.after.warnock?.apl ?? []).map(([id]) => id);
-      if (which === 'pixel')
-        return { says: [said(/no larger than a pixel/u, /не больше пикселя/u)] };
-      if (which === 'split') return { says: [said(/is split/u, /делится/u)] };
-      return first === undefined || others.length > 0
-        ? { says: [background] }
-        : { ids: [first], says: [background] };
-    },
-    fill: ({ at, rect, color }, moment) =>
-      both(
-        only(rect[2] * rect[3]),
-        owner(
-          color,
-          atPoint.includes(at) ? moment.nearest : hiding(moment),
-          ground.includes(at),
-          moment,
-        ),
-      ),
-    nearest: ({ polygon, z }) => of(polygon, z),
-    color: ({ point, color }, moment) =>
-      both(only(...point), owner(color, moment.nearest, false, moment)),
-    orient: ({ at, polygon, edge, point, value: f, sign }, moment) =>
-      both(of(polygon, edge, f), at === 'TF2' || at === 'OA4' ? place(point, moment) : none, {
-        says: [
-          {
-            '-1': said(/negative side/u, /отрицательную сторону/u),
-            0: said(/on the line/u, /на прямой/u),
-            1: said(/positive side/u, /положительную сторону/u),
-          }[sign],
-        ],
-      }),
-    clip_begin: ({ polygon }) => of(polygon),
-    clip_side: ({ side, from, to }, { after }) =>
-      both(only(side, 4), { says: [sideOf(from, to, after.warnock?.window)] }),
-    clip_sign: ({ vertex, sign }) => ({
-      ...xy({ vertex }),
-      says: answered(
-        sign > 0,
-        said(/counts as outside/u, /считается внешней/u),
-        said(/counts as inside/u, /считается внутренней/u),
-      ),
-    }),
-    clip_cross: xy,
-    clip_keep: xy,
-    clip_drop: xy,
-    clip_list: ({ count }) => (count === 0 ? none : only(count)),
-    clip_result: ({ polygon, vertices }) =>
-      of(polygon, ...(vertices.length === 0 ? [] : [vertices.length])),
-    row: ({ row, left, right, first, end }) =>
-      only(row, left, right, ...(first < end ? new Set([first, end - 1]) : [])),
-    draw: ({ polygon, runs }) => of(polygon, total(runs), runs.length),
-  };
+  clip_begin: ({ polygon }) => of(polygon),
+  clip_side: ({ side, from, to }, { after }) =>
+    both(only(side, 4), { says: [sideOf(from, to, after.warnock?.window)] }),
+  clip_sign: ({ vertex, sign }) => ({
+    ...xy({ vertex }),
+    says: answered(
+      sign > 0,
+      said(/counts as outside/u, /считается внешней/u),
+      said(/counts as inside/u, /считается внутренней/u),
+    ),
+  }),
+  clip_cross: xy,
+  clip_keep: xy,
+  clip_drop: xy,
+  clip_list: ({ count }) => (count === 0 ? none : only(count)),
+  clip_result: ({ polygon, vertices }) =>
+    of(polygon, ...(vertices.length === 0 ? [] : [vertices.length])),
+  row: ({ at, row, left, right, first, end }, { after }) => {
+    const [id, ...others] = at === 'PR1' ? [] : (after.warnock?.apl ?? []).map(([each]) => each);
+    const columns = first < end ? new Set([first, end - 1]) : [];
+    return {
+      ids: id === undefined || others.length > 0 ? [] : [id],
+      numbers: [row, left, right, ...columns],
+    };
+  },
+  draw: ({ polygon, runs }) => of(polygon, total(runs), runs.length),
+};
 
 const range = (answer: unknown): readonly number[] => {
   if (!Array.isArray(answer)) return [];
