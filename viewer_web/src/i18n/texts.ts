@@ -36,7 +36,15 @@ export type ReasonTexts = {
 /** How numbers and what is made of them are written. */
 export type Numbers = Pick<
   typeof words,
-  'short' | 'signed' | 'whole' | 'inFull' | 'shortApart' | 'joined' | 'list' | 'point' | 'windowText'
+  | 'short'
+  | 'signed'
+  | 'whole'
+  | 'inFull'
+  | 'shortApart'
+  | 'joined'
+  | 'list'
+  | 'point'
+  | 'windowText'
 >;
 
 /** Everything that the page says, in one language. */

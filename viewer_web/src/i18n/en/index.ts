@@ -16,7 +16,17 @@ import { sentences } from './sentences.js';
 import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
-import { inFull, joined, list, point, short, shortApart, signed, whole, windowText } from '../words.js';
+import {
+  inFull,
+  joined,
+  list,
+  point,
+  short,
+  shortApart,
+  signed,
+  whole,
+  windowText,
+} from '../words.js';
 
 export const texts: Texts = {
   numbers: { inFull, joined, list, point, short, shortApart, signed, whole, windowText },
