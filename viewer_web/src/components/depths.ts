@@ -4,6 +4,7 @@ import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { toNumber } from '../i18n/words.js';
 import { emptyZBuffer } from '../state/zbuffer.js';
+import { hasRoomForDepths } from '../state/screen.js';
 import type { N } from '../trace/values.js';
 import type { Numbers } from '../i18n/texts.js';
 import { numbersOf } from '../view.js';
@@ -77,10 +78,9 @@ export class DepthsElement extends LitElement {
   @property({ attribute: false }) view!: View;
 
   override render(): TemplateResult {
-    const { screen, texts, header, after } = this.view;
+    const { screen, header, after } = this.view;
     const { z } = screen;
-    const missing = header.detail === 'windows' ? texts.notInTrace : texts.none;
-    if (z === null) return html`<p>${missing}</p>`;
+    if (z === null) return html`<p>${this.missing}</p>`;
     const { area } = header.scene;
     const { row, last } = after.zbuffer ?? emptyZBuffer;
     const shown = (row ?? last.row ?? area.y) - area.y;
@@ -102,6 +102,13 @@ export class DepthsElement extends LitElement {
         )}
       </tbody>
     </table>`;
+  }
+
+  /** Why there are no depths. */
+  private get missing(): string {
+    const { texts, header } = this.view;
+    if (header.detail === 'windows') return texts.notInTrace;
+    return hasRoomForDepths(header.scene) ? texts.none : texts.depthsTooMany;
   }
 
   /** The column in hand: the pixel's, or the middle of what is shown of the row. */

@@ -100,7 +100,7 @@ export class HistoryElement extends LitElement {
   private color([x, y]: Pixel): TemplateResult {
     const { screen, header } = this.view;
     const { area } = header.scene;
-    const color = toColor(screen.picture.row(y - area.y)[x - area.x] ?? 0);
+    const color = toColor(screen.picture.at(x - area.x, y - area.y));
     return html`<p class="color" title=${color}>${swatch(color)}</p>`;
   }
 

@@ -31,7 +31,7 @@ import { playerLowStyle } from './player-low.style.js';
 import { playerStyle } from './player.style.js';
 import { Predictor } from './predictor.js';
 import { presenterStyle } from './presenter.style.js';
-import { hasSolid, sideName } from './side-name.js';
+import { hasSolid, sideName, whyNoSolid } from './side-name.js';
 import type { Side } from './side-name.js';
 import './side.js';
 import type { SideElement } from './side.js';
@@ -123,7 +123,8 @@ export class PlayerElement extends StageElement {
     const { view } = this;
     if (!this.isFull || view === null) return;
     const { news } = view.texts;
-    if (side === 'solid' && !hasSolid(view)) this.announcer.refuse(news.noSolid);
+    const refused = side === 'solid' ? whyNoSolid(view) : null;
+    if (refused !== null) this.announcer.refuse(news[refused]);
     else {
       this.side = this.side === side ? 'state' : side;
       this.announcer.say(news.panel(sideName(this.side, view)));

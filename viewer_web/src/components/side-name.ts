@@ -4,9 +4,17 @@ import { placesOf, showsOf } from './shows.js';
 
 export type Side = 'state' | 'pixel' | 'exact' | 'solid' | 'predict' | 'bookmarks' | 'scene';
 
+/** Polygons that 3D can draw: of more, it would keep a browser without a graphics card busy for a minute. */
+const mostSolid = 3000;
+
 /** Whether there is a scene in 3D, and the page brings along what shows it, which is large; a player alone does not. */
-export const hasSolid = (view: View): boolean =>
-  showsOf(view).isSolid && customElements.get('vidno-solid') !== undefined;
+export const hasSolid = (view: View): boolean => whyNoSolid(view) === null;
+
+/** Why there is none. */
+export function whyNoSolid(view: View): 'noSolid' | 'tooManySolid' | null {
+  if (!showsOf(view).isSolid || customElements.get('vidno-solid') === undefined) return 'noSolid';
+  return view.header.scene.polygons.length > mostSolid ? 'tooManySolid' : null;
+}
 
 /** What a panel is called. */
 export function sideName(side: Side, view: View): string {

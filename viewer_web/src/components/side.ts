@@ -182,7 +182,9 @@ export class SideElement extends LitElement {
       case 'scene':
         return editing === null ? this.state() : this.scene(editing);
       case 'solid':
-        return html`<vidno-solid .view=${view} ?bare=${this.bare}></vidno-solid>`;
+        return hasSolid(view)
+          ? html`<vidno-solid .view=${view} ?bare=${this.bare}></vidno-solid>`
+          : this.state();
       case 'state':
         return this.state();
     }

@@ -4,6 +4,7 @@ export interface NewsTexts {
   readonly presented: string;
   readonly notPresented: string;
   readonly noSolid: string;
+  readonly tooManySolid: string;
   readonly answerFirst: string;
   readonly noComparison: string;
 }

@@ -222,6 +222,7 @@ export interface PageTexts extends FileTexts {
   readonly no: string;
   readonly more: (n: number) => string;
   readonly notInTrace: string;
+  readonly depthsTooMany: string;
   readonly defect: (id: string) => string;
 }
 

@@ -5,6 +5,7 @@ import type { Event } from '../trace/events.js';
 import { parseHeader } from '../trace/header.js';
 import { cellsOf, depthRange, differenceOf, layersOf } from './layers.js';
 import { opaque } from './paint.js';
+import type { Cells } from './paint.js';
 import { inkAt } from './ramp.js';
 
 const fill = (x: number, width: number, color: string): Event => ({
@@ -18,6 +19,10 @@ async function screenAfter(...events: readonly Event[]) {
   const { timeline } = await traceOf(textWith(headerOf('warnock'), events));
   return timeline.seek(events.length).screen;
 }
+
+/** All cells of a row. */
+const rowOf = (cells: Cells | null, j: number): ArrayLike<number> =>
+  cells?.row(j, [...Array(cells.width).keys()]) ?? [];
 
 describe('the difference', () => {
   it('counts what was painted wrong, and what is background though it is not to stay so', async () => {
@@ -36,7 +41,7 @@ describe('the difference', () => {
   it('tells the three apart by texture, and pales the colours', async () => {
     const exact = await screenAfter(fill(0, 2, '#112233'));
     const screen = await screenAfter(fill(0, 1, '#112233'), fill(2, 1, '#445566'));
-    const row = cellsOf('difference', screen, exact.picture)?.row(0) ?? [];
+    const row = rowOf(cellsOf('difference', screen, exact.picture), 0);
     const textures = Array.from(row, (cell) => cell >>> 24);
     const [right, lacking, wrong, ground] = textures;
     expect(new Set([right, lacking, wrong]).size).toBe(3);
@@ -58,7 +63,7 @@ describe('the depths', () => {
     const far = Math.min(...depths);
     for (let j = 0; j < screen.picture.height; j++) {
       Array.from(screen.z?.row(j) as ArrayLike<number | string>, (z, i) => {
-        const ink = cells?.row(j)[i] ?? NaN;
+        const ink = rowOf(cells, j)[i] ?? NaN;
         if (z === '-inf') expect(ink).not.toBe(opaque(ink));
         else expect(ink).toBe(inkAt((Number(z) - far) / (near - far)));
       });
@@ -85,7 +90,7 @@ describe('the picture so far', () => {
   it('is the background where nothing was painted', async () => {
     const screen = await screenAfter(fill(0, 1, '#112233'));
     expect(screen.picture.row(0)[1]).toBe(toGround('#ffffff'));
-    const row = cellsOf('picture', screen, null)?.row(0) ?? [];
+    const row = rowOf(cellsOf('picture', screen, null), 0);
     expect([row[0], row[1]]).toEqual([toPixel('#112233'), toPixel('#ffffff')]);
   });
 });

@@ -1,6 +1,7 @@
 import { toNumber } from '../i18n/words.js';
 import { isPainted } from '../state/grid.js';
 import type { Grid } from '../state/grid.js';
+import { keepsDepths } from '../state/screen.js';
 import type { Screen } from '../state/screen.js';
 import type { Header, Scene } from '../trace/header.js';
 import type { N } from '../trace/values.js';
@@ -25,8 +26,8 @@ export function isLayer(name: string | null): name is Layer {
 export const needsExact = (layer: Layer): boolean => layer === 'exact' || layer === 'difference';
 
 /** The layers that a trace has. */
-export function layersOf({ method, detail }: Header, exact: Exact): readonly Layer[] {
-  const hasDepths = method === 'zbuffer' && detail !== 'windows';
+export function layersOf(header: Header, exact: Exact): readonly Layer[] {
+  const hasDepths = header.method === 'zbuffer' && keepsDepths(header);
   return layers.filter(
     (layer) => (layer !== 'depths' || hasDepths) && (!needsExact(layer) || exact !== null),
   );
@@ -45,31 +46,30 @@ export function depthRange({ polygons }: Scene): readonly [far: number, near: nu
 export function cellsOf(layer: Layer, { picture, z, scene }: Screen, exact: Exact): Cells | null {
   const { width, height } = picture;
   const rightly = known(exact);
-  const cells = (row: Cells['row']): Cells => ({ width, height, row });
+  const cells = (ink: (i: number, j: number) => number): Cells => ({
+    width,
+    height,
+    row: (j, columns) => Uint32Array.from(columns, (i) => ink(i, j)),
+  });
   switch (layer) {
     case 'picture':
-      return cells((j) => mapped(picture.row(j), opaque));
+      return cells((i, j) => opaque(picture.at(i, j)));
     case 'depths': {
       const range = depthRange(scene);
-      return cells((j) =>
-        mapped(picture.row(j), (pixel, i) => {
-          const depth = isPainted(pixel) ? z?.row(j)[i] : undefined;
-          return depthInk(depth ?? '-inf', range);
-        }),
-      );
+      return cells((i, j) => {
+        const depth = isPainted(picture.at(i, j)) ? z?.at(i, j) : undefined;
+        return depthInk(depth ?? '-inf', range);
+      });
     }
     case 'exact':
-      return rightly && cells((j) => mapped(rightly.row(j), opaque));
+      return rightly && cells((i, j) => opaque(rightly.at(i, j)));
     case 'difference':
-      return cells((j) => {
-        const right = rightly?.row(j);
-        return mapped(picture.row(j), (pixel, i) => differing(pixel, right?.[i] ?? pixel));
+      return cells((i, j) => {
+        const pixel = picture.at(i, j);
+        return differing(pixel, rightly?.at(i, j) ?? pixel);
       });
   }
 }
-
-const mapped = <T>(row: ArrayLike<T>, ink: (cell: T, i: number) => number): Uint32Array =>
-  Uint32Array.from(row, ink);
 
 function depthInk(z: N, [far, near]: readonly [number, number]): number {
   const depth = toNumber(z);

@@ -2,7 +2,8 @@
 export interface Cells {
   readonly width: number;
   readonly height: number;
-  row(j: number): ArrayLike<number>;
+  /** Cells of a row, those of some columns: of a large picture few are seen. */
+  row(j: number, columns: readonly number[]): ArrayLike<number>;
 }
 
 /** Where cells lie on a canvas, in dots of the device. */
@@ -73,7 +74,11 @@ function fill(
   cells: Cells,
   { x: left, y: top, scale, ratio }: Place,
 ): void {
-  const columns = cellsAlong(width, left, scale, cells.width);
+  const across = cellsAlong(width, left, scale, cells.width);
+  const columns = [...new Set(across)].filter((i) => i !== none);
+  const places = new Map(columns.map((i, place) => [i, place]));
+  /** For each dot its cell's place among the columns. */
+  const dotted = Int32Array.from(across, (i) => places.get(i) ?? none);
   let last = none;
   let row: ArrayLike<number> = [];
   let hasTexture = false;
@@ -83,15 +88,15 @@ function fill(
     last = j;
     if (j === none) return;
     if (isNew) {
-      row = cells.row(j);
+      row = cells.row(j, columns);
       hasTexture = Array.from(row).some((cell) => cell >>> 24 !== plain);
     } else if (!hasTexture) {
       dots.copyWithin(start, start - width, start);
       return;
     }
     const down = Math.floor(y / ratio);
-    columns.forEach((i, x) => {
-      const cell = i === none ? clear : (row[i] ?? clear);
+    dotted.forEach((place, x) => {
+      const cell = row[place] ?? clear;
       dots[start + x] = hasTexture ? inkOf(cell, Math.floor(x / ratio), down) : cell;
     });
   });

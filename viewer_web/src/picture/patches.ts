@@ -37,8 +37,8 @@ export function patchesOf(picture: Grid<number>, area: Area): readonly Patch[] {
   };
   let open = new Map<number, Run>();
   for (let j = 0; j < picture.height; j++) {
+    if (j > 0 && picture.areSame(j, j - 1)) continue;
     const row = picture.row(j);
-    if (j > 0 && row === picture.row(j - 1)) continue;
     const above = open;
     open = new Map();
     for (const run of runsOf(row, j)) {

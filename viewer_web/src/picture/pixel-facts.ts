@@ -16,9 +16,9 @@ export interface PixelFacts {
 
 export function factsAt({ picture, z, scene }: Screen, [x, y]: Pixel): PixelFacts {
   const [i, j] = [x - scene.area.x, y - scene.area.y];
-  const pixel = picture.row(j)[i] ?? 0;
+  const pixel = picture.at(i, j);
   const color = isPainted(pixel) ? toColor(pixel) : null;
   const polygons = scene.polygons.filter((each) => each.color === color).map(({ id }) => id);
   const isBackground = color === scene.background;
-  return { color, isBackground, polygons, depth: z?.row(j)[i] ?? null };
+  return { color, isBackground, polygons, depth: z?.at(i, j) ?? null };
 }

@@ -49,6 +49,6 @@ function widthFrom(cuts: Grid<number>, i: number, j: number): number {
 
 function heightFrom(cuts: Grid<number>, i: number, j: number): number {
   let last = j;
-  while (last < cuts.height - 1 && !isAt(cuts.row(last)[i], lower)) last++;
+  while (last < cuts.height - 1 && !isAt(cuts.at(i, last), lower)) last++;
   return last - j + 1;
 }

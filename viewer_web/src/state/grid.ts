@@ -6,13 +6,22 @@ export interface Row<T> {
   slice(): Row<T>;
 }
 
+/** Cells of a piece of a row: a picture this wide, or narrower, has one piece a row. */
+const most = 256;
+
 /**
- * Cells in rows that are copied only when written after a snapshot, so that a keyframe of a picture costs no
- * more than what changes. Rows that hold one value throughout are one row.
+ * Cells in rows, and rows in pieces that are copied only when written after a snapshot, so that a keyframe of a picture
+ * costs no more than what changes. Pieces that hold one value throughout may be one piece: a large area that is painted in
+ * few rectangles takes little memory.
  */
 export class Grid<T> {
-  private rows: Row<T>[];
-  private readonly owned = new Set<number>();
+  private readonly perRow: number;
+  private pieces: Row<T>[];
+  /** For each piece the turn in which it was copied: one copied in this turn is in no snapshot. */
+  private readonly copied: Uint32Array;
+  private turn = 1;
+  /** The whole piece that was filled last, in no need to be made again for the same value. */
+  private plain: { readonly value: T; readonly piece: Row<T> } | null = null;
 
   constructor(
     readonly width: number,
@@ -20,53 +29,103 @@ export class Grid<T> {
     value: T,
     private readonly make: (width: number) => Row<T>,
   ) {
-    this.rows = new Array<Row<T>>(height).fill(make(width).fill(value));
+    this.perRow = Math.max(1, Math.ceil(width / most));
+    this.pieces = new Array<Row<T>>(this.perRow * height);
+    this.copied = new Uint32Array(this.pieces.length);
+    this.fill(0, 0, width, height, value);
   }
 
+  at(x: number, y: number): T {
+    const cell = this.piece(y * this.perRow + Math.floor(x / most))[x % most];
+    if (cell === undefined) throw new RangeError(`column ${x} of ${this.width}`);
+    return cell;
+  }
+
+  /** The cells of a row; a wide one is put together anew each time. */
   row(j: number): Row<T> {
-    const row = this.rows[j];
-    if (row === undefined) throw new RangeError(`row ${j} of ${this.height}`);
+    if (this.perRow === 1) return this.piece(j);
+    const row = this.make(this.width);
+    for (let k = 0; k < this.perRow; k++) {
+      const piece = this.piece(j * this.perRow + k);
+      for (let i = 0; i < piece.length; i++) row[k * most + i] = piece[i] as T;
+    }
     return row;
   }
 
+  /** Whether two rows are certainly equal: they are the same pieces. */
+  areSame(j: number, other: number): boolean {
+    for (let k = 0; k < this.perRow; k++) {
+      if (this.piece(j * this.perRow + k) !== this.piece(other * this.perRow + k)) return false;
+    }
+    return true;
+  }
+
   fill(x: number, y: number, width: number, height: number, value: T): void {
-    if (width === this.width && height > 0) this.replace(y, height, this.make(width).fill(value));
-    else for (let j = y; j < y + height; j++) this.writable(j).fill(value, x, x + width);
+    const end = x + width;
+    for (let left = x; left < end;) {
+      const k = Math.floor(left / most);
+      const first = k * most;
+      const last = Math.min(first + most, this.width);
+      const right = Math.min(last, end);
+      const isWhole = left === first && right === last;
+      if (isWhole) this.replace(k, y, height, this.filled(last - first, value));
+      else {
+        for (let j = y; j < y + height; j++) {
+          this.writable(j * this.perRow + k).fill(value, left - first, right - first);
+        }
+      }
+      left = right;
+    }
   }
 
   set(x: number, y: number, value: T): void {
-    this.writable(y)[x] = value;
+    this.writable(y * this.perRow + Math.floor(x / most))[x % most] = value;
   }
 
   /** The cells as they are now. */
   copy(): Grid<T> {
-    const copy = new Grid(this.width, this.height, this.row(0)[0] as T, this.make);
+    const copy = new Grid(this.width, this.height, this.at(0, 0), this.make);
     copy.load(this.save());
     return copy;
   }
 
   save(): readonly Row<T>[] {
-    this.owned.clear();
-    return this.rows.slice();
+    this.turn++;
+    return this.pieces.slice();
   }
 
   load(saved: readonly Row<T>[]): void {
-    this.owned.clear();
-    this.rows = saved.slice();
+    this.turn++;
+    this.pieces = saved.slice();
   }
 
-  private replace(y: number, height: number, row: Row<T>): void {
+  private filled(length: number, value: T): Row<T> {
+    const { plain } = this;
+    if (plain?.value === value && plain.piece.length === length) return plain.piece;
+    const piece = this.make(length).fill(value);
+    this.plain = { value, piece };
+    return piece;
+  }
+
+  private replace(k: number, y: number, height: number, piece: Row<T>): void {
     for (let j = y; j < y + height; j++) {
-      this.rows[j] = row;
-      this.owned.delete(j);
+      const place = j * this.perRow + k;
+      this.pieces[place] = piece;
+      this.copied[place] = 0;
     }
   }
 
-  private writable(j: number): Row<T> {
-    if (this.owned.has(j)) return this.row(j);
-    const copy = this.row(j).slice();
-    this.rows[j] = copy;
-    this.owned.add(j);
+  private piece(place: number): Row<T> {
+    const piece = this.pieces[place];
+    if (piece === undefined) throw new RangeError(`piece ${place} of ${this.pieces.length}`);
+    return piece;
+  }
+
+  private writable(place: number): Row<T> {
+    if (this.copied[place] === this.turn) return this.piece(place);
+    const copy = this.piece(place).slice();
+    this.pieces[place] = copy;
+    this.copied[place] = this.turn;
     return copy;
   }
 }

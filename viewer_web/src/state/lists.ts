@@ -13,13 +13,13 @@ export function wayTo(next: Box, { way, window }: Pick<Warnock, 'way' | 'window'
 const holds = ([x, y, width, height]: Box, [left, top, across, down]: Box): boolean =>
   x <= left && y <= top && left + across <= x + width && top + down <= y + height;
 
-function currentApl(now: Warnock): Apl {
+export function currentApl(now: Warnock): Apl {
   if (now.apl === null) throw new Refusal('', 'noWindow');
   return now.apl;
 }
 
 /** The current list becomes another one, in the windows that share it too. */
-function changeApl(now: Warnock, entries: readonly Entry[]): Partial<Warnock> {
+export function changeApl(now: Warnock, entries: readonly Entry[]): Partial<Warnock> {
   const old = currentApl(now);
   const apl = { entries };
   const shared = now.stack.some((each) => each.apl === old);
@@ -36,20 +36,11 @@ function entryIndex(now: Warnock, polygon: string): number {
 }
 
 /** The current list without a polygon. */
-export function without(polygon: string, now: Warnock): Partial<Warnock> {
+function without(polygon: string, now: Warnock): Partial<Warnock> {
   const index = entryIndex(now, polygon);
   return changeApl(
     now,
     currentApl(now).entries.filter((_, i) => i !== index),
-  );
-}
-
-/** A polygon of the current list surrounds the window. */
-export function marked(polygon: string, now: Warnock): Partial<Warnock> {
-  const index = entryIndex(now, polygon);
-  return changeApl(
-    now,
-    currentApl(now).entries.map((entry, i) => (i === index ? [polygon, true] : entry)),
   );
 }
 

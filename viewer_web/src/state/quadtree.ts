@@ -48,14 +48,16 @@ export function leaves(levels: Grid<number>, root: Box, area: Area, sight: Sight
   const found = new Map<string, Box>();
   const last = Math.min(levels.height, Math.ceil(y + height - area.y));
   const end = Math.min(levels.width, Math.ceil(x + width - area.x));
-  for (let j = Math.max(0, Math.floor(y - area.y)); j < last; j++) {
-    const row = levels.row(j);
+  for (let j = Math.max(0, Math.floor(y - area.y)); j < last;) {
     for (let i = Math.max(0, Math.floor(x - area.x)); i < end;) {
-      const level = Math.min(row[i] ?? 0, finest);
+      const level = Math.min(levels.at(i, j), finest);
       const window = windowAt(root, level, area.x + i + 0.5, area.y + j + 0.5);
       found.set(`${level} ${window[0]} ${window[1]}`, window);
       i = Math.max(i + 1, Math.ceil(window[0] + window[2] - area.x - 0.5));
     }
+    // The rows of the smallest windows that count have all the same windows.
+    const [, top, , high] = windowAt(root, finest, area.x, area.y + j + 0.5);
+    j = Math.max(j + 1, Math.ceil(top + high - area.y - 0.5));
   }
   return [...found.values()];
 }

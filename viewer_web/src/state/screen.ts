@@ -1,4 +1,4 @@
-import type { Polygon, Scene } from '../trace/header.js';
+import type { Header, Polygon, Scene } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, N } from '../trace/values.js';
 import { cut, pieces } from './cuts.js';
@@ -6,6 +6,16 @@ import { Grid, toGround, toPixel } from './grid.js';
 import type { Row } from './grid.js';
 import { halve, leaves } from './quadtree.js';
 import type { Sight } from './quadtree.js';
+
+/** Pixels of an area whose depths are kept: those of a larger one fill the memory of a browser. */
+const mostDepths = 2 ** 24;
+
+export const hasRoomForDepths = ({ area: { width, height } }: Scene): boolean =>
+  width * height <= mostDepths;
+
+/** Whether the state has the depths that a trace tells. */
+export const keepsDepths = ({ detail, scene }: Pick<Header, 'detail' | 'scene'>): boolean =>
+  detail !== 'windows' && hasRoomForDepths(scene);
 
 /**
  * What the handlers of events write to: the picture, how the area is divided into windows and, where the trace carries

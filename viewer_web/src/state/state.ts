@@ -15,7 +15,8 @@ import {
 import type { Detail, Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
-import { Screen } from './screen.js';
+import { ListInHand } from './list-in-hand.js';
+import { Screen, keepsDepths } from './screen.js';
 import type { SavedScreen } from './screen.js';
 import type { Stretch } from './stretch.js';
 import { afterWarnock, emptyWarnock } from './warnock.js';
@@ -83,13 +84,14 @@ export class State {
   private step = 0;
   private calls: readonly Frame[];
   private warnock: Warnock | null;
+  private readonly list = new ListInHand();
   private zbuffer: ZBuffer | null;
   private horizon: FloatingHorizon | null;
   private regions: Regions | null;
 
   constructor(private readonly header: Header) {
-    const { method, scene, detail } = header;
-    this.screen = new Screen(scene, detail !== 'windows', method === 'warnock-vertex');
+    const { method, scene } = header;
+    this.screen = new Screen(scene, keepsDepths(header), method === 'warnock-vertex');
     this.columns = scene.curves === null ? null : new Columns(scene);
     this.calls = [{ of: bottomOf(method), at: null }];
     this.warnock = hasWindows(method) ? emptyWarnock : null;
@@ -99,6 +101,7 @@ export class State {
   }
 
   get values(): Values {
+    if (this.warnock !== null) this.warnock = this.list.settled(this.warnock);
     const { step, calls, warnock, zbuffer, horizon, regions } = this;
     return { step, calls, warnock, zbuffer, horizon, regions };
   }
@@ -135,6 +138,7 @@ export class State {
   }
 
   load({ values, screen, columns }: Keyframe): void {
+    this.list.forget();
     ({ step: this.step, calls: this.calls } = values);
     ({ warnock: this.warnock, zbuffer: this.zbuffer } = values);
     ({ horizon: this.horizon, regions: this.regions } = values);
@@ -145,10 +149,15 @@ export class State {
   private change(event: Event): void {
     const { warnock, zbuffer, horizon, regions, screen, columns } = this;
     if ('polygon' in event) screen.polygon(event.polygon);
-    if (warnock !== null) this.warnock = afterWarnock(event, warnock, screen);
+    if (warnock !== null) this.warnock = this.afterWindows(event, warnock);
     if (zbuffer !== null) this.zbuffer = afterZBuffer(event, zbuffer, screen);
     if (horizon !== null && columns !== null) this.horizon = afterCurves(event, horizon, columns);
     if (regions !== null) this.regions = afterRegions(event, regions, screen);
+  }
+
+  private afterWindows(event: Event, now: Warnock): Warnock {
+    if (this.list.take(event, now)) return now;
+    return afterWarnock(event, this.list.before(event, now), this.screen);
   }
 }
 

@@ -3,6 +3,7 @@ import type { Event } from '../trace/events.js';
 import type { Area, Header } from '../trace/header.js';
 import { Store } from '../trace/store.js';
 import type { Block } from '../trace/store.js';
+import { hasRoomForDepths } from './screen.js';
 import { State, depthChanges } from './state.js';
 import type { Keyframe } from './state.js';
 import { stretch } from './stretch.js';
@@ -10,6 +11,8 @@ import { stretch } from './stretch.js';
 const mostKeyframes = 512;
 const mostCells = 2 ** 25;
 const least = 64;
+/** Where a way was longer than twice this, its state so many steps before the goal is kept: one often goes back a little. */
+const near = 2048;
 
 /**
  * How many steps lie between the keyframes of a run: every other one goes when there are too many, or, since
@@ -39,6 +42,8 @@ export class Timeline {
   private readonly depthChanges: readonly number[];
   private keyframes: readonly Keyframe[];
   private every = least;
+  /** Before the goal of the last long way, in a run that has few keyframes. */
+  private mark: Keyframe | null = null;
 
   constructor(private readonly header: Header) {
     this.state = new State(header);
@@ -77,18 +82,35 @@ export class Timeline {
   /** The state after the first `step` events. */
   seek(step: number): State {
     const now = this.state.values.step;
-    const keyframe = this.keyframes[Math.floor(step / this.every)] ?? this.keyframes.at(-1);
-    if (keyframe !== undefined && (step < now || keyframe.values.step > now)) {
-      this.state.load(keyframe);
+    const start = this.startOf(step);
+    if (start !== undefined && (step < now || start.values.step > now)) this.state.load(start);
+    if (step - this.state.values.step > 2 * near) {
+      this.leap(step - near);
+      this.mark = this.state.save();
     }
-    const { step: begin } = this.state.values;
-    const way = stretch(this.names, begin, step, this.depthChanges);
-    if (step > begin) this.state.leap(way, (each) => this.existing(each));
+    this.leap(step);
     return this.state;
   }
 
+  /** What is kept of the steps up to a goal, as near to it as there is. */
+  private startOf(step: number): Keyframe | undefined {
+    const { keyframes, mark } = this;
+    const keyframe = keyframes[Math.floor(step / this.every)] ?? keyframes.at(-1);
+    const at = mark?.values.step ?? Infinity;
+    return mark !== null && at <= step && at > (keyframe?.values.step ?? 0) ? mark : keyframe;
+  }
+
+  private leap(step: number): void {
+    const { step: begin } = this.state.values;
+    if (step <= begin) return;
+    const way = stretch(this.names, begin, step, this.depthChanges);
+    this.state.leap(way, (each) => this.existing(each));
+  }
+
   private existing(step: number): Event {
-    const event = this.store.event(step);
+    const { store } = this;
+    const hasRoom = hasRoomForDepths(this.header.scene);
+    const event = hasRoom ? store.event(step) : store.eventWithoutDepths(step);
     if (event === null) throw new RangeError(`step ${step} of ${this.length}`);
     return event;
   }

@@ -2,7 +2,7 @@ import { corners as cornerNames } from '../trace/events.js';
 import type { CommonEvents, Event, EventName, WarnockEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, Color, Corner, N, Vertex } from '../trace/values.js';
-import { counted, isRoot, joinedBy, marked, pushedApl, rejoined, wayTo, without } from './lists.js';
+import { counted, isRoot, joinedBy, pushedApl, rejoined, wayTo } from './lists.js';
 import type { Screen } from './screen.js';
 
 /** An entry (P, S) of a list of active polygons. */
@@ -158,7 +158,8 @@ const handlers: Handlers = {
     depths: [],
   }),
   box: nothing,
-  discard: ({ polygon }, now) => without(polygon, now),
+  // The list in hand takes what leaves it, and what is marked.
+  discard: nothing,
   count: ({ count }, now) => ({ ...finding({ count }, now), depths: [] }),
   compare: nothing,
   nearer: ({ corners, k }, now) => {
@@ -173,7 +174,7 @@ const handlers: Handlers = {
   },
   uncover: (_event, now) => ({ ...finding({ hasSurround: false }, now), covering: null }),
   surround: nothing,
-  mark: ({ polygon }, now) => marked(polygon, now),
+  mark: nothing,
   cover: ({ polygon, color }, now) => ({
     ...finding({ hasSurround: true, color }, now),
     covering: polygon,

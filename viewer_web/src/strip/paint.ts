@@ -7,6 +7,7 @@ import type { MethodKind } from '../trace/method-kind.js';
 import { lanesOf, marksHeight } from './lanes.js';
 import type { Lane, LaneName } from './lanes.js';
 import type { Look } from './look.js';
+import { stripes } from './textures.js';
 
 /** A lane in dots of the canvas. */
 interface Band {
@@ -96,8 +97,12 @@ export class StripPainter {
     const { look } = this;
     const name = cases[part];
     const polygon = scene.polygons[part];
-    const ofPolygon = (): CanvasPattern | string =>
-      polygon === undefined ? look.ground : look.ofPolygon(polygon, part);
+    // To make stripes for each of thousands of polygons takes seconds.
+    const isCrowd = scene.polygons.length * stripes * look.ratio > this.columns.length;
+    const ofPolygon = (): CanvasPattern | string => {
+      if (polygon === undefined) return look.ground;
+      return isCrowd ? polygon.color : look.ofPolygon(polygon, part);
+    };
     const ofKind: Readonly<Record<MethodKind, () => CanvasPattern | string>> = {
       windows: () => (name === undefined ? look.ground : look.ofCase(name)),
       scanlines: ofPolygon,

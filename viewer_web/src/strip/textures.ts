@@ -8,6 +8,9 @@ interface Texture {
 
 export type TextureName = Case | 'plain' | 'striped';
 
+/** CSS pixels: stripes in less room than this cannot be seen. */
+export const stripes = 6;
+
 const textures: Readonly<Record<TextureName, Texture>> = {
   empty: { size: 4, dark: (x, y) => x === 1 && y === 1 },
   surrounded: { size: 1, dark: () => true },
@@ -15,12 +18,13 @@ const textures: Readonly<Record<TextureName, Texture>> = {
   single: { size: 6, dark: (x, y) => (x + y) % 6 < 4 },
   split: { size: 4, dark: (_x, y) => y !== 0 },
   plain: { size: 1, dark: () => true },
-  striped: { size: 6, dark: (x, y) => (x - y + 6) % 6 < 4 },
+  striped: { size: stripes, dark: (x, y) => (x - y + stripes) % stripes < 4 },
 };
 
 /** The texture in a colour, its dark dots full and the others pale, at so many dots of the device a CSS pixel. */
 export function textureIn(name: TextureName, color: string, ratio: number): CanvasPattern | string {
   const { size, dark } = textures[name];
+  if (size === 1) return color;
   const unit = Math.max(1, Math.round(ratio));
   const tile = document.createElement('canvas');
   tile.width = tile.height = size * unit;

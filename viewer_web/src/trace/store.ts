@@ -47,6 +47,9 @@ export class BlockText {
   }
 }
 
+/** No text within a line has this: its quotes would be escaped. */
+const depths = ',"depths":[';
+
 interface Stored extends Block {
   /** How many events come before the block. */
   readonly before: number;
@@ -91,6 +94,15 @@ export class Store {
       this.last = { step, event: JSON.parse(this.line(step)) as Event };
     }
     return this.last.event;
+  }
+
+  /** The same without the depths of its pixels, which may be nearly all of a long line. */
+  eventWithoutDepths(step: number): Event | null {
+    if (step < 1 || step > this.count) return null;
+    const line = this.line(step);
+    const at = line.indexOf(depths);
+    if (at < 0) return this.event(step);
+    return JSON.parse(line.slice(0, at) + line.slice(line.indexOf(']', at) + 1)) as Event;
   }
 
   /** The text of a step's line. */

@@ -82,6 +82,7 @@ export const page: PageTexts = {
     presented: 'Presentation: large type, nothing else. Esc leaves.',
     notPresented: 'The presentation is over.',
     noSolid: 'There is no view in 3D of this run.',
+    tooManySolid: 'The view in 3D shows at most 3000 polygons; this scene has more.',
     answerFirst: 'The run waits for an answer: check one, or give up.',
     noComparison: 'Not while the run stops and asks: the other run would show the answer.',
   },
@@ -178,6 +179,7 @@ export const page: PageTexts = {
   no: 'no',
   more: (n) => `and ${n} more`,
   notInTrace: 'This trace has no such detail.',
+  depthsTooMany: 'The area is too large to show its depths: at most 4096 × 4096 pixels.',
   defect: (id) => `The printed text is wrong here: ${id}`,
 };
 

@@ -1,0 +1,43 @@
+import { describe, expect, it } from 'vitest';
+import { paint } from './paint.js';
+import type { Cells } from './paint.js';
+
+/** A canvas of so many dots a side, as far as `paint` knows one, and what was painted on it. */
+function canvasOf(side: number): { canvas: HTMLCanvasElement; dots: Uint32Array } {
+  const data = new Uint8ClampedArray(4 * side * side);
+  const image = { width: side, height: side, data };
+  const context = { createImageData: () => image, putImageData: () => undefined };
+  const canvas = { width: side, height: side, getContext: () => context };
+  return { canvas: canvas as unknown as HTMLCanvasElement, dots: new Uint32Array(data.buffer) };
+}
+
+const ink = (i: number, j: number): number => (0xff000000 | (j << 8) | i) >>> 0;
+
+function cellsOf(side: number): { cells: Cells; asked: () => number } {
+  let count = 0;
+  const row = (j: number, columns: readonly number[]): readonly number[] => {
+    count += columns.length;
+    return columns.map((i) => ink(i, j));
+  };
+  return { cells: { width: side, height: side, row }, asked: () => count };
+}
+
+describe('cells on a canvas', () => {
+  it('are squares where they are larger than dots, at their place, with nothing around', () => {
+    const { canvas, dots } = canvasOf(8);
+    paint(canvas, cellsOf(2).cells, { x: 1, y: 1, scale: 3, ratio: 1 });
+    const [a, b, c, d] = [ink(0, 0), ink(1, 0), ink(0, 1), ink(1, 1)];
+    const row = (left: number, right: number) => [0, left, left, left, right, right, right, 0];
+    const [upper, lower, none] = [row(a, b), row(c, d), row(0, 0)];
+    expect([...dots]).toEqual([none, upper, upper, upper, lower, lower, lower, none].flat());
+  });
+
+  it('are asked for no oftener than dots show them', () => {
+    const { canvas, dots } = canvasOf(100);
+    const { cells, asked } = cellsOf(16000);
+    paint(canvas, cells, { x: 0, y: 0, scale: 1 / 160, ratio: 1 });
+    expect(asked()).toBe(100 * 100);
+    // The middle of the dot at (3, 2) lies at 3.5 and 2.5 times 160 cells.
+    expect(dots[2 * 100 + 3]).toBe(ink(560, 400));
+  });
+});
