@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "format/event.h"
+#include "format/event_fields.h"
 
 namespace vidno {
 
@@ -39,15 +39,8 @@ private:
     }
     json value(PolygonPlace v) const { return scene_.polygons[std::size_t(v.index)].id; }
     json value(Sign v) const { return int(v); }
-    json value(Relation v) const { return relation_names[std::size_t(v)]; }
     json value(VisibilityFlag v) const { return int(v); }
-    json value(Lies v) const { return lies_names[std::size_t(v)]; }
-    json value(Corner v) const { return corner_names[std::size_t(v)]; }
-    json value(Case v) const { return case_names[std::size_t(v)]; }
-    json value(Procedure v) const { return procedure_names[std::size_t(v)]; }
-    json value(Decision v) const { return decision_names[std::size_t(v)]; }
-    json value(FilterStage v) const { return filter_stage_names[std::size_t(v)]; }
-    json value(Cause v) const { return cause_names[std::size_t(v)]; }
+    json value(Word auto v) const { return words_of(v)[std::size_t(v)]; }
     json value(const Answer& v) const {
         return std::visit([&](const auto& answer) { return value(answer); }, v);
     }

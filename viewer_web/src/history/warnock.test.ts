@@ -94,7 +94,7 @@ describe('in Warnock’s algorithm', () => {
       [116, 'paint'],
     ]);
     expect(sayWhy(last(history.entries), history, 'en')).toBe(
-      'Why it has this colour: of all that cover its centre, A is the nearest.',
+      'Why it has this colour: A is the nearest of all that cover its centre.',
     );
   });
 });
