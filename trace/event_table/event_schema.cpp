@@ -75,7 +75,7 @@ std::string written(const Json& value, std::size_t indent, bool breaks = true) {
     const bool is_object = value.is_object();
     const std::string separator = breaks ? ",\n" + std::string(indent + 2, ' ') : ", ";
     if (breaks) {
-        const std::string line = written(value, 0, false);
+        std::string line = written(value, 0, false);
         if (indent + line.size() <= 140) return line;
     }
     std::string items;
