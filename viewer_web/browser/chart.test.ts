@@ -165,7 +165,7 @@ describe('a file of one’s own', () => {
       '',
       /<img src=x onerror=alert\(1\)> *\.json.*the file is empty/,
     ],
-    ['trace.json', '{"format":"vidno-trace/1"}', /format: vidno-chart\/1 may stand here/],
+    ['trace.json', '{"format":"vidno-trace/1"}', /format: vidno-chart\/1 is expected here/],
     ['none.json', '{"format":"vidno-chart/1","rounds":1,"scenes":[]}', /scenes: the list is empty/],
     [
       'part.json',

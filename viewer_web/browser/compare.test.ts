@@ -103,7 +103,7 @@ describe('Warnock beside the Z-buffer', () => {
     await page.locator('[name=method]:focus').waitFor();
     await page.keyboard.press('Enter');
     await compared(page);
-    expect(await page.locator('.share').textContent()).toContain('share');
+    expect(await page.locator('.share').textContent()).toContain('aligned by progress');
     await page.keyboard.press('End');
     await expect.poll(() => stepsOf(page)).toEqual([5337, 541]);
     expect(await differ(page).textContent()).toContain('0 now, 0 at the end');
