@@ -5,29 +5,27 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
+#include <string>
+
+#include "output.h"
 
 using namespace vidno;
 
 namespace {
 
-std::string file_text(const std::string& name) {
-    std::ifstream file(VIDNO_ROOT "/" + name, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
 std::map<std::string, EventDescription, std::less<>> events_by_name() {
     std::map<std::string, EventDescription, std::less<>> events;
-    for (const auto& group : event_table()) {
-        for (const auto& event : group.events) events.emplace(event.name, event);
-    }
+    for (const auto& event : all_events()) events.emplace(event.name, event);
     return events;
+}
+
+Line line_named(std::string_view name) {
+    const auto place = std::find(line_names.begin(), line_names.end(), name);
+    REQUIRE_MESSAGE(place != line_names.end(), name);
+    return Line(place - line_names.begin());
 }
 
 /// "W7 to W10, PC4" as labels.
@@ -38,10 +36,7 @@ LineSet lines_named(const std::string& text) {
         const int first = std::stoi((*found)[2]);
         const int last = (*found)[3].matched ? std::stoi((*found)[3]) : first;
         for (int number = first; number <= last; ++number) {
-            const auto name = (*found)[1].str() + std::to_string(number);
-            const auto place = std::find(line_names.begin(), line_names.end(), name);
-            REQUIRE_MESSAGE(place != line_names.end(), name);
-            lines.add(Line(place - line_names.begin()));
+            lines.add(line_named((*found)[1].str() + std::to_string(number)));
         }
     }
     return lines;
@@ -50,14 +45,14 @@ LineSet lines_named(const std::string& text) {
 }  // namespace
 
 TEST_CASE("FORMAT.md and the schema have the events of the table: if not, `./dev derive` writes them") {
-    CHECK(file_text("trace/FORMAT.md") == with_event_tables(file_text("trace/FORMAT.md")));
-    CHECK(file_text("trace/schema/trace.schema.json") ==
-          with_event_schema(file_text("trace/schema/trace.schema.json")));
+    CHECK(read_file(VIDNO_ROOT "/trace/FORMAT.md") == with_event_tables(read_file(VIDNO_ROOT "/trace/FORMAT.md")));
+    CHECK(read_file(VIDNO_ROOT "/trace/schema/trace.schema.json") ==
+          with_event_schema(read_file(VIDNO_ROOT "/trace/schema/trace.schema.json")));
 }
 
 TEST_CASE("The calls of the header for students have the levels and lines of their events, and its results are bold") {
     // | `line(row, from_x, ...)`, `miss()` | p | says | L1, L2 |
-    const std::string readme = file_text("lessons/student/README.md");
+    const std::string readme = read_file(VIDNO_ROOT "/lessons/student/README.md");
     const auto events = events_by_name();
     const std::regex row(R"(\n\| (\**)(`\w+\(.*?\)`)\** \| ([wps](?:, [wps])*) \| (.*?) \| ([A-Z0-9a-z, ]+) \|)");
     const std::regex call(R"(`(\w+)\()");
@@ -72,9 +67,7 @@ TEST_CASE("The calls of the header for students have the levels and lines of the
             const std::string name = (*each)[1];
             REQUIRE_MESSAGE(events.count(name) == 1, name);
             const EventDescription& event = events.at(name);
-            for (std::size_t i = 0; i < line_names.size(); ++i) {
-                if (event.lines.has(Line(i))) known.add(Line(i));
-            }
+            for (const auto line : names_of(event.lines)) known.add(line_named(line));
             const char level = detail_names[std::size_t(event.from)][0];
             if (known_levels.find(level) == std::string::npos)
                 known_levels += (known_levels.empty() ? "" : ", ") + std::string(1, level);
@@ -84,14 +77,13 @@ TEST_CASE("The calls of the header for students have the levels and lines of the
         }
         CHECK(levels == known_levels);
         for (const auto name : names_of(lines)) {
-            CHECK_MESSAGE(known.has(Line(std::find(line_names.begin(), line_names.end(), name) - line_names.begin())),
-                          name);
+            CHECK_MESSAGE(known.has(line_named(name)), name);
         }
     }
     CHECK(told.size() > 40);
 }
 
-TEST_CASE("The events of a surface's shape: names of values, ranges, lists and words") {
+TEST_CASE("The fields of events: names of values, ranges, lists and words") {
     const auto events = events_by_name();
     const auto field = [&](const char* event, std::size_t place) { return events.at(event).fields.at(place); };
     CHECK(field("surround", 1).shape.name == "point");

@@ -92,11 +92,9 @@ std::string written(const Json& value, std::size_t indent, bool breaks = true) {
 std::string with_event_schema(const std::string& schema) {
     Json document = Json::parse(schema);
     Json lines{reference("header"), reference("end")}, events;
-    for (const auto& group : event_table()) {
-        for (const auto& event : group.events) {
-            lines.push_back(reference("events/" + std::string(event.name)));
-            events[std::string(event.name)] = schema_of(event);
-        }
+    for (const auto& event : all_events()) {
+        lines.push_back(reference("events/" + std::string(event.name)));
+        events[std::string(event.name)] = schema_of(event);
     }
     document["oneOf"] = lines;
     Json& header = document["$defs"]["header"]["properties"];

@@ -1,6 +1,7 @@
 #include "event_table/event_table.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace vidno {
 
@@ -43,12 +44,16 @@ std::vector<EventGroup> event_table() {
             group_of("Floating horizon", CurveEvents{}), group_of("Weiler and Atherton's algorithm", RegionEvents{})};
 }
 
+std::vector<EventDescription> all_events() {
+    std::vector<EventDescription> all;
+    for (auto& group : event_table()) std::ranges::move(group.events, std::back_inserter(all));
+    return all;
+}
+
 std::vector<Procedure> called_procedures() {
     std::vector<Procedure> called;
-    for (const auto& group : event_table()) {
-        for (const auto& event : group.events) {
-            if (event.result_of) called.push_back(*event.result_of);
-        }
+    for (const auto& event : all_events()) {
+        if (event.result_of) called.push_back(*event.result_of);
     }
     std::sort(called.begin(), called.end());
     called.erase(std::unique(called.begin(), called.end()), called.end());
@@ -57,14 +62,12 @@ std::vector<Procedure> called_procedures() {
 
 std::vector<Shape> named_words() {
     std::vector<Shape> all;
-    for (const auto& group : event_table()) {
-        for (const auto& event : group.events) {
-            for (const auto& field : event.fields) {
-                // A list of words is named by its items.
-                const Shape& shape = field.shape.kind == Shape::Kind::list ? field.shape.items.front() : field.shape;
-                const bool is_known = std::ranges::count(all, shape.name, &Shape::name) > 0;
-                if (shape.kind == Shape::Kind::words && !shape.name.empty() && !is_known) all.push_back(shape);
-            }
+    for (const auto& event : all_events()) {
+        for (const auto& field : event.fields) {
+            // A list of words is named by its items.
+            const Shape& shape = field.shape.kind == Shape::Kind::list ? field.shape.items.front() : field.shape;
+            const bool is_known = std::ranges::count(all, shape.name, &Shape::name) > 0;
+            if (shape.kind == Shape::Kind::words && !shape.name.empty() && !is_known) all.push_back(shape);
         }
     }
     for (auto& shape : all) {

@@ -36,6 +36,9 @@ struct EventGroup {
 /// All events, each once.
 std::vector<EventGroup> event_table();
 
+/// The same without their groups.
+std::vector<EventDescription> all_events();
+
 /// The procedures that `call` names: those with a result event. The others are the bottom frames.
 std::vector<Procedure> called_procedures();
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "event_table/event_table.h"
+#include "event_table/joined_texts.h"
 
 namespace vidno {
 
@@ -11,21 +12,15 @@ namespace {
 
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-std::string joined(const auto& items, auto&& text) {
-    std::string all;
-    for (const auto& item : items) all += (all.empty() ? "" : ", ") + text(item);
-    return all;
-}
-
 std::string check(const Shape& shape, const Meaning& meaning) {
     const auto inner = [&meaning](const Shape& item) { return check(item, meaning); };
     if (!shape.name.empty()) return (shape.kind == Shape::Kind::words ? "" : "is.") + std::string(shape.name);
     switch (shape.kind) {
         case Shape::Kind::named: break;
-        case Shape::Kind::words: return "is.oneOf(" + joined(shape.words, in_quotes) + ")";
+        case Shape::Kind::words: return "is.oneOf(" + joined_texts(shape.words, ", ", in_quotes) + ")";
         case Shape::Kind::numbers:
-            return "is.oneOf(" + joined(shape.numbers, [](int n) { return std::to_string(n); }) + ")";
-        case Shape::Kind::tuple: return "is.tuple(" + joined(shape.items, inner) + ")";
+            return "is.oneOf(" + joined_texts(shape.numbers, ", ", [](int n) { return std::to_string(n); }) + ")";
+        case Shape::Kind::tuple: return "is.tuple(" + joined_texts(shape.items, ", ", inner) + ")";
         case Shape::Kind::list: return "is.list(" + inner(shape.items.front()) + ")";
         case Shape::Kind::integer: break;
     }
@@ -43,7 +38,8 @@ std::string field(const FieldDescription& field) {
 std::string kind(const EventDescription& event) {
     const bool at_any = event.lines == LineSet::all();
     std::string text = "  " + std::string(event.name) + ": {\n";
-    text += "    at: " + (at_any ? "label" : "is.oneOf(" + joined(names_of(event.lines), in_quotes) + ")") + ",\n";
+    text += "    at: " + (at_any ? "label" : "is.oneOf(" + joined_texts(names_of(event.lines), ", ", in_quotes) + ")") +
+            ",\n";
     text += "    from: " + in_quotes(detail_names[std::size_t(event.from)]) + ",\n";
     text += "    fields: {\n";
     for (const auto& each : event.fields) text += field(each);
@@ -66,14 +62,13 @@ std::vector<std::string> labels_of(const nlohmann::json& listings, const nlohman
 }  // namespace
 
 std::string event_types(const std::string& listings_text) {
-    std::vector<EventDescription> events;
-    for (auto& group : event_table()) std::ranges::move(group.events, std::back_inserter(events));
+    const auto events = all_events();
 
     std::string text =
         "// Made by vidno_event_table of trace/format/event.h: change that.\n\nimport * as is from './values.js';\n\n";
     for (const auto& [kind, name, words, numbers, items] : named_words()) {
         const std::string own(name);
-        text += "export const " + own + "s = [" + joined(words, in_quotes) + "] as const;\n";
+        text += "export const " + own + "s = [" + joined_texts(words, ", ", in_quotes) + "] as const;\n";
         text += "const " + own + " = is.oneOf(..." + own + "s);\n";
     }
     text += "\n/** The level from which the calls of a procedure are told. */\nexport const callsFrom = {\n";
@@ -82,7 +77,7 @@ std::string event_types(const std::string& listings_text) {
                 in_quotes(detail_names[std::size_t(event::calls_from(procedure))]) + ",\n";
     }
     text += "} as const;\n\n";
-    text += "const label = is.label([" + joined(line_letters(), in_quotes) + "]);\n\n";
+    text += "const label = is.label([" + joined_texts(line_letters(), ", ", in_quotes) + "]);\n\n";
     text += "/** Of the events of a name: the lines that tell them, the level from which, and their fields. */\n";
     text += "export const kinds = {\n";
     for (const auto& event : events) text += kind(event);
@@ -95,7 +90,7 @@ std::string event_types(const std::string& listings_text) {
             const auto lines = names_of(event.lines);
             if (std::ranges::find_first_of(lines, labels) != lines.end()) told.push_back(event.name);
         }
-        text += "  " + in_quotes(method) + ": [" + joined(told, in_quotes) + "],\n";
+        text += "  " + in_quotes(method) + ": [" + joined_texts(told, ", ", in_quotes) + "],\n";
     }
     return text + "} as const;\n";
 }

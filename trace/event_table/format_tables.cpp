@@ -4,16 +4,11 @@
 #include <stdexcept>
 
 #include "event_table/event_table.h"
+#include "event_table/joined_texts.h"
 
 namespace vidno {
 
 namespace {
-
-std::string joined(const auto& items, std::string_view between, auto&& text) {
-    std::string all;
-    for (const auto& item : items) all += std::string(all.empty() ? "" : between) + text(item);
-    return all;
-}
 
 std::string in_code(std::string_view text) { return "`" + std::string(text) + "`"; }
 
@@ -32,10 +27,10 @@ std::string shape_text(const Shape& shape) {
         case Shape::Kind::named: break;
         case Shape::Kind::integer: return "int";
         case Shape::Kind::words:
-            return joined(shape.words, ", ", [](auto word) { return "`\"" + std::string(word) + "\"`"; });
+            return joined_texts(shape.words, ", ", [](auto word) { return "`\"" + std::string(word) + "\"`"; });
         case Shape::Kind::numbers:
-            return joined(shape.numbers, ", ", [](int number) { return std::to_string(number); });
-        case Shape::Kind::tuple: return "[" + joined(shape.items, ", ", shape_text) + "]";
+            return joined_texts(shape.numbers, ", ", [](int number) { return std::to_string(number); });
+        case Shape::Kind::tuple: return "[" + joined_texts(shape.items, ", ", shape_text) + "]";
         case Shape::Kind::list: return "[" + shape_text(shape.items.front()) + ", ...]";
     }
     return "";
@@ -63,7 +58,7 @@ std::string field_text(const FieldDescription& field) {
 
 std::string lines_text(const LineSet& lines) {
     if (lines == LineSet::all()) return "any line";
-    return joined(names_of(lines), ", ", [](auto name) { return std::string(name); });
+    return joined_texts(names_of(lines), ", ", [](auto name) { return std::string(name); });
 }
 
 std::string row(const EventDescription& event) {
@@ -75,7 +70,8 @@ std::string row(const EventDescription& event) {
     if (event.decides) says += "; decides " + in_code(decision_names[std::size_t(*event.decides)]);
     if (event.result_of) says += "; result of " + std::string(procedure_names[std::size_t(*event.result_of)]);
     return "| " + in_code(event.name) + " | " + lines_text(event.lines) + " | " +
-           detail_names[std::size_t(event.from)][0] + " | " + joined(fields, ", ", field_text) + " | " + says + " |\n";
+           detail_names[std::size_t(event.from)][0] + " | " + joined_texts(fields, ", ", field_text) + " | " + says +
+           " |\n";
 }
 
 std::string table(const EventGroup& group) {
@@ -86,17 +82,15 @@ std::string table(const EventGroup& group) {
 
 std::string procedure_table() {
     std::string text = "| procedure | from | result |\n| --- | --- | --- |\n";
-    const auto groups = event_table();
+    const auto events = all_events();
     for (const Procedure procedure : called_procedures()) {
         std::vector<std::string_view> results;
-        for (const auto& group : groups) {
-            for (const auto& event : group.events) {
-                if (event.result_of == procedure) results.push_back(event.name);
-            }
+        for (const auto& event : events) {
+            if (event.result_of == procedure) results.push_back(event.name);
         }
         text += "| " + std::string(procedure_names[std::size_t(procedure)]) + " | " +
-                detail_names[std::size_t(event::calls_from(procedure))][0] + " | " + joined(results, ", ", in_code) +
-                " |\n";
+                detail_names[std::size_t(event::calls_from(procedure))][0] + " | " +
+                joined_texts(results, ", ", in_code) + " |\n";
     }
     return text;
 }

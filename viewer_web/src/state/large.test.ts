@@ -42,7 +42,7 @@ describe('a window with thousands of polygons', async () => {
   const { timeline } = await traceOf(text);
   const bare = await bareTimelineOf(text);
 
-  it('is gone through at once, and each step has the list as it is there', () => {
+  it('has the right list at each step when the whole run is read at once', () => {
     const listAt = (step: number) => bare.seek(step).values.warnock?.apl?.entries ?? [];
     const [entries, taken] = timed(() => listAt(events.length));
     expect(entries).toEqual([
@@ -70,7 +70,7 @@ describe('a run without keyframes', async () => {
   });
   const timeline = await bareTimelineOf(textWith(headerOf('warnock', 'windows'), fills));
 
-  it('goes back step by step from its end, as right as forward', () => {
+  it('gives the same states going back from its end as going forward', () => {
     const [wrong, taken] = timed(() =>
       Array.from({ length: 200 }, (_, i) => length - i).filter((step) => {
         const pixel = timeline.seek(step).screen.picture.at((step - 1) % 8, ((step - 1) >> 3) % 8);

@@ -1,0 +1,16 @@
+/// Texts one after the other, with something between them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace vidno {
+
+/// `text` gives that of an item.
+std::string joined_texts(const auto& items, std::string_view between, auto&& text) {
+    std::string all;
+    for (const auto& item : items) all += std::string(all.empty() ? "" : between) + text(item);
+    return all;
+}
+
+}  // namespace vidno
