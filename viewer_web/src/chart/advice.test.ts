@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { languages } from '../i18n/language.js';
+import { languages } from '../language/language.js';
 import { runOf, sample, sceneOf } from '../testing/charts.js';
 import { adviceText } from './advice-words.js';
 import { adviceOf, mostly } from './advice.js';

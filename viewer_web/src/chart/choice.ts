@@ -1,5 +1,5 @@
-import { isLanguage } from '../i18n/language.js';
-import type { Language } from '../i18n/language.js';
+import { isLanguage } from '../language/language.js';
+import type { Language } from '../language/language.js';
 import { costs, errors } from './format.js';
 import type { Cost, ErrorMeasure } from './format.js';
 import { allSeries, printed } from './series.js';

@@ -1,5 +1,5 @@
-import { languages } from '../i18n/language.js';
-import type { Language } from '../i18n/language.js';
+import { languages } from '../language/language.js';
+import type { Language } from '../language/language.js';
 
 const superscripts = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 const longest = 1e5;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { parseAddress } from '../address.js';
-import { optionsOf, unpacked } from '../live/packed.js';
+import { parseAddress } from '../reader/address.js';
+import { optionsOf, unpacked } from '../run/packed.js';
 import { curveRunOf, runOf, surfaceSample } from '../testing/charts.js';
 import { fileOfRun, linksOf } from './replay.js';
 

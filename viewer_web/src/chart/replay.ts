@@ -1,7 +1,7 @@
-import type { Language } from '../i18n/language.js';
-import { usual } from '../live/options.js';
-import type { Options } from '../live/options.js';
-import { packed, wordOf } from '../live/packed.js';
+import type { Language } from '../language/language.js';
+import { usual } from '../run/options.js';
+import type { Options } from '../run/options.js';
+import { packed, wordOf } from '../run/packed.js';
 import type { Setting } from './series.js';
 
 /** What a run was of: a surface as the run samples it. */

@@ -1,6 +1,6 @@
 import { chartTexts } from '../i18n/chart.js';
 import type { ChartTexts, SubjectTexts } from '../i18n/chart.js';
-import type { Language } from '../i18n/language.js';
+import type { Language } from '../language/language.js';
 import type { Choice } from './choice.js';
 import type { Chart, Cost, ErrorMeasure } from './format.js';
 import { byCost } from './front.js';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { languages } from '../i18n/language.js';
-import type { Language } from '../i18n/language.js';
+import { languages } from '../language/language.js';
+import type { Language } from '../language/language.js';
 import { curveRunOf, sample, surfaceOf, surfaceSample } from '../testing/charts.js';
 import { adviceText } from './advice-words.js';
 import { adviceOf } from './advice.js';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { chartComplaint, chartTexts } from '../i18n/chart.js';
-import { languages } from '../i18n/language.js';
+import { languages } from '../language/language.js';
 import { runOf, sample, sceneOf } from '../testing/charts.js';
 import { Refusal } from '../trace/refusal.js';
 import { formatChoice, parseChoice } from './choice.js';

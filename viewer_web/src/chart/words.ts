@@ -1,4 +1,4 @@
-import type { Language } from '../i18n/language.js';
+import type { Language } from '../language/language.js';
 import { duration, number, percent, ratio, whole } from './numbers.js';
 import { wholeOf } from './points.js';
 import type { Point } from './points.js';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { headerOf, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import { Comparison } from './comparison.js';
 
 const trace = (events: readonly Event[], header = headerOf('warnock')): Promise<Trace> =>

@@ -1,4 +1,4 @@
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import { Counters } from './counters.js';
 import type { Counts } from './counters.js';
 import { differenceAt } from './difference.js';

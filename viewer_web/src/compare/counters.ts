@@ -2,7 +2,7 @@ import { toldOf } from '../exactness/told.js';
 import { details, kinds, numberOf, tells } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import type { Survey } from './survey.js';
 
 export const counters = [

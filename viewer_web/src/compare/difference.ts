@@ -1,7 +1,7 @@
-import type { Line } from '../curves/lines.js';
+import type { Line } from '../replay/lines.js';
 import { differenceOf } from '../picture/layers.js';
-import type { Grid } from '../state/grid.js';
-import type { Trace } from '../trace/trace.js';
+import type { Grid } from '../replay/grid.js';
+import type { Trace } from '../replay/trace.js';
 
 /** The picture after a step, as it stays. */
 export function pictureAt({ timeline }: Trace, step: number): Grid<number> {

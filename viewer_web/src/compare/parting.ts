@@ -1,7 +1,7 @@
-import type { Timeline } from '../state/timeline.js';
+import type { Timeline } from '../replay/timeline.js';
 import { details, eventNames, kinds } from '../trace/events.js';
 import type { Detail, EventName } from '../trace/events.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import { sameDeed } from './deed.js';
 
 /** A step of each of two runs. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { wordOf } from '../live/packed.js';
-import { usual } from '../live/options.js';
+import { wordOf } from '../run/packed.js';
+import { usual } from '../run/options.js';
 import { quickRuns } from './quick.js';
 
 describe('a run is quickly held against', () => {

@@ -1,6 +1,6 @@
-import type { Quick } from '../i18n/compare-texts.js';
-import { editionsOf, runnable, runs } from '../live/options.js';
-import type { Options } from '../live/options.js';
+import type { Quick } from '../language/compare-texts.js';
+import { editionsOf, runnable, runs } from '../run/options.js';
+import type { Options } from '../run/options.js';
 import type { Method } from '../trace/events.js';
 import { methodKindOf } from '../trace/method-kind.js';
 

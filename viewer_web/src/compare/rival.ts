@@ -1,15 +1,15 @@
-import { noticeOf } from '../components/notice.js';
-import type { Notice } from '../components/notice.js';
-import { embeddedFile, embeddedLessons, idOf } from '../lessons.js';
-import type { LessonTrace } from '../lessons.js';
-import type { Options } from '../live/options.js';
-import { optionsOf, wordOf } from '../live/packed.js';
-import { sceneText } from '../live/sketch.js';
-import { Tracer } from '../live/tracer.js';
+import { noticeOf } from '../run/notice.js';
+import type { Notice } from '../run/notice.js';
+import { embeddedFile, embeddedLessons, idOf } from '../lessons/lessons.js';
+import type { LessonTrace } from '../lessons/lessons.js';
+import type { Options } from '../run/options.js';
+import { optionsOf, wordOf } from '../run/packed.js';
+import { sceneText } from '../run/sketch.js';
+import { Tracer } from '../run/tracer.js';
 import { eventsOf } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
-import { openTrace } from '../trace/open.js';
-import type { Trace } from '../trace/trace.js';
+import { openTrace } from '../replay/open.js';
+import type { Trace } from '../replay/trace.js';
 
 /** What to hold a run against: its scene run otherwise, as it was before the last change, a lesson's trace, or a file. */
 export type With =

@@ -1,8 +1,8 @@
 import { changesAel, indexFrom } from '../time/goals.js';
 import { eventNames } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
-import type { Trace } from '../trace/trace.js';
-import { cells } from '../i18n/words.js';
+import type { Trace } from '../replay/trace.js';
+import { cells } from '../language/words.js';
 
 const atOnce = 512;
 

@@ -1,9 +1,9 @@
-import { toNumber } from '../i18n/words.js';
+import { toNumber } from '../language/words.js';
 import { cornerOf } from '../picture/mark.js';
 import { numberOf } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import type { Corner, N } from '../trace/values.js';
 import { placesAround } from './places.js';
 import type { Places } from './places.js';

@@ -1,5 +1,5 @@
 import { eventNames, kinds, numberOf } from '../trace/events.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import { isAlwaysRight } from '../trace/editions.js';
 
 /** In a checked run each of these says what is right. */

@@ -1,4 +1,4 @@
-import type { Known } from '../i18n/words.js';
+import type { Known } from '../language/words.js';
 import { eventNames } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 

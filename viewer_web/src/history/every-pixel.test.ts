@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { languages } from '../i18n/language.js';
+import { languages } from '../language/language.js';
 import type { Pixel } from '../picture/pixel.js';
 import { textOf, traceNames, traceOf } from '../testing/traces.js';
-import type { Trace } from '../trace/trace.js';
-import { viewOf } from '../view.js';
+import type { Trace } from '../replay/trace.js';
+import { viewOf } from '../algorithm/view.js';
 import { History } from './history.js';
 import { sayEntry } from './say.js';
 

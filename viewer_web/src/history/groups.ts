@@ -1,4 +1,4 @@
-import type { Known } from '../i18n/words.js';
+import type { Known } from '../language/words.js';
 import type { Box } from '../trace/values.js';
 import type { Entry } from './entry.js';
 

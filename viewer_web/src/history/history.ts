@@ -1,14 +1,14 @@
-import { ColumnWatch } from '../curves/watch.js';
+import { ColumnWatch } from '../floating-horizon/history.js';
 import { isIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import { RegionWatch } from '../regions/watch.js';
+import { RegionWatch } from '../weiler-atherton/history.js';
 import type { Header } from '../trace/header.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import type { Entry, Watch } from './entry.js';
-import { WarnockWatch } from './warnock.js';
-import { ZBufferWatch } from './zbuffer.js';
+import { WarnockWatch } from '../warnock/history.js';
+import { ZBufferWatch } from '../zbuffer/history.js';
 
 const atOnce = 4096;
 

@@ -1,5 +1,5 @@
 import { sentence, texts } from '../i18n/index.js';
-import type { Language } from '../i18n/language.js';
+import type { Language } from '../language/language.js';
 import type { Header } from '../trace/header.js';
 import type { Entry } from './entry.js';
 import type { History } from './history.js';

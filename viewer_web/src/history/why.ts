@@ -1,6 +1,6 @@
-import type { Known } from '../i18n/words.js';
+import type { Known } from '../language/words.js';
 import type { Event } from '../trace/events.js';
-import { ownersOf } from '../i18n/words.js';
+import { ownersOf } from '../language/words.js';
 import type { Header } from '../trace/header.js';
 import type { Entry } from './entry.js';
 

@@ -7,11 +7,11 @@ import type { Distance } from '../chart/subject.js';
 import type { Refusal } from '../trace/refusal.js';
 import { chart as en } from './en/chart.js';
 import { reasons as enReasons } from './en/reasons.js';
-import type { Language } from './language.js';
+import type { Language } from '../language/language.js';
 import { chart as ru } from './ru/chart.js';
 import { reasons as ruReasons } from './ru/reasons.js';
-import type { FamilyTexts } from './family-texts.js';
-import type { FileTexts, ReasonTexts } from './texts.js';
+import type { FamilyTexts } from '../language/family-texts.js';
+import type { FileTexts, ReasonTexts } from '../language/texts.js';
 
 export interface CostTexts {
   readonly name: string;

@@ -1,11 +1,11 @@
 import type { Event } from '../trace/events.js';
-import type { Complaint } from '../trace/read.js';
+import type { Complaint } from '../replay/read.js';
 import * as en from './en/index.js';
-import type { Language } from './language.js';
+import type { Language } from '../language/language.js';
 import * as ru from './ru/index.js';
-import type { Texts } from './texts.js';
-import { Words, counted, withoutDoubledSigns } from './words.js';
-import type { Known, PluralForms, ShownHeader } from './words.js';
+import type { Texts } from '../language/texts.js';
+import { Words, counted, withoutDoubledSigns } from '../language/words.js';
+import type { Known, PluralForms, ShownHeader } from '../language/words.js';
 
 export const texts: Readonly<Record<Language, Texts>> = { en: en.texts, ru: ru.texts };
 

@@ -1,13 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { headerOf } from '../testing/traces.js';
-import { emptyWarnock } from '../state/warnock.js';
+import { emptyWarnock } from '../warnock/state.js';
 import type { Event } from '../trace/events.js';
 import { parseHeader } from '../trace/header.js';
 import type { Edition } from '../trace/editions.js';
 import { sentence } from './index.js';
-import { languages } from './language.js';
-import { orderOf } from './words.js';
-import type { Known } from './words.js';
+import { languages } from '../language/language.js';
+import { orderOf } from '../language/words.js';
+import type { Known } from '../language/words.js';
 
 const known: Known = {
   warnock: { ...emptyWarnock, window: [0, 0, 4, 2] },

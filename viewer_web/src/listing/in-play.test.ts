@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { texts } from '../i18n/index.js';
-import type { Language } from '../i18n/language.js';
+import type { Language } from '../language/language.js';
 import { headerOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { valuesInPlay } from './in-play.js';

@@ -1,7 +1,7 @@
-import type { Numbers } from '../i18n/texts.js';
-import { depthChanges } from '../state/state.js';
+import type { Numbers } from '../language/texts.js';
+import { depthChanges } from '../replay/state.js';
 import type { EventName } from '../trace/events.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import { noteOf } from './notes.js';
 
 /** So far back is looked for values: a long list of polygons is not gone through at each step. */

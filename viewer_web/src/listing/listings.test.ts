@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { languages } from '../i18n/language.js';
+import { languages } from '../language/language.js';
 import { allSamples } from '../testing/samples.js';
 import { methods } from '../trace/events.js';
 import { listingsOf } from './listings.js';

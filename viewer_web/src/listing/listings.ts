@@ -1,5 +1,5 @@
 import listings from '../../../trace/listings/listings.json' with { type: 'json' };
-import type { Language } from '../i18n/language.js';
+import type { Language } from '../language/language.js';
 import type { Method } from '../trace/events.js';
 import type { Edition } from '../trace/editions.js';
 import type { Header } from '../trace/header.js';

@@ -1,7 +1,7 @@
-import { curveNotes } from '../curves/notes.js';
-import type { Numbers } from '../i18n/texts.js';
-import { orderOf, toNumber, withoutDoubledSigns } from '../i18n/words.js';
-import { regionNotes } from '../regions/notes.js';
+import { curveNotes } from '../floating-horizon/notes.js';
+import type { Numbers } from '../language/texts.js';
+import { orderOf, toNumber, withoutDoubledSigns } from '../language/words.js';
+import { regionNotes } from '../weiler-atherton/notes.js';
 import { plainOf } from '../trace/check.js';
 import { details, eventsOf, isToldAnywhere, kinds } from '../trace/events.js';
 import type { Detail, Event, EventName, Method } from '../trace/events.js';

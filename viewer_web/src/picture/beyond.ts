@@ -1,4 +1,4 @@
-import type { Numbers } from '../i18n/texts.js';
+import type { Numbers } from '../language/texts.js';
 import type { Frame, Point } from './frame.js';
 import type { Mark, Role } from './mark.js';
 import { pathData } from './shapes.js';

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
-import { toColor } from '../state/grid.js';
+import { toColor } from '../replay/grid.js';
 import type { Event } from '../trace/events.js';
-import type { View } from '../view.js';
-import { viewOf } from '../view.js';
+import type { View } from '../algorithm/view.js';
+import { viewOf } from '../algorithm/view.js';
 import { figureOf } from './figure.js';
 import { lookOf } from './looks.js';
 

@@ -1,6 +1,6 @@
-import { numbersOf } from '../view.js';
-import type { View } from '../view.js';
-import { element, escaped } from '../xml.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import { element, escaped } from '../base/xml.js';
 import { beyond } from './beyond.js';
 import { Frame } from './frame.js';
 import { lookOf, short } from './looks.js';

@@ -1,8 +1,8 @@
-import { curveFigureOf } from '../curves/figure.js';
-import { regionFigureOf } from '../regions/figure.js';
+import { curveFigureOf } from '../floating-horizon/figure.js';
+import { regionFigureOf } from '../weiler-atherton/figure.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
-import type { View } from '../view.js';
+import type { View } from '../algorithm/view.js';
 import { figureOf } from './figure.js';
 
 const figures: Readonly<Record<MethodKind, (view: View) => string>> = {

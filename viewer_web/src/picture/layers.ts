@@ -1,8 +1,8 @@
-import { toNumber } from '../i18n/words.js';
-import { isPainted } from '../state/grid.js';
-import type { Grid } from '../state/grid.js';
-import { keepsDepths } from '../state/screen.js';
-import type { Screen } from '../state/screen.js';
+import { toNumber } from '../language/words.js';
+import { isPainted } from '../replay/grid.js';
+import type { Grid } from '../replay/grid.js';
+import { keepsDepths } from '../replay/screen.js';
+import type { Screen } from '../replay/screen.js';
 import type { Header, Scene } from '../trace/header.js';
 import type { N } from '../trace/values.js';
 import { opaque, textured } from './paint.js';

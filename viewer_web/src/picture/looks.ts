@@ -1,7 +1,7 @@
-import { marksStyle } from '../components/marks.style.js';
-import { pictureStyle } from '../components/picture.style.js';
-import { curvesStyle } from '../curves/curves.style.js';
-import { regionsStyle } from '../regions/regions.style.js';
+import { marksStyle } from './marks.style.js';
+import { pictureStyle } from './picture.style.js';
+import { curvesStyle } from '../floating-horizon/curves.style.js';
+import { regionsStyle } from '../weiler-atherton/regions.style.js';
 
 /** Declarations for what has all of some classes. */
 interface Rule {

@@ -1,4 +1,4 @@
-import { toNumber } from '../i18n/words.js';
+import { toNumber } from '../language/words.js';
 import type { Polygon } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
 import type { Pixel } from './pixel.js';

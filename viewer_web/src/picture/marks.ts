@@ -1,9 +1,9 @@
-import { thingOf } from '../pointed.js';
-import type { View } from '../view.js';
+import { thingOf } from '../algorithm/pointed.js';
+import type { View } from '../algorithm/view.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
-import type { Sight } from '../state/quadtree.js';
-import { containmentMarks, splitMarks } from './family-marks.js';
+import type { Sight } from '../replay/quadtree.js';
+import { containmentMarks, splitMarks } from '../warnock/containment-marks.js';
 import { box, cornerOf, edgeOf, path, point, target } from './mark.js';
 import type { Mark, Role } from './mark.js';
 import type { Corner, N, Point, Vertex } from '../trace/values.js';

@@ -1,5 +1,5 @@
-import { toColor } from '../state/grid.js';
-import type { Grid } from '../state/grid.js';
+import { toColor } from '../replay/grid.js';
+import type { Grid } from '../replay/grid.js';
 import type { Area } from '../trace/header.js';
 import { boxData } from './shapes.js';
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { texts } from '../i18n/index.js';
-import { Screen } from '../state/screen.js';
+import { Screen } from '../replay/screen.js';
 import { headerOf } from '../testing/traces.js';
 import { parseHeader } from '../trace/header.js';
 import { factsAt } from './pixel-facts.js';

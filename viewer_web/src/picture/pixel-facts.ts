@@ -1,5 +1,5 @@
-import { isPainted, toColor } from '../state/grid.js';
-import type { Screen } from '../state/screen.js';
+import { isPainted, toColor } from '../replay/grid.js';
+import type { Screen } from '../replay/screen.js';
 import type { N } from '../trace/values.js';
 import type { Pixel } from './pixel.js';
 

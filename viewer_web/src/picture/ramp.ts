@@ -1,4 +1,4 @@
-import { toPixel } from '../state/grid.js';
+import { toPixel } from '../replay/grid.js';
 
 /** Nine colours of viridis (Smith and van der Walt, CC0): as even in lightness as to the eye, whatever hues it tells. */
 export const stops = [

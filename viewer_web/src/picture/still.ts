@@ -1,4 +1,4 @@
-import { polygonThing } from '../pointed.js';
+import { polygonThing } from '../algorithm/pointed.js';
 import type { Polygon, Scene } from '../trace/header.js';
 import type { Frame } from './frame.js';
 import type { Mark } from './mark.js';

@@ -1,6 +1,6 @@
 import { numberOf } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 
 /** A step whose event is known. */
 export interface Step<K extends EventName> {

@@ -1,7 +1,7 @@
-import { orderOf, point, short, toNumber } from '../i18n/words.js';
+import { orderOf, point, short, toNumber } from '../language/words.js';
 import type { Detail, EventName, Method } from '../trace/events.js';
 import type { Header, Polygon } from '../trace/header.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import type { N, Point } from '../trace/values.js';
 import type { Kind, Note, Option, Question } from './question.js';
 

@@ -1,7 +1,7 @@
 import { texts } from '../i18n/index.js';
-import type { Language } from '../i18n/language.js';
-import { element, writable } from '../xml.js';
-import { crossing } from './clip.js';
+import type { Language } from '../language/language.js';
+import { element, writable } from '../base/xml.js';
+import { crossing } from '../warnock/ask-clip.js';
 import { none, parts as forms } from './question.js';
 import type { Asks, Option, Part, Question } from './question.js';
 import { sayNone, sayNoted, sayValue } from './say.js';

@@ -1,14 +1,14 @@
 import { texts } from '../i18n/index.js';
-import type { Language } from '../i18n/language.js';
-import type { Numbers } from '../i18n/texts.js';
-import type { Piece } from '../regions/events.js';
-import type { Regions } from '../regions/state.js';
-import type { Joined, Warnock } from '../state/warnock.js';
+import type { Language } from '../language/language.js';
+import type { Numbers } from '../language/texts.js';
+import type { Piece } from '../weiler-atherton/events.js';
+import type { Regions } from '../weiler-atherton/state.js';
+import type { Joined, Warnock } from '../warnock/state.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
-import type { View } from '../view.js';
+import type { View } from '../algorithm/view.js';
 import { mostOptions } from './asker.js';
-import { ownersOf } from './pieces.js';
+import { ownersOf } from '../weiler-atherton/pieces.js';
 import type { Question } from './question.js';
 
 /** Something that is known at a step, under its name. */

@@ -1,4 +1,4 @@
-import { crossing } from './clip.js';
+import { crossing } from '../warnock/ask-clip.js';
 import { parts as forms } from './question.js';
 import type { Part, Question } from './question.js';
 

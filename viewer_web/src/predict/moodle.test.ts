@@ -1,7 +1,7 @@
 import { execFileSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
-import type { Language } from '../i18n/language.js';
+import type { Language } from '../language/language.js';
 import { imported, shown } from '../testing/moodle.js';
 import type { Choice, Imported } from '../testing/moodle.js';
 import { everyQuestion } from '../testing/questions.js';

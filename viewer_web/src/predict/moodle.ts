@@ -1,11 +1,11 @@
 import { texts } from '../i18n/index.js';
-import type { Language } from '../i18n/language.js';
+import type { Language } from '../language/language.js';
 import { figureOfStep } from '../picture/figures.js';
-import type { Trace } from '../trace/trace.js';
-import { viewOf } from '../view.js';
-import type { View } from '../view.js';
-import { element, escaped } from '../xml.js';
-import { toBase64 } from '../base64.js';
+import type { Trace } from '../replay/trace.js';
+import { viewOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import { element, escaped } from '../base/xml.js';
+import { toBase64 } from '../base/base64.js';
 import { clozeOf, inert } from './cloze.js';
 import { factsOf } from './facts.js';
 import type { Question } from './question.js';

@@ -1,4 +1,4 @@
-import type { Texts } from '../i18n/texts.js';
+import type { Texts } from '../language/texts.js';
 import type { Box, Corner, Point } from '../trace/values.js';
 
 /** What is asked about, in the order in which the reader chooses among them. */

@@ -3,7 +3,7 @@ import { texts } from '../i18n/index.js';
 import { answers, questionFrom } from '../testing/questions.js';
 import { headerOf, textOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import { kinds } from './question.js';
 import type { Question } from './question.js';
 import { kindsOf, nextQuestion } from './questions.js';

@@ -1,28 +1,28 @@
-import { flags, horizons, meeting } from '../curves/ask.js';
+import { flags, horizons, meeting } from '../floating-horizon/ask.js';
 import { only } from '../history/entry.js';
 import { details } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
-import type { Trace } from '../trace/trace.js';
-import { ael } from './ael.js';
-import { behind } from './behind.js';
+import type { Trace } from '../replay/trace.js';
+import { ael } from '../zbuffer/ask-ael.js';
+import { behind } from '../weiler-atherton/ask-behind.js';
 import { stepsOf } from './ahead.js';
 import type { Asker } from './asker.js';
-import { clip } from './clip.js';
-import { octants, ray } from './contained.js';
-import { corners } from './corners.js';
-import { entering } from './entering.js';
-import { inside } from './inside.js';
-import { parted } from './parted.js';
-import { piercing } from './piercing.js';
-import { pixels } from './pixels.js';
-import { point } from './point.js';
+import { clip } from '../warnock/ask-clip.js';
+import { octants, ray } from '../warnock/ask-contained.js';
+import { corners } from '../warnock/ask-corners.js';
+import { entering } from '../weiler-atherton/ask-entering.js';
+import { inside } from '../warnock/ask-inside.js';
+import { parted } from '../weiler-atherton/ask-parted.js';
+import { piercing } from '../weiler-atherton/ask-piercing.js';
+import { pixels } from '../zbuffer/ask-pixels.js';
+import { point } from '../warnock/ask-point.js';
 import { kinds } from './question.js';
 import type { Kind, Question } from './question.js';
-import { relation } from './relation.js';
-import { sort } from './sort.js';
-import { stack } from './stack.js';
-import { walk } from './walk.js';
-import { window } from './window.js';
+import { relation } from '../warnock/ask-relation.js';
+import { sort } from '../weiler-atherton/ask-sort.js';
+import { stack } from '../weiler-atherton/ask-stack.js';
+import { walk } from '../weiler-atherton/ask-walk.js';
+import { window } from '../warnock/ask-window.js';
 
 const askers: { readonly [K in Kind]: Asker<K> } = {
   window,

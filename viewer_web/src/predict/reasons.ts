@@ -1,6 +1,6 @@
 import { sentence } from '../i18n/index.js';
-import type { Language } from '../i18n/language.js';
-import type { Trace } from '../trace/trace.js';
+import type { Language } from '../language/language.js';
+import type { Trace } from '../replay/trace.js';
 import type { Question } from './question.js';
 
 /** What a step says in answer to a question. */

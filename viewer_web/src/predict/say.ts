@@ -1,12 +1,12 @@
-import { between } from '../curves/ask.js';
-import { withoutDoubledSigns } from '../i18n/words.js';
+import { between } from '../floating-horizon/ask.js';
+import { withoutDoubledSigns } from '../language/words.js';
 import { texts } from '../i18n/index.js';
-import type { Language } from '../i18n/language.js';
+import type { Language } from '../language/language.js';
 import type { Case } from '../time/course.js';
 import type { Corner } from '../trace/values.js';
 import type { Relation } from './asker.js';
-import type { Becomes } from './behind.js';
-import type { relations, tests } from './relation.js';
+import type { Becomes } from '../weiler-atherton/ask-behind.js';
+import type { relations, tests } from '../warnock/ask-relation.js';
 import { none, parts } from './question.js';
 import type { Abouts, Asks, Kind, Of, Option, Part, Question } from './question.js';
 

@@ -1,6 +1,6 @@
-import type { Way } from '../setting.js';
+import type { Way } from '../base/setting.js';
 import type { Header } from '../trace/header.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import type { Answer } from './grade.js';
 import type { Asks, Kind, Question } from './question.js';
 

@@ -1,4 +1,4 @@
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import type { Kind, Question } from './question.js';
 import { kindsOf, nextQuestion } from './questions.js';
 

@@ -1,5 +1,5 @@
 import { css } from 'lit';
-import { leastPanel } from '../components/least-picture.js';
+import { leastPanel } from '../elements/least-picture.js';
 
 /** The page with the text of a lesson: contents, text and run beside each other, or the run above the text. */
 export const besideStyle = css`

@@ -1,12 +1,12 @@
 import { html } from 'lit';
 import type { TemplateResult } from 'lit';
-import type { Setup } from '../address.js';
-import '../components/lesson-list.js';
-import '../components/reader.js';
-import type { Read } from '../components/reader.js';
-import type { Lesson, LessonTrace } from '../lessons.js';
-import type { Navigation } from '../navigation.js';
-import type { Session } from '../session.js';
+import type { Setup } from './address.js';
+import './lesson-list.js';
+import './reader-element.js';
+import type { Read } from './reader-element.js';
+import type { Lesson, LessonTrace } from '../lessons/lessons.js';
+import type { Navigation } from '../app/navigation.js';
+import type { Session } from '../app/session.js';
 import type { Reading } from './reading.js';
 
 /** What the page shows beside the run: lessons, and the text of one of them. */

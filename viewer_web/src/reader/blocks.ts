@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import '../components/command.js';
+import './command.js';
 import { formula } from './formula.js';
 import { inlines, plainWords } from './inlines.js';
 import type { Align, Block, Blocks, Figure, Heading, Inlines, Question, Table } from './story.js';

@@ -1,8 +1,8 @@
-import { formatAddress } from '../address.js';
-import type { Setup } from '../address.js';
-import type { PageTexts } from '../i18n/texts.js';
-import type { Lesson } from '../lessons.js';
-import { runName } from '../run-name.js';
+import { formatAddress } from './address.js';
+import type { Setup } from './address.js';
+import type { PageTexts } from '../language/texts.js';
+import type { Lesson } from '../lessons/lessons.js';
+import { runName } from '../lessons/run-name.js';
 import type { LessonStory, Pin } from './story.js';
 
 /** The address of a lesson, or of a place in its text: the step is that of the place. Null where there is no such lesson. */

@@ -1,7 +1,7 @@
-import type { Address } from '../address.js';
-import { embeddedFile, idOf } from '../lessons.js';
-import type { Lesson, LessonTrace } from '../lessons.js';
-import type { Place, Session } from '../session.js';
+import type { Address } from './address.js';
+import { embeddedFile, idOf } from '../lessons/lessons.js';
+import type { Lesson, LessonTrace } from '../lessons/lessons.js';
+import type { Place, Session } from '../app/session.js';
 import type { Reached } from './reading-place.js';
 import { readStory } from './story.js';
 import type { LessonStory, Pin } from './story.js';

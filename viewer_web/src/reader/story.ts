@@ -12,8 +12,8 @@ import {
 import type { Check } from '../trace/check.js';
 import { parseJson } from '../trace/parse.js';
 import { Refusal, describe } from '../trace/refusal.js';
-import { boundedText } from '../bounded-text.js';
-import { toUtf8 } from '../text-file.js';
+import { boundedText } from '../base/bounded-text.js';
+import { toUtf8 } from '../base/text-file.js';
 import { placesIn } from './places.js';
 import type { Mark } from './places.js';
 

@@ -1,4 +1,4 @@
-import type { ReaderTexts } from '../i18n/reader-texts.js';
+import type { ReaderTexts } from '../language/reader-texts.js';
 import type { AddressOf } from './links.js';
 import type { LessonStory, Pin, Story } from './story.js';
 

@@ -1,10 +1,10 @@
-import type { SolidTexts } from '../i18n/solid-texts.js';
-import { numbersOf } from '../view.js';
-import type { View } from '../view.js';
-import { comparedPolygon, cornerDepths } from './corners.js';
-import { depthsAtPoint, pointInHand } from './point.js';
+import type { SolidTexts } from '../language/solid-texts.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import { comparedPolygon, cornerDepths } from '../warnock/solid-corners.js';
+import { depthsAtPoint, pointInHand } from '../warnock/solid-point.js';
 import type { Space } from './space.js';
-import { spansOf } from './zbuffer.js';
+import { spansOf } from '../zbuffer/solid.js';
 
 /** What the box shows, in words: first what never changes in a scene, then what the step shows. */
 export function caption(view: View, space: Space, texts: SolidTexts): readonly string[] {

@@ -2,7 +2,7 @@ import type { Frame } from '../picture/frame.js';
 import { pathData, shapesOf } from '../picture/shapes.js';
 import type { Shape } from '../picture/shapes.js';
 import { many } from '../picture/still.js';
-import { polygonThing } from '../pointed.js';
+import { polygonThing } from '../algorithm/pointed.js';
 import type { Scene } from '../trace/header.js';
 import type { Dot, Label, Line } from './drawing.js';
 import type { Space } from './space.js';

@@ -2,16 +2,16 @@ import { Frame } from '../picture/frame.js';
 import { cornerOf } from '../picture/mark.js';
 import { polygonInHand } from '../picture/marks.js';
 import { labelsOf, many } from '../picture/still.js';
-import { polygonThing, thingOf } from '../pointed.js';
+import { polygonThing, thingOf } from '../algorithm/pointed.js';
 import type { Area, Polygon, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
-import type { View } from '../view.js';
+import type { View } from '../algorithm/view.js';
 import { along, cased, level, placed, together } from './drawing.js';
 import type { Drawing, Line } from './drawing.js';
 import { around, planeOf } from './plane.js';
 import type { Space } from './space.js';
-import { warnockDrawing } from './warnock.js';
-import { edgeLine, zbufferDrawing } from './zbuffer.js';
+import { warnockDrawing } from '../warnock/solid.js';
+import { edgeLine, zbufferDrawing } from '../zbuffer/solid.js';
 
 /** Pixels along a side up to which the picture's grid is drawn. */
 const mostGrid = 64;

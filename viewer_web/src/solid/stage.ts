@@ -10,7 +10,7 @@ import {
 } from 'three';
 import type { Object3D } from 'three';
 import type { Frame, Size } from '../picture/frame.js';
-import type { Screen } from '../state/screen.js';
+import type { Screen } from '../replay/screen.js';
 import type { Drawing } from './drawing.js';
 import { facesOf } from './geometry.js';
 import { Ink } from './ink.js';

@@ -6,7 +6,7 @@ import {
   PlaneGeometry,
   SRGBColorSpace,
 } from 'three';
-import type { Grid } from '../state/grid.js';
+import type { Grid } from '../replay/grid.js';
 import { order } from './order.js';
 import type { Space } from './space.js';
 

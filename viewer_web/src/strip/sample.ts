@@ -1,4 +1,4 @@
-import type { StripMark } from '../i18n/texts.js';
+import type { StripMark } from '../language/texts.js';
 import type { Case } from '../time/course.js';
 import { flag } from './lanes.js';
 import type { LaneName } from './lanes.js';

@@ -1,8 +1,8 @@
 import { kinds } from '../predict/question.js';
 import type { Kind, Part, Question } from '../predict/question.js';
 import { nextQuestion } from '../predict/questions.js';
-import type { Values } from '../state/state.js';
-import type { Trace } from '../trace/trace.js';
+import type { Values } from '../replay/state.js';
+import type { Trace } from '../replay/trace.js';
 
 /** The first question of a kind from a step on. */
 export function questionFrom<K extends Kind>(trace: Trace, from: number, kind: K): Question<K> {

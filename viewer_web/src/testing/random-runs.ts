@@ -1,5 +1,5 @@
-import { editionsOf, kernels, runs } from '../live/options.js';
-import type { Options } from '../live/options.js';
+import { editionsOf, kernels, runs } from '../run/options.js';
+import type { Options } from '../run/options.js';
 import { details, methods } from '../trace/events.js';
 import type { Method } from '../trace/events.js';
 

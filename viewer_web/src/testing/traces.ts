@@ -1,13 +1,13 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { Timeline } from '../state/timeline.js';
+import { Timeline } from '../replay/timeline.js';
 import { methods, tells } from '../trace/events.js';
 import type { Detail, Event, EventName, Method } from '../trace/events.js';
-import { read } from '../trace/read.js';
-import { follow, keep } from '../trace/trace.js';
-import type { Trace } from '../trace/trace.js';
+import { read } from '../replay/read.js';
+import { follow, keep } from '../replay/trace.js';
+import type { Trace } from '../replay/trace.js';
 
-const directory = fileURLToPath(new URL('../../test-data/', import.meta.url));
+const directory = fileURLToPath(new URL('../../test-data', import.meta.url));
 
 export const traceNames: readonly string[] = readdirSync(directory).filter((name) =>
   name.endsWith('.jsonl'),

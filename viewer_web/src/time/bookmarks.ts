@@ -1,4 +1,4 @@
-import { fromBase64, toBase64Url } from '../base64.js';
+import { fromBase64, toBase64Url } from '../base/base64.js';
 
 /** A step that somebody wants to come back to, with a note of one line. */
 export interface Bookmark {

@@ -1,5 +1,5 @@
-import { depthChanges } from '../state/state.js';
-import type { Trace } from '../trace/trace.js';
+import { depthChanges } from '../replay/state.js';
+import type { Trace } from '../replay/trace.js';
 
 export type Direction = -1 | 1;
 

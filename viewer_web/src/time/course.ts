@@ -1,7 +1,7 @@
 import { eventNames } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
-import { depthChanges } from '../state/state.js';
-import type { Trace } from '../trace/trace.js';
+import { depthChanges } from '../replay/state.js';
+import type { Trace } from '../replay/trace.js';
 import { changesAel, indexFrom } from './goals.js';
 
 /** What may be decided of a window, in the order of the procedure. */

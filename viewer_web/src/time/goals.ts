@@ -1,12 +1,12 @@
 import { all, only } from '../history/entry.js';
 import type { Wanted } from '../history/entry.js';
 import type { History } from '../history/history.js';
-import type { Timeline } from '../state/timeline.js';
+import type { Timeline } from '../replay/timeline.js';
 import { eventNames, kinds, numberOf } from '../trace/events.js';
 import type { Event, Method } from '../trace/events.js';
 import { methodKindOf } from '../trace/method-kind.js';
 import type { MethodKind } from '../trace/method-kind.js';
-import type { Trace } from '../trace/trace.js';
+import type { Trace } from '../replay/trace.js';
 import type { Bookmarks } from './bookmarks.js';
 
 /** What one may go to: steps of one kind, those of the chosen pixel, or bookmarks. */

@@ -1,4 +1,4 @@
-import type { Timeline } from '../state/timeline.js';
+import type { Timeline } from '../replay/timeline.js';
 import { numberOf } from '../trace/events.js';
 
 const verdict = numberOf.get('disagree') ?? -1;

@@ -1,4 +1,4 @@
-import type { Texts } from '../i18n/texts.js';
+import type { Texts } from '../language/texts.js';
 import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 import type { Box } from '../trace/values.js';

@@ -1,4 +1,4 @@
-import { isGzip, toUtf8 } from '../text-file.js';
+import { isGzip, toUtf8 } from '../base/text-file.js';
 
 /** What ended the stream of bytes before its time. */
 export type Break = 'gzip' | 'long';

@@ -1,4 +1,4 @@
-import type { BookmarkTexts } from '../texts.js';
+import type { BookmarkTexts } from '../../language/texts.js';
 
 export const bookmarks: BookmarkTexts = {
   title: 'Bookmarks',

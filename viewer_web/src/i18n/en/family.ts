@@ -1,6 +1,6 @@
-import { prefixed } from '../family-texts.js';
-import type { FamilyTexts } from '../family-texts.js';
-import { containment, point, short, signed } from '../words.js';
+import { prefixed } from '../../language/family-texts.js';
+import type { FamilyTexts } from '../../language/family-texts.js';
+import { containment, point, short, signed } from '../../language/words.js';
 
 const lists = { surrounding: 'surrounding', outside: 'outside' } as const;
 const found = { surrounding: 'surround', outside: 'lie outside' } as const;

@@ -1,5 +1,5 @@
-import type { HistoryTexts } from '../texts.js';
-import { short } from '../words.js';
+import type { HistoryTexts } from '../../language/texts.js';
+import { short } from '../../language/words.js';
 
 export const history: HistoryTexts = {
   pixel: 'Pixel',

@@ -1,4 +1,4 @@
-import type { Texts } from '../texts.js';
+import type { Texts } from '../../language/texts.js';
 import { bookmarks } from './bookmarks.js';
 import { curves } from './curves.js';
 import { exact } from './exact.js';
@@ -26,7 +26,7 @@ import {
   signed,
   whole,
   windowText,
-} from '../words.js';
+} from '../../language/words.js';
 
 export const texts: Texts = {
   numbers: { inFull, joined, list, point, short, shortApart, signed, whole, windowText },

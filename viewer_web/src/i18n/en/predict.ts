@@ -1,5 +1,5 @@
-import type { PredictTexts } from '../predict-texts.js';
-import { point, windowText } from '../words.js';
+import type { PredictTexts } from '../../language/predict-texts.js';
+import { point, windowText } from '../../language/words.js';
 import { places } from './page.js';
 
 const sides = ['top', 'left', 'bottom', 'right'];

@@ -1,9 +1,9 @@
-import { verticesOf } from '../../regions/geometry.js';
-import type { Region } from '../../regions/events.js';
-import { boxOf, sized } from '../region-texts.js';
-import type { RegionSentences, RegionTexts } from '../region-texts.js';
-import { cells, point, short, shortApart } from '../words.js';
-import type { Words } from '../words.js';
+import { verticesOf } from '../../weiler-atherton/geometry.js';
+import type { Region } from '../../weiler-atherton/events.js';
+import { boxOf, sized } from '../../language/region-texts.js';
+import type { RegionSentences, RegionTexts } from '../../language/region-texts.js';
+import { cells, point, short, shortApart } from '../../language/words.js';
+import type { Words } from '../../language/words.js';
 
 const pieces = { one: 'piece', other: 'pieces' };
 const vertices = { one: 'vertex', other: 'vertices' };

@@ -1,5 +1,5 @@
-import type { SceneTexts } from '../scene-texts.js';
-import { short } from '../words.js';
+import type { SceneTexts } from '../../language/scene-texts.js';
+import { short } from '../../language/words.js';
 
 export const scene: SceneTexts = {
   scene: 'Scene',

@@ -1,5 +1,5 @@
 import type { Event } from '../../trace/events.js';
-import type { Sentences } from '../texts.js';
+import type { Sentences } from '../../language/texts.js';
 import {
   cells,
   hidingOf,
@@ -11,12 +11,12 @@ import {
   shortApart,
   sideAlong,
   windowText,
-} from '../words.js';
-import type { Words } from '../words.js';
+} from '../../language/words.js';
+import type { Words } from '../../language/words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
 import { family } from './family.js';
-import { isOpenOutline } from '../../regions/events.js';
+import { isOpenOutline } from '../../weiler-atherton/events.js';
 import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
 import { columnsOf, takes, zbufferSentences } from './zbuffer.js';

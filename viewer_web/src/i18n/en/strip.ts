@@ -1,4 +1,4 @@
-import type { StripTexts } from '../texts.js';
+import type { StripTexts } from '../../language/texts.js';
 
 export const strip: StripTexts = {
   step: (step, length) => `Step ${step} of ${length}`,

@@ -1,7 +1,7 @@
 import type { ZBufferEvents } from '../../trace/events.js';
-import type { Sentences } from '../texts.js';
-import { capital, cells, listed, orderOf, point, short, shortApart } from '../words.js';
-import type { Words } from '../words.js';
+import type { Sentences } from '../../language/texts.js';
+import { capital, cells, listed, orderOf, point, short, shortApart } from '../../language/words.js';
+import type { Words } from '../../language/words.js';
 
 const pixels = { one: 'pixel', other: 'pixels' };
 

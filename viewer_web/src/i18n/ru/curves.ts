@@ -1,7 +1,7 @@
-import type { Flag } from '../../curves/events.js';
-import { isLostBelow, isPoint, metBy } from '../../curves/sides.js';
-import type { CurveSentences, CurveTexts } from '../curve-texts.js';
-import { rangeOf } from '../words.js';
+import type { Flag } from '../../floating-horizon/events.js';
+import { isLostBelow, isPoint, metBy } from '../../replay/sides.js';
+import type { CurveSentences, CurveTexts } from '../../language/curve-texts.js';
+import { rangeOf } from '../../language/words.js';
 import { point, short, shortApart } from './numbers.js';
 
 const columns = { one: 'столбцом', other: 'столбцами' };

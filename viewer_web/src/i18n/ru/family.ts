@@ -1,6 +1,6 @@
-import { prefixed } from '../family-texts.js';
-import type { FamilyTexts } from '../family-texts.js';
-import { containment } from '../words.js';
+import { prefixed } from '../../language/family-texts.js';
+import type { FamilyTexts } from '../../language/family-texts.js';
+import { containment } from '../../language/words.js';
 import { point, short, signed } from './numbers.js';
 
 const lists = { surrounding: 'охватывающих', outside: 'внешних' } as const;

@@ -1,4 +1,4 @@
-import type { HistoryTexts } from '../texts.js';
+import type { HistoryTexts } from '../../language/texts.js';
 import { short } from './numbers.js';
 
 export const history: HistoryTexts = {

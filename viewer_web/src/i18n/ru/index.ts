@@ -1,4 +1,4 @@
-import type { Texts } from '../texts.js';
+import type { Texts } from '../../language/texts.js';
 import { bookmarks } from './bookmarks.js';
 import { curves } from './curves.js';
 import { exact } from './exact.js';

@@ -1,4 +1,4 @@
-import * as words from '../words.js';
+import * as words from '../../language/words.js';
 import type { Box, N } from '../../trace/values.js';
 
 /** A number as Russian writes it. */

@@ -1,4 +1,4 @@
-import type { PageTexts, Texts } from '../texts.js';
+import type { PageTexts, Texts } from '../../language/texts.js';
 import { family } from './family.js';
 import { sceneNames } from './scene-names.js';
 

@@ -1,4 +1,4 @@
-import type { PredictTexts } from '../predict-texts.js';
+import type { PredictTexts } from '../../language/predict-texts.js';
 import { point, windowText } from './numbers.js';
 import { places } from './page.js';
 

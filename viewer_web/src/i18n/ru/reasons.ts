@@ -1,4 +1,4 @@
-import type { ReasonTexts } from '../texts.js';
+import type { ReasonTexts } from '../../language/texts.js';
 
 export const reasons: ReasonTexts = {
   number: (found) => `здесь должно стоять число, а не ${found}`,

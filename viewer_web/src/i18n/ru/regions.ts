@@ -1,10 +1,10 @@
-import { verticesOf } from '../../regions/geometry.js';
-import type { Region } from '../../regions/events.js';
-import { boxOf, sized } from '../region-texts.js';
-import type { RegionSentences, RegionTexts } from '../region-texts.js';
-import { cells } from '../words.js';
+import { verticesOf } from '../../weiler-atherton/geometry.js';
+import type { Region } from '../../weiler-atherton/events.js';
+import { boxOf, sized } from '../../language/region-texts.js';
+import type { RegionSentences, RegionTexts } from '../../language/region-texts.js';
+import { cells } from '../../language/words.js';
 import { point, short, shortApart } from './numbers.js';
-import type { Words } from '../words.js';
+import type { Words } from '../../language/words.js';
 
 const pieces = { one: 'часть', few: 'части', other: 'частей' };
 const ofPieces = { one: 'части', few: 'частей', other: 'частей' };

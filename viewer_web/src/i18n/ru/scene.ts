@@ -1,4 +1,4 @@
-import type { SceneTexts } from '../scene-texts.js';
+import type { SceneTexts } from '../../language/scene-texts.js';
 import { short } from './numbers.js';
 
 export const scene: SceneTexts = {

@@ -1,12 +1,12 @@
 import type { Event } from '../../trace/events.js';
-import type { Sentences } from '../texts.js';
-import { capital, cells, hidingOf, listed, onlyOf, sideAlong } from '../words.js';
+import type { Sentences } from '../../language/texts.js';
+import { capital, cells, hidingOf, listed, onlyOf, sideAlong } from '../../language/words.js';
 import { list, point, short, shortApart, windowText } from './numbers.js';
-import type { Words } from '../words.js';
+import type { Words } from '../../language/words.js';
 import { curveSentences } from './curves.js';
 import { exact } from './exact.js';
 import { family } from './family.js';
-import { isOpenOutline } from '../../regions/events.js';
+import { isOpenOutline } from '../../weiler-atherton/events.js';
 import { regionSentences } from './regions.js';
 import { purposes } from './page.js';
 import { columnsOf, takes, zbufferSentences } from './zbuffer.js';

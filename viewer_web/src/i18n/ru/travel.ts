@@ -1,4 +1,4 @@
-import type { TravelTexts } from '../texts.js';
+import type { TravelTexts } from '../../language/texts.js';
 
 export const travel: TravelTexts = {
   procedure: 'Процедура',

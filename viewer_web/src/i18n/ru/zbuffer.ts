@@ -1,8 +1,8 @@
 import type { ZBufferEvents } from '../../trace/events.js';
-import type { Sentences } from '../texts.js';
-import { capital, cells, listed, orderOf, rangeOf } from '../words.js';
+import type { Sentences } from '../../language/texts.js';
+import { capital, cells, listed, orderOf, rangeOf } from '../../language/words.js';
 import { point, short, shortApart } from './numbers.js';
-import type { Words } from '../words.js';
+import type { Words } from '../../language/words.js';
 
 const pixels = { one: 'пиксель', few: 'пикселя', other: 'пикселей' };
 

@@ -1,4 +1,4 @@
-import type { Language } from '../../i18n/language.js';
+import type { Language } from '../../language/language.js';
 import type { Event, EventName } from '../../trace/events.js';
 import type { Box, N } from '../../trace/values.js';
 

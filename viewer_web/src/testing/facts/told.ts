@@ -1,4 +1,4 @@
-import type { Language } from '../../i18n/language.js';
+import type { Language } from '../../language/language.js';
 import type { N } from '../../trace/values.js';
 import type { Fact } from './fact.js';
 

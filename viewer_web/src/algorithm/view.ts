@@ -1,0 +1,66 @@
+import type { Columns } from '../replay/columns.js';
+import type { Line, Lines } from '../replay/lines.js';
+import { sentence, texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { PageTexts, Texts } from '../language/texts.js';
+import type { Pixel } from '../picture/pixel.js';
+import type { Screen } from '../replay/screen.js';
+import type { Values } from '../replay/state.js';
+import type { Event } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import type { Trace } from '../replay/trace.js';
+
+/** A step as the components show it: what happened, and what was before and after it. */
+export interface View {
+  readonly header: Header;
+  readonly step: number;
+  readonly length: number;
+  readonly event: Event | null;
+  readonly before: Values;
+  readonly after: Values;
+  readonly screen: Screen;
+  /** What there is over each column in a run of curves; null in one of polygons. */
+  readonly columns: Columns | null;
+  /** The lines that a run of curves draws. */
+  readonly lines: Lines;
+  /** Those of another run, which are to be seen where this one has none. */
+  readonly rival?: readonly Line[];
+  readonly language: Language;
+  readonly texts: PageTexts;
+  readonly sentence: string;
+  /** The pixel whose history is asked for; of curves, its column. */
+  readonly pixel: Pixel | null;
+  /** What is pointed at, as elements carry it. */
+  readonly pointed: string | null;
+  /** What the question in hand is about, in the same form. */
+  readonly asked?: readonly string[];
+}
+
+/** What of a view is chosen rather than told by the trace. */
+export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked'>;
+
+export function viewOf({ header, timeline }: Trace, step: number, choice: Choice): View {
+  const { language } = choice;
+  const before = timeline.seek(Math.max(0, step - 1)).values;
+  const { values: after, screen, columns } = timeline.seek(step);
+  const event = timeline.event(step);
+  const { page } = texts[language];
+  return {
+    ...choice,
+    header,
+    step,
+    length: timeline.length,
+    event,
+    before,
+    after,
+    screen,
+    columns,
+    lines: timeline.lines,
+    texts: page,
+    sentence: event ? sentence(event, before, after, header, language) : page.start,
+  };
+}
+
+/** How numbers are written in the language of a view. */
+export const numbersOf = ({ language }: Pick<View, 'language'>): Texts['numbers'] =>
+  texts[language].numbers;

@@ -1,0 +1,41 @@
+import { html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import '../run/notice.js';
+import type { Notice } from '../run/notice.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { Session } from './session.js';
+
+/** What is open, and what there is to say of it and of the run beside it. */
+export function heading(session: Session, name: string, language: Language): TemplateResult {
+  const { trace, notice, rival } = session;
+  return html`<div class="title">
+    <h2>${trace ? name : ''}</h2>
+    ${session.isCompared ? nothing : runOf(session, language)} ${noticeOf(notice, language)}
+    ${rival.notice === null ? nothing : noticeOf(rival.notice, language)}
+  </div>`;
+}
+
+/** What can be opened, where nothing is and nothing is about to be. */
+export function invitation(session: Session, language: Language): TemplateResult | typeof nothing {
+  if (session.trace !== null || session.isOpening) return nothing;
+  return html`<p class="nothing">${texts[language].page.nothingOpen}</p>`;
+}
+
+function runOf({ trace }: Session, language: Language): TemplateResult | typeof nothing {
+  if (trace === null) return nothing;
+  const { page, scene } = texts[language];
+  const { method, edition, kernel, detail } = trace.header;
+  return html`<p>
+    ${page.methods[method]} · ${page.editions[edition]} · ${page.kernel}: ${kernel} ·
+    ${page.detail}: ${scene.details[detail]}
+  </p>`;
+}
+
+function noticeOf(notice: Notice | null, language: Language): TemplateResult {
+  return html`<vidno-notice
+    class=${notice?.kind ?? nothing}
+    .notice=${notice}
+    .language=${language}
+  ></vidno-notice>`;
+}

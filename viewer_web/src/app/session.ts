@@ -1,0 +1,209 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import type { Address } from '../reader/address.js';
+import { Rival } from '../compare/rival.js';
+import { noticeOf } from '../run/notice.js';
+import type { Notice } from '../run/notice.js';
+import { firstSurface, isSurface, surfaceText } from '../run/surface.js';
+import { embeddedFile, idOf } from '../lessons/lessons.js';
+import type { LessonTrace } from '../lessons/lessons.js';
+import { Checks } from '../run/checks.js';
+import { ExactPicture } from '../run/exact.js';
+import { Live } from '../editor/live.js';
+import type { Carried } from '../editor/live.js';
+import { usual } from '../run/options.js';
+import type { Options } from '../run/options.js';
+import { optionsOf, unpacked } from '../run/packed.js';
+import { isScene } from '../run/scene-file.js';
+import { embeddedLibrary } from '../run/maker.js';
+import { SignMaps } from '../run/sign-maps.js';
+import { textOf } from '../base/text-file.js';
+import { ownStep } from '../time/own-step.js';
+import { openTrace } from '../replay/open.js';
+import type { Trace } from '../replay/trace.js';
+
+/** Where in a trace the page is, and what is marked in it. */
+export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };
+const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
+
+/** What is open: a lesson, a file, or a scene that is edited; and where in it one is. Each change is told. */
+export class Session implements ReactiveController {
+  trace: Trace | null = null;
+  /** How many of its steps are there. */
+  steps = 0;
+  name = '';
+  lesson: string | null = null;
+  place = beginning;
+  /** The reader's own file, where one is open. */
+  file: Blob | null = null;
+  notice: Notice | null = null;
+  /** What was shown before the scene was changed last. */
+  earlier: Trace | null = null;
+  readonly live: Live;
+  readonly exact: ExactPicture;
+  readonly maps: SignMaps | null;
+  readonly checks: Checks | null;
+  readonly rival: Rival;
+
+  /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
+  private goal: Place | null = null;
+  /** The name of what was asked for last, which may be refused. */
+  private asked = '';
+  private stopReading = (): void => undefined;
+
+  constructor(
+    host: ReactiveControllerHost,
+    private readonly changed: () => void,
+  ) {
+    host.addController(this);
+    const library = embeddedLibrary(document);
+    this.maps = library && new SignMaps(library);
+    this.checks = library && new Checks(library, changed);
+    this.exact = new ExactPicture(library, changed);
+    this.rival = new Rival(library, changed);
+    this.live = new Live(library, {
+      changed,
+      began: () => (this.earlier = this.trace),
+      traced: (trace) => this.showRun(trace),
+      refused: (messages) => {
+        this.goal = null;
+        this.say({ kind: 'refused', name: this.asked, messages });
+      },
+      failed: (error) => this.fail(this.asked, error),
+    });
+  }
+
+  /** Whether an address can lead here again. */
+  get isLinked(): boolean {
+    return this.lesson !== null || this.live.isRun;
+  }
+
+  /** Whether scenes can be run here. */
+  get canRun(): boolean {
+    return this.maps !== null;
+  }
+
+  /** Whether it is shown beside another run. */
+  get isCompared(): boolean {
+    return this.trace !== null && this.rival.trace !== null;
+  }
+
+  /** Whether there will soon be something to see, or a word about why not. */
+  get isOpening(): boolean {
+    const { notice, live } = this;
+    return notice === null ? live.editing !== null : notice.kind === 'reading';
+  }
+
+  hostDisconnected(): void {
+    this.stopReading();
+  }
+
+  async openLesson(chosen: LessonTrace, place = beginning): Promise<void> {
+    const { file: name, ...run } = chosen;
+    const file = embeddedFile(document, name);
+    if (file === null) return;
+    if (!name.endsWith('.json')) this.open(file, name, idOf(chosen), place);
+    else this.openScene(await textOf(file), name, { check: false, ...run }, place);
+  }
+
+  async openFile(file: File): Promise<void> {
+    if (await isScene(file)) this.openOwn(await textOf(file), file.name);
+    else this.open(file, file.name, null, beginning);
+  }
+
+  /** Begins with a surface, of the page's own choice, that is given by a function. */
+  openSurface(name: string): void {
+    this.openOwn(surfaceText(firstSurface(name)), name);
+  }
+
+  private openOwn(text: string, name: string): void {
+    const options: Options = isSurface(text) ? { ...usual, method: 'floating-horizon' } : usual;
+    this.openScene(text, name, options, beginning);
+  }
+
+  async openCarried({ run, scene }: Carried, place: Place): Promise<void> {
+    const now = await this.live.carried();
+    if (now?.run === run && now.scene === scene) {
+      this.move(place);
+      return;
+    }
+    try {
+      this.openScene(await unpacked(scene), '', optionsOf(run), place);
+    } catch (error) {
+      this.fail('', error);
+    }
+  }
+
+  /** An address names a run that is not here. */
+  miss(name: string): void {
+    this.say({ kind: 'unknown', name });
+  }
+
+  move(change: Partial<Place>): void {
+    this.place = { ...this.place, ...change };
+    this.changed();
+  }
+
+  private openScene(text: string, name: string, options: Options, place: Place): void {
+    this.stopReading();
+    this.asked = name;
+    this.goal = place;
+    if (this.live.load(text, options)) this.say(null);
+    else this.fail(name, null);
+  }
+
+  /** A run of the scene as it is now: one stays at the step where one is, or at the end. */
+  private showRun(trace: Trace): void {
+    const { length } = trace.timeline;
+    const atEnd = this.steps > 0 && this.place.step === this.steps;
+    const old = this.trace?.timeline ?? trace.timeline;
+    const step = atEnd ? length : ownStep(old, this.place.step, trace.timeline);
+    if (this.goal !== null) this.earlier = null;
+    this.file = null;
+    this.show(trace, trace.header.scene.name, null, this.goal ?? { ...this.place, step });
+    this.goal = null;
+    this.say(noticeOf(trace));
+  }
+
+  private open(file: Blob, name: string, lesson: string | null, place: Place): void {
+    this.stopReading();
+    this.goal = null;
+    this.earlier = null;
+    this.say({ kind: 'reading', name });
+    this.stopReading = openTrace(file, {
+      grown: (trace) => {
+        const { length } = trace.timeline;
+        if (this.trace === trace) this.steps = length;
+        else if (trace.complete || length >= place.step) {
+          this.file = lesson === null ? file : null;
+          this.show(trace, name, lesson, place);
+          this.live.open(trace.header);
+        }
+        if (this.trace === trace) this.say(noticeOf(trace));
+      },
+      failed: (error) => {
+        if (this.trace?.complete === false) this.trace = null;
+        this.fail(name, error);
+      },
+    });
+  }
+
+  private show(trace: Trace, name: string, lesson: string | null, place: Place): void {
+    this.trace = trace;
+    this.steps = trace.timeline.length;
+    this.name = name;
+    this.asked = name;
+    this.lesson = lesson;
+    this.place = place;
+    this.rival.follow(trace.header.scene);
+    this.changed();
+  }
+
+  private fail(name: string, error: unknown): void {
+    this.say({ kind: 'failed', name, error });
+  }
+
+  private say(notice: Notice | null): void {
+    this.notice = notice;
+    this.changed();
+  }
+}

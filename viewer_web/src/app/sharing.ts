@@ -1,0 +1,101 @@
+import { formatAddress } from '../reader/address.js';
+import type { Setup } from '../reader/address.js';
+import { download, fileName } from '../base/download.js';
+import { idOf } from '../lessons/lessons.js';
+import type { Lesson, LessonTrace } from '../lessons/lessons.js';
+import type { Carried } from '../editor/live.js';
+import { sceneFile } from '../run/sketch.js';
+import { isOnDisk, pageFile } from '../lessons/page-file.js';
+import type { Reading } from '../reader/reading.js';
+import type { Session } from './session.js';
+import { isGzip } from '../base/text-file.js';
+
+/** What is shown, how, and where. */
+export interface Shared {
+  readonly lessons: readonly Lesson[];
+  readonly session: Session;
+  readonly reading: Reading;
+  readonly setup: Setup;
+}
+
+/** What no address can hold: the reader's own trace, or a scene that is too large. */
+interface Own {
+  readonly run: LessonTrace;
+  readonly file: Blob;
+}
+
+const written = (
+  { session, reading, setup }: Shared,
+  live: Carried | null,
+  trace: string | null,
+): string => {
+  const { place, rival } = session;
+  const lesson = reading.lesson?.story === undefined ? null : reading.lesson.id;
+  const at = reading.reached.place;
+  return formatAddress({ setup, ...place, lesson, at, trace, live, rival: rival.word });
+};
+
+/** The address of what is shown, where it is known at once. */
+export function addressNow(page: Shared): string | null {
+  const live = page.session.live.carriedNow;
+  return live === undefined ? null : written(page, live, page.session.lesson);
+}
+
+/** The address of what is shown; in a page that brings along what no address holds, with the name of that. */
+export async function addressOf(page: Shared, own: Own | null = null): Promise<string> {
+  const { session } = page;
+  return written(page, await session.live.carried(), own === null ? session.lesson : idOf(own.run));
+}
+
+/** Copies the address of what is shown; where none leads others here, saves a page that does. */
+export async function share(page: Shared): Promise<void> {
+  const own = await ownOf(page.session);
+  if (own === null && !isOnDisk()) {
+    const address = new URL(await addressOf(page), location.href);
+    await navigator.clipboard.writeText(address.href);
+    page.session.live.tell('copied');
+  } else await savePage(page, own);
+}
+
+async function ownOf({ lesson, live, trace, file }: Session): Promise<Own | null> {
+  if (lesson !== null || trace === null) return null;
+  if (file !== null) {
+    const { method, edition, kernel, detail } = trace.header;
+    const run = { file: 'own.jsonl.gz', method, edition, kernel, detail };
+    return { run, file: (await isGzip(file)) ? file : await gzipped(file) };
+  }
+  if (live.editing === null || (await live.carried()) !== null) return null;
+  const { sketch, options } = live.editing;
+  return { run: { file: 'own.json', ...options }, file: new Blob([sceneFile(sketch)]) };
+}
+
+function gzipped(file: Blob): Promise<Blob> {
+  return new Response(file.stream().pipeThrough(new CompressionStream('gzip'))).blob();
+}
+
+async function savePage(page: Shared, own: Own | null): Promise<void> {
+  const { lessons, session, reading } = page;
+  const { lesson, rival, trace, name, place, live } = session;
+  if (trace === null) return;
+  const runs = [lesson, rival.word];
+  const needed = lessons.filter(
+    (each) =>
+      (each === reading.lesson && each.story !== undefined) ||
+      each.traces.some((run) => runs.includes(idOf(run))),
+  );
+  const content = {
+    lessons: own === null ? needed : [...needed, lessonOf(own, name)],
+    own: new Map(own === null ? [] : [[own.run.file, own.file]]),
+    address: await addressOf(page, own),
+  };
+  const { scene, method, kernel, edition } = trace.header;
+  const file = fileName(scene.name, method, kernel, edition, `step-${place.step}`);
+  download(await pageFile(document, content), `${file}.html`);
+  live.tell('saved');
+}
+
+const lessonOf = ({ run }: Own, name: string): Lesson => ({
+  id: run.file,
+  title: { en: name, ru: name },
+  traces: [run],
+});

@@ -1,0 +1,134 @@
+import { html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import type { Setup } from '../reader/address.js';
+import '../compare/comparison-element.js';
+import '../player/player.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { Act } from '../editor/editor.js';
+import type { Navigation } from './navigation.js';
+import { needsExact } from '../picture/layers.js';
+import type { Exact, Layer } from '../picture/layers.js';
+import type { Pixel } from '../picture/pixel.js';
+import type { Session } from './session.js';
+import type { Way } from '../base/setting.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+
+/** What is shown, how, and what may be asked for besides. */
+export interface Shown {
+  readonly session: Session;
+  readonly setup: Setup;
+  /** Whether the text of a lesson is beside the run. */
+  readonly isReading: boolean;
+  change(part: Partial<Setup>): void;
+  copyLink(): Promise<void>;
+  readonly ways: Navigation;
+}
+
+/** The exact picture is asked for only when it is shown; there is none of curves. */
+function exactOf({ session: { trace, exact }, setup }: Shown): Exact {
+  if (trace === null) return null;
+  const { header } = trace;
+  if (header.scene.curves !== null) return null;
+  return needsExact(setup.layer) ? exact.of(header) : exact.unasked(header);
+}
+
+/** The player, which is out of sight while its run is shown beside another one. */
+export function alone(page: Shown): TemplateResult {
+  const { session } = page;
+  const { place, live } = session;
+  const { language, presenting, layer, setting } = page.setup;
+  const trace = session.isCompared ? null : session.trace;
+  return html`
+    <vidno-player
+      .trace=${trace}
+      .length=${session.steps}
+      .step=${place.step}
+      .lang=${language}
+      ?hidden=${trace === null}
+      .pixel=${place.pixel}
+      .bookmarks=${place.bookmarks}
+      .from=${setting.from}
+      .to=${setting.to}
+      .speed=${setting.speed}
+      ?play=${setting.play}
+      .controls=${setting.controls}
+      .ask=${setting.ask ?? ''}
+      ?presenting=${presenting && trace !== null}
+      ?beside=${page.isReading && !presenting}
+      ?linked=${session.isLinked}
+      .layer=${layer}
+      .exact=${exactOf(page)}
+      .maps=${session.maps}
+      .check=${trace && (session.checks?.of(trace) ?? null)}
+      .editing=${live.editing}
+      .link=${live.link}
+      @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
+      @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
+      @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
+      @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
+      @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
+      @vidno-ask=${({ detail: ask }: CustomEvent<Way>) => page.change({ setting: { ...setting, ask } })}
+      @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
+      @vidno-check=${() => trace && session.checks?.ask(trace)}
+      @vidno-keys=${({ detail: keys }: CustomEvent<string>) => page.change({ setting: { ...setting, keys } })}
+      @vidno-save=${() => live.save()}
+      @vidno-link=${() => page.copyLink()}
+    ></vidno-player>
+  `;
+}
+
+/** The run beside another one. */
+export function besides(page: Shown): TemplateResult {
+  const { session } = page;
+  const { place, live, rival } = session;
+  const { language, presenting, layer, setting } = page.setup;
+  return html`<vidno-comparison
+    .trace=${session.trace}
+    .length=${session.steps}
+    .step=${place.step}
+    .check=${session.trace && (session.checks?.of(session.trace) ?? null)}
+    .rival=${rival.trace}
+    .rivalLength=${rival.steps}
+    ?complete=${session.trace?.complete === true && rival.trace?.complete === true}
+    .rivalNote=${noteOf(page)}
+    .lang=${language}
+    .pixel=${place.pixel}
+    .bookmarks=${place.bookmarks}
+    .from=${setting.from}
+    .to=${setting.to}
+    .speed=${setting.speed}
+    ?presenting=${presenting}
+    .layer=${layer}
+    .editing=${live.editing}
+    @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
+    @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
+    @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
+    @vidno-bookmarks=${({ detail: bookmarks }: CustomEvent<Bookmarks>) => session.move({ bookmarks })}
+    @vidno-check=${() => session.trace && session.checks?.ask(session.trace)}
+    @vidno-act=${({ detail }: CustomEvent<Act>) => live.act(detail)}
+    @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
+    @vidno-keys=${({ detail: keys }: CustomEvent<string>) => page.change({ setting: { ...setting, keys } })}
+  ></vidno-comparison>`;
+}
+
+/** What the other run is, where its header does not say so. */
+function noteOf({ session, setup }: Shown): string {
+  const { rival, trace } = session;
+  if (rival.chosen?.kind === 'before') return texts[setup.language].compare.before;
+  const name = rival.trace?.header.scene.name ?? '';
+  return name === trace?.header.scene.name ? '' : name;
+}
+
+/** The way to a surface of one's own, if scenes can be run here. */
+export function ownSurface(
+  { canRun }: Session,
+  language: Language,
+  open: (name: string) => void,
+): TemplateResult | typeof nothing {
+  if (!canRun) return nothing;
+  const { surface } = texts[language].curves;
+  return html`<button class="own-surface" @click=${() => open(surface.name)}>
+    ${surface.own}
+  </button>`;
+}

@@ -1,0 +1,141 @@
+import { LitElement, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query } from 'lit/decorators.js';
+import { live } from 'lit/directives/live.js';
+import { texts } from '../i18n/index.js';
+import type { Editing } from '../editor/editor.js';
+import type { Exact, Layer } from '../picture/layers.js';
+import type { Pixel } from '../picture/pixel.js';
+import type { Trace } from '../replay/trace.js';
+import type { View } from '../algorithm/view.js';
+import { comparedStyle } from './compared-run.style.js';
+import '../listing/listing-element.js';
+import type { ListingElement } from '../listing/listing-element.js';
+import '../player/picture-panel.js';
+import type { PicturePanelElement } from '../player/picture-panel.js';
+import type { Kind } from '../picture/save.js';
+import { base } from '../elements/theme.js';
+import { Typed } from '../elements/typed.js';
+
+/**
+ * One of two runs that are compared: its parts lie in the grid of the two. An event `pixel` tells that one was chosen, an
+ * event `step` that this run alone shall be at another.
+ */
+@customElement('vidno-compared-run')
+export class ComparedRunElement extends LitElement {
+  static override styles = [base, comparedStyle];
+
+  @property({ attribute: false }) trace!: Trace;
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) layer: Layer = 'picture';
+  /** The picture of the other run. */
+  @property({ attribute: false }) against: Exact = null;
+  @property({ attribute: false }) editing: Editing | null = null;
+  /** What it is, if its header does not say so. */
+  @property({ attribute: false }) note = '';
+  /** Whether it is stepped by itself. */
+  @property({ type: Boolean }) alone = false;
+  @property({ type: Boolean }) playing = false;
+
+  @query('vidno-picture-panel') private picture!: PicturePanelElement;
+  @query('vidno-listing') private listing!: ListingElement;
+  private readonly typed = new Typed(this);
+
+  startChoosing(): void {
+    this.picture.startChoosing();
+  }
+
+  toggleSource(): void {
+    this.listing.toggleSource();
+  }
+
+  save(kind: Kind): Promise<void> {
+    return this.picture.save(kind);
+  }
+
+  override render(): TemplateResult {
+    const { trace, view } = this;
+    const { texts: say, event } = view;
+    const name = this.name();
+    return html`
+      <div class="name">
+        <h3>${name}</h3>
+        ${this.note === '' ? nothing : html`<p class="note">${this.note}</p>`}
+        ${this.alone ? this.steps() : this.step()}
+      </div>
+      <section class="picture" aria-label="${say.picture}: ${name}">
+        <vidno-picture-panel
+          .view=${view}
+          .editing=${this.editing}
+          .layer=${this.layer}
+          .exact=${this.against}
+          @pixel=${({ detail }: CustomEvent<Pixel>) => this.tell('pixel', detail)}
+        ></vidno-picture-panel>
+      </section>
+      <section class="listing" aria-label="${say.listing}: ${name}">
+        <vidno-listing .trace=${trace} .view=${view}></vidno-listing>
+      </section>
+      <p class="sentence" aria-live=${this.playing ? 'off' : 'polite'} aria-atomic="true">
+        <span class="at">${event?.at ?? '·'}</span><span>${view.sentence}</span>
+      </p>
+    `;
+  }
+
+  private name(): string {
+    const { texts: say, header } = this.view;
+    const { method, edition, kernel } = header;
+    return [say.methods[method], say.editions[edition], kernel].join(' · ');
+  }
+
+  private step(): TemplateResult {
+    const { step, length, language } = this.view;
+    const [now, all] = [step, length].map((n) => n.toLocaleString(language));
+    return html`<p class="step">${texts[language].compare.step(now ?? '', all ?? '')}</p>`;
+  }
+
+  private steps(): TemplateResult {
+    const { step, length, language } = this.view;
+    const { compare: say } = texts[language];
+    return html`<p class="step">
+      ${this.button('‹', say.back, step - 1)}
+      <input
+        type="number"
+        min="0"
+        max=${length}
+        aria-label=${say.otherStep}
+        .value=${live(this.typed.or(String(step)))}
+        @input=${this.typed.onInput}
+        @change=${this.onEnter}
+        @blur=${this.typed.onEnd}
+      />
+      ${this.button('›', say.forward, step + 1)}
+    </p>`;
+  }
+
+  private onEnter({ target }: Event): void {
+    const { value } = target as HTMLInputElement;
+    this.typed.onEnd();
+    this.tell('step', Number(value));
+  }
+
+  private button(shown: string, label: string, step: number): TemplateResult {
+    return html`<button
+      aria-label=${label}
+      title=${label}
+      aria-disabled=${step < 0 || step > this.view.length ? 'true' : 'false'}
+      @click=${() => this.tell('step', step)}
+    >
+      ${shown}
+    </button>`;
+  }
+
+  private tell(what: 'pixel' | 'step', detail: Pixel | number): void {
+    this.dispatchEvent(new CustomEvent(what, { detail }));
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-compared-run': ComparedRunElement;
+  }
+}

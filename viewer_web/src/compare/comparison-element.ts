@@ -1,0 +1,232 @@
+import { html, nothing } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, property, query, queryAll, state } from 'lit/decorators.js';
+import { Comparison } from './comparison.js';
+import { differenceAt, pictureAt } from './difference.js';
+import type { Steps } from './parting.js';
+import type { Line } from '../replay/lines.js';
+import { historyOf } from '../history/history.js';
+import type { History } from '../history/history.js';
+import type { Editing } from '../editor/editor.js';
+import type { Layer } from '../picture/layers.js';
+import { isOther } from '../picture/pixel.js';
+import type { Pixel } from '../picture/pixel.js';
+import type { Grid } from '../replay/grid.js';
+import { marked } from '../time/bookmarks.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import type { Trace } from '../replay/trace.js';
+import { viewOf } from '../algorithm/view.js';
+import type { Choice, View } from '../algorithm/view.js';
+import { announcerStyle } from '../elements/announcer.style.js';
+import './compared-run.js';
+import type { ComparedRunElement } from './compared-run.js';
+import './comparison-facts.js';
+import type { Switch } from './comparison-facts.js';
+import { pairActions } from './comparison-keys.js';
+import { comparisonStyle } from './comparison.style.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import type { Actions } from '../elements/keyboard.js';
+import { askForLayer } from '../picture/layers-element.js';
+import { Pointing } from '../player/pointing.js';
+import { presenterStyle } from '../player/presenter.style.js';
+import { ReadOn } from '../elements/read-on.js';
+import { StageElement } from '../player/stage-element.js';
+import { base, tokens } from '../elements/theme.js';
+import type { TravelElement } from '../time/travel.js';
+
+const mostPerFrame = 8;
+
+/** One of the two runs at its step, and the other one's picture, which it may be held against. */
+interface Half {
+  readonly side: 'one' | 'other';
+  readonly trace: Trace;
+  readonly view: View;
+  readonly against: Grid<number> | null;
+}
+
+/** What is drawn at a step of a run: pixels, or lines if these are to be marked. */
+interface Beside {
+  readonly picture: Grid<number> | null;
+  readonly lines: readonly Line[];
+}
+
+/**
+ * Two runs side by side. The controls step the first one, and the other goes along. Each step of the first is told by
+ * `vidno-step`, each pixel that is chosen by `vidno-pixel`, and further bookmarks by `vidno-bookmarks`; `vidno-layer` asks to
+ * mark the pixels that differ.
+ */
+@customElement('vidno-comparison')
+export class ComparisonElement extends StageElement {
+  static override styles = [
+    tokens,
+    base,
+    hiddenStyle,
+    presenterStyle,
+    comparisonStyle,
+    announcerStyle,
+  ];
+
+  /** The other run, and how many of its steps are there. */
+  @property({ attribute: false }) rival: Trace | null = null;
+  @property({ attribute: false }) rivalLength = 0;
+  /** Whether both were read to their end. */
+  @property({ type: Boolean }) complete = false;
+  /** What the other run is, if its header does not say so. */
+  @property({ attribute: false }) rivalNote = '';
+  @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
+  @property({ attribute: false }) layer: Layer = 'picture';
+  @property({ attribute: false }) editing: Editing | null = null;
+  @state() private linked = true;
+  /** Whether the corners of the scene can be dragged, in the first picture. */
+  @state() isEdited = false;
+  @state() private otherStep = 0;
+  @query('vidno-travel') readonly travel!: TravelElement;
+  @queryAll('vidno-compared-run') readonly runs!: NodeListOf<ComparedRunElement>;
+  private comparison: Comparison | null = null;
+  private halves: readonly [Half, Half] | null = null;
+  private history: History | null = null;
+  /** How many pixels or columns differ now. */
+  private differs: number | null = null;
+  private readonly pointing = new Pointing(this);
+  private readonly reader = new ReadOn(this, mostPerFrame);
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const { trace, rival } = this;
+    if (trace === null || rival === null) return;
+    if (this.comparison?.one !== trace || this.comparison.other !== rival) {
+      this.comparison = new Comparison(trace, rival);
+    }
+    if (changed.has('trace') || changed.has('pixel')) this.history = historyOf(trace, this.pixel);
+    this.reader.read(this);
+    this.pair(this.comparison, rival);
+    this.halves = this.look(trace, rival);
+  }
+
+  protected override actions(event: KeyboardEvent): Actions {
+    return pairActions(this, event);
+  }
+
+  /** Goes on with what takes a pass over the runs. */
+  read(milliseconds: number): boolean {
+    const isRead = this.comparison?.read(milliseconds) !== false;
+    return (this.history?.read(milliseconds) ?? true) && isRead;
+  }
+
+  private pair(comparison: Comparison, { timeline }: Trace): void {
+    const step = this.linked ? (comparison.paired(this.step) ?? this.otherStep) : this.otherStep;
+    this.otherStep = Math.min(Math.max(0, Math.trunc(step) || 0), timeline.length);
+  }
+
+  private look(trace: Trace, rival: Trace): readonly [Half, Half] {
+    const { step, otherStep, pixel, language } = this;
+    const choice: Choice = { language, pixel, pointed: this.pointing.at };
+    this.differs = differenceAt(trace, step, rival, otherStep);
+    const against = this.beside(rival, otherStep);
+    const back = this.beside(trace, step);
+    const [view, other] = [viewOf(trace, step, choice), viewOf(rival, otherStep, choice)];
+    return [
+      { side: 'one', trace, view: { ...view, rival: against.lines }, against: against.picture },
+      { side: 'other', trace: rival, view: { ...other, rival: back.lines }, against: back.picture },
+    ];
+  }
+
+  /** What a run has drawn, for the other one to be held against. */
+  private beside(run: Trace, step: number): Beside {
+    if (this.differs === null) return { picture: null, lines: [] };
+    const isOfCurves = run.header.scene.curves !== null;
+    return {
+      picture: isOfCurves ? null : pictureAt(run, step),
+      lines: isOfCurves && this.isMarked ? run.timeline.lines.at(step) : [],
+    };
+  }
+
+  private get isMarked(): boolean {
+    return this.layer === 'difference';
+  }
+
+  override render(): TemplateResult | typeof nothing {
+    const { comparison, halves, otherStep } = this;
+    if (comparison === null || halves === null) return nothing;
+    const [{ view, trace }] = halves;
+    const check = this.checkOf(trace);
+    const steps: Steps = [view.step, otherStep];
+    return html`
+      <div class="runs" @pointerover=${this.pointing.onOver} @pointerleave=${this.pointing.onLeave}>
+        ${halves.map((half) => this.half(half))}
+        <vidno-comparison-facts
+          .comparison=${comparison}
+          .steps=${steps}
+          .differs=${this.differs}
+          .on=${this.switches}
+          ?editable=${this.editing !== null}
+          .language=${view.language}
+          @go=${({ detail }: CustomEvent<number>) => this.moveTo(detail)}
+          @switch=${({ detail }: CustomEvent<Switch>) => this.toggle(detail)}
+        ></vidno-comparison-facts>
+      </div>
+      <div class="dock">
+        ${this.announcer.render()} ${this.playControls(view, check, this.history)}
+        ${this.presenter.corner(view)}
+      </div>
+      ${this.presenter.curtain()}
+      <vidno-keys .texts=${view.texts} pair @vidno-keys=${() => this.requestUpdate()}></vidno-keys>
+    `;
+  }
+
+  private half({ side, trace, view, against }: Half): TemplateResult {
+    const isOne = side === 'one';
+    return html`<vidno-compared-run
+      class=${side}
+      .trace=${trace}
+      .view=${view}
+      .layer=${this.isMarked ? 'difference' : 'picture'}
+      .against=${against}
+      .editing=${isOne && this.isEdited ? this.editing : null}
+      .note=${isOne ? '' : this.rivalNote}
+      ?alone=${!isOne && !this.linked}
+      ?playing=${this.clock.playing}
+      @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
+      @step=${({ detail }: CustomEvent<number>) => (this.otherStep = detail)}
+    ></vidno-compared-run>`;
+  }
+
+  private choosePixel(pixel: Pixel): void {
+    this.pixel = pixel;
+    this.dispatchEvent(new CustomEvent('vidno-pixel', { detail: pixel }));
+  }
+
+  private get switches(): ReadonlySet<Switch> {
+    const { linked, isEdited, isMarked } = this;
+    const all = { together: linked, edit: isEdited, mark: isMarked };
+    return new Set((Object.keys(all) as Switch[]).filter((name) => all[name]));
+  }
+
+  toggle(name: Switch): void {
+    if (name === 'together') this.linked = !this.linked;
+    else if (name === 'edit') this.isEdited = !this.isEdited;
+    else askForLayer(this, this.isMarked ? 'picture' : 'difference');
+  }
+
+  /** Points at the next thing of the first run's step, or the one before. */
+  point(by: 1 | -1): void {
+    if (this.halves) this.pointing.move(by, this.halves[0].view);
+  }
+
+  goToParting(what: 'text' | 'deed'): void {
+    const found = this.comparison?.parting?.[what];
+    if (found) this.moveTo(found[0]);
+  }
+
+  /** Bookmarks the first run's step. */
+  bookmark(): void {
+    const detail = marked(this.bookmarks, this.step);
+    this.dispatchEvent(new CustomEvent<Bookmarks>('vidno-bookmarks', { detail }));
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-comparison': ComparisonElement;
+  }
+}

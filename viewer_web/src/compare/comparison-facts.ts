@@ -1,0 +1,162 @@
+import { LitElement, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, state } from 'lit/decorators.js';
+import type { Comparison } from './comparison.js';
+import { counters } from './counters.js';
+import type { Counter, Counts } from './counters.js';
+import type { Steps } from './parting.js';
+import type { CompareTexts } from '../language/compare-texts.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import { isChecked } from '../exactness/told.js';
+import { factsStyle } from './comparison-facts.style.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import { textureStyle } from '../elements/texture.style.js';
+import { base } from '../elements/theme.js';
+
+/** What can be switched on and off. */
+export type Switch = 'together' | 'mark' | 'edit';
+
+/**
+ * Where two runs part, how many pixels differ, and what was counted. An event `go` asks for a step of the first run, an
+ * event `switch` for a change of one of the switches.
+ */
+@customElement('vidno-comparison-facts')
+export class ComparisonFactsElement extends LitElement {
+  static override styles = [base, hiddenStyle, textureStyle, factsStyle];
+
+  @property({ attribute: false }) comparison!: Comparison;
+  /** The steps that are shown. */
+  @property({ attribute: false }) steps!: Steps;
+  /** How many pixels or columns differ there; null where the pictures are not of one size. */
+  @property({ attribute: false }) differs: number | null = null;
+  @property({ attribute: false }) on: ReadonlySet<Switch> = new Set();
+  @property({ type: Boolean }) editable = false;
+  @property({ attribute: false }) language: Language = 'en';
+  /** Whether the counters are shown where there is little room. */
+  @state() private isUnfolded = false;
+
+  private get say(): CompareTexts {
+    return texts[this.language].compare;
+  }
+
+  private number(n: number): string {
+    return n.toLocaleString(this.language);
+  }
+
+  override render(): TemplateResult {
+    const { say, comparison } = this;
+    const isOfCurves = comparison.one.header.scene.curves !== null;
+    return html`
+      <div class="row">
+        <p class="parting"><span class="name">${say.parting}</span>${this.parting()}</p>
+        <p class="differ">
+          <span class="name">${isOfCurves ? say.differColumns : say.differ}</span
+          >${this.difference()}
+        </p>
+        <p class="switches">
+          ${this.switch('mark', say.mark, 'L')}
+          <span role="img" aria-label=${say.otherColor} title=${say.otherColor}
+            ><i class="wrong"></i
+          ></span>
+          <span role="img" aria-label=${say.unpainted} title=${say.unpainted}
+            ><i class="lacking"></i
+          ></span>
+          ${this.switch('together', say.together, say.togetherHint)}
+          ${this.editable ? this.switch('edit', say.edit, `${say.editHint} (E)`) : nothing}
+        </p>
+      </div>
+      ${comparison.isByShare ? html`<p class="share">${say.byShare}</p>` : nothing}
+      ${this.counters()}
+    `;
+  }
+
+  private parting(): TemplateResult {
+    const { say } = this;
+    const { parting } = this.comparison;
+    if (parting === null) return html`<span>${say.otherMethods}</span>`;
+    return html`${(['text', 'deed'] as const).map((kind) => {
+      const found = parting[kind];
+      const missing = parting.complete ? say.nowhere : say.searching;
+      return html`<span class=${kind}
+        >${say[kind]}${found === null ? html` ${missing}` : html` ${this.goTo(found[0])}`}</span
+      >`;
+    })}`;
+  }
+
+  private goTo(step: number): TemplateResult {
+    return html`<button
+      @click=${() => this.dispatchEvent(new CustomEvent<number>('go', { detail: step }))}
+    >
+      ${this.say.atStep(this.number(step))}
+    </button>`;
+  }
+
+  private difference(): TemplateResult {
+    const { say, differs } = this;
+    const { differsAtEnd } = this.comparison;
+    if (differs === null) return html`<span>${say.otherArea}</span>`;
+    const atEnd = differsAtEnd === null ? '' : `, ${say.differAtEnd(this.number(differsAtEnd))}`;
+    return html`<span>${say.differNow(this.number(differs))}${atEnd}</span>`;
+  }
+
+  private switch(name: Switch, label: string, hint: string): TemplateResult {
+    return html`<label title=${hint}>
+      <input
+        type="checkbox"
+        name=${name}
+        .checked=${this.on.has(name)}
+        @change=${() => this.dispatchEvent(new CustomEvent<Switch>('switch', { detail: name }))}
+      />${label}
+    </label>`;
+  }
+
+  /** Those that neither run has are left out. */
+  private counters(): TemplateResult {
+    const { say, comparison } = this;
+    const now = comparison.counts(this.steps);
+    const all = comparison.counts();
+    const areChecked = [comparison.one, comparison.other].some(isChecked);
+    const shown = counters.filter((each) =>
+      each === 'wrong' ? areChecked : all.some((counts) => counts[each] !== null),
+    );
+    return html`<button
+        class="fold"
+        aria-expanded=${this.isUnfolded ? 'true' : 'false'}
+        @click=${() => (this.isUnfolded = !this.isUnfolded)}
+      >
+        ${say.counters}
+      </button>
+      <dl aria-label=${say.counters}>
+        <div aria-hidden="true" class="who">
+          <p>${say.soFar} / ${say.inAll}</p>
+          <p>${say.thisRun}</p>
+          <p>${say.otherRun}</p>
+        </div>
+        ${shown.map(
+          (each) =>
+            html`<div class=${each}>
+              <dt>${say.counts[each]}</dt>
+              <dd>${this.count(say.thisRun, each, now[0], all[0])}</dd>
+              <dd>${this.count(say.otherRun, each, now[1], all[1])}</dd>
+            </div>`,
+        )}
+      </dl>`;
+  }
+
+  private count(whose: string, counter: Counter, now: Counts, all: Counts): TemplateResult {
+    const [sofar, total] = [now[counter], all[counter]];
+    if (sofar === null || total === null) {
+      const missing = counter === 'wrong' ? texts[this.language].exact.notChecked : '—';
+      return html`<span class="heard">${whose}:</span>${missing}`;
+    }
+    return html`<span class="heard">${whose}:</span
+      ><span class="number">${this.number(sofar)}<small> / ${this.number(total)}</small></span>`;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-comparison-facts': ComparisonFactsElement;
+  }
+}

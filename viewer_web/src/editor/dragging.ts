@@ -1,0 +1,51 @@
+import { snapped } from './corner-keys.js';
+import type { Place } from './corner-keys.js';
+import type { Sketch } from '../run/sketch.js';
+import type { Frame } from '../picture/frame.js';
+import { act } from './act.js';
+import { pointIn } from '../elements/own-size.js';
+
+/** What lies over a picture: how the plane lies in that may change while something is dragged. */
+type Host = Element & { readonly frame: Frame };
+
+/** Drags what can be edited in the plane of a picture, by a pointer. */
+export class Dragging {
+  private drags = 0;
+
+  constructor(private readonly host: Host) {}
+
+  /** The place for a corner that is nearest to a pointer, or to what it holds so far from itself. */
+  placeOf(event: PointerEvent, offset: Place = [0, 0]): Place {
+    const [x, y] = this.planeAt(event);
+    return snapped([x + offset[0], y + offset[1]], event);
+  }
+
+  /** Follows the pointer until it is let go, with something that was at a place when it was taken. */
+  start(event: PointerEvent, start: Place, move: (to: Place, old: Sketch) => Sketch): void {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    const target = event.currentTarget as SVGElement;
+    target.setPointerCapture(event.pointerId);
+    target.focus();
+    const [x, y] = this.planeAt(event);
+    const offset: Place = [start[0] - x, start[1] - y];
+    const name = `drag ${++this.drags}`;
+    let last = start;
+    const follow = (moved: PointerEvent): void => {
+      const to = this.placeOf(moved, offset);
+      if (to[0] === last[0] && to[1] === last[1]) return;
+      last = to;
+      act(this.host, { do: 'edit', edit: (old) => move(to, old), name });
+    };
+    const end = (): void => {
+      target.removeEventListener('pointermove', follow);
+      act(this.host, { do: 'settle' });
+    };
+    target.addEventListener('pointermove', follow);
+    target.addEventListener('lostpointercapture', end, { once: true });
+  }
+
+  private planeAt(event: PointerEvent): Place {
+    return this.host.frame.at(...pointIn(this.host, event));
+  }
+}

@@ -1,0 +1,205 @@
+import { formulaOf } from '../run/surface.js';
+import type { Formula } from '../run/surface.js';
+import type { Header, Scene } from '../trace/header.js';
+import type { Trace } from '../replay/trace.js';
+import { runnable, usual } from '../run/options.js';
+import type { Options } from '../run/options.js';
+import { addPolygon, emptySketch } from '../run/sketch.js';
+import type { Sketch, Spot, Vertex } from '../run/sketch.js';
+import { Tracer } from '../run/tracer.js';
+import { Undo } from './undo.js';
+
+/** What the editor shows; each change gives another. */
+export interface Editing {
+  readonly sketch: Sketch;
+  readonly options: Options;
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  /** The vertex that was last touched. */
+  readonly chosen: Spot | null;
+  /** The corners so far of a polygon that is being drawn. */
+  readonly drawn: readonly Vertex[] | null;
+  /** What the library said of the scene: why it was refused, or what it changed. */
+  readonly messages: string;
+  readonly refused: boolean;
+}
+
+/** What the editor's controls ask for. */
+export type Act =
+  | {
+      readonly do: 'edit';
+      readonly edit: (sketch: Sketch) => Sketch;
+      /** Edits in a row with the same name are undone together. */
+      readonly name?: string;
+    }
+  | { readonly do: 'settle' | 'undo' | 'redo' | 'draw' | 'finish' | 'cancel' | 'unpoint' | 'new' }
+  | { readonly do: 'point'; readonly at: readonly [x: number, y: number] }
+  | { readonly do: 'choose'; readonly spot: Spot | null }
+  | { readonly do: 'options'; readonly options: Partial<Options> };
+
+/** What the page does as something was edited. */
+export interface Followers {
+  changed(editing: Editing): void;
+  /** Another change of the scene begins, which will be undone as a whole. */
+  began(): void;
+  /** There is a trace of the scene as it is now. */
+  traced(trace: Trace): void;
+  /** A scene file is none that the library takes. */
+  refused(messages: string): void;
+  failed(error: unknown): void;
+}
+
+/** A scene that is changed and run, again and again. */
+export class Editor {
+  private undo = new Undo<Sketch>(emptySketch);
+  private options = usual;
+  private chosen: Spot | null = null;
+  private drawn: readonly Vertex[] | null = null;
+  private said: Pick<Editing, 'messages' | 'refused'> = { messages: '', refused: false };
+  /** A scene file came in, to be run so: the sketch is to be what the library makes of it. */
+  private adopts: { readonly file: string; readonly options: Options } | null = null;
+  private readonly tracer: Tracer;
+  /** The frame in which a change is told at the latest. */
+  private telling = 0;
+
+  constructor(
+    library: Blob,
+    private readonly followers: Followers,
+  ) {
+    this.tracer = new Tracer(
+      library,
+      ({ trace, messages }) => this.take(trace, messages),
+      (error) => followers.failed(error),
+    );
+  }
+
+  /** Goes on from the scene of a trace that is shown. */
+  open({ scene, method, edition, kernel, detail }: Header): void {
+    this.tracer.forget();
+    const options = runnable({ method, edition, kernel, detail, check: false });
+    this.begin(sketchOf(scene), options);
+  }
+
+  /** Runs the text of a scene file, as it is; one that is refused changes nothing. */
+  load(file: string, options: Options): void {
+    this.adopts = { file, options };
+    this.tracer.run(file, options);
+  }
+
+  get editing(): Editing {
+    const { undo, options, chosen, drawn, said } = this;
+    const { value, canUndo, canRedo } = undo;
+    return { sketch: value, options, canUndo, canRedo, chosen, drawn, ...said };
+  }
+
+  act(act: Act): void {
+    const { value: before, depth } = this.undo;
+    const { options } = this;
+    this.perform(act);
+    if (this.undo.depth > depth && act.do !== 'redo') this.followers.began();
+    if (this.undo.value === before && this.options === options) {
+      this.followers.changed(this.editing);
+    } else {
+      this.run();
+      this.tellSoon();
+    }
+  }
+
+  /** Together with the run, if that is quick: a page that is drawn twice for each move does not follow the pointer. */
+  private tellSoon(): void {
+    if (this.telling !== 0) return;
+    this.telling = requestAnimationFrame(() => {
+      this.telling = requestAnimationFrame(() => this.tell());
+    });
+  }
+
+  private tell(): void {
+    cancelAnimationFrame(this.telling);
+    this.telling = 0;
+    this.followers.changed(this.editing);
+  }
+
+  private begin(sketch: Sketch, options: Options): void {
+    this.undo = new Undo(sketch);
+    this.options = options;
+    this.adopts = null;
+    this.chosen = null;
+    this.drawn = null;
+    this.said = { messages: '', refused: false };
+    this.followers.changed(this.editing);
+  }
+
+  private perform(act: Act): void {
+    const { undo, drawn } = this;
+    switch (act.do) {
+      case 'edit':
+        undo.change(act.edit(undo.value), act.name);
+        break;
+      case 'settle':
+        undo.settle();
+        break;
+      case 'undo':
+        undo.undo();
+        break;
+      case 'redo':
+        undo.redo();
+        break;
+      case 'new':
+        undo.change({ ...emptySketch, area: undo.value.area });
+        break;
+      case 'draw':
+        this.drawn = [];
+        break;
+      case 'cancel':
+        this.drawn = null;
+        break;
+      case 'unpoint':
+        this.drawn = drawn?.slice(0, -1) ?? null;
+        break;
+      case 'point':
+        this.drawn = [...(drawn ?? []), [...act.at, 0]];
+        break;
+      case 'finish':
+        this.finish();
+        break;
+      case 'choose':
+        this.chosen = act.spot;
+        break;
+      case 'options':
+        this.options = runnable({ ...this.options, ...act.options });
+    }
+  }
+
+  private finish(): void {
+    const { drawn, undo } = this;
+    if (drawn === null || drawn.length < 3) return;
+    undo.change(addPolygon(undo.value, drawn));
+    this.chosen = { polygon: undo.value.polygons.length - 1, vertex: 0 };
+    this.drawn = null;
+  }
+
+  private run(): void {
+    this.adopts = null;
+    this.tracer.run(this.undo.value, this.options);
+  }
+
+  private take(trace: Trace | null, messages: string): void {
+    const { adopts, followers } = this;
+    this.adopts = null;
+    if (trace === null && adopts !== null) {
+      followers.refused(messages);
+      return;
+    }
+    if (trace !== null && adopts !== null) {
+      this.begin(sketchOf(trace.header.scene, formulaOf(adopts.file)), adopts.options);
+    }
+    this.said = { messages, refused: trace === null };
+    if (trace !== null) followers.traced(trace);
+    this.tell();
+  }
+}
+
+function sketchOf({ name, area, background, polygons, curves }: Scene, formula?: Formula): Sketch {
+  const sketch = { name, area, background, polygons, curves };
+  return formula === undefined ? sketch : { ...sketch, formula };
+}

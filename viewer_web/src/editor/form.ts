@@ -1,0 +1,43 @@
+import { LitElement } from 'lit';
+import { property } from 'lit/decorators.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { SceneTexts } from '../language/scene-texts.js';
+import type { Act, Editing } from './editor.js';
+import type { Sketch } from '../run/sketch.js';
+import { act } from './act.js';
+
+/** A part of the form of a scene: what it asks for is told by `vidno-act`. */
+export class FormElement extends LitElement {
+  @property({ attribute: false }) editing!: Editing;
+  @property({ attribute: false }) language: Language = 'en';
+
+  protected get say(): SceneTexts {
+    return texts[this.language].scene;
+  }
+
+  protected act(what: Act): void {
+    act(this, what);
+  }
+
+  protected edit(edit: (old: Sketch) => Sketch): void {
+    this.act({ do: 'edit', edit });
+  }
+
+  /** A field shows what it stands for again, also where what was typed is no number or changes nothing. */
+  protected number(event: Event, use: (value: number) => void): void {
+    const value = (event.target as HTMLInputElement).valueAsNumber;
+    if (Number.isFinite(value)) use(value);
+    this.requestUpdate();
+  }
+
+  /** A colour changes as long as one looks for it, and is undone at once. */
+  protected color(
+    event: Event,
+    of: string,
+    edit: (color: string) => (old: Sketch) => Sketch,
+  ): void {
+    const { value } = event.target as HTMLInputElement;
+    this.act({ do: 'edit', edit: edit(value), name: `color of ${of}` });
+  }
+}

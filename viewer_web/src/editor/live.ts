@@ -1,0 +1,115 @@
+import { download, fileName } from '../base/download.js';
+import type { Header } from '../trace/header.js';
+import { Editor } from './editor.js';
+import type { Act, Editing, Followers } from './editor.js';
+import type { Options } from '../run/options.js';
+import { packed, wordOf } from '../run/packed.js';
+import { sceneFile, sceneText } from '../run/sketch.js';
+import type { Sketch } from '../run/sketch.js';
+
+/** A scene as an address carries it, and how it is run. */
+export interface Carried {
+  readonly run: string;
+  readonly scene: string;
+}
+
+/** What came of the wish for a link. */
+export type LinkMade = 'copied' | 'saved';
+
+const isSame = (one: Editing, other: Editing): boolean =>
+  one.sketch === other.sketch && one.options === other.options;
+
+/** The scene that the page edits, if it was built with the library to run it. */
+export class Live {
+  editing: Editing | null = null;
+  link: LinkMade | null = null;
+  /** Whether what is shown is a run of this scene, and no trace that was opened. */
+  isRun = false;
+  /** The scene as it was opened or saved last. */
+  private kept: Sketch | null = null;
+  /** What was packed last: to pack takes a while. */
+  private last: { readonly editing: Editing; readonly carried: Carried | null } | null = null;
+  private readonly editor: Editor | null;
+
+  constructor(
+    library: Blob | null,
+    private readonly followers: Omit<Followers, 'changed'> & { changed(): void },
+  ) {
+    const changed = (editing: Editing): void => {
+      this.editing = editing;
+      if (!editing.canUndo && !editing.canRedo) this.kept = editing.sketch;
+      followers.changed();
+    };
+    const traced: Followers['traced'] = (trace) => {
+      this.isRun = true;
+      followers.traced(trace);
+    };
+    this.editor = library && new Editor(library, { ...followers, changed, traced });
+  }
+
+  /** Whether there are changes of the scene that nobody has saved. */
+  get isChanged(): boolean {
+    return this.editing !== null && this.editing.sketch !== this.kept;
+  }
+
+  /** Goes on from the scene of a trace that was opened. */
+  open(header: Header): void {
+    this.isRun = false;
+    this.editor?.open(header);
+  }
+
+  /** Runs a scene file; false if the page was built without the library. */
+  load(file: string, options: Options): boolean {
+    this.editor?.load(file, options);
+    return this.editor !== null;
+  }
+
+  act(act: Act): void {
+    this.link = null;
+    this.editor?.act(act);
+  }
+
+  /** Undo and redo, where the focus is in no field that has its own; says whether the key meant that. */
+  handleKey(event: KeyboardEvent): boolean {
+    const [target] = event.composedPath();
+    if (!(event.ctrlKey || event.metaKey) || this.editing === null) return false;
+    if (target instanceof HTMLInputElement && target.type !== 'range') return false;
+    const isRedo = event.code === 'KeyY' || (event.code === 'KeyZ' && event.shiftKey);
+    if (!isRedo && event.code !== 'KeyZ') return false;
+    event.preventDefault();
+    this.act({ do: isRedo ? 'redo' : 'undo' });
+    return true;
+  }
+
+  save(): void {
+    if (this.editing === null) return;
+    const { sketch } = this.editing;
+    this.kept = sketch;
+    const file = new Blob([sceneFile(sketch)], { type: 'application/json' });
+    download(file, `${fileName(sketch.name) || 'scene'}.json`);
+  }
+
+  /** What an address must hold to show this run again; null if there is none, or it is too long for one. */
+  async carried(): Promise<Carried | null> {
+    const { editing } = this;
+    if (editing === null || !this.isRun) return null;
+    const { last } = this;
+    if (last !== null && isSame(last.editing, editing)) return last.carried;
+    const scene = await packed(sceneText(editing.sketch));
+    const carried = scene === null ? null : { run: wordOf(editing.options), scene };
+    this.last = { editing, carried };
+    return carried;
+  }
+
+  /** The same at once, where it is known; undefined where it is not. */
+  get carriedNow(): Carried | null | undefined {
+    const { editing, last } = this;
+    if (editing === null || !this.isRun) return null;
+    return last !== null && isSame(last.editing, editing) ? last.carried : undefined;
+  }
+
+  tell(link: LinkMade): void {
+    this.link = link;
+    this.followers.changed();
+  }
+}

@@ -1,0 +1,108 @@
+import { html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { texts } from '../i18n/index.js';
+import type { Act } from './editor.js';
+import type { LinkMade } from './live.js';
+import { whyRefused } from '../run/refusal.js';
+import { isOnDisk } from '../lessons/page-file.js';
+import { ask } from './act.js';
+import { FormElement } from './form.js';
+import './run-form.js';
+import { scenePanelStyle } from './scene-panel.style.js';
+import { showsOfEdited } from '../player/shows.js';
+import { base } from '../elements/theme.js';
+
+/** The scene as a form, with what can be done with it as a whole, and what the library says of it. */
+@customElement('vidno-scene-panel')
+export class ScenePanelElement extends FormElement {
+  static override styles = [base, scenePanelStyle];
+
+  @property({ attribute: false }) link: LinkMade | null = null;
+  /** Whether an address can lead here again. */
+  @property({ type: Boolean }) linked = false;
+
+  override render(): TemplateResult {
+    const { editing, language } = this;
+    const { form, isSolid } = showsOfEdited(editing);
+    const run = html`<vidno-run-form .editing=${editing} .language=${language}></vidno-run-form>`;
+    // A surface is one formula: it must be in sight.
+    const [first, second] = isSolid
+      ? [run, form(editing, language)]
+      : [form(editing, language), run];
+    return html`
+      ${this.tools()} ${this.message()}
+      <div class="scroll">${first} ${second}</div>
+    `;
+  }
+
+  private tools(): TemplateResult {
+    const { say, editing } = this;
+    return html`<div class="tools" role="group">
+      ${this.icon('↶', `${say.undo} (Ctrl+Z)`, !editing.canUndo, { do: 'undo' })}
+      ${this.icon('↷', `${say.redo} (Ctrl+Y)`, !editing.canRedo, { do: 'redo' })}
+      ${showsOfEdited(editing).isSolid ? this.drawing() : nothing}
+      <button title=${say.saveHint} @click=${() => ask(this, 'vidno-save')}>${say.save}</button>
+      ${this.sharing()}
+    </div>`;
+  }
+
+  private drawing(): TemplateResult {
+    const { say, editing } = this;
+    const isDrawing = editing.drawn !== null;
+    return html`<button
+        class="draw"
+        aria-pressed=${isDrawing ? 'true' : 'false'}
+        title="${say.draw} (N)"
+        @click=${() => this.act({ do: isDrawing ? 'cancel' : 'draw' })}
+      >
+        ${say.draw}
+      </button>
+      <button title=${say.clearHint} @click=${() => this.act({ do: 'new' })}>${say.clear}</button>`;
+  }
+
+  private sharing(): TemplateResult {
+    const { say, linked } = this;
+    const isLink = linked && !isOnDisk();
+    return html`<button
+      title=${isLink ? say.linkHint : say.pageHint}
+      @click=${() => ask(this, 'vidno-link')}
+    >
+      ${isLink ? say.link : say.page}
+    </button>`;
+  }
+
+  private icon(sign: string, label: string, off: boolean, act: Act): TemplateResult {
+    return html`<button
+      class="icon"
+      aria-label=${label}
+      title=${label}
+      ?disabled=${off}
+      @click=${() => this.act(act)}
+    >
+      ${sign}
+    </button>`;
+  }
+
+  /** A place that is always there, so that nothing moves when it has something to say. */
+  private message(): TemplateResult {
+    const { say, editing, link } = this;
+    const { refused, messages, sketch } = editing;
+    if (refused) {
+      const why = whyRefused(messages, sketch, say);
+      return html`<p class="message refused" role="alert" tabindex="0">
+        <span>${why}. ${say.stands}</span>
+      </p>`;
+    }
+    return html`<p class="message" role="status" tabindex="0">
+      <span>${this.news(link, messages.trim())}</span>
+    </p>`;
+  }
+
+  private news(link: LinkMade | null, messages: string): string {
+    const { say, editing } = this;
+    if (link !== null) return link === 'copied' ? say.linkCopied : say.pageSaved;
+    if (editing.drawn !== null) return say.drawing;
+    return messages === '' ? showsOfEdited(editing).how(texts[this.language]) : messages;
+  }
+}

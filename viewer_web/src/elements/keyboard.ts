@@ -1,0 +1,53 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import { keyMap } from '../base/key-map.js';
+
+const isSummary = (target: EventTarget | undefined): boolean =>
+  target instanceof HTMLElement && target.localName === 'summary';
+
+/** Whether the element in focus means the key for itself. */
+export function takesKey(event: KeyboardEvent): boolean {
+  const [target] = event.composedPath();
+  if (target instanceof HTMLInputElement) {
+    if (event.key === 'Escape') return false;
+    if (target.type === 'checkbox') return event.key === ' ';
+    if (target.type === 'radio') return event.key === ' ' || event.key.startsWith('Arrow');
+    return target.type === 'range' ? !['?', ' ', '+', '-'].includes(event.key) : event.key !== '?';
+  }
+  if (target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement) return true;
+  const isPressed = target instanceof HTMLButtonElement || isSummary(target);
+  return isPressed && event.key === ' ';
+}
+
+/** What is done at keys, each by what it writes or else by its place, which is the same in any language. */
+export type Actions = Readonly<Record<string, () => void>>;
+
+/** Does at a key what the host has for it, wherever in the host it was pressed. */
+export class Keyboard implements ReactiveController {
+  constructor(
+    private readonly host: ReactiveControllerHost & HTMLElement,
+    private readonly actions: (event: KeyboardEvent) => Actions,
+    /** Whether it listens wherever the focus is, so that the reader may change its keys or turn them off. */
+    private readonly isEverywhere = false,
+  ) {
+    host.addController(this);
+  }
+
+  hostConnected(): void {
+    this.host.addEventListener('keydown', this.handle);
+  }
+
+  hostDisconnected(): void {
+    this.host.removeEventListener('keydown', this.handle);
+  }
+
+  readonly handle = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (takesKey(event) || (this.isEverywhere && !keyMap.allows(event))) return;
+    const code = this.isEverywhere ? keyMap.meant(event.code) : event.code;
+    const actions = this.actions(event);
+    const act = actions[event.key] ?? actions[code];
+    if (act === undefined) return;
+    event.preventDefault();
+    act();
+  };
+}

@@ -1,0 +1,238 @@
+import { LitElement, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, state } from 'lit/decorators.js';
+import { side } from './places.js';
+import { questionOf } from './question.js';
+import type { Question } from './question.js';
+import type { SignMap } from './sign-map.js';
+import { verdictBy } from './truth.js';
+import type { Check } from './truth.js';
+import { isWrong } from './verdict.js';
+import type { Verdict } from './verdict.js';
+import type { ExactTexts } from '../language/exact-texts.js';
+import { texts } from '../i18n/index.js';
+import type { SignMaps } from '../run/sign-maps.js';
+import type { Answer } from '../trace/values.js';
+import type { Trace } from '../replay/trace.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import { askCheck } from './ask-check.js';
+import { exactnessStyle } from './exactness.style.js';
+import './lens.js';
+import { panelsStyle } from '../elements/panels.style.js';
+import { base } from '../elements/theme.js';
+
+/** A map, and what it is of. */
+interface Drawn {
+  readonly question: Question;
+  readonly map: SignMap;
+}
+
+/** Longer numbers, fractions most of all, are shown in part. */
+const longest = 60;
+
+/** A run with more steps is checked only when that is asked for: it takes seconds. */
+const longestAtOnce = 200_000;
+
+/** The decision of the step: by which numbers it fell, what is right, and what the same decision gives in its neighbourhood. */
+@customElement('vidno-exactness')
+export class ExactnessElement extends LitElement {
+  static override styles = [base, panelsStyle, exactnessStyle];
+
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) trace!: Trace;
+  /** Who draws maps; null where the page has no library. */
+  @property({ attribute: false }) maps: SignMaps | null = null;
+  /** How it is known what is right. */
+  @property({ attribute: false }) check!: Check;
+  /** In a hall the map stands beside the numbers: nobody scrolls there. */
+  @property({ type: Boolean, reflect: true }) bare = false;
+  /** The map that was drawn last, with its question: while another is drawn it stays. */
+  @state() private drawn: Drawn | null = null;
+  @state() private isDrawing = false;
+  private question: Question | null = null;
+
+  private get texts(): ExactTexts {
+    return texts[this.view.language].exact;
+  }
+
+  override willUpdate(): void {
+    const { trace, view } = this;
+    const question = questionOf(trace, view.step);
+    if (JSON.stringify(question) === JSON.stringify(this.question)) return;
+    this.question = question;
+    if (question === null || !isAlike(question, this.drawn)) this.drawn = null;
+    this.isDrawing = question !== null && this.maps !== null;
+    if (question !== null && this.maps !== null) void this.ask(question, this.maps);
+  }
+
+  /** To open this panel is to ask what is right. */
+  override updated(): void {
+    const { check, maps, trace, view } = this;
+    const isShort = view.length <= longestAtOnce;
+    if (check.is === 'unchecked' && maps !== null && trace.complete && isShort) askCheck(this);
+  }
+
+  private async ask(question: Question, maps: SignMaps): Promise<void> {
+    const map = await maps.of(question, this.trace.header.kernel);
+    if (this.question !== question) return;
+    this.drawn = map && { question, map };
+    this.isDrawing = false;
+  }
+
+  override render(): TemplateResult {
+    const { question } = this;
+    const verdict = verdictBy(this.check, this.trace, this.view.step);
+    if (verdict === null && question === null) {
+      return html`${this.checked()}
+        <section><p class="hint">${this.texts.nothing} ${this.hintOfWrong()}</p></section>`;
+    }
+    return html`
+      ${this.checked()} ${verdict && this.decision(verdict)}
+      ${question === null ? this.noLens(this.texts.noLens) : this.lens(question, verdict)}
+    `;
+  }
+
+  /** Whether the run was checked, and by whom, where the trace does not say so. */
+  private checked(): TemplateResult | typeof nothing {
+    const { check, texts: say } = this;
+    if (check.is === 'told' || check.is === 'certain') return nothing;
+    const words = this.sayCheck(check);
+    const offers = check.is === 'unchecked' && this.maps !== null;
+    return html`<section class="checked">
+      <p class="hint" role="status">${words}</p>
+      ${
+        offers
+          ? html`<button class="check" @click=${() => askCheck(this)}>${say.check}</button>`
+          : nothing
+      }
+    </section>`;
+  }
+
+  private sayCheck(check: Check): string {
+    const { texts: say } = this;
+    if (check.is === 'checking') return say.checking;
+    if (check.is === 'found') return say.found(check.truth.wrong.length);
+    if (check.is === 'unable') return `${say.unable[check.why]} ${check.messages}`;
+    return this.maps === null ? `${say.unchecked} ${this.noLibrary}` : say.unchecked;
+  }
+
+  private get noLibrary(): string {
+    return texts[this.view.language].compare.noLibrary;
+  }
+
+  private hintOfWrong(): string {
+    const { check } = this;
+    const isKnown = check.is === 'told' || (check.is === 'found' && check.truth.wrong.length > 0);
+    return isKnown ? this.texts.findWrong : '';
+  }
+
+  private decision(verdict: Verdict): TemplateResult {
+    const say = this.texts;
+    const { of, numbers, taken, exact, by } = verdict;
+    const { whole } = numbersOf(this.view);
+    const title = say.decided[of];
+    return html`<section>
+      <h3>${title.charAt(0).toUpperCase() + title.slice(1)}</h3>
+      <dl>
+        ${numbers.map(
+          ([name, value]) =>
+            html`<dt>${name}</dt>
+              <dd title=${whole(value)}>${written(whole(value))}</dd>`,
+        )}
+        <dt>${say.computed}</dt>
+        <dd class="words computed">${this.answer(verdict, taken)}</dd>
+        ${
+          exact === undefined || exact === null
+            ? nothing
+            : html`<dt>${say.exact}</dt>
+                <dd class="words exact">${this.answer(verdict, exact)}</dd>`
+        }
+        ${
+          by === undefined
+            ? nothing
+            : html`<dt>${say.decidedBy}</dt>
+                <dd class="words">${say.stages[by]}</dd>`
+        }
+      </dl>
+      ${this.judgement(verdict)}
+    </section>`;
+  }
+
+  private answer({ of }: Verdict, answer: Answer): string {
+    const { signs, answer: say } = this.texts;
+    return of === 'orientation' ? signs[String(answer) as keyof typeof signs] : say(answer);
+  }
+
+  private judgement(verdict: Verdict): TemplateResult {
+    const say = this.texts;
+    if (verdict.exact === null) return html`<p class="verdict">${say.undefined}</p>`;
+    if (verdict.exact === undefined) {
+      return html`<p class="verdict">
+        ${this.check.is === 'certain' ? say.certain : say.notChecked}
+      </p>`;
+    }
+    if (!isWrong(verdict)) return html`<p class="verdict right">✓ ${say.right}</p>`;
+    const cause = verdict.cause === undefined ? '' : say.causes[verdict.cause];
+    return html`<p class="verdict wrong">✗ ${say.wrong} ${cause}</p>`;
+  }
+
+  private lens({ at }: Question, verdict: Verdict | null): TemplateResult {
+    const say = this.texts;
+    const { drawn, isDrawing } = this;
+    if (this.maps === null) return this.noLens(this.noLibrary);
+    if (drawn !== null) return this.map(drawn, isDrawing ? null : verdict);
+    if (!isDrawing) return this.noLens(say.noLens);
+    return html`<section>
+      <h3>${say.lens(numbersOf(this.view).point(at))}</h3>
+      <p class="hint">${say.drawing}</p>
+    </section>`;
+  }
+
+  private map({ question, map }: Drawn, verdict: Verdict | null): TemplateResult {
+    const say = this.texts;
+    const { at, places, asked } = question;
+    const title = say.lens(numbersOf(this.view).point(at));
+    return html`<section aria-busy=${this.isDrawing ? 'true' : 'false'}>
+      <h3>${title}</h3>
+      <p class="hint">${say.apart(power(places.step))}</p>
+      <p class="hint">${say.wrongPlaces(map.wrong, side ** 2)}</p>
+      <vidno-lens
+        .map=${map}
+        .texts=${say}
+        .label=${title}
+        ?plain=${!('orientation' in asked)}
+      ></vidno-lens>
+      ${this.driftOf(map, verdict)}
+    </section>`;
+  }
+
+  /** The Z-buffer adds depths up: the map, which does not, may say otherwise in the middle. */
+  private driftOf(map: SignMap, verdict: Verdict | null): TemplateResult | typeof nothing {
+    const isOther =
+      typeof verdict?.taken === 'boolean' &&
+      verdict.of === 'nearer' &&
+      verdict.taken !== (map.centre.computed === 1);
+    return isOther ? html`<p class="hint">${this.texts.drifted}</p>` : nothing;
+  }
+
+  private noLens(why: string): TemplateResult {
+    return html`<section><p class="hint">${why}</p></section>`;
+  }
+}
+
+/** Whether a map is of the same kind of decision. */
+function isAlike({ asked }: Question, drawn: Drawn | null): boolean {
+  return drawn !== null && Object.keys(asked).join() === Object.keys(drawn.question.asked).join();
+}
+
+/** In full, so that the last bit is seen. */
+function written(text: string): string {
+  return text.length > longest ? `${text.slice(0, longest)}…` : text;
+}
+
+/** A power of two as such. */
+function power(value: number): string {
+  const raised = String(Math.abs(Math.log2(value)));
+  return `2${value < 1 ? '⁻' : ''}${raised.replace(/\d/g, (digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)] ?? '')}`;
+}

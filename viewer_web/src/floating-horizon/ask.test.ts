@@ -1,0 +1,46 @@
+import { describe, expect, it } from 'vitest';
+import { texts } from '../i18n/index.js';
+import { languages } from '../language/language.js';
+import { answers, questionFrom } from '../testing/questions.js';
+import { textOf, traceOf } from '../testing/traces.js';
+import type { Trace } from '../replay/trace.js';
+import { between } from './ask.js';
+
+/** A line at height 1.5, and one behind it from 3 over column 0 to -1 over column 4: 3, 2, 1, 0, -1, growing downward. */
+const crossing = (): Promise<Trace> => traceOf(textOf('crossing.floating-horizon.signs.jsonl'));
+
+describe('the floating horizon asks', () => {
+  it('over which columns a curve is visible above, and below', async () => {
+    const question = questionFrom(await crossing(), 1, 'flags');
+    expect(question.about.curve).toBe(1);
+    expect(answers(question)).toEqual({ above: ['2', '3', '4'], below: ['1'] });
+    const second = question.parts[0]?.options[1];
+    expect(second?.value).toBe('2');
+    expect(languages.map((language) => second?.note?.(texts[language]))).toEqual([
+      'y = 1; upper 1.5; lower 1.5',
+      'y = 1; верхний 1,5; нижний 1,5',
+    ]);
+  });
+
+  it('over which columns the horizons change', async () => {
+    // The second line lies below the first over columns 0 and 1.
+    const question = questionFrom(await crossing(), 1, 'horizons');
+    expect(answers(question)).toEqual({ raised: [], lowered: ['0', '1'] });
+  });
+
+  it('which horizon is met, and where', async () => {
+    // Halfway between 2 and 1: it leaves the lower horizon, and goes beyond the upper one at the same place.
+    const trace = await crossing();
+    const lower = questionFrom(trace, 1, 'meeting');
+    expect(answers(lower)).toEqual({ meets: ['lower'], where: [between] });
+    const upper = questionFrom(trace, lower.until, 'meeting');
+    expect(answers(upper)).toEqual({ meets: ['upper'], where: [between] });
+  });
+
+  it('nothing where nothing is told of heights, nor of the first curve', async () => {
+    const hills = await traceOf(textOf('hills.floating-horizon.signs.jsonl'));
+    expect(questionFrom(hills, 1, 'flags').about.curve).toBeGreaterThan(0);
+    const coarse = await traceOf(textOf('hills.floating-horizon.polygons.jsonl'));
+    expect(() => questionFrom(coarse, 1, 'flags')).toThrow('no flags');
+  });
+});

@@ -1,0 +1,167 @@
+import { columnThing, curveThing } from '../algorithm/pointed.js';
+import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
+import type { Step } from '../predict/ahead.js';
+import type { Asker } from '../predict/asker.js';
+import type { Option } from '../predict/question.js';
+import type { Event, Method } from '../trace/events.js';
+import type { Trace } from '../replay/trace.js';
+import type { N } from '../trace/values.js';
+import { sideBeside } from '../replay/sides.js';
+
+const isOf = (method: Method): boolean => method === 'floating-horizon';
+
+/** How many columns one is asked about at once. */
+const mostColumns = 4;
+/** So far back is looked for the heights of the curve. */
+const farthest = 200;
+
+type Height = Event<'height'>;
+
+/** A column with what is known over it, to answer by. */
+const columnOption = (x: number, y: N, upper?: N | null, lower?: N | null): Option => ({
+  value: String(x),
+  note: ({ numbers, curves }) => {
+    const shown = (value: N | null | undefined): string =>
+      value === null || value === undefined ? '—' : numbers.short(value);
+    return `y = ${numbers.short(y)}; ${curves.upper} ${shown(upper)}; ${curves.lower} ${shown(lower)}`;
+  },
+});
+
+const hasHorizon = ({ upper, lower }: Height): boolean =>
+  upper !== undefined && lower !== undefined;
+
+/** The last heights of the curve before a step, by their columns. */
+function heightsBefore({ timeline }: Trace, step: number): ReadonlyMap<number, Height> {
+  const found = new Map<number, Height>();
+  for (let at = step; at > Math.max(0, step - farthest) && found.size < 2; at--) {
+    const event = timeline.event(at);
+    if (event?.e === 'curve') break;
+    if (event?.e === 'height' && !found.has(event.x)) found.set(event.x, event);
+  }
+  return found;
+}
+
+const curveOf = (trace: Trace, step: number): number =>
+  trace.timeline.seek(step).values.horizon?.curve ?? 0;
+
+/** How does the curve lie to the horizons over the next columns? */
+export const flags: Asker<'flags'> = {
+  isOf,
+  from: 'signs',
+  at: ['visibility'],
+  ask(trace, step) {
+    const end = nextOf(trace, step, 'curve')?.step ?? trace.timeline.length + 1;
+    const steps = stepsOf(trace, step, Math.min(end - 1, step + farthest), 'visibility');
+    const next = steps.slice(0, mostColumns);
+    const until = next.at(-1)?.step;
+    if (until === undefined || next.length < mostColumns) return null;
+    const heights = stepsOf(trace, step, until, 'height').map(({ event }) => event);
+    const found = new Set(next.map(({ event }) => event.flag));
+    if (found.size < 2 || !heights.every(hasHorizon)) return null;
+    const options = heights.map(({ x, y, upper, lower }) => columnOption(x, y, upper, lower));
+    const over = (...wanted: readonly number[]): readonly string[] =>
+      next.filter(({ event }) => wanted.includes(event.flag)).map(({ event }) => String(event.x));
+    const curve = curveOf(trace, step);
+    return {
+      kind: 'flags',
+      step,
+      until,
+      about: { curve },
+      parts: [
+        { asks: 'above', options, right: over(1, 2) },
+        { asks: 'below', options, right: over(-1, 2) },
+      ],
+      because: inOrder(next),
+      things: [curveThing(curve)],
+    };
+  },
+};
+
+/** Over which of the two columns do the horizons change? */
+export const horizons: Asker<'horizons'> = {
+  isOf,
+  from: 'signs',
+  at: ['call'],
+  ask(trace, step) {
+    if (eventAt(trace, step, 'call')?.of !== 'Horizon') return null;
+    const result = nextOf(trace, step, 'horizon', 'curve');
+    if (result === null) return null;
+    const { first, last, at } = result.event;
+    const heights = heightsBefore(trace, step);
+    const known = [heights.get(first), heights.get(last)].filter((each) => each !== undefined);
+    if (at === 'SE2' || last !== first + 1 || known.length < 2) return null;
+    const { columns, values } = trace.timeline.seek(step);
+    const left = trace.header.scene.area.x;
+    const now = (which: 'upper' | 'lower', x: number): N | null =>
+      columns?.horizons[which].row(0)[x - left] ?? null;
+    const options = known.map(({ x, y }) => columnOption(x, y, now('upper', x), now('lower', x)));
+    if (known.some(({ x }) => now('upper', x) === null)) return null;
+    const raised = stepsOf(trace, step, result.step, 'raise');
+    const lowered = stepsOf(trace, step, result.step, 'lower');
+    const curve = values.horizon?.curve ?? 0;
+    const places = (of: readonly Step<'raise' | 'lower'>[]): readonly string[] =>
+      of.map(({ event }) => String(event.x));
+    return {
+      kind: 'horizons',
+      step,
+      until: result.step,
+      about: { curve },
+      parts: [
+        { asks: 'raised', options, right: places(raised) },
+        { asks: 'lowered', options, right: places(lowered) },
+      ],
+      because: inOrder(raised, lowered, [result]),
+      things: known.map(({ x }) => columnThing(x)),
+    };
+  },
+};
+
+/** Of the places where a segment may meet a horizon the one on no column. */
+export const between = 'between';
+
+/** Which horizon does the segment meet, and where? */
+export const meeting: Asker<'meeting'> = {
+  isOf,
+  from: 'signs',
+  at: ['call'],
+  ask(trace, step) {
+    if (eventAt(trace, step, 'call')?.of !== 'Intersection') return null;
+    const result = nextOf(trace, step, 'intersection', 'curve');
+    const { place, curve } = trace.timeline.seek(step).values.horizon ?? {};
+    const [from, to] = [place?.previous, place?.current];
+    const heights = heightsBefore(trace, step);
+    if (result === null || !from || to?.[0] !== from[0] + 1) return null;
+    const known = [heights.get(from[0]), heights.get(to[0])].filter((each) => each !== undefined);
+    if (known.length < 2 || !known.every(hasHorizon)) return null;
+    const was = sideBeside(from[1], to[1]);
+    const is = sideBeside(to[1], from[1]);
+    const isUpper = (result.event.at === 'FH7' ? was : is) === 'above';
+    const isFirstOfPrinted = trace.header.edition === 'printed' && was === 'hidden'; // X-H2
+    const { columns } = result.event;
+    const spot = columns[0] === columns[1] ? String(columns[0]) : between;
+    return {
+      kind: 'meeting',
+      step,
+      until: result.step,
+      about: { curve: curve ?? 0 },
+      parts: [
+        {
+          asks: 'meets',
+          options: [{ value: 'upper' }, { value: 'lower' }],
+          right: [isUpper || isFirstOfPrinted ? 'upper' : 'lower'],
+          given: known.map(({ x, y, upper, lower }) => ({
+            ...columnOption(x, y, upper, lower),
+            of: 'column',
+          })),
+        },
+        {
+          asks: 'where',
+          options: [{ value: String(from[0]) }, { value: between }, { value: String(to[0]) }],
+          right: [spot],
+        },
+      ],
+      because: inOrder(stepsOf(trace, step, result.step, 'step'), [result]),
+      things: known.map(({ x }) => columnThing(x)),
+    };
+  },
+};

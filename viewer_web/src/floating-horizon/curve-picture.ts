@@ -1,0 +1,78 @@
+import { css, html, nothing, svg } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { guard } from 'lit/directives/guard.js';
+import { curvesStyle } from './curves.style.js';
+import { allLayers } from './layers.js';
+import type { Layer } from './layers.js';
+import { columnShape, curveShapes, curvesToPoint } from './shapes.js';
+import { texts } from '../i18n/index.js';
+import type { CurveHistoryTexts } from '../language/curve-texts.js';
+import type { Frame, Point } from '../picture/frame.js';
+import type { Pixel } from '../picture/pixel.js';
+import { drawn } from '../picture/drawn.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import { marksStyle } from '../picture/marks.style.js';
+import { pictureStyle } from '../picture/picture.style.js';
+import { PlaneElement } from '../picture/plane.js';
+import './sample-handles.js';
+import { base } from '../elements/theme.js';
+
+/** The lines that were drawn so far, and over them what the procedure knows of curves and columns. */
+@customElement('vidno-curve-picture')
+export class CurvePictureElement extends PlaneElement {
+  static override styles = [
+    base,
+    hiddenStyle,
+    marksStyle,
+    pictureStyle,
+    curvesStyle,
+    css`
+      :host {
+        background: #ffffff;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) layers: ReadonlySet<Layer> = allLayers;
+  /** Whether samples may be moved. */
+  @property({ type: Boolean }) edited = false;
+
+  protected override above(frame: Frame): unknown {
+    if (!this.edited) return nothing;
+    return html`<vidno-sample-handles
+      .view=${this.view}
+      .frame=${frame}
+      @follow=${({ detail }: CustomEvent<Point>) => this.follow(detail, 0)}
+    ></vidno-sample-handles>`;
+  }
+
+  protected override get words(): CurveHistoryTexts {
+    return texts[this.view.language].curves.history;
+  }
+
+  protected override drawing(frame: Frame): unknown {
+    const { view, layers } = this;
+    const { curves } = view.header.scene;
+    return svg`${curveShapes(view, frame, layers).map(drawn)}
+      ${guard([curves], () => curvesToPoint(curves ?? []).map(drawn))}`;
+  }
+
+  protected override cursorMark([x]: Pixel): unknown {
+    return drawn(columnShape('cursor', x, this.view.header.scene.area));
+  }
+
+  /** The nearest column: it is a line of the plane, not a square. */
+  protected override placeAt(point: Point): Pixel {
+    const { x: first, y: top, width, height } = this.view.header.scene.area;
+    const [x, y] = this.frame.at(...point);
+    const isInside = y >= top && y < top + height && x > first - 1 && x < first + width;
+    if (!isInside) return [first - 1, top];
+    return [Math.min(Math.max(Math.round(x), first), first + width - 1), Math.floor(y)];
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-curve-picture': CurvePictureElement;
+  }
+}

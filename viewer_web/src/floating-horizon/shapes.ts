@@ -1,0 +1,245 @@
+import { toNumber } from '../language/words.js';
+import type { Frame } from '../picture/frame.js';
+import { isShown, spot } from '../picture/mark.js';
+import type { Spot } from '../picture/mark.js';
+import { boxData, circleData, pathData } from '../picture/shapes.js';
+import type { Shape } from '../picture/shapes.js';
+import { curveThing, thingOf } from '../algorithm/pointed.js';
+import type { Grid } from '../replay/grid.js';
+import type { CurveEvents, Event } from '../trace/events.js';
+import type { Area, Curve } from '../trace/header.js';
+import type { N } from '../trace/values.js';
+import type { View } from '../algorithm/view.js';
+import { flagData, flagLooks } from './flag-looks.js';
+import type { FlagLook } from './flag-looks.js';
+import type { Layer } from './layers.js';
+import type { Line } from '../replay/lines.js';
+
+/** CSS pixels: of the mark of a flag, at most, and of a dot of the step. */
+const flagSize = 4;
+const dot = 4.5;
+/** So far apart samples have dots of their own. */
+const samplesApart = 6;
+
+const parts = new WeakMap<Line, string>();
+
+/** Each line is written once: there may be thousands, and a step changes one. */
+function lineData(line: Line): string {
+  const known = parts.get(line);
+  if (known !== undefined) return known;
+  const ends = [spot(line.from), spot(line.to)];
+  const d = ends.every(isShown) ? pathData(ends, false) : '';
+  parts.set(line, d);
+  return d;
+}
+
+/** The height of a curve over a column, to be drawn there; null where the curve is not. */
+export function heightOver(curve: Curve, column: number): number | null {
+  const next = curve.findIndex(([x]) => x >= column);
+  const [x2, y2] = curve[next] ?? [NaN, NaN];
+  if (x2 === column) return y2;
+  const before = curve[next - 1];
+  if (before === undefined) return null;
+  const [x1, y1] = before;
+  return y1 + ((y2 - y1) * (column - x1)) / (x2 - x1);
+}
+
+/** A horizon from column to column where there is one; over a column alone, a short bar. */
+function horizonData(heights: Grid<N | null>, { x, width }: Area): string {
+  const row = heights.row(0);
+  const pieces: string[] = [];
+  let piece: Spot[] = [];
+  const end = (): void => {
+    const [only] = piece;
+    if (piece.length > 1) pieces.push(pathData(piece, false));
+    else if (only !== undefined) pieces.push(`M${only[0] - 0.2} ${only[1]}h0.4`);
+    piece = [];
+  };
+  for (let i = 0; i < width; i++) {
+    const height = row[i] ?? null;
+    const at: Spot = [x + i, height === null ? NaN : toNumber(height)];
+    if (isShown(at)) piece.push(at);
+    else end();
+  }
+  end();
+  return pieces.join('');
+}
+
+const curveInHand = ({ header, after }: View): Curve | null =>
+  header.scene.curves?.[after.horizon?.curve ?? -1] ?? null;
+
+const first = (curve: Curve): Spot => curve[0] ?? [NaN, NaN];
+const last = (curve: Curve): Spot => curve.at(-1) ?? [NaN, NaN];
+
+/** Through the ends of curves; that of the last one may not have been reached yet. */
+function sideEdge(ends: readonly Spot[], reached: Spot | null): Shape {
+  const isReached = ends.at(-1)?.join() === reached?.join();
+  return { look: 'side-edge', d: pathData(isReached ? ends : ends.slice(0, -1), false) };
+}
+
+type Draw = (view: View, frame: Frame) => readonly Shape[];
+
+/** What each layer shows, those above later. */
+const layers: Readonly<Record<Layer, Draw>> = {
+  edges: ({ header, after }) => {
+    const { curve = null, edges } = after.horizon ?? {};
+    if (curve === null || edges === undefined) return [];
+    const begun = header.scene.curves?.slice(0, curve + 1) ?? [];
+    return [sideEdge(begun.map(first), edges.left), sideEdge(begun.map(last), edges.right)];
+  },
+  curve: (view, { scale }) => {
+    const curve = curveInHand(view);
+    if (curve === null) return [];
+    const ends = view.after.horizon?.place.segment;
+    const segment = curve.filter(([x]) => ends?.includes(x));
+    const [from, to] = [curve[0]?.[0] ?? 0, curve.at(-1)?.[0] ?? 0];
+    const areApart = (to - from) * scale >= samplesApart * (curve.length - 1);
+    const samples = areApart ? curve.map((sample) => circleData(sample, 2 / scale)).join('') : '';
+    return [
+      { look: 'in-hand', d: pathData(curve, false) },
+      { look: 'segment', d: pathData(segment, false) },
+      { look: 'samples', d: samples },
+    ];
+  },
+  lines: ({ lines, step }) => [{ look: 'visible', d: lines.at(step).map(lineData).join('') }],
+  horizons: ({ columns, header: { scene, edition } }) => {
+    if (columns === null) return [];
+    const { horizons, before } = columns;
+    const drawn = (look: string, heights: Grid<N | null>): Shape => ({
+      look,
+      d: horizonData(heights, scene.area),
+    });
+    // The printed text compares with the horizons themselves.
+    const compared =
+      edition === 'printed'
+        ? []
+        : [drawn('upper before', before.upper), drawn('lower before', before.lower)];
+    return [...compared, drawn('upper', horizons.upper), drawn('lower', horizons.lower)];
+  },
+  columns: (view, { scale }) => {
+    const { columns, after, header } = view;
+    const curve = curveInHand(view);
+    const { area } = header.scene;
+    const x = (after.horizon?.place.current ?? after.horizon?.place.previous)?.[0];
+    if (columns === null || curve === null || x === undefined) return [];
+    const r = Math.min(flagSize, 0.45 * scale) / scale;
+    const data: Record<FlagLook, string> = { above: '', below: '', hidden: '', both: '' };
+    const flags = columns.flags.row(0);
+    for (let i = 0; i < area.width; i++) {
+      const flag = flags[i] ?? null;
+      const y = flag === null ? null : heightOver(curve, area.x + i);
+      if (flag === null || y === null) continue;
+      const look = flagLooks[flag];
+      data[look] += flagData[look]([area.x + i, y], r);
+    }
+    const column = { look: 'looked-at', d: columnData(x, area) };
+    const marks = Object.entries(data).map(([look, d]) => ({ look: `flag ${look}`, d }));
+    return [column, ...marks];
+  },
+};
+
+type OfEvent<K extends keyof CurveEvents> = (
+  event: CurveEvents[K],
+  view: View,
+  frame: Frame,
+) => readonly Shape[];
+
+const dotAt = (look: string, at: Spot, { scale }: Frame): Shape => ({
+  look: `dot ${look}`,
+  d: isShown(at) ? circleData(at, dot / scale) : '',
+});
+
+const heightDot: OfEvent<'raise' | 'lower' | 'height'> = ({ x, y }, _view, frame) => [
+  dotAt('point', [x, toNumber(y)], frame),
+];
+
+/** What is shown because of the step itself. */
+const ofStep: { readonly [K in keyof CurveEvents]?: OfEvent<K> } = {
+  side_edge: ({ sample }, _view, frame) => [dotAt('point', sample, frame)],
+  visibility: ({ x, flag }, view, frame) => {
+    const y = heightOver(curveInHand(view) ?? [], x);
+    return y === null ? [] : [dotAt(flag === 0 ? 'no' : 'yes', [x, y], frame)];
+  },
+  intersection: ({ point }, _view, frame) => [dotAt('point', spot(point), frame)],
+  draw_line: ({ from, to }) => {
+    const ends = [spot(from), spot(to)];
+    if (!ends.every(isShown)) return [];
+    const d = pathData(ends, false);
+    return [
+      { look: 'casing touched', d },
+      { look: 'changed-part', d },
+    ];
+  },
+  horizon: ({ upper, lower }, _view, { scale }) => {
+    const bars = [...upper, ...lower].map(spot).filter(isShown);
+    const reach = Math.max(0.3, 2 / scale);
+    return [
+      { look: 'changed-part', d: bars.map(([x, y]) => `M${x - reach} ${y}h${2 * reach}`).join('') },
+    ];
+  },
+  height: heightDot,
+  raise: heightDot,
+  lower: heightDot,
+  step: ({ x }, { header }) => [{ look: 'looked-at', d: columnData(x, header.scene.area) }],
+};
+
+const columnData = (x: number, { y, height }: Area): string => `M${x} ${y}v${height}`;
+
+function stepShapes(event: Event, view: View, frame: Frame): readonly Shape[] {
+  const draw = (ofStep as Readonly<Partial<Record<string, OfEvent<keyof CurveEvents>>>>)[event.e];
+  return draw?.(event as CurveEvents[keyof CurveEvents], view, frame) ?? [];
+}
+
+/** What is pointed at, or asked about, anywhere on the page. */
+function pointedShapes(view: View): readonly Shape[] {
+  const { pointed, asked = [], header } = view;
+  const { curves, area } = header.scene;
+  return [...asked, ...(pointed === null ? [] : [pointed])].flatMap((text): readonly Shape[] => {
+    const thing = thingOf(text, view);
+    if (thing?.kind === 'curve') {
+      return [{ look: 'pointed-curve', d: pathData(curves?.[thing.curve] ?? [], false) }];
+    }
+    return thing?.kind === 'column'
+      ? [{ look: 'pointed-column', d: columnData(thing.x, area) }]
+      : [];
+  });
+}
+
+/** A column that is chosen, or about to be. */
+export const columnShape = (look: 'chosen-column' | 'cursor', x: number, area: Area): Shape => ({
+  look,
+  d: columnData(x, area),
+});
+
+export const areaShape = ({ x, y, width, height }: Area): Shape => ({
+  look: 'area',
+  d: boxData([x, y, width, height]),
+});
+
+const above: readonly Layer[] = ['horizons', 'edges', 'curve', 'lines', 'columns'];
+
+/** All that the picture shows at a step, those above later. */
+export function curveShapes(view: View, frame: Frame, shown: ReadonlySet<Layer>): readonly Shape[] {
+  const { event, pixel, header } = view;
+  const { area } = header.scene;
+  const chosen = pixel === null ? [] : [columnShape('chosen-column', pixel[0], area)];
+  return [
+    areaShape(area),
+    { look: 'rival', d: (view.rival ?? []).map(lineData).join('') },
+    ...above.filter((layer) => shown.has(layer)).flatMap((layer) => layers[layer](view, frame)),
+    ...(event === null ? [] : stepShapes(event, view, frame)),
+    ...pointedShapes(view),
+    ...chosen,
+  ].filter(({ d }) => d !== '');
+}
+
+/** Curves without a look, wide enough to be pointed at; of many, none. */
+export function curvesToPoint(curves: readonly Curve[]): readonly Shape[] {
+  const most = 200;
+  if (curves.length > most) return [];
+  return curves.map((curve, i) => ({
+    look: 'to-point',
+    d: pathData(curve, false),
+    thing: curveThing(i),
+  }));
+}

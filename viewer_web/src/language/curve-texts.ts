@@ -1,0 +1,60 @@
+import type { Layer } from '../floating-horizon/layers.js';
+import type { CurveEvents } from '../trace/events.js';
+import type { HistoryTexts } from './texts.js';
+import type { Words } from './words.js';
+
+/** What a run of curves has to say of its own. */
+export interface CurveTexts {
+  readonly curve: (curve: number) => string;
+  readonly inHand: string;
+  readonly segment: string;
+  readonly edges: string;
+  readonly left: string;
+  readonly right: string;
+  readonly column: string;
+  readonly upper: string;
+  readonly lower: string;
+  readonly looked: string;
+  readonly lines: string;
+  readonly flags: Readonly<Record<'above' | 'below' | 'hidden' | 'both', string>>;
+  readonly layers: Readonly<Record<Layer, string>>;
+  readonly layersName: string;
+  readonly around: (column: string) => string;
+  readonly history: CurveHistoryTexts;
+  readonly surface: SurfaceTexts;
+}
+
+/** What is said where a surface is made. */
+export interface SurfaceTexts {
+  readonly own: string;
+  readonly name: string;
+  readonly how: string;
+  readonly title: string;
+  readonly function: string;
+  readonly language: string;
+  readonly sampled: (curves: number, samples: number) => string;
+  readonly give: string;
+  readonly ends: Readonly<Record<'x' | 'z', readonly [string, string]>>;
+  readonly curves: string;
+  readonly samples: string;
+  readonly tolerance: string;
+  readonly toleranceHint: string;
+  readonly up: string;
+  readonly ways: Readonly<Record<'origin' | 'across' | 'back', string>>;
+  /** Of a way on the screen. */
+  readonly place: readonly [string, string];
+  readonly sample: (curve: number, x: number, y: number) => string;
+}
+
+/** What is said of a column and of all that happened over it. */
+export type CurveHistoryTexts = Pick<
+  HistoryTexts,
+  'pixel' | 'at' | 'hint' | 'how' | 'forget' | 'entries' | 'outcomes' | 'painted' | 'unpainted'
+>;
+
+export type CurveSentences = {
+  readonly [K in keyof CurveEvents]: (
+    event: Extract<CurveEvents[keyof CurveEvents], { readonly e: K }>,
+    words: Words,
+  ) => string;
+};

@@ -1,0 +1,57 @@
+import type { Relation } from '../predict/asker.js';
+import type { Becomes } from '../weiler-atherton/ask-behind.js';
+import type { Abouts, Asks, Kind } from '../predict/question.js';
+import type { tests } from '../warnock/ask-relation.js';
+import type { Event } from '../trace/events.js';
+
+/** What is said where one predicts the next steps. */
+export interface PredictTexts {
+  readonly title: string;
+  /** With the key for it, where keys of one character do something. */
+  readonly hint: (key: string | null) => string;
+  readonly next: string;
+  readonly none: string;
+  readonly forced: string;
+  readonly forcedHint: string;
+  readonly askAbout: string;
+  readonly kinds: Readonly<Record<Kind, string>>;
+  readonly intro: { readonly [K in Kind]: (about: Abouts[K]) => string };
+  readonly asks: Readonly<Record<Asks, string>>;
+  /** How a row is typed. */
+  readonly rows: Readonly<Record<'signs' | 'list' | 'order' | 'walked', string>>;
+  /** What fills the places after the end of a row. */
+  readonly ends: PredictTexts['rows'];
+  readonly crossing: string;
+  readonly area: string;
+  readonly noPolygon: Readonly<Record<'hides' | 'wins', string>>;
+  readonly relations: Readonly<Record<Relation, string>>;
+  readonly lies: Readonly<Record<Event<'relation'>['relation'], string>>;
+  /** What the lines of the test of a relation look at. */
+  readonly tests: Readonly<Record<(typeof tests)[number], string>>;
+  readonly becomes: Readonly<Record<Becomes, string>>;
+  readonly edge: (edge: string) => string;
+  readonly column: (column: string) => string;
+  readonly horizons: Readonly<Record<'upper' | 'lower', string>>;
+  readonly between: string;
+  readonly overColumn: (column: string) => string;
+  readonly check: string;
+  readonly giveUp: string;
+  readonly again: string;
+  readonly missing: string;
+  readonly verdicts: Readonly<Record<'right' | 'wrong' | 'givenUp', string>>;
+  readonly partRight: string;
+  readonly partWrong: string;
+  readonly rightIs: (answer: string) => string;
+  readonly empty: string;
+  readonly because: string;
+  readonly waits: (step: number) => string;
+  readonly score: string;
+  readonly counted: (right: number, asked: number) => string;
+  readonly first: string;
+  readonly name: string;
+  readonly save: string;
+  readonly saveHint: string;
+  readonly moodle: string;
+  readonly moodleHint: string;
+  readonly moodleNone: string;
+}

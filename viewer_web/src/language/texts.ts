@@ -1,0 +1,235 @@
+import type { Outcome } from '../history/entry.js';
+import type { Why } from '../history/why.js';
+import type { LaneName } from '../strip/lanes.js';
+import type { Case } from '../time/course.js';
+import type { GoalName } from '../time/goals.js';
+import type { Event, EventName, Method, Procedure } from '../trace/events.js';
+import type { Edition } from '../trace/editions.js';
+import type { PixelFacts } from '../picture/pixel-facts.js';
+import type { Pixel } from '../picture/pixel.js';
+import type { Reason, Reasons } from '../trace/refusal.js';
+import type { Ended } from '../replay/read.js';
+import type { Corner } from '../trace/values.js';
+import type { ExactTexts } from './exact-texts.js';
+import type { CurveTexts } from './curve-texts.js';
+import type { CompareTexts } from './compare-texts.js';
+import type { FamilyTexts } from './family-texts.js';
+import type { KeyTexts, KeyUse, NewsTexts } from './key-texts.js';
+import type { LegendEntry, PictureTexts } from './picture-texts.js';
+import type { PredictTexts } from './predict-texts.js';
+import type { RegionTexts } from './region-texts.js';
+import type { ReaderTexts } from './reader-texts.js';
+import type { SceneTexts } from './scene-texts.js';
+import type { SolidTexts } from './solid-texts.js';
+import type * as words from './words.js';
+import type { Words } from './words.js';
+
+/** One sentence an event, made from the event and the step that it belongs to. */
+export type Sentences = {
+  readonly [K in EventName]: (event: Event<K>, words: Words) => string;
+};
+
+export type ReasonTexts = {
+  readonly [K in Reason]: (...details: Reasons[K]) => string;
+};
+
+/** How numbers and what is made of them are written. */
+export type Numbers = Pick<
+  typeof words,
+  | 'short'
+  | 'signed'
+  | 'whole'
+  | 'inFull'
+  | 'shortApart'
+  | 'joined'
+  | 'list'
+  | 'point'
+  | 'windowText'
+>;
+
+/** Everything that the page says, in one language. */
+export interface Texts {
+  readonly numbers: Numbers;
+  readonly page: PageTexts;
+  readonly places: Readonly<Record<Corner, string>>;
+  readonly purposes: Readonly<Record<Procedure, string>>;
+  readonly sentences: Sentences;
+  readonly reasons: ReasonTexts;
+  readonly history: HistoryTexts;
+  readonly travel: TravelTexts;
+  readonly strip: StripTexts;
+  readonly bookmarks: BookmarkTexts;
+  readonly picture: PictureTexts;
+  readonly scene: SceneTexts;
+  readonly exact: ExactTexts;
+  readonly solid: SolidTexts;
+  readonly predict: PredictTexts;
+  readonly compare: CompareTexts;
+  readonly reader: ReaderTexts;
+  readonly family: FamilyTexts;
+  readonly curves: CurveTexts;
+  readonly regions: RegionTexts;
+}
+
+/** What is said of a pixel and of all that concerned it. */
+export interface HistoryTexts {
+  readonly pixel: string;
+  readonly at: (x: number, y: number) => string;
+  /** Of the pixel where the keyboard is, for those who hear the picture. */
+  readonly spoken: (at: Pixel, facts: PixelFacts) => string;
+  /** With the key for it, where keys of one character do something. */
+  readonly hint: (key: string | null) => string;
+  readonly how: string;
+  readonly forget: string;
+  readonly entries: string;
+  readonly outcomes: Readonly<Record<Outcome, string>>;
+  readonly painted: (step: number) => string;
+  readonly unpainted: string;
+  readonly reading: string;
+  readonly earlier: (n: number) => string;
+  readonly later: (n: number) => string;
+  readonly missed: (polygon: string) => string;
+  readonly kept: (polygon: string) => string;
+  readonly because: string;
+  readonly why: Readonly<Record<Why, (polygon: string) => string>>;
+  readonly whyBackground: string;
+}
+
+/** The ways through a run that are longer than a step. */
+export interface TravelTexts {
+  readonly procedure: string;
+  readonly over: string;
+  readonly overBack: string;
+  readonly out: string;
+  readonly outBack: string;
+  readonly goTo: string;
+  readonly next: string;
+  readonly previous: string;
+  readonly goals: Readonly<Record<GoalName, string>>;
+  readonly ofPolygon: string;
+  readonly noGoal: string;
+}
+
+/** What is said of a place in the run, and of the strip that shows the whole run. */
+export interface StripTexts {
+  readonly step: (step: number, length: number) => string;
+  readonly windowAt: (size: string, at: string) => string;
+  readonly polygon: (id: string) => string;
+  readonly row: (row: string) => string;
+  readonly bookmark: (note: string) => string;
+  readonly cases: Readonly<Record<Case, string>>;
+  readonly marks: Readonly<Record<'wrong' | 'fault', string>>;
+  readonly lanes: Readonly<Record<LaneName, string>>;
+  readonly legend: string;
+  readonly explain: Readonly<Record<LaneName | StripMark, string>>;
+  readonly columns: string;
+}
+
+/** What stands on the strip at single steps. */
+export type StripMark = 'wrong' | 'fault' | 'bookmark' | 'now';
+
+export interface BookmarkTexts {
+  readonly title: string;
+  readonly add: (step: number) => string;
+  readonly edit: (step: number) => string;
+  readonly placeholder: string;
+  readonly goTo: (step: number) => string;
+  readonly remove: (step: number) => string;
+  readonly count: (n: number, most: number) => string;
+  readonly full: (most: number) => string;
+  readonly long: (most: number) => string;
+  /** With the key for it, where keys of one character do something. */
+  readonly hint: (key: string | null) => string;
+  readonly linked: string;
+  /** The same of a page on a disk, whose address leads nobody else here. */
+  readonly onDisk: string;
+  readonly unlinked: string;
+}
+
+/** What is said where a file may be opened. */
+export interface FileTexts {
+  readonly ownFile: string;
+  readonly openFile: string;
+  readonly dropHere: string;
+}
+
+export interface PageTexts extends FileTexts {
+  readonly tagline: string;
+  readonly lessons: string;
+  readonly noLessons: string;
+  readonly reading: (name: string) => string;
+  readonly growing: (steps: string, percent: number) => string;
+  readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
+  readonly unknown: (name: string) => string;
+  readonly broken: (name: string) => string;
+  readonly refusedScene: (name: string, why: string) => string;
+  readonly emptyFile: (name: string) => string;
+  readonly shortened: Readonly<Record<Ended['why'], (line: number) => string>>;
+  readonly wrongLine: (line: number, where: string, reason: string) => string;
+  readonly methods: Readonly<Record<Method, string>>;
+  readonly editions: Readonly<Record<Edition, string>>;
+  /** Of a run: its decisions were held against exact arithmetic. */
+  readonly checked: string;
+  readonly kernel: string;
+  /** A scene of a lesson, by the name of its file. */
+  readonly scene: (file: string) => string;
+  readonly detail: string;
+  readonly start: string;
+  readonly nothingOpen: string;
+  readonly picture: string;
+  readonly savePicture: (kind: string) => string;
+  readonly listing: string;
+  readonly source: string;
+  readonly things: ThingTexts;
+  readonly callStack: string;
+  readonly state: string;
+  readonly first: string;
+  readonly back: string;
+  readonly forward: string;
+  readonly last: string;
+  readonly play: string;
+  readonly pause: string;
+  readonly step: string;
+  readonly ofSteps: (length: string) => string;
+  readonly speed: string;
+  readonly perSecond: (n: number) => string;
+  /** The same, short. */
+  readonly rate: (n: number) => string;
+  readonly keys: string;
+  readonly close: string;
+  readonly skip: string;
+  readonly news: NewsTexts;
+  readonly present: string;
+  readonly leave: string;
+  readonly keyMap: Readonly<Record<KeyUse, string>>;
+  readonly ownKeys: KeyTexts;
+  readonly window: string;
+  readonly none: string;
+  readonly legend: Readonly<Record<LegendEntry, string>>;
+  readonly cornerDepths: string;
+  readonly apl: string;
+  readonly surrounds: string;
+  readonly stack: string;
+  readonly empty: string;
+  readonly clip: string;
+  readonly ael: string;
+  readonly edge: string;
+  readonly until: string;
+  readonly unsorted: string;
+  readonly depths: string;
+  readonly row: string;
+  readonly yes: string;
+  readonly no: string;
+  readonly more: (n: number) => string;
+  readonly notInTrace: string;
+  readonly depthsTooMany: string;
+  readonly defect: (id: string) => string;
+}
+
+/** What is pointed at, as it is called. */
+export interface ThingTexts {
+  readonly polygon: (id: string) => string;
+  readonly edge: (edge: number) => string;
+  readonly corner: (place: string) => string;
+  readonly window: (window: string) => string;
+}

@@ -1,0 +1,22 @@
+import { nothing, svg } from 'lit';
+import type { SVGTemplateResult } from 'lit';
+import type { Frame } from './frame.js';
+import type { Shape } from './shapes.js';
+import { labelSize } from './still.js';
+import type { Label } from './still.js';
+import { polygonThing } from '../algorithm/pointed.js';
+
+/** A shape as the page shows it. */
+export function drawn({ look, d, color, fill, thing }: Shape): SVGTemplateResult {
+  if (fill !== undefined) return svg`<path class=${look} d=${d} .style=${`fill: ${fill}`} />`;
+  return svg`<path class=${look} d=${d} stroke=${color ?? nothing} data-thing=${thing ?? nothing} />`;
+}
+
+/** Labels as text of one size wherever one zooms; polygons are pointed at by their names. */
+export function labels(all: readonly Label[], { scale }: Frame): readonly SVGTemplateResult[] {
+  const size = labelSize / scale;
+  return all.map(
+    ({ text, of, at: [x, y] }) =>
+      svg`<text class="label" data-thing=${of === undefined ? nothing : polygonThing(of)} x=${x} y=${y} font-size=${size}>${text}</text>`,
+  );
+}

@@ -1,0 +1,194 @@
+import { LitElement, html, nothing } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { property, query, state } from 'lit/decorators.js';
+import { extentOf } from './extent.js';
+import { Frame } from './frame.js';
+import type { Point, Zoom, Zooming } from './frame.js';
+import { isIn, moved, nearestIn } from './pixel.js';
+import type { Pixel } from './pixel.js';
+import { texts } from '../i18n/index.js';
+import type { HistoryTexts } from '../language/texts.js';
+import type { Area } from '../trace/header.js';
+import type { View } from '../algorithm/view.js';
+import { Gestures } from '../elements/gestures.js';
+import { Keyboard } from '../elements/keyboard.js';
+import type { Actions } from '../elements/keyboard.js';
+import { OwnSize, pointIn } from '../elements/own-size.js';
+import '../elements/zoom-bar.js';
+
+/** How much larger a key or a button makes the picture. */
+const zoomStep = 1.5;
+
+/**
+ * The plane of the scene in a box of the page. A place of it may be chosen, by mouse or keyboard, and what is shown of it may
+ * be enlarged and moved. What is drawn there is the affair of whoever extends this.
+ */
+export abstract class PlaneElement extends LitElement {
+  @property({ attribute: false }) view!: View;
+  /** Where the keyboard is about to choose, while it does. */
+  @state() protected cursor: Pixel | null = null;
+  /** The part of the picture that is shown. */
+  @state() private zoom: Zoom | null = null;
+  @query('svg') private stage!: SVGSVGElement;
+
+  protected readonly size = new OwnSize(this);
+  private readonly gestures = new Gestures(
+    () => this.frame,
+    (frame) => (this.zoom = frame.zoom),
+  );
+  private known: Frame | null = null;
+  private left: Pixel | null = null;
+
+  constructor() {
+    super();
+    new Keyboard(this, () => this.zoomKeys());
+    this.addEventListener('wheel', this.gestures.onWheel, { passive: false });
+  }
+
+  /** The same one as long as nothing about it changes. */
+  protected get frame(): Frame {
+    const { size, zoom, known } = this;
+    const { scene } = this.view.header;
+    const { area } = scene;
+    const extent = extentOf(scene);
+    const isSame =
+      known?.area === area &&
+      known.extent === extent &&
+      known.size === size.value &&
+      known.wanted === zoom;
+    if (isSame) return known;
+    return (this.known = new Frame(area, size.value, zoom, extent));
+  }
+
+  /** Gives the keyboard to the choice of a place. */
+  startChoosing(): void {
+    this.stage.focus();
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    const before = changed.get('view')?.header.scene.area;
+    if (before && isOtherArea(before, this.view.header.scene.area)) this.zoom = null;
+  }
+
+  /** What is drawn in the plane. */
+  protected abstract drawing(frame: Frame): unknown;
+  /** The mark of the place where the keyboard is. */
+  protected abstract cursorMark(at: Pixel, frame: Frame): unknown;
+  /** What is said of places. */
+  protected abstract readonly words: Pick<HistoryTexts, 'at' | 'how'>;
+  /** What is said of the place where the keyboard is. */
+  protected spoken(at: Pixel): string {
+    return this.words.at(...at);
+  }
+
+  /** What lies under the drawing, and above it. */
+  protected below?(): unknown;
+  protected above?(frame: Frame): unknown;
+
+  /** The place under a point of the box. */
+  protected placeAt(point: Point): Pixel {
+    return this.frame.pixelAt(...point);
+  }
+
+  private zoomTo(way: Zooming): void {
+    const { frame } = this;
+    if (way === 'whole') this.zoom = null;
+    else if (way === 'all') this.zoom = frame.all;
+    else this.zoom = frame.zoomed(way === 'in' ? zoomStep : 1 / zoomStep).zoom;
+  }
+
+  private zoomKeys(): Actions {
+    return {
+      '+': () => this.zoomTo('in'),
+      '=': () => this.zoomTo('in'),
+      '-': () => this.zoomTo('out'),
+      '0': () => this.zoomTo(this.frame.zoom === null ? 'all' : 'whole'),
+    };
+  }
+
+  /** What the keyboard is at must be seen: a pixel, or a point. */
+  protected follow(at: Point, side: number): void {
+    this.zoom = this.frame.showing(at, side).zoom;
+  }
+
+  /** A press of the mouse must not take the focus: arrow keys would no longer be steps. */
+  private readonly keepFocus = (event: Event): void => event.preventDefault();
+
+  private onClick(event: MouseEvent): void {
+    if (this.gestures.dragged) return;
+    const place = this.placeAt(pointIn(this, event));
+    if (isIn(place, this.view.header.scene.area)) this.choose(place);
+  }
+
+  private onFocus(): void {
+    const { area } = this.view.header.scene;
+    const { width, height } = this.frame.size;
+    const middle = this.frame.pixelAt(width / 2, height / 2);
+    this.moveCursor(nearestIn(this.view.pixel ?? this.left ?? middle, area));
+  }
+
+  private moveCursor(to: Pixel): void {
+    this.cursor = to;
+    this.follow(to, 1);
+  }
+
+  private onBlur(): void {
+    this.left = this.cursor;
+    this.cursor = null;
+  }
+
+  /** While the picture has the focus, arrow keys move the cursor. */
+  private onKey(event: KeyboardEvent): void {
+    const { cursor } = this;
+    if (cursor === null || event.ctrlKey || event.metaKey || event.altKey) return;
+    const next = moved(cursor, event.key, event.shiftKey, this.view.header.scene.area);
+    if (next !== null) this.moveCursor(next);
+    else if (event.key === 'Enter') this.choose(cursor);
+    else if (event.key === 'Escape') this.stage.blur();
+    else return;
+    event.preventDefault();
+  }
+
+  private choose(pixel: Pixel): void {
+    this.dispatchEvent(new CustomEvent<Pixel>('pixel', { detail: pixel }));
+  }
+
+  override render(): TemplateResult {
+    const { frame, gestures, cursor, words } = this;
+    const { header, texts: page, language } = this.view;
+    return html`
+      ${this.below?.()}
+      <svg
+        viewBox=${frame.shown.join(' ')}
+        class=${frame.zoom === null ? nothing : 'zoomed'}
+        role="application"
+        tabindex="0"
+        aria-label="${page.picture}: ${header.scene.name}"
+        aria-describedby="how"
+        @mousedown=${this.keepFocus}
+        @click=${this.onClick}
+        @focus=${this.onFocus}
+        @blur=${this.onBlur}
+        @keydown=${this.onKey}
+        @pointerdown=${gestures.onDown}
+        @pointermove=${gestures.onMove}
+        @pointerup=${gestures.onEnd}
+        @pointercancel=${gestures.onEnd}
+        @touchmove=${{ handleEvent: gestures.onTouch, passive: false }}
+      >
+        ${this.drawing(frame)} ${cursor === null ? nothing : this.cursorMark(cursor, frame)}
+      </svg>
+      ${this.above?.(frame)}
+      <vidno-zoom-bar
+        .frame=${frame}
+        .texts=${texts[language].picture}
+        @zoom=${({ detail }: CustomEvent<Zooming>) => this.zoomTo(detail)}
+      ></vidno-zoom-bar>
+      <p class="heard" id="how">${words.how}</p>
+      <p class="heard" aria-live="polite">${cursor === null ? '' : this.spoken(cursor)}</p>
+    `;
+  }
+}
+
+const isOtherArea = (a: Area, b: Area): boolean =>
+  a.x !== b.x || a.y !== b.y || a.width !== b.width || a.height !== b.height;

@@ -1,0 +1,66 @@
+import { LitElement, css, html } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { download, fileName } from '../base/download.js';
+import { withKey } from '../base/key-map.js';
+import { figureOfStep } from './figures.js';
+import { pngOf } from './png.js';
+import type { View } from '../algorithm/view.js';
+import { base } from '../elements/theme.js';
+
+/** Pixels: enough for a slide or a column of print. */
+const width = 2000;
+
+const kinds = [
+  ['svg', 'S'],
+  ['png', 'Shift S'],
+] as const;
+
+export type Kind = (typeof kinds)[number][0];
+
+/** Saves the picture at the step that is shown. */
+@customElement('vidno-save')
+export class SaveElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        gap: 0.25rem;
+      }
+      button {
+        min-height: 1.5rem;
+        padding: 0 0.4rem;
+        color: var(--soft);
+        font-size: 0.75rem;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) view!: View;
+
+  async save(kind: Kind): Promise<void> {
+    const { view } = this;
+    const { header, step } = view;
+    const { scene, method, kernel, edition } = header;
+    const name = `${fileName(scene.name, method, kernel, edition, `step-${step}`)}.${kind}`;
+    const figure = figureOfStep(view);
+    const svg = new Blob([figure], { type: 'image/svg+xml' });
+    download(kind === 'svg' ? svg : await pngOf(figure, width), name);
+  }
+
+  override render(): TemplateResult {
+    return html`${kinds.map(([kind, key]) => this.button(kind, key))}`;
+  }
+
+  private button(kind: Kind, key: string): TemplateResult {
+    const label = this.view.texts.savePicture(kind.toUpperCase());
+    return html`<button
+      aria-label=${label}
+      title=${withKey(label, key)}
+      @click=${() => void this.save(kind)}
+    >
+      ${kind.toUpperCase()}
+    </button>`;
+  }
+}

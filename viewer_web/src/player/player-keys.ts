@@ -1,0 +1,88 @@
+import type { Clock } from '../elements/clock.js';
+import type { Actions } from '../elements/keyboard.js';
+import type { KeysElement } from '../elements/keys.js';
+import type { ListingElement } from '../listing/listing-element.js';
+import type { PicturePanelElement } from './picture-panel.js';
+import type { Predictor } from '../predict/predictor.js';
+import type { Presenter } from './presenter.js';
+import type { Side } from '../history/side-name.js';
+import type { TravelElement } from '../time/travel.js';
+
+/** What goes through time. */
+export interface Timed {
+  readonly step: number;
+  readonly first: number;
+  readonly last: number;
+  readonly clock: Clock;
+  readonly travel: TravelElement;
+  moveTo(step: number): void;
+  togglePlay(): void;
+}
+
+/** What of the player keys reach. */
+export interface Steered extends Timed {
+  readonly trace: unknown;
+  readonly controls: string;
+  readonly presenting: boolean;
+  readonly presenter: Presenter;
+  readonly predictor: Predictor;
+  readonly keys: KeysElement;
+  readonly listing: ListingElement;
+  readonly picture: PicturePanelElement;
+  showKeys(): void;
+  present(on: boolean): void;
+  point(by: 1 | -1): void;
+  toggleSide(side: Side): void;
+  escape(): void;
+  openBookmarks(way: 'mark' | 'enter'): Promise<void>;
+}
+
+/** What keys do to the player now. */
+export function actionsOf(player: Steered, { shiftKey }: KeyboardEvent): Actions {
+  const { trace, controls, keys, presenting, presenter } = player;
+  if (trace === null || (controls === 'none' && !presenting)) return {};
+  const showKeys = { '?': () => player.showKeys() };
+  if (keys.open) return showKeys;
+  const usual = { ...showKeys, ...usualActions(player, shiftKey) };
+  return presenting ? presenter.actions(usual) : usual;
+}
+
+function usualActions(player: Steered, shift: boolean): Actions {
+  const { picture } = player;
+  return {
+    ...timeActions(player, shift),
+    Escape: () => player.escape(),
+    KeyB: () => void player.openBookmarks(shift ? 'enter' : 'mark'),
+    KeyC: () => player.listing.toggleSource(),
+    KeyX: () => player.toggleSide('exact'),
+    KeyL: () => picture.nextLayer(),
+    KeyO: () => player.point(shift ? -1 : 1),
+    KeyP: () => picture.startChoosing(),
+    KeyV: () => player.toggleSide('solid'),
+    KeyQ: () => player.predictor.next(),
+    KeyF: () => player.present(!player.presenting),
+    KeyS: () => void picture.save(shift ? 'png' : 'svg'),
+  };
+}
+
+/** The ways through time, short and long. */
+export function timeActions(player: Timed, shift: boolean): Actions {
+  const { clock, travel } = player;
+  const by = shift ? 10 : 1;
+  const way = shift ? 'out' : 'over';
+  const goal = shift ? 'bookmark' : undefined;
+  return {
+    ArrowRight: () => player.moveTo(player.step + by),
+    ArrowLeft: () => player.moveTo(player.step - by),
+    Home: () => player.moveTo(player.first),
+    End: () => player.moveTo(player.last),
+    ' ': () => player.togglePlay(),
+    '+': () => clock.changeSpeed(1),
+    '=': () => clock.changeSpeed(1),
+    '-': () => clock.changeSpeed(-1),
+    BracketLeft: () => travel.call(way, -1),
+    BracketRight: () => travel.call(way, 1),
+    Comma: () => travel.next(-1, goal),
+    Period: () => travel.next(1, goal),
+  };
+}

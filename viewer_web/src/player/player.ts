@@ -1,0 +1,240 @@
+import { html, nothing } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, property, query } from 'lit/decorators.js';
+import { needsExact } from '../picture/layers.js';
+import type { Exact, Layer } from '../picture/layers.js';
+import { isOther } from '../picture/pixel.js';
+import type { Pixel } from '../picture/pixel.js';
+import type { Editing } from '../editor/editor.js';
+import type { LinkMade } from '../editor/live.js';
+import type { SignMaps } from '../run/sign-maps.js';
+import { sayThing } from '../algorithm/pointed.js';
+import { isWay, plain } from '../base/setting.js';
+import { bookmarksUpTo } from '../time/bookmarks.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import { viewOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import { announcerStyle } from '../elements/announcer.style.js';
+import { embeddedStyle } from './embedded.style.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import type { Actions } from '../elements/keyboard.js';
+import '../listing/listing-element.js';
+import type { ListingElement } from '../listing/listing-element.js';
+import { isOnlyEdited } from '../elements/only-edited.js';
+import './picture-panel.js';
+import type { PicturePanelElement } from './picture-panel.js';
+import { actionsOf } from './player-keys.js';
+import { PixelHistory } from '../history/pixel-history.js';
+import { Pointing } from './pointing.js';
+import { playerBesideStyle } from './player-beside.style.js';
+import { playerLowStyle } from './player-low.style.js';
+import { playerStyle } from './player.style.js';
+import { Predictor } from '../predict/predictor.js';
+import { presenterStyle } from './presenter.style.js';
+import { hasSolid, sideName, whyNoSolid } from '../history/side-name.js';
+import type { Side } from '../history/side-name.js';
+import './side.js';
+import type { SideElement } from './side.js';
+import { Source } from './source.js';
+import { StageElement } from './stage-element.js';
+import { base, tokens } from '../elements/theme.js';
+import type { Command } from '../strip/transport.js';
+import type { TravelElement } from '../time/travel.js';
+
+/**
+ * Replays a trace. Set `src`, or `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with
+ * the controls. Each step that is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`, and
+ * the bookmarks, when they change, by `vidno-bookmarks`; `linked` says that these are kept in the page's address.
+ */
+@customElement('vidno-player')
+export class PlayerElement extends StageElement {
+  static override styles = [
+    tokens,
+    base,
+    hiddenStyle,
+    playerStyle,
+    playerLowStyle,
+    embeddedStyle,
+    playerBesideStyle,
+    presenterStyle,
+    announcerStyle,
+  ];
+
+  /** The address of a trace, or `#id` of a block of JSON Lines in the page; else `trace` and `length` are set. */
+  @property() src = '';
+  /** What there is to steer by, see `Controls`; anything else is `full`. */
+  @property({ reflect: true }) controls: string = plain.controls;
+  @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
+  /** What the pixels show, if the trace has it; another layer is asked for by `vidno-layer`. */
+  @property({ attribute: false }) layer: Layer = 'picture';
+  /** Who draws sign maps; null where there is no library. */
+  @property({ attribute: false }) maps: SignMaps | null = null;
+  /** The exact picture of the scene. */
+  @property({ attribute: false }) exact: Exact = null;
+  @property({ type: Boolean }) linked = false;
+  /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
+  @property({ attribute: false }) editing: Editing | null = null;
+  @property({ attribute: false }) link: LinkMade | null = null;
+  /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
+  @property() ask = '';
+  /** Whether the text of a lesson is beside it. */
+  @property({ type: Boolean, reflect: true }) beside = false;
+  /** The panel beside the listing. */
+  @property({ attribute: false }) side: Side = 'state';
+  @query('vidno-listing') readonly listing!: ListingElement;
+  @query('vidno-picture-panel') readonly picture!: PicturePanelElement;
+  @query('vidno-travel') readonly travel!: TravelElement;
+  @query('vidno-side') private panel!: SideElement;
+  private view: View | null = null;
+  private readonly source = new Source(this);
+  private readonly pointing = new Pointing(this);
+  readonly predictor = new Predictor(this);
+  private readonly chosen = new PixelHistory(this);
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (isOnlyEdited(changed)) return;
+    this.predictor.follow();
+    super.willUpdate(changed);
+    if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
+    this.chosen.follow(changed);
+    if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
+    this.toggleAttribute('asking', this.side === 'predict');
+    const { language, trace, step } = this;
+    const pixel = this.chosen.history?.pixel ?? null;
+    const { things: asked } = this.predictor;
+    this.view = trace && viewOf(trace, step, { language, pixel, pointed: this.pointing.at, asked });
+  }
+
+  protected override actions(event: KeyboardEvent): Actions {
+    return actionsOf(this, event);
+  }
+
+  protected override get limit(): number {
+    return Math.min(this.last, this.predictor.limit);
+  }
+
+  /** Whether there are all controls and all panels. */
+  get isFull(): boolean {
+    return this.controls !== 'small' && this.controls !== 'none';
+  }
+
+  /** Opens a panel, or the state where it is open. */
+  toggleSide(side: Side): void {
+    const { view } = this;
+    if (!this.isFull || view === null) return;
+    const { news } = view.texts;
+    const refused = side === 'solid' ? whyNoSolid(view) : null;
+    if (refused !== null) this.announcer.refuse(news[refused]);
+    else {
+      this.side = this.side === side ? 'state' : side;
+      this.announcer.say(news.panel(sideName(this.side, view)));
+    }
+  }
+
+  /** Leaves the questions, unless the run waits for an answer. */
+  escape(): void {
+    if (this.side !== 'predict') return;
+    if (this.predictor.leave()) this.toggleSide('predict');
+    else this.refuse('answerFirst');
+  }
+
+  refuse(why: 'answerFirst' | 'noComparison'): void {
+    this.announcer.refuse(this.view?.texts.news[why] ?? '');
+  }
+
+  async openBookmarks(way: 'mark' | 'enter'): Promise<void> {
+    if (!this.isFull) return;
+    this.side = 'bookmarks';
+    await this.updateComplete;
+    await this.panel.bookmark(way);
+  }
+
+  private keepBookmarks(bookmarks: Bookmarks): void {
+    this.bookmarks = bookmarks;
+    this.dispatchEvent(new CustomEvent('vidno-bookmarks', { detail: bookmarks }));
+  }
+
+  override render(): TemplateResult | typeof nothing {
+    const { view, trace } = this;
+    if (view === null || trace === null) return this.source.remark(this.language);
+    const { texts } = view;
+    // An open question is not to be answered by what shows the future.
+    const { isOpen, isForced } = this.predictor;
+    const history = isOpen ? null : this.chosen.history;
+    const check = this.checkOf(trace);
+    const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
+    return html`
+      ${this.source.remark(this.language)}
+      <div class="dock">
+        ${this.announcer.render()}
+        <div class="said">
+          <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
+            <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
+          </p>
+          ${this.presenter.corner(view)}
+        </div>
+        ${this.playControls(view, check, history, { plain: !this.isFull, veiled: isOpen || isForced })}
+      </div>
+      <div
+        class="panels"
+        @pointerover=${this.pointing.onOver}
+        @pointerleave=${this.pointing.onLeave}
+      >
+        <section class="picture" aria-label=${texts.picture}>
+          <vidno-picture-panel
+            .view=${view}
+            .editing=${this.side === 'scene' ? this.editing : null}
+            .layer=${layer}
+            .exact=${this.exact}
+            @pixel=${({ detail }: CustomEvent<Pixel>) => this.chosen.choose(detail)}
+          ></vidno-picture-panel>
+        </section>
+        <section class="listing" aria-label=${texts.listing}>
+          <vidno-listing .trace=${this.trace} .view=${view}></vidno-listing>
+        </section>
+        <section class="side ${this.side}" aria-label=${texts.state}>
+          <vidno-side
+            .view=${view}
+            .trace=${this.trace}
+            .maps=${this.maps}
+            .check=${check}
+            .history=${history}
+            .bookmarks=${this.bookmarks}
+            .linked=${this.linked}
+            .side=${this.side}
+            .predictor=${this.predictor}
+            ?bare=${this.presenting}
+            @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
+            @command=${this.onCommand}
+            @forget=${() => this.chosen.choose(null)}
+            .editing=${this.editing}
+            .link=${this.link}
+          ></vidno-side>
+        </section>
+      </div>
+      <p class="heard pointed-at" aria-live="polite">${sayThing(view)}</p>
+      ${this.presenter.curtain()}
+      <vidno-keys
+        .texts=${texts}
+        ?flat=${!hasSolid(view)}
+        @vidno-keys=${() => this.requestUpdate()}
+      ></vidno-keys>
+    `;
+  }
+
+  /** Points at the next thing of the step, or the one before. */
+  point(by: 1 | -1): void {
+    if (this.view) this.pointing.move(by, this.view);
+  }
+
+  protected override steer(command: Command): void {
+    if (command.do === 'bookmarks') this.keepBookmarks(command.bookmarks);
+    else super.steer(command);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-player': PlayerElement;
+  }
+}

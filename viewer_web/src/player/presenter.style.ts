@@ -1,0 +1,104 @@
+import { css } from 'lit';
+import { leastPanel } from '../elements/least-picture.js';
+
+/** For a projector: as much as 850 pixels hold, as large as the screen allows. */
+export const presenterStyle = css`
+  :host([presenting]) {
+    position: fixed;
+    inset: 0;
+    z-index: 10;
+    padding: 0.5rem 0.5rem 0;
+    gap: 0.5rem;
+    overflow: auto;
+    background: var(--paper);
+    --bar: 0px;
+    --hall: grid;
+    --hall-values: repeat(2, minmax(0, 1fr));
+    --hall-list: 5rem;
+    --hall-line: 0px;
+    --hall-wide: auto;
+  }
+  @media (min-width: 1000px) {
+    :host([presenting]) {
+      zoom: 1.2;
+    }
+  }
+  @media (min-width: 1200px) {
+    :host([presenting]) {
+      zoom: 1.5;
+    }
+  }
+  @media (min-width: 1600px) and (min-height: 850px) {
+    :host([presenting]) {
+      zoom: 1.9;
+    }
+  }
+  @media (min-width: 1900px) and (min-height: 1000px) {
+    :host([presenting]) {
+      zoom: 2.25;
+    }
+  }
+  @media (min-width: 2500px) and (min-height: 1300px) {
+    :host([presenting]) {
+      zoom: 3;
+    }
+  }
+  @media (min-width: 3800px) and (min-height: 2000px) {
+    :host([presenting]) {
+      zoom: 4.5;
+    }
+  }
+  :host([presenting]) .panels {
+    flex: 1;
+    min-height: ${leastPanel};
+    gap: 0.5rem;
+    grid-template: minmax(0, 1fr) minmax(0, 1.2fr) / minmax(${leastPanel}, 1fr) minmax(0, 1.05fr);
+  }
+  :host([presenting]) .panels:has(> .solid) {
+    grid-template-rows: minmax(0, 1fr) minmax(0, 1.5fr);
+  }
+  :host([presenting]) .panels .picture {
+    grid-row: 1 / -1;
+    grid-column: 1;
+    height: auto;
+  }
+  :host([presenting]) .panels :is(.listing, .side) {
+    grid-row: auto;
+    grid-column: 2;
+    height: auto;
+  }
+  :host([presenting]) .panels:has(> .side:is(.predict, .exact)) {
+    grid-template-rows: minmax(0, 1fr) minmax(0, 2.4fr);
+  }
+  :host([presenting]) .dock {
+    padding: 0.3rem 0.7rem;
+  }
+  :host([presenting]) .sentence {
+    height: 3.6rem;
+    font-size: 1.25rem;
+    line-height: 1.3;
+  }
+  :host([presenting]) vidno-transport {
+    display: none;
+  }
+  .corner {
+    display: flex;
+    flex: none;
+    gap: 0.5rem;
+    align-items: center;
+    margin-left: auto;
+    color: var(--soft);
+    font-size: 0.8125rem;
+  }
+  .corner button {
+    width: 1.75rem;
+    min-height: 1.75rem;
+    padding: 0;
+  }
+  .curtain {
+    position: fixed;
+    inset: 0;
+    z-index: 11;
+    background: #000000;
+  }
+`;

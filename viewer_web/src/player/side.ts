@@ -1,0 +1,226 @@
+import { LitElement, css, html, nothing, svg } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query } from 'lit/decorators.js';
+import type { History } from '../history/history.js';
+import { flag } from '../strip/lanes.js';
+import { withKey } from '../base/key-map.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import type { Editing } from '../editor/editor.js';
+import type { LinkMade } from '../editor/live.js';
+import type { Check } from '../exactness/truth.js';
+import type { View } from '../algorithm/view.js';
+import type { SignMaps } from '../run/sign-maps.js';
+import type { Trace } from '../replay/trace.js';
+import '../time/bookmarks-element.js';
+import type { BookmarksElement } from '../time/bookmarks-element.js';
+import '../exactness/exactness-element.js';
+import '../history/history-element.js';
+import '../predict/predict-element.js';
+import type { Predictor } from '../predict/predictor.js';
+import '../editor/scene-panel.js';
+import { placesOf, showsOf } from './shows.js';
+import { hasSolid, sideName } from '../history/side-name.js';
+import type { Side } from '../history/side-name.js';
+import { base } from '../elements/theme.js';
+
+/** What opens it, besides its button. */
+const keys: Readonly<Partial<Record<Side, string>>> = {
+  pixel: 'P',
+  exact: 'X',
+  solid: 'V',
+  scene: 'E',
+  predict: 'Q',
+  bookmarks: 'Shift B',
+};
+
+/** One of the panels: the state of the procedure, the history of a pixel, the truth of a decision, and so on. */
+@customElement('vidno-side')
+export class SideElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        flex-direction: column;
+        min-height: 0;
+      }
+      :host > :not(.choice) {
+        flex: 1;
+        min-height: 0;
+      }
+      .choice {
+        display: flex;
+        flex: none;
+        flex-wrap: wrap;
+        padding: 0.15rem 0.4rem 0;
+        border-bottom: 1px solid var(--line);
+      }
+      :host([bare]) .choice {
+        display: none;
+      }
+      button {
+        min-height: 1.9rem;
+        padding: 0.1rem 0.16rem 0;
+        border: 0;
+        border-bottom: 3px solid transparent;
+        border-radius: 0;
+        background: none;
+        color: var(--soft);
+        font-size: 0.8125rem;
+        font-weight: 600;
+        white-space: nowrap;
+      }
+      button[aria-pressed='true'] {
+        border-color: var(--accent);
+        color: var(--ink);
+      }
+      .asides {
+        display: flex;
+        margin-left: auto;
+      }
+      .predict span {
+        display: inline-block;
+        width: 1.3rem;
+        border: 2px solid currentColor;
+        border-radius: 50%;
+        line-height: 1.05rem;
+      }
+      .bookmarks svg {
+        width: 9px;
+        height: 14px;
+        fill: currentColor;
+        vertical-align: -0.15em;
+      }
+      @media print {
+        .choice {
+          display: none;
+        }
+      }
+      button:focus-visible {
+        outline-offset: -4px;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) trace!: Trace;
+  @property({ attribute: false }) maps: SignMaps | null = null;
+  @property({ attribute: false }) check!: Check;
+  @property({ attribute: false }) history: History | null = null;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
+  @property({ type: Boolean }) linked = false;
+  @property({ attribute: false }) side: Side = 'state';
+  /** Without the choice between panels. */
+  @property({ type: Boolean, reflect: true }) bare = false;
+  /** None where the scene cannot be changed. */
+  @property({ attribute: false }) editing: Editing | null = null;
+  @property({ attribute: false }) link: LinkMade | null = null;
+  @property({ attribute: false }) predictor!: Predictor;
+  @query('vidno-bookmarks') private list!: BookmarksElement | null;
+
+  /** Bookmarks the step that is shown, or goes to the list; the bookmarks must be the side that is chosen. */
+  async bookmark(way: 'mark' | 'enter'): Promise<void> {
+    await this.updateComplete;
+    await this.list?.[way]();
+  }
+
+  override render(): TemplateResult {
+    const { view, history, editing } = this;
+    const name = (side: Side): string => sideName(side, view);
+    const pixel = history === null ? name('pixel') : placesOf(view).at(...history.pixel);
+    return html`
+      <div class="choice" role="group">
+        ${this.button('state', name('state'))} ${this.button('pixel', pixel)}
+        ${this.button('exact', name('exact'))}
+        ${hasSolid(view) ? this.button('solid', name('solid')) : nothing}
+        ${editing === null ? nothing : this.button('scene', name('scene'))}
+        <div class="asides">
+          ${this.button('predict', name('predict'), html`<span>Q</span>`)}
+          ${this.button('bookmarks', `${name('bookmarks')}: ${this.bookmarks.length}`, this.count())}
+        </div>
+      </div>
+      ${this.panel()}
+    `;
+  }
+
+  private count(): TemplateResult {
+    return html`<svg viewBox="0 0 9 14" aria-hidden="true">${svg`<path d=${flag(14)} />`}</svg>
+      ${this.bookmarks.length}`;
+  }
+
+  private panel(): TemplateResult {
+    const { view, history, side, editing } = this;
+    switch (side) {
+      case 'pixel':
+        return html`<vidno-history
+          .view=${view}
+          .history=${history}
+          @command=${this.passOn}
+          @forget=${this.passOn}
+        ></vidno-history>`;
+      case 'exact':
+        return html`<vidno-exactness
+          .view=${view}
+          .trace=${this.trace}
+          .maps=${this.maps}
+          .check=${this.check}
+          ?bare=${this.bare}
+        ></vidno-exactness>`;
+      case 'bookmarks':
+        return html`<vidno-bookmarks
+          .view=${view}
+          .bookmarks=${this.bookmarks}
+          .linked=${this.linked}
+          @command=${this.passOn}
+        ></vidno-bookmarks>`;
+      case 'predict':
+        return html`<vidno-predict
+          .view=${view}
+          .predictor=${this.predictor}
+          @command=${this.passOn}
+        ></vidno-predict>`;
+      case 'scene':
+        return editing === null ? this.state() : this.scene(editing);
+      case 'solid':
+        return hasSolid(view)
+          ? html`<vidno-solid .view=${view} ?bare=${this.bare}></vidno-solid>`
+          : this.state();
+      case 'state':
+        return this.state();
+    }
+  }
+
+  private state(): TemplateResult {
+    return showsOf(this.view).state(this.view);
+  }
+
+  private scene(editing: Editing): TemplateResult {
+    return html`<vidno-scene-panel
+      .editing=${editing}
+      .language=${this.view.language}
+      .link=${this.link}
+      ?linked=${this.linked}
+    ></vidno-scene-panel>`;
+  }
+
+  private button(
+    side: Side,
+    label: string,
+    shown: string | TemplateResult = label,
+  ): TemplateResult {
+    const key = keys[side];
+    return html`<button
+      class=${side}
+      aria-pressed=${side === this.side ? 'true' : 'false'}
+      aria-label=${label === shown ? nothing : label}
+      title=${key === undefined ? label : withKey(label, key)}
+      @click=${() => this.dispatchEvent(new CustomEvent('side', { detail: side }))}
+    >
+      ${shown}
+    </button>`;
+  }
+
+  private passOn({ type, detail }: CustomEvent<unknown>): void {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+}

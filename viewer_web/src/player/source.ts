@@ -1,0 +1,101 @@
+import { html, nothing } from 'lit';
+import type { ReactiveController, ReactiveControllerHost, TemplateResult } from 'lit';
+import type { Language } from '../language/language.js';
+import { openTrace } from '../replay/open.js';
+import type { Trace } from '../replay/trace.js';
+import { noticeOf } from '../run/notice.js';
+import type { Notice } from '../run/notice.js';
+
+/** What shows the trace that `src` names. */
+export interface Sourced extends ReactiveControllerHost {
+  readonly src: string;
+  readonly step: number;
+  trace: Trace | null;
+  length: number;
+}
+
+/** The document is read to its end: what stands behind the player is there, too. */
+async function documentRead(): Promise<void> {
+  if (document.readyState !== 'loading') return;
+  await new Promise((resolve) => {
+    document.addEventListener('DOMContentLoaded', resolve, { once: true });
+  });
+}
+
+/** The file at an address, or, for `#id`, the text of a block of data in the page. */
+async function fileOf(src: string): Promise<Blob> {
+  if (!src.startsWith('#')) {
+    const response = await fetch(src);
+    if (!response.ok) throw new Error(`${response.status}`);
+    return response.blob();
+  }
+  await documentRead();
+  const block = document.getElementById(src.slice(1));
+  if (block === null) throw new Error('not in the page');
+  return new Blob([`${block.textContent.trim()}\n`]);
+}
+
+/** Reads the trace that its host's `src` names, again whenever that changes. */
+export class Source implements ReactiveController {
+  private notice: Notice | null = null;
+  private opened = '';
+  private stopReading = (): void => undefined;
+
+  constructor(private readonly host: Sourced) {
+    host.addController(this);
+  }
+
+  hostUpdate(): void {
+    const { src } = this.host;
+    if (src === this.opened) return;
+    this.opened = src;
+    this.stopReading();
+    if (src !== '') void this.open(src);
+  }
+
+  hostConnected(): void {
+    this.host.requestUpdate();
+  }
+
+  /** What is put in elsewhere is read anew. */
+  hostDisconnected(): void {
+    this.stopReading();
+    this.opened = '';
+  }
+
+  /** What there is to say instead of a trace, or of one that is not whole. */
+  remark(language: Language): TemplateResult | typeof nothing {
+    if (this.notice === null) return nothing;
+    return html`<vidno-notice .notice=${this.notice} .language=${language}></vidno-notice>`;
+  }
+
+  private async open(src: string): Promise<void> {
+    this.notice = { kind: 'reading', name: src };
+    try {
+      const file = await fileOf(src);
+      if (src === this.opened) this.read(file, src);
+    } catch (error) {
+      if (src === this.opened) this.fail(src, error);
+    }
+  }
+
+  private read(file: Blob, name: string): void {
+    const { host } = this;
+    this.stopReading = openTrace(file, {
+      grown: (trace) => {
+        const { length } = trace.timeline;
+        if (!trace.complete && length < host.step) return;
+        this.notice = trace.complete ? noticeOf(trace) : null;
+        host.length = length;
+        host.trace = trace;
+      },
+      failed: (error) => this.fail(name, error),
+    });
+  }
+
+  private fail(name: string, error: unknown): void {
+    this.notice = { kind: 'failed', name, error };
+    this.host.trace = null;
+    this.host.requestUpdate();
+  }
+}

@@ -1,0 +1,112 @@
+import { html } from 'lit';
+import type { TemplateResult } from 'lit';
+import { property, query } from 'lit/decorators.js';
+import { toldCheck } from '../exactness/truth.js';
+import type { Check } from '../exactness/truth.js';
+import type { History } from '../history/history.js';
+import { texts } from '../i18n/index.js';
+import { isLanguage } from '../language/language.js';
+import type { Language } from '../language/language.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import type { Trace } from '../replay/trace.js';
+import type { View } from '../algorithm/view.js';
+import { Announcer } from '../elements/announcer.js';
+import { Keyboard } from '../elements/keyboard.js';
+import type { Actions } from '../elements/keyboard.js';
+import '../elements/keys.js';
+import type { KeysElement } from '../elements/keys.js';
+import { Presenter } from './presenter.js';
+import { TimedElement } from './timed.js';
+import '../strip/transport.js';
+import type { Command, TransportElement } from '../strip/transport.js';
+import '../time/travel.js';
+
+/** What the controls leave out: the ways through the run, or what shows the future. */
+interface LeftOut {
+  readonly plain: boolean;
+  readonly veiled: boolean;
+}
+
+/** What shows one run or two: in a language, steered by keys, and to a hall. */
+export abstract class StageElement extends TimedElement {
+  @property() override lang = 'en';
+  /** For a projector: told by `vidno-present` when keys change it. */
+  @property({ type: Boolean, reflect: true }) presenting = false;
+  /** How decisions are known to be right or wrong; null where nobody checks runs. A check is asked for by `vidno-check`. */
+  @property({ attribute: false }) check: Check | null = null;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
+  @query('vidno-keys') readonly keys!: KeysElement;
+  @query('vidno-transport') private transport!: TransportElement;
+  readonly presenter = new Presenter(this);
+  private readonly keyboard = new Keyboard(this, (event) => this.actions(event), true);
+  protected readonly announcer = new Announcer(this);
+
+  /** What keys do now. */
+  protected abstract actions(event: KeyboardEvent): Actions;
+
+  protected checkOf(trace: Trace): Check {
+    return this.check ?? toldCheck(trace);
+  }
+
+  /** What plays the run, and the ways through it. */
+  protected playControls(
+    view: View,
+    check: Check,
+    history: History | null,
+    { plain, veiled }: LeftOut = { plain: false, veiled: false },
+  ): TemplateResult {
+    return html`<vidno-transport
+      .trace=${this.trace}
+      .view=${view}
+      .check=${check}
+      .bookmarks=${this.bookmarks}
+      .first=${this.first}
+      .last=${this.last}
+      ?bounded=${this.isBounded}
+      ?plain=${plain}
+      ?veiled=${veiled}
+      .playing=${this.clock.playing}
+      .speed=${this.clock.speed}
+      @command=${this.onCommand}
+    >
+      <vidno-travel
+        .trace=${this.trace}
+        .view=${view}
+        .check=${check}
+        .history=${history}
+        .bookmarks=${this.bookmarks}
+        @command=${this.onCommand}
+      ></vidno-travel>
+    </vidno-transport>`;
+  }
+
+  protected onCommand({ detail }: CustomEvent<Command>): void {
+    this.steer(detail);
+  }
+
+  get language(): Language {
+    return isLanguage(this.lang) ? this.lang : 'en';
+  }
+
+  showKeys(): void {
+    this.keys.toggle();
+  }
+
+  /** Gives the keyboard to what plays. */
+  focusPlay(): void {
+    this.transport.focusPlay();
+  }
+
+  /** Shows itself to a hall, or no longer. */
+  present(on: boolean): void {
+    this.presenting = on;
+    const { news } = texts[this.language].page;
+    this.announcer.say(on ? news.presented : news.notPresented);
+    this.dispatchEvent(new CustomEvent('vidno-present', { detail: on }));
+  }
+
+  /** Does what a key means; the page passes on keys that were pressed outside. */
+  handleKey(event: KeyboardEvent): void {
+    this.keyboard.handle(event);
+  }
+}

@@ -1,0 +1,181 @@
+import { LitElement, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, state } from 'lit/decorators.js';
+import { download, fileName } from '../base/download.js';
+import { texts } from '../i18n/index.js';
+import type { PredictTexts } from '../language/predict-texts.js';
+import { liveKey } from '../base/key-map.js';
+import type { Kind } from './question.js';
+import { countOf, isRightAtFirst, scoreOf } from './score.js';
+import type { Answered } from './score.js';
+import type { Header } from '../trace/header.js';
+import type { View } from '../algorithm/view.js';
+import { predictStyle } from './predict.style.js';
+import type { Current, Predictor } from './predictor.js';
+import './question-element.js';
+import { kbd } from '../elements/kbd.js';
+import { base } from '../elements/theme.js';
+import type { Command } from '../strip/transport.js';
+
+/** Where one says what the run will do next: the question in hand, what is asked about and how, and the score. */
+@customElement('vidno-predict')
+export class PredictElement extends LitElement {
+  static override styles = [base, predictStyle];
+
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) predictor!: Predictor;
+  /** A run of which questions were wanted and which has none. */
+  @state() private withoutAny: Header | null = null;
+  private name = '';
+
+  private get say(): PredictTexts {
+    return texts[this.view.language].predict;
+  }
+
+  override render(): TemplateResult {
+    const { current } = this.predictor;
+    return html`
+      ${current === null ? this.nothingAsked() : this.asked(current)} ${this.choice()}
+      ${this.score()} ${this.moodle()}
+    `;
+  }
+
+  private nothingAsked(): TemplateResult {
+    const { say, predictor } = this;
+    return html`<section>
+      <p class="hint">${predictor.isOver ? nothing : say.hint(liveKey('Q'))}</p>
+      <p role="status">${predictor.isOver ? say.none : nothing}</p>
+      <button class="next" @click=${() => predictor.next()}>${say.next} ${kbd('Q')}</button>
+    </section>`;
+  }
+
+  private asked(current: Current): TemplateResult {
+    const { say, predictor, view } = this;
+    const { step } = current.question;
+    if (predictor.isOpen && step !== view.step) {
+      return html`<section>
+        <button class="next" @click=${() => predictor.next()}>${say.waits(step)}</button>
+      </section>`;
+    }
+    return html`<section>
+      <vidno-question
+        .view=${view}
+        .predictor=${predictor}
+        .current=${current}
+        .reasons=${predictor.reasons}
+        @command=${({ detail }: CustomEvent<Command>) => this.ask(detail)}
+      ></vidno-question>
+      <p role="status">${predictor.isOver ? say.none : nothing}</p>
+    </section>`;
+  }
+
+  private choice(): TemplateResult {
+    const { say, predictor } = this;
+    return html`<section class="choice">
+      <label title=${say.forcedHint}>
+        <input
+          class="force"
+          type="checkbox"
+          .checked=${predictor.isForced}
+          @change=${({ target }: Event) => predictor.force((target as HTMLInputElement).checked)}
+        />
+        <span>${say.forced}<small>${say.forcedHint}</small></span>
+      </label>
+      <fieldset>
+        <legend>${say.askAbout}</legend>
+        ${predictor.offered.map((kind) => this.kind(kind))}
+      </fieldset>
+    </section>`;
+  }
+
+  private kind(kind: Kind): TemplateResult {
+    const { say, predictor } = this;
+    const { asked, right } = countOf(
+      predictor.record.filter(({ question }) => question.kind === kind),
+    );
+    return html`<label>
+      <input
+        type="checkbox"
+        .checked=${predictor.wanted.has(kind)}
+        @change=${({ target }: Event) => predictor.want(kind, (target as HTMLInputElement).checked)}
+      />
+      <span>${say.kinds[kind]}</span>
+      ${
+        asked === 0
+          ? nothing
+          : html`<span class="number" title=${say.counted(right, asked)}>${right} / ${asked}</span>`
+      }
+    </label>`;
+  }
+
+  private score(): TemplateResult | typeof nothing {
+    const { say, predictor } = this;
+    const { record } = predictor;
+    if (record.length === 0) return nothing;
+    const { asked, right } = countOf(record);
+    return html`<section class="score">
+      <h3>${say.score}</h3>
+      <p><b>${say.counted(right, asked)}</b></p>
+      <p class="hint">${say.first}</p>
+      <ol>
+        ${record.map((answered) => this.answered(answered))}
+      </ol>
+      <div class="save">
+        <input
+          type="text"
+          aria-label=${say.name}
+          placeholder=${say.name}
+          autocomplete="off"
+          .value=${this.name}
+          @input=${({ target }: Event) => (this.name = (target as HTMLInputElement).value)}
+        />
+        <button title=${say.saveHint} @click=${() => this.save()}>${say.save}</button>
+      </div>
+    </section>`;
+  }
+
+  private answered(answered: Answered): TemplateResult {
+    const { say } = this;
+    const isRight = isRightAtFirst(answered);
+    const how = answered.given === null ? 'givenUp' : isRight ? 'right' : 'wrong';
+    const { kind, step } = answered.question;
+    return html`<li>
+      <b class=${isRight ? 'good' : 'bad'} title=${say.verdicts[how]}>${isRight ? '✓' : '✗'}</b>
+      <span>${say.kinds[kind]}</span> <span class="number">${step}</span>
+    </li>`;
+  }
+
+  private save(): void {
+    const score = scoreOf(this.predictor.record, this.name.trim());
+    const file = new Blob([`${JSON.stringify(score, null, 2)}\n`], { type: 'application/json' });
+    download(file, fileName('score', this.name, 'json'));
+  }
+
+  private moodle(): TemplateResult {
+    const { say, view } = this;
+    return html`<section class="moodle">
+      <button title=${say.moodleHint} @click=${() => this.saveMoodle()}>${say.moodle}</button>
+      <p role="status">${this.withoutAny === view.header ? say.moodleNone : nothing}</p>
+    </section>`;
+  }
+
+  private saveMoodle(): void {
+    const { header } = this.view;
+    const xml = this.predictor.moodle();
+    this.withoutAny = xml === null ? header : null;
+    if (xml === null) return;
+    const { scene, method, kernel, edition } = header;
+    const name = `${fileName(scene.name, method, kernel, edition, 'questions')}.xml`;
+    download(new Blob([xml], { type: 'application/xml' }), name);
+  }
+
+  private ask(detail: Command): void {
+    this.dispatchEvent(new CustomEvent<Command>('command', { detail }));
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-predict': PredictElement;
+  }
+}

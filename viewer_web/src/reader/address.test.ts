@@ -1,0 +1,111 @@
+import { describe, expect, it } from 'vitest';
+import { formatAddress, parseAddress } from './address.js';
+import { plain } from '../base/setting.js';
+
+const usual = {
+  language: 'en',
+  presenting: false,
+  layer: 'picture',
+  setting: plain,
+  reader: true,
+  follows: false,
+} as const;
+const noLesson = { lesson: null, at: null } as const;
+
+describe('the address', () => {
+  it('comes back as it was written', () => {
+    const address = {
+      setup: {
+        language: 'ru',
+        presenting: true,
+        layer: 'difference',
+        setting: {
+          embed: true,
+          from: 3,
+          to: 40,
+          speed: 0.5,
+          controls: 'none',
+          play: true,
+          ask: 'forced',
+          keys: 'off.VX.XV',
+        },
+        reader: false,
+        follows: true,
+      },
+      lesson: '01-near & far',
+      at: 'split.2',
+      trace: '01-near & far.warnock',
+      live: null,
+      rival: 'zbuffer.printed.float.signs',
+      step: 17,
+      pixel: [3, -4],
+      bookmarks: [
+        { step: 3, note: 'здесь z = 1/2 & всё' },
+        { step: 17, note: '' },
+      ],
+    } as const;
+    expect(parseAddress(formatAddress(address))).toEqual(address);
+  });
+
+  it('carries a scene of one’s own', () => {
+    const live = { run: 'zbuffer.corrected.bits:8.signs', scene: 'q1YqS8zJBwA-_' };
+    const place = { step: 4, pixel: null, bookmarks: [{ step: 3, note: 'x' }] } as const;
+    const address = {
+      setup: usual,
+      ...noLesson,
+      trace: null,
+      live,
+      rival: null,
+      ...place,
+    } as const;
+    expect(parseAddress(formatAddress(address))).toEqual(address);
+  });
+
+  it('leads to a place in the text of a lesson, whose step is that of the place', () => {
+    const nothingElse = { trace: null, live: null, rival: null, step: null, pixel: null };
+    const address = { setup: usual, lesson: '05-clip', at: '3', ...nothingElse, bookmarks: [] };
+    expect(formatAddress(address)).toBe('#lang=en&lesson=05-clip&at=3');
+    expect(parseAddress('#lang=en&lesson=05-clip&at=3')).toEqual(address);
+  });
+
+  it('forgets step, pixel and bookmarks where nothing is open that a link can hold', () => {
+    const bookmarks = [{ step: 3, note: 'x' }];
+    const setup = { ...usual, presenting: true, layer: 'exact' } as const;
+    const place = { setup, step: 3, pixel: [1, 2], bookmarks } as const;
+    expect(formatAddress({ ...noLesson, trace: null, live: null, rival: 'x', ...place })).toBe(
+      '#lang=en',
+    );
+  });
+
+  it.each([
+    '#step=-1',
+    '#step=1e400',
+    '#step=1.5',
+    '#lang=xx',
+    '#%%%',
+    '',
+    '#step=abc',
+    '#view=all',
+    '#from=-1&to=x&speed=0&controls=all',
+    '#layer=x',
+    '#pixel=1',
+    '#pixel=1,2,3',
+    '#pixel=1.5,2',
+    '#pixel=1e3,2',
+    '#bookmarks=',
+    '#bookmarks=%00*',
+    '#bookmarks=bm90ZQ', // "note", without a step
+    '#bookmarks=MTIg_w', // "12 ", then a byte that is no UTF-8
+  ])('takes no nonsense: %s', (hash) => {
+    expect(parseAddress(hash)).toEqual({
+      setup: { ...usual, language: null },
+      ...noLesson,
+      trace: null,
+      live: null,
+      rival: null,
+      step: null,
+      pixel: null,
+      bookmarks: [],
+    });
+  });
+});

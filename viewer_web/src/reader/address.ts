@@ -1,0 +1,99 @@
+import { isLanguage } from '../language/language.js';
+import type { Language } from '../language/language.js';
+import type { Carried } from '../editor/live.js';
+import type { Pixel } from '../picture/pixel.js';
+import { isLayer } from '../picture/layers.js';
+import type { Layer } from '../picture/layers.js';
+import { parseSetting, stepIn, writeSetting } from '../base/setting.js';
+import type { Setting } from '../base/setting.js';
+import { formatBookmarks, parseBookmarks } from '../time/bookmarks.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+
+/** How the page is set up, whatever is open. */
+export interface Setup {
+  readonly language: Language;
+  /** Whether it is shown to a hall. */
+  readonly presenting: boolean;
+  /** What the pixels show. */
+  readonly layer: Layer;
+  readonly setting: Setting;
+  /** Whether the text of the lesson is shown, if it has one, and whether the run follows it. */
+  readonly reader: boolean;
+  readonly follows: boolean;
+}
+
+/**
+ * What the page's address holds behind `#`: how it is set up, lesson and place in its text, embedded trace or a scene of
+ * one's own, what that is compared with, step, chosen pixel, and bookmarks.
+ */
+export interface Address {
+  readonly setup: Omit<Setup, 'language'> & { readonly language: Language | null };
+  /** The lesson whose text is read, and a place in it, as it is named there. */
+  readonly lesson: string | null;
+  readonly at: string | null;
+  readonly trace: string | null;
+  readonly live: Carried | null;
+  /** What it is compared with: another embedded trace, or how else the scene is run. */
+  readonly rival: string | null;
+  /** Null: that of the place in the text, or the beginning. */
+  readonly step: number | null;
+  readonly pixel: Pixel | null;
+  readonly bookmarks: Bookmarks;
+}
+
+function parsePixel(written: string | null): Pixel | null {
+  const [, x, y] = /^(-?\d{1,9}),(-?\d{1,9})$/.exec(written ?? '') ?? [];
+  return x === undefined || y === undefined ? null : [Number(x), Number(y)];
+}
+
+export function parseAddress(hash: string): Address {
+  const fields = new URLSearchParams(hash.replace(/^#/, ''));
+  const language = fields.get('lang');
+  const scene = fields.get('scene');
+  const layer = fields.get('layer');
+  return {
+    setup: {
+      language: isLanguage(language) ? language : null,
+      presenting: fields.get('view') === 'present',
+      layer: isLayer(layer) ? layer : 'picture',
+      setting: parseSetting(fields),
+      reader: fields.get('reader') !== 'off',
+      follows: fields.get('follow') === 'on',
+    },
+    lesson: fields.get('lesson'),
+    at: fields.get('at'),
+    trace: fields.get('trace'),
+    live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
+    rival: fields.get('with'),
+    step: stepIn(fields.get('step')),
+    pixel: parsePixel(fields.get('pixel')),
+    bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
+  };
+}
+
+export function formatAddress(address: Address): string {
+  const { setup, lesson, at, trace, live, rival, step, pixel, bookmarks } = address;
+  const { language, presenting, layer, setting, reader, follows } = setup;
+  const fields = new URLSearchParams();
+  if (language !== null) fields.set('lang', language);
+  if (setup.setting.keys !== '') fields.set('keys', setup.setting.keys);
+  if (lesson !== null) fields.set('lesson', lesson);
+  if (lesson !== null && at !== null) fields.set('at', at);
+  if (trace !== null) fields.set('trace', trace);
+  if (live !== null) {
+    fields.set('run', live.run);
+    fields.set('scene', live.scene);
+  }
+  if (lesson !== null || trace !== null || live !== null) {
+    if (!reader) fields.set('reader', 'off');
+    if (follows) fields.set('follow', 'on');
+    writeSetting(setting, fields);
+    if (rival !== null) fields.set('with', rival);
+    if (presenting) fields.set('view', 'present');
+    if (pixel !== null) fields.set('pixel', pixel.join());
+    if (layer !== 'picture') fields.set('layer', layer);
+    if (bookmarks.length > 0) fields.set('bookmarks', formatBookmarks(bookmarks));
+    if (step !== null) fields.set('step', String(step));
+  }
+  return `#${fields.toString()}`;
+}

@@ -1,0 +1,179 @@
+import { LitElement, html, nothing } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, property, query } from 'lit/decorators.js';
+import { keyed } from 'lit/directives/keyed.js';
+import type { Setup } from './address.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { Lesson } from '../lessons/lessons.js';
+import { blocks } from './blocks.js';
+import { Drawings } from './drawings.js';
+import { Fitting } from './fitting.js';
+import { inlines } from './inlines.js';
+import { addressIn, runOf } from './links.js';
+import type { AddressOf } from './links.js';
+import { ReadingPlace } from './reading-place.js';
+import type { Reached } from './reading-place.js';
+import type { Goal } from './reading.js';
+import type { LessonStory, Pin } from './story.js';
+import { isRefusal } from '../trace/refusal.js';
+import { PrintedWhole } from '../elements/printed-whole.js';
+import { readerStyle } from './reader.style.js';
+import { base } from '../elements/theme.js';
+
+/** Where one has come to in the text, and whether by scrolling. */
+export type Read = Reached & { readonly isScrolled: boolean };
+
+/**
+ * The text of a lesson. Events tell what the reader does: `read`, comes to another place; `pin`, asks for one, by the
+ * name of its place; `follow`, wants the run to follow or not; `contents`, asks for the table of contents.
+ */
+@customElement('vidno-reader')
+export class ReaderElement extends LitElement {
+  static override styles = [base, readerStyle];
+
+  @property({ attribute: false }) story: LessonStory | null = null;
+  /** Why there is none. */
+  @property({ attribute: false }) error: unknown = null;
+  @property({ attribute: false }) lessons: readonly Lesson[] = [];
+  @property({ attribute: false }) setup!: Setup;
+  /** The place to be brought into sight. */
+  @property({ attribute: false }) goal: Goal = { place: null, isRead: false };
+  /** The pin that one has come to, by the name of its place. */
+  @property({ attribute: false }) current: string | null = null;
+  @property({ attribute: false }) previous: Lesson | null = null;
+  @property({ attribute: false }) next: Lesson | null = null;
+  @query('.box') readonly box!: HTMLElement;
+  @query('article') readonly article!: HTMLElement;
+
+  private readonly drawings = new Drawings();
+  // Before the place that is read is looked for: what is smaller is lower, too.
+  private readonly fitting = new Fitting(() => this.article);
+  private readonly place = new ReadingPlace(this);
+  protected readonly printed = new PrintedWhole(this);
+
+  private get language(): Language {
+    return this.setup.language;
+  }
+
+  private get addressOf(): AddressOf {
+    return addressIn(this.lessons, this.setup);
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('story')) this.drawings.forget();
+  }
+
+  override firstUpdated(): void {
+    this.fitting.watch(this.box);
+    this.place.watch();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.fitting.stop();
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    if (changed.has('story') || changed.has('setup')) this.fitting.fit();
+    if (changed.has('story') || changed.has('goal')) void this.show();
+    else if (changed.has('setup')) this.place.restore();
+  }
+
+  /** Only when its parts are there it is known where they stand. */
+  private async show(): Promise<void> {
+    const commands = [...this.article.querySelectorAll('vidno-command')];
+    await Promise.all(commands.map(({ updateComplete }) => updateComplete));
+    this.place.show(this.goal);
+  }
+
+  reached(now: Reached, isScrolled: boolean): void {
+    this.dispatchEvent(new CustomEvent('read', { detail: { ...now, isScrolled } }));
+  }
+
+  override render(): TemplateResult {
+    const { reader } = texts[this.language];
+    return html`
+      <div class="bar">
+        <button class="contents" @click=${() => this.ask('contents')}>${reader.contents}</button>
+        <label title=${reader.followHint}>
+          <input
+            type="checkbox"
+            .checked=${this.setup.follows}
+            @change=${() => this.ask('follow', !this.setup.follows)}
+          />
+          ${reader.follow}
+        </label>
+        ${this.neighbours('short')}
+      </div>
+      <div class="box" tabindex="0" role="region" aria-label=${reader.text} @click=${this.onClick}>
+        ${this.story === null ? this.excuse() : keyed(this.story.id, this.told(this.story))}
+      </div>
+    `;
+  }
+
+  private told(lesson: LessonStory): TemplateResult {
+    const { language, addressOf, current } = this;
+    const { reader, page } = texts[language];
+    const story = lesson.story[language];
+    const telling = {
+      lesson,
+      texts: reader,
+      story,
+      current,
+      addressOf,
+      runOf: (pin: Pin) => runOf(pin, lesson, this.lessons, page),
+      drawingOf: (svg: string) => this.drawings.addressOf(svg),
+    };
+    return html`<article lang=${language}>
+      <h2>${inlines(story.title, telling)}</h2>
+      ${blocks(story.blocks, telling)} ${this.neighbours('long')}
+    </article>`;
+  }
+
+  private excuse(): TemplateResult {
+    const { reader, reasons } = texts[this.language];
+    const { error } = this;
+    if (error === null) return html`<article></article>`;
+    const say: ((...details: string[]) => string) | null = isRefusal(error)
+      ? reasons[error.reason]
+      : null;
+    return html`<article>
+      <p class="refused" role="alert">
+        ${isRefusal(error) && say ? reader.refused(error.path, say(...error.details)) : reader.broken}
+      </p>
+    </article>`;
+  }
+
+  /** The ways to the lessons before and after this one. */
+  private neighbours(form: 'short' | 'long'): TemplateResult {
+    const { reader } = texts[this.language];
+    const way = (lesson: Lesson | null, name: string, sign: string, where: string): unknown => {
+      if (lesson === null) return nothing;
+      const address = this.addressOf(lesson.id) ?? nothing;
+      const title = lesson.title[this.language];
+      return form === 'short'
+        ? html`<a href=${address} aria-label="${name}: ${title}" title=${title}>${sign}</a>`
+        : html`<a href=${address} class=${where}><small>${name}</small> ${title}</a>`;
+    };
+    return html`<nav class=${form} aria-label=${form === 'long' ? reader.otherLessons : nothing}>
+      ${way(this.previous, reader.previous, '←', 'previous')}
+      ${way(this.next, reader.next, '→', 'next')}
+    </nav>`;
+  }
+
+  /** A pin is gone to at once; with a key that asks for another window its address is opened as any other. */
+  private onClick(event: MouseEvent): void {
+    const pin = event
+      .composedPath()
+      .find((each): each is HTMLAnchorElement => each instanceof HTMLAnchorElement);
+    const place = pin?.dataset['place'];
+    if (place === undefined || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    this.ask('pin', place);
+  }
+
+  private ask(what: 'pin' | 'follow' | 'contents', detail: string | boolean | null = null): void {
+    this.dispatchEvent(new CustomEvent(what, { detail }));
+  }
+}

@@ -1,0 +1,59 @@
+import { describe, expect, it } from 'vitest';
+import { headerOf, pop, push, textWith, traceOf } from '../testing/traces.js';
+import { samples } from '../testing/samples.js';
+import type { Event } from '../trace/events.js';
+import type { Trace } from './trace.js';
+import { canonical } from './canonical.js';
+import { emptyWarnock } from '../warnock/state.js';
+import type { Warnock } from '../warnock/state.js';
+import { emptyZBuffer } from '../zbuffer/state.js';
+
+const stateAt = ({ header, timeline }: Trace, step: number): unknown =>
+  canonical(timeline.seek(step), header, []);
+const warnockAt = ({ timeline }: Trace, step: number): Warnock =>
+  timeline.seek(step).values.warnock ?? emptyWarnock;
+
+describe('what was found of a window or a polygon', () => {
+  const corners: Event = { e: 'corners', at: 'PW1', z: '-inf' };
+  const summary: Event = {
+    e: 'summary',
+    at: 'W6',
+    count: 2,
+    hasSurround: true,
+    color: '#112233',
+    insider: true,
+  };
+  const part: Event = { e: 'push', at: 'W13', window: [4, 0, 4, 4] };
+  const popPart: Event = { ...pop, window: [4, 0, 4, 4] };
+
+  it('is unknown of the next window, though the variables hold it', async () => {
+    const call: Event = { e: 'call', at: 'W6', of: 'ProcessWindow' };
+    const events = [push, pop, call, corners, summary, part, popPart, corners];
+    const trace = await traceOf(textWith(headerOf('warnock'), events));
+    const found = (step: number): unknown => {
+      const { count, hasSurround, color, insider, corners: z } = warnockAt(trace, step);
+      return [count, hasSurround, color, insider, z?.lb ?? null];
+    };
+    const nothing = [null, null, null, null, null];
+    expect(found(2)).toEqual(nothing);
+    expect(found(5)).toEqual([2, true, '#112233', true, '-inf']);
+    expect(found(7)).toEqual(nothing);
+    expect(found(8)).toEqual([0, false, null, false, '-inf']);
+    expect(stateAt(trace, 7)).toMatchObject({ warnock: { count: 2, color: '#112233' } });
+  });
+
+  it('is unknown of the next polygon, though the variables hold it', async () => {
+    const next: Event = { e: 'polygon', at: 'Z2', polygon: 'B', color: '#445566' };
+    const sorted: Event = { e: 'ael_sort', at: 'Z12', edges: [], next: 4 };
+    const left: Event = { e: 'leave', at: 'Z10', edges: [], next: 5 };
+    const events = [...samples.polygon, ...samples.scanline, left, sorted, next];
+    const trace = await traceOf(textWith(headerOf('zbuffer'), events));
+    const scanned = (step: number): unknown => {
+      const { y, row, nextS, nextAel } = trace.timeline.seek(step).values.zbuffer ?? emptyZBuffer;
+      return [y, row, nextS, nextAel];
+    };
+    expect(scanned(4)).toEqual([2.5, 2, 5, 4]);
+    expect(scanned(5)).toEqual([null, null, null, null]);
+    expect(stateAt(trace, 5)).toMatchObject({ zbuffer: { y: 2.5, row: 2, nextS: 5, nextAel: 4 } });
+  });
+});

@@ -1,0 +1,193 @@
+import { gzipSync } from 'node:zlib';
+import { describe, expect, it } from 'vitest';
+import { samples } from '../testing/samples.js';
+import {
+  headerOf,
+  keptOf,
+  linesOf,
+  textOf,
+  textWith,
+  traceNames,
+  traceOf,
+} from '../testing/traces.js';
+import { Unreadable } from './trace.js';
+import type { Reason } from '../trace/refusal.js';
+
+const header = headerOf('warnock');
+const push = samples.push[0];
+const whole = textWith(header, push ? [push] : []);
+const bytes = (text: string): Uint8Array<ArrayBuffer> => new Uint8Array(Buffer.from(text));
+const zipped = (text: string): Uint8Array<ArrayBuffer> => new Uint8Array(gzipSync(text));
+
+describe('a whole trace', () => {
+  it.each(traceNames)('%s is read, plain and gzip', async (name) => {
+    const text = textOf(name);
+    for (const file of [text, zipped(text)]) {
+      const trace = await traceOf(file);
+      expect(trace.shortened).toBeNull();
+      expect(trace.timeline.length).toBe(text.split('\n').length - 3);
+    }
+  });
+
+  it('may lack the last newline', async () => {
+    expect((await traceOf(whole.trimEnd())).shortened).toBeNull();
+  });
+});
+
+describe('a trace that was cut short is read up to the break', () => {
+  const text = textOf('small.warnock.signs.jsonl');
+
+  it('between lines', async () => {
+    const trace = await traceOf(text.split('\n').slice(0, 11).join('\n') + '\n');
+    expect(trace.shortened).toEqual({ why: 'cut', line: 11 });
+    expect(trace.timeline.length).toBe(10);
+  });
+
+  it('within a line', async () => {
+    const trace = await traceOf(text.slice(0, 5000));
+    expect(trace.shortened?.why).toBe('cut');
+    expect(trace.timeline.length).toBe(text.slice(0, 5000).split('\n').length - 2);
+  });
+
+  it('within the gzip stream', async () => {
+    const trace = await traceOf(zipped(text).slice(0, -2000));
+    expect(trace.shortened?.why).toBe('cut');
+    expect(trace.timeline.length).toBeGreaterThan(100);
+  });
+
+  it('by what a page can hold', async () => {
+    const { shortened, timeline } = await traceOf(text, 100_000);
+    expect(text.length).toBeGreaterThan(100_000);
+    expect(timeline.length).toBeGreaterThan(100);
+    expect(shortened).toEqual({ why: 'limit', line: timeline.length + 1 });
+  });
+
+  it('by the run itself', async () => {
+    const partial = whole.replace(/"picture":"[^"]*"/, '"partial":true');
+    expect((await traceOf(partial)).shortened?.why).toBe('partial');
+  });
+});
+
+const broken: readonly (readonly [string, string | Uint8Array<ArrayBuffer>, number, Reason])[] = [
+  ['nothing', '', 1, 'emptyFile'],
+  ['an empty line', '\n', 1, 'emptyLine'],
+  ['no JSON', 'hello\n', 1, 'notJson'],
+  ['no JSON, without a newline', 'hello', 1, 'notJson'],
+  ['a picture', bytes('\u0089PNG\r\n\u001a\n'), 1, 'notJson'],
+  ['not UTF-8', new Uint8Array([0x7b, 0xff, 0xfe, 0x0a]), 1, 'notUtf8'],
+  ['bad gzip', new Uint8Array([0x1f, 0x8b, 1, 2, 3, 4]), 1, 'notGzip'],
+  ['a list', '[]\n', 1, 'object'],
+  ['another format', linesOf({ ...header, format: 'vidno-trace/2' }), 1, 'oneOf'],
+  ['a kernel that there is not', linesOf({ ...header, kernel: 'bits:25' }), 1, 'kernel'],
+  ['an unknown key in the header', linesOf({ ...header, author: 1 }), 1, 'unknownKey'],
+  ['no scene', linesOf({ ...header, scene: undefined }), 1, 'missing'],
+  ['no event', linesOf(header, { e: 'explode', at: 'W1' }), 2, 'noEvent'],
+  ['a prototype for an event', linesOf(header, { e: '__proto__', at: 'W1' }), 2, 'noEvent'],
+  ['an event of the other method', linesOf(header, samples.scanline[0]), 2, 'noEvent'],
+  [
+    'an event of a higher level',
+    linesOf(headerOf('warnock', 'windows'), samples.corners[0]),
+    2,
+    'tooDetailed',
+  ],
+  ['an unknown key', linesOf(header, { ...push, extra: 1 }), 2, 'unknownKey'],
+  ['a missing key', linesOf(header, { e: 'pop', at: 'W5' }), 2, 'missing'],
+  ['another label', linesOf(header, { ...push, at: 'W4' }), 2, 'oneOf'],
+  ['NaN', `${linesOf(header)}{"e":"corners","at":"PW1","z":NaN}\n`, 2, 'notJson'],
+  [
+    'a number too large',
+    `${linesOf(header)}{"e":"corners","at":"PW1","z":1e999}\n`,
+    2,
+    'kernelNumber',
+  ],
+  [
+    'a text for a number',
+    linesOf(header, { e: 'corners', at: 'PW1', z: '<b>' }),
+    2,
+    'kernelNumber',
+  ],
+  ['a short window', linesOf(header, { ...push, window: [0, 0, 8] }), 2, 'listOf'],
+  ['a line after the last', whole + linesOf(push), 4, 'afterEnd'],
+  ['a wrong count of events', whole.replace('"events":1', '"events":1e15'), 3, 'eventCount'],
+  ['a bad hash', whole.replace('sha256', 'md5'), 3, 'hash'],
+  ['an area too large', whole.replace('"width":8', '"width":16385'), 1, 'between'],
+  ['an id twice', whole.replace('"id":"B"', '"id":"A"'), 1, 'twice'],
+  ['a bad colour', whole.replace('#112233', 'url(x)'), 1, 'color'],
+];
+
+describe('a line that is wrong leaves the run before it', () => {
+  const lines = textOf('small.warnock.signs.jsonl').trimEnd().split('\n');
+  const wrong = 201;
+
+  it.each<[string, string, string, Reason]>([
+    ['no JSON', '{"e":', '', 'notJson'],
+    ['no event', '{"e":"boom","at":"W1"}', 'e', 'noEvent'],
+    ['a wrong value', '{"e":"push","at":"W3","window":[0,0,8,"x"]}', 'window[3]', 'number'],
+    ['what cannot happen', '{"e":"ael_drop","at":"Z9","edges":[1]}', 'e', 'noEvent'],
+  ])('%s', async (_what, line, path, reason) => {
+    const text = [...lines.slice(0, wrong - 1), line, ...lines.slice(wrong)].join('\n');
+    const { shortened, complete, timeline } = await keptOf(`${text}\n`);
+    expect(complete).toBe(true);
+    expect(shortened).toMatchObject({ why: 'wrong', line: wrong, refusal: { path, reason } });
+    expect(timeline.length).toBe(wrong - 2);
+    expect(timeline.event(wrong - 2)).toEqual(JSON.parse(lines[wrong - 2] ?? ''));
+    expect(timeline.event(wrong - 1)).toBeNull();
+  });
+
+  it('in a later block of the file, with the state that it had come to', async () => {
+    const [first = '', ...others] = lines.slice(0, -1);
+    const events = others.slice(0, wrong - 2);
+    const plane = events.find((line) => line.startsWith('{"e":"plane"')) ?? '';
+    const long = [...events, ...Array.from({ length: 1500 }, () => plane)];
+    const { shortened, timeline } = await keptOf(`${[first, ...long, 'oops'].join('\n')}\n`);
+    expect(shortened).toMatchObject({ line: long.length + 2, refusal: { reason: 'notJson' } });
+    expect(timeline.length).toBe(long.length);
+    const sound = await traceOf(`${lines.join('\n')}\n`);
+    const { values } = sound.timeline.seek(wrong - 2);
+    expect(timeline.seek(long.length).values.warnock?.stack).toEqual(values.warnock?.stack);
+  });
+
+  it('at the last line, all of it', async () => {
+    const { shortened, timeline } = await keptOf(whole + linesOf(push));
+    expect(shortened).toMatchObject({ why: 'wrong', line: 4, refusal: { reason: 'afterEnd' } });
+    expect(timeline.length).toBe(1);
+  });
+
+  it('but there is no run before the first event', async () => {
+    await expect(keptOf(linesOf(header, { e: 'boom' }))).rejects.toBeInstanceOf(Unreadable);
+  });
+});
+
+describe('names beyond ASCII', () => {
+  const named = textOf('small.warnock.signs.jsonl').replaceAll('"A"', '"Ёлка"');
+
+  it('are read as others', async () => {
+    const { timeline } = await traceOf(named);
+    expect(timeline.length).toBe(named.split('\n').length - 3);
+    expect(timeline.event(1)).toMatchObject({ e: 'plane', polygon: 'Ёлка' });
+    expect(timeline.event(timeline.length)).toEqual(
+      JSON.parse(named.trim().split('\n').at(-2) ?? ''),
+    );
+  });
+
+  it('must be UTF-8 on every line', async () => {
+    const file = bytes(named);
+    const at = file.lastIndexOf(bytes('Ё')[0] ?? 0);
+    file[at + 1] = 0x22;
+    const error: unknown = await traceOf(file).catch((thrown: unknown) => thrown);
+    const line = file.subarray(0, at).filter((byte) => byte === 10).length + 1;
+    expect(error).toMatchObject({ line, refusal: { reason: 'notUtf8' } });
+  });
+});
+
+describe('what is no trace is refused with line and reason', () => {
+  it.each(broken)('%s', async (_name, file, line, reason) => {
+    const error: unknown = await traceOf(file).then(
+      () => null,
+      (thrown: unknown) => thrown,
+    );
+    expect(error).toBeInstanceOf(Unreadable);
+    const { line: found, refusal } = error as Unreadable;
+    expect([found, refusal.reason]).toEqual([line, reason]);
+  });
+});

@@ -1,0 +1,84 @@
+import { State } from './state.js';
+import type { Keyframe } from './state.js';
+import { hasKeyframe } from './timeline.js';
+import { written } from './uses.js';
+import { details, eventNames } from '../trace/events.js';
+import type { Event } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import { kindsOf } from '../trace/kinds.js';
+import type { LineKind } from '../trace/kinds.js';
+import { parseLine } from '../trace/parse.js';
+import type { End } from '../trace/parse.js';
+import type { BlockText } from '../trace/store.js';
+
+/** On a longer text a regular expression may run out of space. */
+const longestPlain = 2 ** 13;
+const opening = '{"e":"';
+
+/**
+ * A run as it is read: checks each line, applies its event, and keeps keyframes until they are taken. Lines as a
+ * run writes them are known by their plain form; of these, events that change nothing are not parsed.
+ */
+export class Run {
+  length = 0;
+  private keyframes: Keyframe[] = [];
+  private readonly state: State;
+  private readonly kinds: ReadonlyMap<string, LineKind>;
+  private readonly ids: ReadonlySet<string>;
+  private readonly changes: readonly boolean[];
+
+  constructor(private readonly header: Header) {
+    const { method, detail, scene } = header;
+    const level = details.indexOf(detail);
+    const kinds = [...kindsOf[method]].filter(([, { from }]) => details.indexOf(from) <= level);
+    this.state = new State(header);
+    this.kinds = new Map(kinds);
+    this.ids = new Set(scene.polygons.map(({ id }) => JSON.stringify(id)));
+    this.changes = eventNames.map((name, i) => written[i] !== 0 || name === 'call');
+  }
+
+  /** The number of the name of the event on a line of the block, or the last line. */
+  take(block: BlockText, line: number): number | End {
+    const kind = this.plainKind(block, line);
+    if (kind === null) return this.takeParsed(block.line(line));
+    this.length++;
+    const due = this.isDue();
+    if (due || this.changes[kind.number] === true) {
+      this.state.apply(JSON.parse(block.line(line)) as Event, this.length);
+    } else this.state.pass(kind.name);
+    if (due) this.keyframes.push(this.state.save());
+    return kind.number;
+  }
+
+  takeKeyframes(): readonly Keyframe[] {
+    const { keyframes } = this;
+    this.keyframes = [];
+    return keyframes;
+  }
+
+  /** The kind of a line that is certainly one of its kind, and names a polygon of the scene if it names any. */
+  private plainKind(block: BlockText, line: number): LineKind | null {
+    const [text, start, end] = block.at(line);
+    if (end - start > longestPlain || !text.startsWith(opening, start)) return null;
+    const from = start + opening.length;
+    const kind = this.kinds.get(text.slice(from, text.indexOf('"', from)));
+    if (kind === undefined) return null;
+    kind.plain.lastIndex = start;
+    const match = kind.plain.exec(text);
+    if (match === null) return null;
+    return match[1] === undefined || this.ids.has(match[1]) ? kind : null;
+  }
+
+  private takeParsed(text: string): number | End {
+    const found = parseLine(text, this.header);
+    if ('end' in found) return found.end;
+    this.length++;
+    this.state.apply(found.event, this.length);
+    if (this.isDue()) this.keyframes.push(this.state.save());
+    return this.kinds.get(found.event.e)?.number ?? 0;
+  }
+
+  private isDue(): boolean {
+    return hasKeyframe(this.length, this.header.scene.area);
+  }
+}

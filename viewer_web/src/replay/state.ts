@@ -1,0 +1,170 @@
+import { Columns } from './columns.js';
+import type { SavedColumns } from './columns.js';
+import { afterCurves, emptyFloatingHorizon } from '../floating-horizon/state.js';
+import type { FloatingHorizon } from '../floating-horizon/state.js';
+import { afterRegions, emptyRegions } from '../weiler-atherton/state.js';
+import type { Regions } from '../weiler-atherton/state.js';
+import {
+  callsFrom,
+  details,
+  eventNames,
+  hasThreeLists,
+  hasWindows,
+  kinds,
+} from '../trace/events.js';
+import type { Detail, Event, EventName, Method, Procedure } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import { Refusal } from '../trace/refusal.js';
+import { ListInHand } from '../warnock/list-in-hand.js';
+import { Screen, keepsDepths } from './screen.js';
+import type { SavedScreen } from './screen.js';
+import type { Stretch } from './stretch.js';
+import { afterWarnock, emptyWarnock } from '../warnock/state.js';
+import type { Warnock } from '../warnock/state.js';
+import { afterZBuffer, emptyZBuffer } from '../zbuffer/state.js';
+import type { ZBuffer } from '../zbuffer/state.js';
+
+/** The methods themselves, as their listings are called. */
+type Bottom =
+  | 'Warnock'
+  | 'SimplestWarnock'
+  | 'ThreeListsWarnock'
+  | 'ZBuffer'
+  | 'FloatingHorizon'
+  | 'WeilerAtherton';
+
+function bottomOf(method: Method): Bottom {
+  if (hasThreeLists(method)) return 'ThreeListsWarnock';
+  if (method === 'warnock-simplest') return 'SimplestWarnock';
+  if (method === 'floating-horizon') return 'FloatingHorizon';
+  if (method === 'weiler-atherton') return 'WeilerAtherton';
+  return hasWindows(method) ? 'Warnock' : 'ZBuffer';
+}
+
+/** A procedure that runs, and the label that it is at. */
+export interface Frame {
+  readonly of: Procedure | Bottom;
+  readonly at: string | null;
+}
+
+/** What a step leaves behind, the cells of picture and Z-buffer apart. */
+export interface Values {
+  readonly step: number;
+  readonly calls: readonly Frame[];
+  readonly warnock: Warnock | null;
+  readonly zbuffer: ZBuffer | null;
+  readonly horizon: FloatingHorizon | null;
+  readonly regions: Regions | null;
+}
+
+/** All that a state is, as plain data. */
+export interface Keyframe {
+  readonly values: Values;
+  readonly screen: SavedScreen;
+  readonly columns: SavedColumns | null;
+}
+
+/** By how much each event, at the number of its name, changes the depth of the calls. */
+export function depthChanges(detail: Detail): readonly number[] {
+  return eventNames.map((name) => (name === 'call' ? 1 : closedBy(name, detail) === null ? 0 : -1));
+}
+
+/** The procedure that an event ends: below the level of its call a result closes nothing. */
+function closedBy(name: EventName, detail: Detail): Procedure | null {
+  const { resultOf } = kinds[name];
+  if (resultOf === undefined) return null;
+  return details.indexOf(detail) >= details.indexOf(callsFrom[resultOf]) ? resultOf : null;
+}
+
+/** Everything at a step. Its values are immutable, so that a keyframe shares what does not change. */
+export class State {
+  readonly screen: Screen;
+  /** Null of a run of polygons. */
+  readonly columns: Columns | null;
+  private step = 0;
+  private calls: readonly Frame[];
+  private warnock: Warnock | null;
+  private readonly list = new ListInHand();
+  private zbuffer: ZBuffer | null;
+  private horizon: FloatingHorizon | null;
+  private regions: Regions | null;
+
+  constructor(private readonly header: Header) {
+    const { method, scene } = header;
+    this.screen = new Screen(scene, keepsDepths(header), method === 'warnock-vertex');
+    this.columns = scene.curves === null ? null : new Columns(scene);
+    this.calls = [{ of: bottomOf(method), at: null }];
+    this.warnock = hasWindows(method) ? emptyWarnock : null;
+    this.zbuffer = method === 'zbuffer' ? emptyZBuffer : null;
+    this.horizon = method === 'floating-horizon' ? emptyFloatingHorizon : null;
+    this.regions = method === 'weiler-atherton' ? emptyRegions : null;
+  }
+
+  get values(): Values {
+    if (this.warnock !== null) this.warnock = this.list.settled(this.warnock);
+    const { step, calls, warnock, zbuffer, horizon, regions } = this;
+    return { step, calls, warnock, zbuffer, horizon, regions };
+  }
+
+  /** The event of a step, at least the next that changes anything; one that cannot happen here is refused. */
+  apply(event: Event, step = this.step + 1): void {
+    this.change(event);
+    this.pass(event.e);
+    this.calls = movedBy(event, this.calls);
+    this.step = step;
+  }
+
+  /** Past an event that only ends a procedure, or changes nothing at all: the next one that is applied sets the line. */
+  pass(name: EventName): void {
+    const closed = closedBy(name, this.header.detail);
+    if (closed === null) return;
+    const top = this.calls.at(-1)?.of ?? '';
+    if (top !== closed) throw new Refusal('e', 'resultOf', closed, top);
+    this.calls = this.calls.slice(0, -1);
+  }
+
+  /** Goes on to the end of a stretch by those of its events that matter there. */
+  leap({ end, changes, closed, opened }: Stretch, eventOf: (step: number) => Event): void {
+    for (const step of changes) this.change(eventOf(step));
+    this.calls = this.calls.slice(0, this.calls.length - closed);
+    const last = opened.at(-1) === end ? [] : [end];
+    for (const step of [...opened, ...last]) this.calls = movedBy(eventOf(step), this.calls);
+    this.step = end;
+  }
+
+  save(): Keyframe {
+    const { values, screen, columns } = this;
+    return { values, screen: screen.save(), columns: columns?.save() ?? null };
+  }
+
+  load({ values, screen, columns }: Keyframe): void {
+    this.list.forget();
+    ({ step: this.step, calls: this.calls } = values);
+    ({ warnock: this.warnock, zbuffer: this.zbuffer } = values);
+    ({ horizon: this.horizon, regions: this.regions } = values);
+    this.screen.load(screen);
+    if (columns !== null) this.columns?.load(columns);
+  }
+
+  private change(event: Event): void {
+    const { warnock, zbuffer, horizon, regions, screen, columns } = this;
+    if ('polygon' in event) screen.polygon(event.polygon);
+    if (warnock !== null) this.warnock = this.afterWindows(event, warnock);
+    if (zbuffer !== null) this.zbuffer = afterZBuffer(event, zbuffer, screen);
+    if (horizon !== null && columns !== null) this.horizon = afterCurves(event, horizon, columns);
+    if (regions !== null) this.regions = afterRegions(event, regions, screen);
+  }
+
+  private afterWindows(event: Event, now: Warnock): Warnock {
+    if (this.list.take(event, now)) return now;
+    return afterWarnock(event, this.list.before(event, now), this.screen);
+  }
+}
+
+/** An event sets the line of the procedure in hand; a call opens the frame of another. */
+function movedBy(event: Event, calls: readonly Frame[]): readonly Frame[] {
+  const top = calls.at(-1);
+  if (top === undefined || (top.at === event.at && event.e !== 'call')) return calls;
+  const moved = [...calls.slice(0, -1), { of: top.of, at: event.at }];
+  return event.e === 'call' ? [...moved, { of: event.of, at: null }] : moved;
+}

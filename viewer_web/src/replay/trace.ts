@@ -1,0 +1,61 @@
+import { Timeline } from './timeline.js';
+import type { Header } from '../trace/header.js';
+import type { Complaint, Ending, News, Part, Shortened } from './read.js';
+
+/** A file that is no trace. */
+export class Unreadable extends Error implements Complaint {
+  readonly line: number;
+  readonly refusal: Complaint['refusal'];
+
+  constructor({ line, refusal }: Complaint) {
+    super(`line ${line}: ${refusal.path} ${refusal.reason}`);
+    this.line = line;
+    this.refusal = refusal;
+  }
+}
+
+/** A trace that was read, or is being read: then it grows. */
+export class Trace {
+  readonly timeline: Timeline;
+  shortened: Shortened | null = null;
+  complete = false;
+  /** How much of the file was read, from 0 to 1. */
+  read = 0;
+
+  constructor(readonly header: Header) {
+    this.timeline = new Timeline(header);
+  }
+
+  add(news: Part | Ending): void {
+    if (news.is === 'part') {
+      this.timeline.append(news.block, news.keyframes);
+      this.read = news.read;
+    } else {
+      this.shortened = news.shortened;
+      this.complete = true;
+    }
+  }
+
+  /** A line is wrong: the run ends before it. */
+  breakOff({ line, refusal }: Complaint): void {
+    this.shortened = { why: 'wrong', line, refusal };
+    this.complete = true;
+  }
+}
+
+/** Puts together what is told of a file; what is wrong with it is an `Unreadable`. */
+export function follow(trace: Trace | null, news: News): Trace | null {
+  if (news.is === 'complaint') throw new Unreadable(news);
+  if (news.is === 'header') return new Trace(news.header);
+  trace?.add(news);
+  return trace;
+}
+
+/** The same, but a wrong line takes nothing away from the events before it. */
+export function keep(trace: Trace | null, news: News): Trace | null {
+  if (news.is !== 'complaint' || trace === null || trace.timeline.length === 0) {
+    return follow(trace, news);
+  }
+  trace.breakOff(news);
+  return trace;
+}

@@ -1,0 +1,81 @@
+import { toldCheck, Truth } from '../exactness/truth.js';
+import type { Check, Unable } from '../exactness/truth.js';
+import type { Trace } from '../replay/trace.js';
+import { runs } from './options.js';
+import type { Options } from './options.js';
+import { Tracer } from './tracer.js';
+import type { Traced } from './tracer.js';
+
+/** Milliseconds after which a check is given up for that of a newer run. */
+const patience = 1000;
+const checking: Check = { is: 'checking' };
+const unable = (why: Unable, messages = ''): Check => ({ is: 'unable', why, messages });
+
+/** Checks runs that were not checked: makes each once more, by the library that the page brings along. */
+export class Checks {
+  private readonly tracer: Tracer;
+  private readonly found = new WeakMap<Trace, Check>();
+  private wanted: Trace | null = null;
+  private running: { readonly trace: Trace; readonly since: number } | null = null;
+
+  constructor(
+    library: Blob,
+    private readonly changed: () => void,
+  ) {
+    this.tracer = new Tracer(
+      library,
+      (traced) => this.take(traced),
+      () => this.settle(unable('failed')),
+    );
+  }
+
+  of(trace: Trace): Check {
+    return this.found.get(trace) ?? toldCheck(trace);
+  }
+
+  /** Checks a run that was read whole. Of those that wait only the newest is checked. */
+  ask(trace: Trace): void {
+    if (this.of(trace).is !== 'unchecked' || !trace.complete) return;
+    const { wanted, running } = this;
+    if (wanted !== null) this.found.delete(wanted);
+    this.wanted = trace;
+    this.found.set(trace, checking);
+    if (running !== null && performance.now() - running.since > patience) {
+      this.tracer.forget();
+      this.found.delete(running.trace);
+      this.running = null;
+    }
+    if (this.running === null) this.next();
+    this.changed();
+  }
+
+  private next(): void {
+    const { wanted: trace } = this;
+    this.wanted = null;
+    if (trace === null) return;
+    const { method, edition, kernel, detail, scene } = trace.header;
+    const options: Options = { method, edition, kernel, detail, check: true };
+    this.running = { trace, since: performance.now() };
+    if (runs(options)) this.tracer.run(scene, options);
+    else this.settle(unable('notHere'));
+  }
+
+  private take({ trace: checked, messages }: Traced): void {
+    const run = this.running?.trace;
+    if (run === undefined) return;
+    if (checked === null) {
+      this.settle(unable('failed', messages));
+      return;
+    }
+    const truth = Truth.of(run, checked);
+    if (truth !== null) this.settle({ is: 'found', truth });
+    else this.settle(unable(checked.shortened === null ? 'otherRun' : 'tooLong'));
+  }
+
+  private settle(check: Check): void {
+    if (this.running !== null) this.found.set(this.running.trace, check);
+    this.running = null;
+    this.next();
+    this.changed();
+  }
+}

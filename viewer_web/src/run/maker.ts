@@ -1,0 +1,97 @@
+import { fileIn } from '../base/base64.js';
+import { starterOf } from '../replay/start-worker.js';
+import type { Answer, Order, What } from './worker.js';
+import code from './worker.js?code';
+
+const startWorker = starterOf(code);
+
+/** Milliseconds after which what is made is given up for something newer. */
+const patience = 1000;
+
+/** The library that the page brings along, packed, as a block of data; null if it was built without. */
+export function embeddedLibrary(page: Document): Blob | null {
+  const block = page.getElementById('vidno-library');
+  return block && fileIn(block);
+}
+
+async function compiled(packed: Blob): Promise<WebAssembly.Module> {
+  const bytes = packed.stream().pipeThrough(new DecompressionStream('gzip'));
+  return WebAssembly.compile(await new Response(bytes).arrayBuffer());
+}
+
+const modules = new WeakMap<Blob, Promise<WebAssembly.Module>>();
+
+/** The same for all who make something with the library: to compile it takes a while. */
+function moduleOf(library: Blob): Promise<WebAssembly.Module> {
+  const module = modules.get(library) ?? compiled(library);
+  modules.set(library, module);
+  return module;
+}
+
+/** Has the library make something in a worker, one at a time. Of the requests that wait only the newest is met. */
+export class Maker<W extends What> {
+  private worker: Worker | null = null;
+  private turn = 0;
+  private running: { readonly turn: number; readonly since: number } | null = null;
+  private waiting: string | null = null;
+
+  constructor(
+    private readonly library: Blob,
+    private readonly what: W,
+    private readonly tell: (answer: Answer<W>) => void,
+    private readonly fail: (error: unknown) => void,
+  ) {}
+
+  get isBusy(): boolean {
+    return this.running !== null;
+  }
+
+  ask(request: string): void {
+    this.waiting = request;
+    const { running } = this;
+    if (running !== null && performance.now() - running.since > patience) this.stop();
+    if (this.running === null) this.next();
+  }
+
+  /** What is made and what waits is forgotten. */
+  forget(): void {
+    this.waiting = null;
+    if (this.running !== null) this.stop();
+  }
+
+  private stop(): void {
+    this.worker?.terminate();
+    this.worker = null;
+    this.running = null;
+  }
+
+  private next(): void {
+    this.running = { turn: ++this.turn, since: performance.now() };
+    void this.send(this.turn).catch(this.fail);
+  }
+
+  private async send(turn: number): Promise<void> {
+    const module = await moduleOf(this.library);
+    if (this.running?.turn !== turn || this.waiting === null) return;
+    this.worker ??= this.started(module);
+    this.running = { turn, since: performance.now() };
+    const request = this.waiting;
+    this.waiting = null;
+    this.worker.postMessage({ turn, what: this.what, request } satisfies Order);
+  }
+
+  private started(library: WebAssembly.Module): Worker {
+    const worker = startWorker();
+    worker.onmessage = ({ data }: MessageEvent<Answer<W>>): void => this.take(data);
+    worker.onerror = this.fail;
+    worker.postMessage({ library } satisfies Order);
+    return worker;
+  }
+
+  private take(answer: Answer<W>): void {
+    if (this.running?.turn !== answer.turn) return;
+    this.running = null;
+    if (this.waiting !== null) this.next();
+    this.tell(answer);
+  }
+}

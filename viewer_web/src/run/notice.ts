@@ -1,0 +1,75 @@
+import { LitElement, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { complaint, texts, wrongLine } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { Shortened } from '../replay/read.js';
+import type { Trace } from '../replay/trace.js';
+import { whyRefused } from './refusal.js';
+import { emptySketch } from './sketch.js';
+import { Unreadable } from '../replay/trace.js';
+import { noticeStyle } from '../elements/notice.style.js';
+import { base } from '../elements/theme.js';
+
+/** What the page has to say about a file. */
+export type Notice =
+  | { readonly kind: 'reading'; readonly name: string }
+  | { readonly kind: 'growing'; readonly steps: number; readonly read: number }
+  | { readonly kind: 'refused'; readonly name: string; readonly messages: string }
+  | { readonly kind: 'unknown'; readonly name: string }
+  | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
+  | ({ readonly kind: 'shortened' } & Shortened);
+
+/** What is to be said of a trace that is shown, or being read. */
+export function noticeOf({ complete, shortened, timeline, read }: Trace): Notice | null {
+  if (!complete) return { kind: 'growing', steps: timeline.length, read };
+  return shortened && { kind: 'shortened', ...shortened };
+}
+
+/** What grows is not told each time. */
+const roles = {
+  reading: 'status',
+  growing: nothing,
+  unknown: 'alert',
+  failed: 'alert',
+  refused: 'alert',
+  shortened: 'status',
+} as const;
+
+/** One line about the file that is being read, was refused, or is not whole. */
+@customElement('vidno-notice')
+export class NoticeElement extends LitElement {
+  static override styles = [base, noticeStyle];
+
+  @property({ attribute: false }) notice: Notice | null = null;
+  @property({ attribute: false }) language: Language = 'en';
+
+  override render(): TemplateResult | typeof nothing {
+    const { notice } = this;
+    if (notice === null) return nothing;
+    return html`<p class=${notice.kind} role=${roles[notice.kind]}>${this.say(notice)}</p>`;
+  }
+
+  private say(notice: Notice): string {
+    const { page } = texts[this.language];
+    if (notice.kind === 'reading') return page.reading(notice.name);
+    if (notice.kind === 'unknown') return page.unknown(notice.name);
+    if (notice.kind === 'refused') {
+      const { scene } = texts[this.language];
+      return page.refusedScene(notice.name, whyRefused(notice.messages, emptySketch, scene));
+    }
+    if (notice.kind === 'growing') {
+      const steps = notice.steps.toLocaleString(this.language);
+      return page.growing(steps, Math.round(100 * notice.read));
+    }
+    if (notice.kind === 'shortened') {
+      return notice.why === 'wrong'
+        ? wrongLine(notice, this.language)
+        : page.shortened[notice.why](notice.line);
+    }
+    if (notice.error instanceof Unreadable) {
+      return complaint(notice.name, notice.error, this.language);
+    }
+    return page.broken(notice.name);
+  }
+}

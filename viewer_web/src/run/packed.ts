@@ -1,0 +1,48 @@
+import { boundedText } from '../base/bounded-text.js';
+import { fromBase64, toBase64Url } from '../base/base64.js';
+import { editions } from '../trace/editions.js';
+import type { Edition } from '../trace/editions.js';
+import { details, eventsOf } from '../trace/events.js';
+import type { Detail, Method } from '../trace/events.js';
+import { runnable, usual } from './options.js';
+import type { Options } from './options.js';
+
+/** Longer addresses are cut by some programs that pass them on. */
+const longestPacked = 16_000;
+/** A few bytes may unpack to very many. */
+const longestText = 1_000_000;
+
+function through(bytes: Blob, stream: GenericTransformStream): ReadableStream<Uint8Array> {
+  return bytes.stream().pipeThrough<Uint8Array>(stream);
+}
+
+/** A text in the letters of an address; null if it would be too long for one. */
+export async function packed(text: string): Promise<string | null> {
+  const stream = through(new Blob([text]), new CompressionStream('deflate-raw'));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  if (bytes.length * 4 > longestPacked * 3) return null;
+  return toBase64Url(bytes);
+}
+
+/** What was packed; throws if it was not, or if it is too long. */
+export async function unpacked(letters: string): Promise<string> {
+  const bytes = new Blob([fromBase64(letters)]);
+  return boundedText(through(bytes, new DecompressionStream('deflate-raw')), longestText);
+}
+
+/** How a scene is run, as it stands in an address: "warnock.corrected.double.signs", perhaps with ".check". */
+export function wordOf({ method, edition, kernel, detail, check }: Options): string {
+  return [method, edition, kernel, detail, ...(check ? ['check'] : [])].join('.');
+}
+
+/** What is missing or unknown is as usual. */
+export function optionsOf(word: string): Options {
+  const [method = '', edition = '', kernel = usual.kernel, detail = '', check] = word.split('.');
+  return runnable({
+    method: Object.hasOwn(eventsOf, method) ? (method as Method) : usual.method,
+    edition: editions.includes(edition as Edition) ? (edition as Edition) : usual.edition,
+    kernel,
+    detail: details.includes(detail as Detail) ? (detail as Detail) : usual.detail,
+    check: check === 'check',
+  });
+}

@@ -1,0 +1,188 @@
+import { surfaceText } from './surface.js';
+import type { Formula } from './surface.js';
+import type { Area, Polygon, Scene } from '../trace/header.js';
+
+/**
+ * A scene that is being drawn. Each change gives another; what did not change is shared. Curves may be given by a function:
+ * then what stands for them here is from before it was changed.
+ */
+export interface Sketch extends Omit<Scene, 'byId'> {
+  readonly formula?: Formula;
+}
+
+export type Vertex = Polygon['vertices'][number];
+
+/** A vertex of a sketch, by places in its lists. */
+export interface Spot {
+  readonly polygon: number;
+  readonly vertex: number;
+}
+
+/** Colours that stay apart for colour-blind eyes and in grey: those of the lessons (Okabe and Ito). */
+const palette = ['#e69f00', '#0072b2', '#d55e00', '#56b4e9', '#009e73', '#cc79a7', '#f0e442'];
+
+export const emptySketch: Sketch = {
+  name: '',
+  area: { x: 0, y: 0, width: 16, height: 16 },
+  background: '#ffffff',
+  polygons: [],
+  curves: null,
+};
+
+/** The file of the scene, `vidno-scene/1` or `vidno-surface/1`, on one line. */
+export function sceneText(sketch: Sketch): string {
+  if (sketch.curves !== null) return surfaceText(sketch);
+  const { name, area, background, polygons } = sketch;
+  return JSON.stringify({ format: 'vidno-scene/1', name, window: area, background, polygons });
+}
+
+/** The same for people: a polygon a line, or a curve. */
+export function sceneFile(sketch: Sketch): string {
+  if (sketch.curves !== null) return `${surfaceText(sketch).replaceAll(']],[[', ']],\n [[')}\n`;
+  const { polygons, ...rest } = JSON.parse(sceneText(sketch)) as { polygons: unknown[] };
+  const lines = polygons.map((polygon) => `  ${JSON.stringify(polygon)}`).join(',\n');
+  return `${JSON.stringify(rest).slice(0, -1)},\n "polygons": [\n${lines}\n ]}\n`;
+}
+
+const replaced = <T>(list: readonly T[], at: number, ...by: readonly T[]): readonly T[] => [
+  ...list.slice(0, at),
+  ...by,
+  ...list.slice(at + 1),
+];
+
+function withPolygon(sketch: Sketch, at: number, change: (old: Polygon) => Polygon): Sketch {
+  const old = sketch.polygons[at];
+  const changed = old && change(old);
+  if (changed === undefined || changed === old) return sketch;
+  return { ...sketch, polygons: replaced(sketch.polygons, at, changed) };
+}
+
+const withVertices = (polygon: Polygon, vertices: readonly Vertex[]): Polygon => ({
+  ...polygon,
+  vertices: flattened(vertices),
+});
+
+/** Moves a vertex over the screen. */
+export function moveVertex(
+  sketch: Sketch,
+  { polygon, vertex }: Spot,
+  x: number,
+  y: number,
+): Sketch {
+  return withPolygon(sketch, polygon, (old) => {
+    const z = old.vertices[vertex]?.[2] ?? 0;
+    return withVertices(old, replaced(old.vertices, vertex, [x, y, z]));
+  });
+}
+
+/** Moves a whole polygon over the screen. */
+export function movePolygon(sketch: Sketch, polygon: number, dx: number, dy: number): Sketch {
+  return withPolygon(sketch, polygon, (old) => ({
+    ...old,
+    vertices: old.vertices.map(([x, y, z]) => [x + dx, y + dy, z]),
+  }));
+}
+
+export function setDepth(sketch: Sketch, { polygon, vertex }: Spot, z: number): Sketch {
+  return withPolygon(sketch, polygon, (old) => {
+    const [x, y] = old.vertices[vertex] ?? [0, 0];
+    return withVertices(old, replaced(old.vertices, vertex, [x, y, z]));
+  });
+}
+
+/** Puts a vertex in the middle of the edge that begins at one. */
+export function splitEdge(sketch: Sketch, { polygon, vertex }: Spot): Sketch {
+  return withPolygon(sketch, polygon, (old) => {
+    const from = old.vertices[vertex];
+    const to = old.vertices[(vertex + 1) % old.vertices.length];
+    if (from === undefined || to === undefined) return old;
+    const middle: Vertex = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2, (from[2] + to[2]) / 2];
+    return withVertices(old, replaced(old.vertices, vertex, from, middle));
+  });
+}
+
+/** A polygon keeps three vertices. */
+export function removeVertex(sketch: Sketch, { polygon, vertex }: Spot): Sketch {
+  return withPolygon(sketch, polygon, (old) =>
+    old.vertices.length > 3 ? withVertices(old, replaced(old.vertices, vertex)) : old,
+  );
+}
+
+export function addPolygon(sketch: Sketch, vertices: readonly Vertex[]): Sketch {
+  const { polygons } = sketch;
+  return {
+    ...sketch,
+    polygons: [...polygons, { id: freeId(sketch), color: freeColor(sketch), vertices }],
+  };
+}
+
+/** The palette's next colour that nothing in the scene has yet; its next one if all are taken. */
+function freeColor({ polygons, background }: Sketch): string {
+  const taken = new Set([background, ...polygons.map(({ color }) => color)]);
+  const next = polygons.length % palette.length;
+  const inTurn = [...palette.slice(next), ...palette.slice(0, next)];
+  return inTurn.find((color) => !taken.has(color)) ?? inTurn[0] ?? '#000000';
+}
+
+export function removePolygon(sketch: Sketch, polygon: number): Sketch {
+  return { ...sketch, polygons: replaced(sketch.polygons, polygon) };
+}
+
+/** Exchanges a polygon with the one before it, or after it: among equal depths the first wins. */
+export function reorder(sketch: Sketch, polygon: number, by: -1 | 1): Sketch {
+  const [one, other] = [sketch.polygons[polygon], sketch.polygons[polygon + by]];
+  if (one === undefined || other === undefined) return sketch;
+  const polygons = replaced(replaced(sketch.polygons, polygon, other), polygon + by, one);
+  return { ...sketch, polygons };
+}
+
+export function recolor(sketch: Sketch, polygon: number, color: string): Sketch {
+  return withPolygon(sketch, polygon, (old) => ({ ...old, color }));
+}
+
+export function rename(sketch: Sketch, polygon: number, id: string): Sketch {
+  const taken = id === '' || sketch.polygons.some((each, i) => i !== polygon && each.id === id);
+  return taken ? sketch : withPolygon(sketch, polygon, (old) => ({ ...old, id }));
+}
+
+export function resize(sketch: Sketch, area: Area): Sketch {
+  return { ...sketch, area };
+}
+
+function freeId({ polygons }: Sketch): string {
+  const taken = new Set(polygons.map(({ id }) => id));
+  const letters = Array.from({ length: 26 }, (_, i) => String.fromCharCode(65 + i));
+  const numbers = polygons.map((_, i) => String(i + 1));
+  return [...letters, ...numbers].find((id) => !taken.has(id)) ?? String(polygons.length + 1);
+}
+
+/**
+ * A polygon must be plane. The first three vertices that are not in line on the screen have depths of their own;
+ * those of the others follow.
+ */
+export function flattened(vertices: readonly Vertex[]): readonly Vertex[] {
+  const own = anchors(vertices);
+  if (own === null || vertices.length === 3) return vertices;
+  const [a, b, c] = own.map((i) => vertices[i]) as [Vertex, Vertex, Vertex];
+  const area = cross(a, b, c);
+  return vertices.map((vertex, i) => {
+    if (own.includes(i)) return vertex;
+    const [x, y] = vertex;
+    const u = cross(a, vertex, c) / area;
+    const v = cross(a, b, vertex) / area;
+    return [x, y, a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2])];
+  });
+}
+
+/** The places of the vertices whose depths are their own; null if all vertices are in line. */
+export function anchors(vertices: readonly Vertex[]): readonly number[] | null {
+  const [a, b] = vertices;
+  const other = vertices.findIndex((each) => a && (each[0] !== a[0] || each[1] !== a[1]));
+  const second = vertices[other];
+  if (a === undefined || b === undefined || second === undefined) return null;
+  const third = vertices.findIndex((each) => cross(a, second, each) !== 0);
+  return third < 0 ? null : [0, other, third];
+}
+
+const cross = (a: Vertex, b: Vertex, c: Vertex): number =>
+  (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

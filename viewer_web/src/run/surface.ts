@@ -1,0 +1,133 @@
+import type { Sketch } from './sketch.js';
+import type { Curve } from '../trace/header.js';
+import type { Sample } from '../trace/values.js';
+
+type Pair = readonly [number, number];
+
+/** A surface y = f(x, z), and how curves are cut out of it and seen: what `vidno-surface/1` has of a function. */
+export interface Formula {
+  readonly function: string;
+  readonly x: Pair;
+  readonly z: Pair;
+  readonly curves: number;
+  readonly samples: number;
+  readonly tolerance?: number;
+  readonly view: {
+    readonly origin: Pair;
+    readonly across: Pair;
+    readonly back: Pair;
+    readonly up: number;
+  };
+}
+
+/** A sample of a sketch, by places in its lists. */
+export interface SampleSpot {
+  readonly curve: number;
+  readonly sample: number;
+}
+
+const format = 'vidno-surface/1';
+
+/** The file of a surface, on one line: of the function, if it is given by one, else of the samples. */
+export function surfaceText({ name, area, curves, formula }: Sketch): string {
+  const begun = { format, name, window: area };
+  return JSON.stringify(formula === undefined ? { ...begun, curves } : { ...begun, ...formula });
+}
+
+/** Whether a text is the file of a surface. */
+export function isSurface(text: string): boolean {
+  try {
+    const file: unknown = JSON.parse(text);
+    return typeof file === 'object' && file !== null && 'format' in file && file.format === format;
+  } catch {
+    return false;
+  }
+}
+
+/** The function of a surface's file that a run was made of; none if it has samples. */
+export function formulaOf(text: string): Formula | undefined {
+  if (!isSurface(text)) return undefined;
+  const file = JSON.parse(text) as Partial<Formula>;
+  return 'function' in file ? onlyFormula(file as Formula) : undefined;
+}
+
+/** Without whatever else stands in its file. */
+function onlyFormula(of: Omit<Formula, 'tolerance'> & { tolerance?: number | undefined }): Formula {
+  const { function: text, x, z, curves, samples, tolerance, view } = of;
+  const formula = { function: text, x, z, curves, samples, view };
+  return tolerance === undefined ? formula : { ...formula, tolerance };
+}
+
+/** The curves that a sketch has now: its own, or of a function those of the run that is shown. */
+const curvesNow = ({ formula, curves }: Sketch, shown: readonly Curve[]): readonly Curve[] =>
+  formula === undefined && curves !== null ? curves : shown;
+
+/**
+ * Moves a sample up or down, to where `to` says from where it is; its column stays. Of a surface that was given as a
+ * function the samples that it came to remain: they are those of the run that is shown.
+ */
+export function moveSample(
+  sketch: Sketch,
+  shown: readonly Curve[],
+  { curve, sample }: SampleSpot,
+  to: (at: Sample) => number,
+): Sketch {
+  const curves = curvesNow(sketch, shown);
+  const old = curves[curve]?.[sample];
+  if (old === undefined) return sketch;
+  const y = to(old);
+  if (old[1] === y) return sketch;
+  const moved = (of: Curve): Curve =>
+    of.map((each, i) => (i === sample ? ([each[0], y] as const) : each));
+  const { name, area, background, polygons } = sketch;
+  return {
+    name,
+    area,
+    background,
+    polygons,
+    curves: curves.map((of, i) => (i === curve ? moved(of) : of)),
+  };
+}
+
+/** Changes the function, or how it is cut and seen. */
+export function withFormula(sketch: Sketch, change: Partial<Formula>): Sketch {
+  const { formula } = sketch;
+  return formula === undefined ? sketch : { ...sketch, formula: { ...formula, ...change } };
+}
+
+/** The same without samples where the curve bends, as many as are asked for and no more. */
+export function withoutTolerance(sketch: Sketch): Sketch {
+  const { formula } = sketch;
+  if (formula?.tolerance === undefined) return sketch;
+  return { ...sketch, formula: onlyFormula({ ...formula, tolerance: undefined }) };
+}
+
+/** A function to begin with, seen in an area of this size: a wave. */
+export function firstFormula({ area: { x, y, width, height } }: Sketch): Formula {
+  const part = (of: number, by: number): number => Math.round(of * by);
+  const curves = 21;
+  const back: Pair = [
+    Math.max(0, Math.floor((0.3 * width) / curves)),
+    -Math.max(1, part(height, 0.015)),
+  ];
+  return {
+    function: 'sin(x) * cos(z)',
+    x: [0, 6.3],
+    z: [6.3, 0],
+    curves,
+    samples: 31,
+    view: {
+      origin: [x + part(width, 0.05), y + part(height, 0.65)],
+      across: [Math.max(1, part(width, 0.6)), part(height, 0.1)],
+      back,
+      up: part(height, 0.12) || 1,
+    },
+  };
+}
+
+/** A surface to begin with. */
+export function firstSurface(name: string): Sketch {
+  const area = { x: 0, y: 0, width: 160, height: 120 };
+  const sketch = { name, area, background: '#ffffff', polygons: [], curves: [] };
+  return { ...sketch, formula: firstFormula(sketch) };
+}

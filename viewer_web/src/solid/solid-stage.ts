@@ -1,0 +1,200 @@
+import { LitElement, html, nothing, svg } from 'lit';
+import type { PropertyValues, SVGTemplateResult, TemplateResult } from 'lit';
+import { customElement, property, state } from 'lit/decorators.js';
+import { texts as allTexts } from '../i18n/index.js';
+import { Frame } from '../picture/frame.js';
+import type { Zoom, Zooming } from '../picture/frame.js';
+import { noDrawing } from './drawing.js';
+import type { Drawing } from './drawing.js';
+import { dotShapes, outlinesToPoint, textsOf, wires } from './overlay.js';
+import { stepDrawing, stillDrawing } from './scene.js';
+import type { Space } from './space.js';
+import { Stage } from './stage.js';
+import { extent, isSame, turned, viewNames, views } from './turn.js';
+import type { Turn, ViewName } from './turn.js';
+import type { View } from '../algorithm/view.js';
+import { drawn } from '../picture/drawn.js';
+import { Gestures } from '../elements/gestures.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import { Keyboard } from '../elements/keyboard.js';
+import type { Actions } from '../elements/keyboard.js';
+import { marksStyle } from '../picture/marks.style.js';
+import { OwnSize } from '../elements/own-size.js';
+import { pictureStyle } from '../picture/picture.style.js';
+import { solidStyle } from './solid.style.js';
+import { base } from '../elements/theme.js';
+import '../elements/zoom-bar.js';
+
+/** Degrees to a CSS pixel that is dragged, and to a key. */
+const degrees = { pixel: 0.5, key: 5 };
+/** CSS pixels to a key. */
+const way = 40;
+/** How much larger a key or a button makes what is shown. */
+const zoomStep = 1.5;
+
+/** The box with the scene in it, drawn only when something about it changes. It can be turned, enlarged and moved. */
+@customElement('vidno-solid-stage')
+export class SolidStageElement extends LitElement {
+  static override styles = [base, hiddenStyle, marksStyle, pictureStyle, solidStyle];
+
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) space!: Space;
+  @state() private turn: Turn = views.askew;
+  @state() private zoom: Zoom | null = null;
+
+  private stage: Stage | null = null;
+  private still: Drawing = noDrawing;
+  private step: Drawing = noDrawing;
+  private readonly size = new OwnSize(this);
+  private readonly gestures = new Gestures(
+    () => this.frame,
+    (frame) => (this.zoom = frame.zoom),
+    (dx, dy) => this.turnBy(-dx * degrees.pixel, dy * degrees.pixel),
+  );
+
+  constructor() {
+    super();
+    new Keyboard(this, ({ shiftKey }) => this.keys(shiftKey));
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.stage = Stage.on(this);
+    this.toggleAttribute('flat', this.stage === null);
+    this.stage?.canvas.addEventListener('webglcontextrestored', () => this.requestUpdate());
+    this.requestUpdate('space');
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.stage?.dispose();
+    this.stage = null;
+  }
+
+  private get frame(): Frame {
+    const { space, turn, size, zoom } = this;
+    return new Frame(extent(turn, space.size), size.value, zoom);
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    const { view, space } = this;
+    if (changed.has('space')) this.still = stillDrawing(view, space);
+    if (changed.has('view')) this.step = stepDrawing(view, space);
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    const { stage, view, space, size } = this;
+    if (stage === null) return;
+    if (changed.has('space')) stage.setStill(this.still, space);
+    if (changed.has('space') || changed.has('view')) stage.setStep(this.step, view.screen);
+    stage.draw(this.frame, this.turn, space, window.devicePixelRatio * size.zoom);
+  }
+
+  private turnBy(right: number, above: number): void {
+    this.turn = turned(this.turn, { right, above });
+  }
+
+  private zoomTo(to: Zooming): void {
+    if (to === 'whole' || to === 'all') this.zoom = null;
+    else this.zoom = this.frame.zoomed(to === 'in' ? zoomStep : 1 / zoomStep).zoom;
+  }
+
+  private moveBy(dx: number, dy: number): void {
+    this.zoom = this.frame.moved(dx, dy).zoom;
+  }
+
+  /** Arrow keys do what dragging that way does. */
+  private keys(shift: boolean): Actions {
+    const drag = (across: number, down: number) => (): void => {
+      if (shift) this.moveBy(across * way, down * way);
+      else this.turnBy(-across * degrees.key, down * degrees.key);
+    };
+    return {
+      ArrowLeft: drag(-1, 0),
+      ArrowRight: drag(1, 0),
+      ArrowUp: drag(0, -1),
+      ArrowDown: drag(0, 1),
+      '+': () => this.zoomTo('in'),
+      '=': () => this.zoomTo('in'),
+      '-': () => this.zoomTo('out'),
+      '0': () => this.look('askew'),
+    };
+  }
+
+  private look(name: ViewName): void {
+    this.turn = views[name];
+    this.zoom = null;
+  }
+
+  /** A press of the mouse must not take the focus: arrow keys would no longer be steps. */
+  private readonly keepFocus = (event: Event): void => event.preventDefault();
+
+  override render(): TemplateResult {
+    const { frame, gestures, stage } = this;
+    const { picture, solid } = allTexts[this.view.language];
+    return html`
+      ${stage?.canvas}
+      <svg
+        viewBox=${frame.shown.join(' ')}
+        role="application"
+        tabindex="0"
+        aria-label=${solid.title}
+        aria-describedby="how"
+        @mousedown=${this.keepFocus}
+        @wheel=${{ handleEvent: gestures.onWheel, passive: false }}
+        @pointerdown=${gestures.onDown}
+        @pointermove=${gestures.onMove}
+        @pointerup=${gestures.onEnd}
+        @pointercancel=${gestures.onEnd}
+      >
+        ${this.shapes(frame)} ${this.texts(frame)}
+      </svg>
+      <div class="views" role="group" aria-label=${solid.turn}>
+        ${viewNames.map((name) => this.button(name, solid.views[name]))}
+      </div>
+      <vidno-zoom-bar
+        .frame=${frame}
+        .texts=${picture}
+        @zoom=${({ detail }: CustomEvent<Zooming>) => this.zoomTo(detail)}
+      ></vidno-zoom-bar>
+      ${stage === null ? html`<p class="missing">${solid.missing}</p>` : nothing}
+      <p class="heard" id="how">${solid.how}</p>
+    `;
+  }
+
+  private button(name: ViewName, label: string): TemplateResult {
+    const isOn = isSame(this.turn, views[name]);
+    return html`<button aria-pressed=${isOn ? 'true' : 'false'} @click=${() => this.look(name)}>
+      ${label}
+    </button>`;
+  }
+
+  private shapes(frame: Frame): readonly SVGTemplateResult[] {
+    const { turn, still, step, stage, space, view } = this;
+    const lines = stage === null ? [...still.lines, ...step.lines] : [];
+    return [
+      ...wires(lines, turn),
+      ...outlinesToPoint(view.header.scene, space, turn),
+      ...dotShapes(step.dots, turn, frame),
+    ].map(drawn);
+  }
+
+  private texts(frame: Frame): readonly SVGTemplateResult[] {
+    return textsOf([...this.still.labels, ...this.step.labels], this.turn, frame).map(
+      ({ label: { text, strong, thing }, x, y, size }) =>
+        svg`<text
+          class="label ${strong === true ? 'strong' : ''}"
+          data-thing=${thing ?? nothing}
+          x=${x}
+          y=${y}
+          font-size=${size}
+        >${text}</text>`,
+    );
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-solid-stage': SolidStageElement;
+  }
+}

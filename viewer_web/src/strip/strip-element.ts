@@ -1,0 +1,49 @@
+import { LitElement, css, html } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query } from 'lit/decorators.js';
+import { stripHeight } from './lanes.js';
+import { lookOf } from './look.js';
+import { StripPainter } from './paint.js';
+import type { Course } from '../time/course.js';
+import { OwnDots } from '../elements/own-dots.js';
+import { stripColors } from './strip.style.js';
+import { base } from '../elements/theme.js';
+
+/** The whole run as a strip. It does not change from step to step. */
+@customElement('vidno-strip')
+export class StripElement extends LitElement {
+  static override styles = [
+    base,
+    stripColors,
+    css`
+      :host,
+      canvas {
+        display: block;
+      }
+      canvas {
+        width: 100%;
+        height: 100%;
+      }
+    `,
+  ];
+
+  /** Of the whole run; null until it was gone through. */
+  @property({ attribute: false }) course: Course | null = null;
+  @query('canvas') private canvas!: HTMLCanvasElement;
+
+  private readonly dots = new OwnDots(this, () => this.canvas);
+
+  override updated(): void {
+    const { canvas, course } = this;
+    const { width, height } = this.dots.value;
+    canvas.width = width;
+    canvas.height = height;
+    const context = canvas.getContext('2d');
+    if (course === null || context === null || width < 1 || height < 1) return;
+    new StripPainter(context, course, lookOf(this, height / stripHeight)).paint();
+  }
+
+  override render(): TemplateResult {
+    return html`<canvas aria-hidden="true"></canvas>`;
+  }
+}

@@ -1,0 +1,98 @@
+import { LitElement, html } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query, state } from 'lit/decorators.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { StripMark } from '../language/texts.js';
+import { lanesOf } from './lanes.js';
+import type { LaneName } from './lanes.js';
+import { lookOf } from './look.js';
+import { paintSample } from './sample.js';
+import type { Sample } from './sample.js';
+import { cases } from '../time/course.js';
+import type { Header } from '../trace/header.js';
+import { legendStyle } from './strip-legend.style.js';
+import { stripColors } from './strip.style.js';
+import { base } from '../elements/theme.js';
+
+const marks: readonly StripMark[] = ['wrong', 'fault', 'bookmark', 'now'];
+
+const width = 28;
+const height = 14;
+
+/** What the strip shows, in words; open on demand. */
+@customElement('vidno-strip-legend')
+export class StripLegendElement extends LitElement {
+  static override styles = [base, stripColors, legendStyle];
+
+  @property({ attribute: false }) header!: Header;
+  @property({ attribute: false }) language: Language = 'en';
+  /** Nobody knows which decisions of the run are wrong. */
+  @property({ type: Boolean }) unchecked = false;
+  @state() private open = false;
+  @query('button') private button!: HTMLElement;
+
+  override render(): TemplateResult {
+    const { strip } = texts[this.language];
+    return html`
+      <button
+        aria-label=${strip.legend}
+        title=${strip.legend}
+        aria-expanded=${this.open ? 'true' : 'false'}
+        aria-controls="card"
+        @click=${() => (this.open = !this.open)}
+        @keydown=${this.onKey}
+      >
+        <span aria-hidden="true">i</span>
+      </button>
+      <section id="card" aria-label=${strip.legend} ?hidden=${!this.open}>
+        <h3>${strip.legend}</h3>
+        <ul>
+          ${lanesOf(this.header).map(({ name }) => this.lane(name))}
+          ${marks.map((name) => this.entry(name, this.explain(name)))}
+        </ul>
+        <p>${strip.columns}</p>
+      </section>
+    `;
+  }
+
+  private explain(name: StripMark): string {
+    const { strip, exact } = texts[this.language];
+    const words = strip.explain[name];
+    return name === 'wrong' && this.unchecked ? `${words}: ${exact.notChecked}` : words;
+  }
+
+  private lane(name: LaneName): TemplateResult {
+    const { strip } = texts[this.language];
+    if (name !== 'cases') return this.entry(name, strip.explain[name]);
+    return html`<li class="cases">
+      ${strip.explain.cases}
+      <ul>
+        ${cases.map((each) => this.entry(each, strip.cases[each]))}
+      </ul>
+    </li>`;
+  }
+
+  private entry(name: Sample, words: string): TemplateResult {
+    return html`<li><canvas data-name=${name} aria-hidden="true"></canvas>${words}</li>`;
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    if (event.key !== 'Escape') return;
+    this.open = false;
+    this.button.focus();
+  }
+
+  /** The samples are painted as the strip is. */
+  override updated(): void {
+    if (!this.open) return;
+    const ratio = window.devicePixelRatio;
+    const look = lookOf(this, ratio);
+    for (const canvas of this.renderRoot.querySelectorAll('canvas')) {
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+      const context = canvas.getContext('2d');
+      if (context !== null) paintSample(context, canvas.dataset['name'] as Sample, look);
+    }
+  }
+}

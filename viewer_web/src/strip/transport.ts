@@ -1,0 +1,152 @@
+import { LitElement, html, nothing, svg } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query } from 'lit/decorators.js';
+import { live } from 'lit/directives/live.js';
+import type { Check } from '../exactness/truth.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import type { Trace } from '../replay/trace.js';
+import type { View } from '../algorithm/view.js';
+import { speedsWith } from '../elements/clock.js';
+import './slider.js';
+import { base } from '../elements/theme.js';
+import { transportStyle } from './transport.style.js';
+import { Typed } from '../elements/typed.js';
+
+/** What the controls ask for; the player does it. */
+export type Command =
+  | { readonly do: 'seek'; readonly step: number }
+  | { readonly do: 'play' }
+  | { readonly do: 'speed'; readonly speed: number }
+  | { readonly do: 'bookmarks'; readonly bookmarks: Bookmarks };
+
+const shapes = {
+  first: 'M5 4v12M17 4l-9 6 9 6z',
+  back: 'M14 4l-9 6 9 6z',
+  play: 'M6 3l10 7-10 7z',
+  pause: 'M5 4h3v12H5zM12 4h3v12h-3z',
+  forward: 'M6 4l9 6-9 6z',
+  last: 'M15 4v12M3 4l9 6-9 6z',
+} as const;
+
+/** The controls of time; in its slot, those that go farther than a step. */
+@customElement('vidno-transport')
+export class TransportElement extends LitElement {
+  static override styles = [base, transportStyle];
+
+  @property({ attribute: false }) trace!: Trace;
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) check!: Check;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
+  /** The steps that can be reached. */
+  @property({ attribute: false }) first = 0;
+  @property({ attribute: false }) last = 0;
+  /** They are not all: the strip, which shows the whole run, would lead astray. */
+  @property({ type: Boolean }) bounded = false;
+  /** Without the strip and the choice of speed. */
+  @property({ type: Boolean }) plain = false;
+  /** What comes after the step is hidden. */
+  @property({ type: Boolean }) veiled = false;
+  @property({ type: Boolean }) playing = false;
+  @property({ type: Number }) speed = 5;
+
+  @query('.play') private play!: HTMLElement;
+  private readonly typed = new Typed(this);
+
+  focusPlay(): void {
+    this.play.focus();
+  }
+
+  override render(): TemplateResult {
+    const { first, last } = this;
+    const { step, texts } = this.view;
+    return html`
+      <div class="buttons">
+        ${this.button('first', first, step === first)}
+        ${this.button('back', step - 1, step === first)}
+        <button
+          class="play"
+          aria-label=${this.playing ? texts.pause : texts.play}
+          title=${this.playing ? texts.pause : texts.play}
+          @click=${() => this.ask({ do: 'play' })}
+        >
+          ${icon(this.playing ? 'pause' : 'play')}
+        </button>
+        ${this.button('forward', step + 1, step === last)}
+        ${this.button('last', last, step === last)}
+      </div>
+      <vidno-slider
+        .trace=${this.trace}
+        .view=${this.view}
+        .check=${this.check}
+        .bookmarks=${this.bookmarks}
+        .first=${first}
+        .last=${last}
+        ?plain=${this.plain || this.bounded}
+        ?veiled=${this.veiled}
+        @command=${({ detail }: CustomEvent<Command>) => this.ask(detail)}
+      ></vidno-slider>
+      <slot></slot>
+      <label class="step">
+        <span>${texts.step}</span>
+        <input
+          type="number"
+          min=${first}
+          max=${last}
+          .value=${live(this.typed.or(String(step)))}
+          @input=${this.typed.onInput}
+          @change=${this.onEnter}
+          @blur=${this.typed.onEnd}
+        />
+        <span class="number">${texts.ofSteps(String(last))}</span>
+      </label>
+      ${this.plain ? nothing : this.speedChoice()}
+    `;
+  }
+
+  private speedChoice(): TemplateResult {
+    const { texts } = this.view;
+    return html`<label class="speed">
+      <span>${texts.speed}</span>
+      <select @change=${this.onSpeed} title=${texts.perSecond(this.speed)}>
+        ${speedsWith(this.speed).map(
+          (n) => html`<option value=${n} ?selected=${n === this.speed}>${texts.rate(n)}</option>`,
+        )}
+      </select>
+    </label>`;
+  }
+
+  private button(
+    name: 'first' | 'back' | 'forward' | 'last',
+    to: number,
+    off: boolean,
+  ): TemplateResult {
+    const label = this.view.texts[name];
+    return html`<button
+      aria-label=${label}
+      title=${label}
+      aria-disabled=${off ? 'true' : 'false'}
+      @click=${() => this.ask({ do: 'seek', step: to })}
+    >
+      ${icon(name)}
+    </button>`;
+  }
+
+  private onEnter(event: Event): void {
+    const { value } = event.target as HTMLInputElement;
+    this.typed.onEnd();
+    if (value !== '') this.ask({ do: 'seek', step: Number(value) });
+  }
+
+  private onSpeed(event: Event): void {
+    this.ask({ do: 'speed', speed: Number((event.target as HTMLSelectElement).value) });
+  }
+
+  private ask(command: Command): void {
+    this.dispatchEvent(new CustomEvent<Command>('command', { detail: command }));
+  }
+}
+
+function icon(name: keyof typeof shapes): TemplateResult {
+  const path = svg`<path d=${shapes[name]} />`;
+  return html`<svg viewBox="0 0 20 20" aria-hidden="true">${path}</svg>`;
+}

@@ -1,0 +1,179 @@
+import { LitElement, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query, state } from 'lit/decorators.js';
+import { repeat } from 'lit/directives/repeat.js';
+import { texts } from '../i18n/index.js';
+import type { BookmarkTexts } from '../language/texts.js';
+import { liveKey } from '../base/key-map.js';
+import { isOnDisk } from '../lessons/page-file.js';
+import {
+  bookmarkAt,
+  longestNote,
+  mostBookmarks,
+  withBookmark,
+  withoutBookmark,
+} from './bookmarks.js';
+import type { Bookmark, Bookmarks } from './bookmarks.js';
+import type { View } from '../algorithm/view.js';
+import { bookmarksStyle } from './bookmarks.style.js';
+import { kbd } from '../elements/kbd.js';
+import { base } from '../elements/theme.js';
+import type { Command } from '../strip/transport.js';
+
+/** The bookmarks: each a way to its step, a note that is edited in place, and a button that removes it. */
+@customElement('vidno-bookmarks')
+export class BookmarksElement extends LitElement {
+  static override styles = [base, bookmarksStyle];
+
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
+  @property({ type: Boolean }) linked = false;
+  /** What is to be said of a limit that was met. */
+  @state() private limit: keyof Pick<BookmarkTexts, 'full' | 'long'> | null = null;
+  @query('.add') private addButton!: HTMLElement;
+
+  private get texts(): BookmarkTexts {
+    return texts[this.view.language].bookmarks;
+  }
+
+  private get full(): boolean {
+    return this.bookmarks.length >= mostBookmarks;
+  }
+
+  /** Bookmarks the step that is shown, if it is not, and goes to its note. */
+  async mark(): Promise<void> {
+    const { step } = this.view;
+    const known = bookmarkAt(this.bookmarks, step);
+    this.limit = known === null && this.full ? 'full' : null;
+    if (known === null && this.limit === null) {
+      this.bookmarks = withBookmark(this.bookmarks, step, '');
+      this.tell();
+    }
+    await this.updateComplete;
+    if (this.limit === null) this.noteOf(step)?.focus();
+    else this.addButton.focus();
+  }
+
+  /** To the list, at the bookmark of the step or the next one. */
+  async enter(): Promise<void> {
+    await this.updateComplete;
+    const { bookmarks, view } = this;
+    const next = bookmarks.find(({ step }) => step >= view.step) ?? bookmarks.at(-1);
+    const button = next && this.renderRoot.querySelector<HTMLElement>(`[data-go="${next.step}"]`);
+    (button ?? this.addButton).focus();
+  }
+
+  private noteOf(step: number): HTMLElement | null {
+    return this.renderRoot.querySelector<HTMLElement>(`[data-note="${step}"]`);
+  }
+
+  private change(bookmarks: Bookmarks): void {
+    this.limit = null;
+    this.bookmarks = bookmarks;
+    this.tell();
+  }
+
+  private tell(): void {
+    this.ask({ do: 'bookmarks', bookmarks: this.bookmarks });
+  }
+
+  private ask(command: Command): void {
+    this.dispatchEvent(new CustomEvent<Command>('command', { detail: command }));
+  }
+
+  override render(): TemplateResult {
+    const { bookmarks, texts: say, limit } = this;
+    const { step } = this.view;
+    const known = bookmarkAt(bookmarks, step) !== null;
+    return html`
+      <div class="head">
+        <button class="add" @click=${() => this.mark()}>
+          ${known ? say.edit(step) : say.add(step)} ${kbd('B')}
+        </button>
+        <span class="count">${say.count(bookmarks.length, mostBookmarks)}</span>
+      </div>
+      <p class="limit" role="status">${limit === null ? nothing : this.sayLimit(limit)}</p>
+      <ol>
+        ${repeat(
+          bookmarks,
+          (bookmark) => bookmark.step,
+          (bookmark) => this.entry(bookmark),
+        )}
+      </ol>
+      <p class="hint">${say.hint(liveKey('B'))}</p>
+      <p class="hint">${this.lasting()}</p>
+    `;
+  }
+
+  /** How long they last, and how they are passed on. */
+  private lasting(): string {
+    const { texts: say } = this;
+    if (!this.linked) return say.unlinked;
+    return isOnDisk() ? say.onDisk : say.linked;
+  }
+
+  private sayLimit(limit: 'full' | 'long'): string {
+    return limit === 'full' ? this.texts.full(mostBookmarks) : this.texts.long(longestNote);
+  }
+
+  private entry({ step, note }: Bookmark): TemplateResult {
+    const { texts: say } = this;
+    const now = step === this.view.step;
+    return html`<li class=${now ? 'now' : ''}>
+      <button
+        class="go number"
+        data-go=${step}
+        aria-label=${say.goTo(step)}
+        aria-current=${now ? 'step' : nothing}
+        @click=${() => this.ask({ do: 'seek', step })}
+      >
+        ${step}
+      </button>
+      <textarea
+        dir="auto"
+        rows="2"
+        data-note=${step}
+        maxlength=${longestNote}
+        placeholder=${say.placeholder}
+        aria-label=${say.edit(step)}
+        .value=${note}
+        @input=${this.onInput}
+        @change=${(event: Event) => this.onChange(event, step)}
+        @keydown=${(event: KeyboardEvent) => this.onKey(event, note)}
+      ></textarea>
+      <button
+        class="remove"
+        aria-label=${say.remove(step)}
+        title=${say.remove(step)}
+        @click=${() => this.drop(step)}
+      >
+        ✕
+      </button>
+    </li>`;
+  }
+
+  private drop(step: number): void {
+    this.change(withoutBookmark(this.bookmarks, step));
+    this.addButton.focus();
+  }
+
+  private onInput({ target }: Event): void {
+    const { value } = target as HTMLTextAreaElement;
+    this.limit = value.length >= longestNote ? 'long' : null;
+  }
+
+  private onChange({ target }: Event, step: number): void {
+    const field = target as HTMLTextAreaElement;
+    this.change(withBookmark(this.bookmarks, step, field.value));
+    field.value = bookmarkAt(this.bookmarks, step)?.note ?? '';
+  }
+
+  /** Enter keeps what was written, Escape what was there; after both the keys mean steps again. */
+  private onKey(event: KeyboardEvent, note: string): void {
+    if (event.key !== 'Escape' && event.key !== 'Enter') return;
+    const field = event.target as HTMLTextAreaElement;
+    if (event.key === 'Escape') field.value = note;
+    field.blur();
+    event.preventDefault();
+  }
+}

@@ -1,0 +1,176 @@
+import { LitElement, html, nothing, svg } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, property, state } from 'lit/decorators.js';
+import { guard } from 'lit/directives/guard.js';
+import type { History } from '../history/history.js';
+import { texts } from '../i18n/index.js';
+import type { TravelTexts } from '../language/texts.js';
+import { withKey } from '../base/key-map.js';
+import type { Bookmarks } from './bookmarks.js';
+import type { Check } from '../exactness/truth.js';
+import { Calls } from './calls.js';
+import type { Direction } from './calls.js';
+import { Goals, around, goalsOf } from './goals.js';
+import type { Goal, GoalName } from './goals.js';
+import type { Trace } from '../replay/trace.js';
+import type { View } from '../algorithm/view.js';
+import { askCheck } from '../exactness/ask-check.js';
+import { base } from '../elements/theme.js';
+import type { Command } from '../strip/transport.js';
+import { travelStyle } from './travel.style.js';
+
+const shapes = {
+  over: 'M3 13a6.5 6.5 0 0 1 13 -1M16 6.500v5.500h-5.500M9.500 16h.01',
+  out: 'M10 16v-12M5.500 8.500l4.500 -4.500 4.500 4.500M14.500 16h3',
+  next: 'M4 10h12M11 5l5 5 -5 5',
+} as const;
+
+/** Ways through a run that are longer than a step: over and out of procedures, and to the next of a kind. */
+@customElement('vidno-travel')
+export class TravelElement extends LitElement {
+  static override styles = [base, travelStyle];
+
+  @property({ attribute: false }) trace!: Trace;
+  @property({ attribute: false }) view!: View;
+  @property({ attribute: false }) check!: Check;
+  @property({ attribute: false }) history: History | null = null;
+  @property({ attribute: false }) bookmarks: Bookmarks = [];
+  @state() private chosen: Goal | null = null;
+  private calls: Calls | null = null;
+  private goals: Goals | null = null;
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (!changed.has('trace')) return;
+    this.calls = null;
+    this.goals = null;
+    this.chosen = null;
+  }
+
+  private get texts(): TravelTexts {
+    return texts[this.view.language].travel;
+  }
+
+  private get goal(): Goal {
+    const [first = 'wrong'] = goalsOf(this.view.header.method);
+    return this.chosen ?? first;
+  }
+
+  private stepsOf(goal: Goal): readonly number[] {
+    if (goal === 'wrong' && this.check.is === 'found') return this.check.truth.wrong;
+    this.goals ??= new Goals(this.trace);
+    return this.goals.stepsOf(goal, this.history, this.bookmarks);
+  }
+
+  /** Over a procedure, or out of the one in hand. */
+  call(way: 'over' | 'out', direction: Direction): void {
+    if (this.calls?.length !== this.view.length) this.calls = new Calls(this.trace);
+    this.goTo(this.calls[way](this.view.step, direction));
+  }
+
+  /** To the nearest step that is a goal, of the kind that is chosen if no other is given. */
+  next(direction: Direction, goal = this.goal): void {
+    const { back, forward } = around(this.stepsOf(goal), this.view.step);
+    const step = direction === 1 ? forward : back;
+    if (step !== null) this.goTo(step);
+  }
+
+  private goTo(step: number): void {
+    this.dispatchEvent(new CustomEvent<Command>('command', { detail: { do: 'seek', step } }));
+  }
+
+  override render(): TemplateResult {
+    const { view } = this;
+    const steps = this.stepsOf(this.goal);
+    const { back, forward } = around(steps, view.step);
+    const { step, length } = view;
+    const say = this.texts;
+    return html`
+      <div class="group" role="group" aria-label=${say.procedure}>
+        <span class="name" aria-hidden="true">${say.procedure}</span>
+        ${this.button('out', -1, [say.outBack, 'Shift ['], step === 0, () => this.call('out', -1))}
+        ${this.button('over', -1, [say.overBack, '['], step === 0, () => this.call('over', -1))}
+        ${this.button('over', 1, [say.over, ']'], step === length, () => this.call('over', 1))}
+        ${this.button('out', 1, [say.out, 'Shift ]'], step === length, () => this.call('out', 1))}
+      </div>
+      <div class="group goal" role="group" aria-label=${say.goTo}>
+        <span class="name" aria-hidden="true">${say.goTo}</span>
+        ${this.button('next', -1, [say.previous, ','], back === null, () => this.next(-1))}
+        <select aria-label=${say.goTo} @change=${this.onChoose}>
+          ${this.options()}
+        </select>
+        ${this.button('next', 1, [say.next, '.'], forward === null, () => this.next(1))}
+        <span class="count" role="status">${this.counted(steps)}</span>
+      </div>
+    `;
+  }
+
+  /** Where among the goals the step is. */
+  private counted(steps: readonly number[]): string {
+    const at = steps.indexOf(this.view.step);
+    if (steps.length === 0) return this.none();
+    return at < 0 ? String(steps.length) : `${at + 1} / ${steps.length}`;
+  }
+
+  /** Of a run that was not checked nobody knows which decisions are wrong. */
+  private none(): string {
+    const { exact } = texts[this.view.language];
+    const { is } = this.check;
+    if (this.goal !== 'wrong' || is === 'told' || is === 'certain' || is === 'found') {
+      return this.texts.noGoal;
+    }
+    return is === 'checking' ? exact.checkingShort : exact.notChecked;
+  }
+
+  private options(): unknown {
+    const { header, language } = this.view;
+    return guard([header, language, this.chosen], () => {
+      const { goal } = this;
+      const polygon = typeof goal === 'object' ? goal.polygon : null;
+      return html`
+        ${goalsOf(header.method).map(
+          (name) =>
+            html`<option value=${name} ?selected=${name === goal}>
+              ${this.texts.goals[name]}
+            </option>`,
+        )}
+        <optgroup label=${this.texts.ofPolygon}>
+          ${header.scene.polygons.map(
+            ({ id }) =>
+              html`<option value="polygon ${id}" ?selected=${id === polygon}>${id}</option>`,
+          )}
+        </optgroup>
+      `;
+    });
+  }
+
+  private onChoose(event: Event): void {
+    const { value } = event.target as HTMLSelectElement;
+    const id = value.startsWith('polygon ') ? value.slice('polygon '.length) : null;
+    this.chosen = id === null ? (value as GoalName) : { polygon: id };
+    if (this.chosen === 'wrong') askCheck(this);
+  }
+
+  private button(
+    shape: keyof typeof shapes,
+    direction: Direction,
+    [label, key]: readonly [string, string],
+    off: boolean,
+    act: () => void,
+  ): TemplateResult {
+    return html`<button
+      class=${direction === -1 ? 'back' : nothing}
+      aria-label=${label}
+      title=${withKey(label, key)}
+      aria-disabled=${off ? 'true' : 'false'}
+      @click=${act}
+    >
+      <svg viewBox="0 0 20 20" aria-hidden="true">${svg`<path d=${shapes[shape]} />`}</svg>
+    </button>`;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-travel': TravelElement;
+  }
+}

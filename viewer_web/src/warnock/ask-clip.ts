@@ -1,0 +1,51 @@
+import { polygonThing } from '../algorithm/pointed.js';
+import { hasWindows } from '../trace/events.js';
+import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
+import { optionsOf } from '../predict/asker.js';
+import type { Asker } from '../predict/asker.js';
+import type { Given } from '../predict/question.js';
+
+/** Stands in a list of vertices for one that a crossing makes. */
+export const crossing = 'x';
+
+/** What does this side of the window leave of the list of vertices? */
+export const clip: Asker<'clip'> = {
+  isOf: hasWindows,
+  from: 'polygons',
+  at: ['clip_side'],
+  ask(trace, step) {
+    const side = eventAt(trace, step, 'clip_side');
+    const list = nextOf(trace, step, 'clip_list', 'clip_result');
+    const result = nextOf(trace, step, 'clip_result', 'pop');
+    const { clip: begun = null } = trace.timeline.seek(step).values.warnock ?? {};
+    if (side === null || list === null || result === null || begun === null) return null;
+    const until = list.step;
+    const crossed = stepsOf(trace, step, until, 'clip_cross');
+    const kept = stepsOf(trace, step, until, 'clip_keep');
+    const dropped = stepsOf(trace, step, until, 'clip_drop');
+    if (crossed.length + dropped.length === 0) return null;
+
+    // Each vertex in turn is kept or dropped.
+    const inTurn = inOrder(kept, dropped);
+    const right = inOrder(crossed, kept).map((at) =>
+      inTurn.includes(at) ? String(inTurn.indexOf(at) + 1) : crossing,
+    );
+    const vertices = begun.vertices.map((vertex, i): Given => ({
+      value: String(i + 1),
+      of: 'vertex',
+      note: ({ numbers }) => numbers.point(vertex.slice(0, 2)),
+    }));
+    const { polygon } = result.event;
+    return {
+      kind: 'clip',
+      step,
+      until,
+      about: { polygon, side: side.side },
+      parts: [
+        { asks: 'list', options: [...vertices, ...optionsOf([crossing])], right, given: vertices },
+      ],
+      because: inOrder(crossed, kept, dropped, [list]),
+      things: [polygonThing(polygon)],
+    };
+  },
+};

@@ -1,0 +1,94 @@
+import { polygonThing, windowThing } from '../algorithm/pointed.js';
+import { hasThreeLists } from '../trace/events.js';
+import type { Event } from '../trace/events.js';
+import type { Trace } from '../replay/trace.js';
+import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
+import { edgeNote, mostOptions, optionsOf } from '../predict/asker.js';
+import type { Asker } from '../predict/asker.js';
+import type { Option, Question } from '../predict/question.js';
+
+/** More crossings than a convex outline has. */
+const counts = ['0', '1', '2', '3', '4'];
+const sums = ['-8', '0', '8'];
+
+/** How a run looks at an outline that may contain the window, edge by edge, and what comes of it. */
+interface Look<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'> {
+  /** What a question of it has, whatever it asks. */
+  readonly asked: Pick<Question<E>, 'step' | 'until' | 'about' | 'because' | 'things'>;
+  /** The edges to choose from. */
+  readonly options: readonly Option[];
+  readonly edges: readonly Event<E>[];
+  readonly result: Event<R>;
+}
+
+/** The look that a call of a procedure begins; null where there is none, or too many edges to choose from. */
+function lookAt<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'>(
+  trace: Trace,
+  step: number,
+  procedure: 'RayCrossings' | 'OctantAngles',
+  [edge, end]: readonly [E, R],
+): Look<E, R> | null {
+  if (eventAt(trace, step, 'call')?.of !== procedure) return null;
+  const { header, timeline } = trace;
+  const result = nextOf(trace, step, end, 'pop');
+  const found: Event<'crossings' | 'angle'> | undefined = result?.event;
+  const polygon = found && header.scene.byId.get(found.polygon);
+  const window = timeline.seek(step).values.warnock?.window ?? null;
+  if (!result || !polygon || window === null || polygon.vertices.length > mostOptions) return null;
+  const edges = stepsOf(trace, step, result.step, edge);
+  return {
+    asked: {
+      step,
+      until: result.step,
+      about: { polygon: polygon.id, window },
+      because: inOrder(edges, [result]),
+      things: [polygonThing(polygon.id), windowThing(window)],
+    },
+    options: polygon.vertices.map((_, i) => ({ value: String(i), note: edgeNote(polygon, i) })),
+    edges: edges.map(({ event }) => event),
+    result: result.event,
+  };
+}
+
+const numbersOf = (edges: readonly { readonly edge: number }[]): readonly string[] =>
+  edges.map(({ edge }) => String(edge));
+
+const where = { isOf: hasThreeLists, from: 'signs', at: ['call'] } as const;
+
+/** Where does the outline cross the ray? */
+export const ray: Asker<'ray'> = {
+  ...where,
+  ask(trace, step) {
+    const look = lookAt(trace, step, 'RayCrossings', ['ray', 'crossings']);
+    if (look === null) return null;
+    const { asked, options, edges, result } = look;
+    const crossed = edges.filter((edge) => edge.counts > 0);
+    return {
+      kind: 'ray',
+      ...asked,
+      parts: [
+        { asks: 'crossed', options, right: numbersOf(crossed) },
+        { asks: 'crossings', options: optionsOf(counts), right: [String(result.count)] },
+      ],
+    };
+  },
+};
+
+/** How far does the outline go round the window? */
+export const octants: Asker<'octants'> = {
+  ...where,
+  ask(trace, step) {
+    const look = lookAt(trace, step, 'OctantAngles', ['octants', 'angle']);
+    if (look === null) return null;
+    const { asked, options, edges, result } = look;
+    const halved = edges.filter(({ at }) => at === 'OA4');
+    return {
+      kind: 'octants',
+      ...asked,
+      parts: [
+        { asks: 'halved', options, right: numbersOf(halved) },
+        { asks: 'sum', options: optionsOf(sums), right: [String(result.octants)] },
+      ],
+    };
+  },
+};

@@ -1,0 +1,53 @@
+import { cornerAt } from '../language/words.js';
+import { cornerThing, polygonThing } from '../algorithm/pointed.js';
+import { hasWindows } from '../trace/events.js';
+import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
+import { edgeNote, optionsOf } from '../predict/asker.js';
+import type { Asker } from '../predict/asker.js';
+
+const signs = { '-1': '-', 0: '0', 1: '+' } as const;
+/** What fewer edges decide can be seen at a glance. */
+const fewestEdges = 3;
+
+/** Is this point inside? */
+export const inside: Asker<'inside'> = {
+  isOf: hasWindows,
+  from: 'signs',
+  at: ['call'],
+  ask(trace, step) {
+    if (eventAt(trace, step, 'call')?.of !== 'SurroundTest') return null;
+    const result = nextOf(trace, step, 'surround', 'call');
+    if (result === null) return null;
+    const { polygon: id, point, inside: isInside } = result.event;
+    const polygon = trace.header.scene.byId.get(id);
+    const tests = stepsOf(trace, step, result.step, 'orient');
+    if (polygon === undefined || tests.length < fewestEdges) return null;
+    if (tests.some(({ event }) => event.at === 'ED3')) return null; // edge-on, on a line with all its edges
+
+    const last = polygon.vertices.length - 1;
+    const edges = [last, ...Array.from({ length: last }, (_, i) => i)];
+    const { warnock } = trace.timeline.seek(step).values;
+    const corner = cornerAt(point, warnock?.window ?? null);
+    return {
+      kind: 'inside',
+      step,
+      until: result.step,
+      about: { polygon: id, point, corner },
+      parts: [
+        { asks: 'inside', options: optionsOf(['yes', 'no']), right: [isInside ? 'yes' : 'no'] },
+        {
+          asks: 'signs',
+          options: optionsOf(['+', '0', '-']),
+          right: tests.map(({ event }) => signs[event.sign]),
+          given: edges.map((edge) => ({
+            value: String(edge),
+            of: 'edge',
+            note: edgeNote(polygon, edge),
+          })),
+        },
+      ],
+      because: inOrder(tests, [result]),
+      things: [polygonThing(id), ...(corner === null ? [] : [cornerThing(corner)])],
+    };
+  },
+};

@@ -1,0 +1,149 @@
+import { signed } from '../language/words.js';
+import type { Warnock } from './state.js';
+import type { Event } from '../trace/events.js';
+import type { Polygon, Scene } from '../trace/header.js';
+import type { Box } from '../trace/values.js';
+import type { View } from '../algorithm/view.js';
+import { edgeOf, note, path, point } from '../picture/mark.js';
+import type { Mark, Spot } from '../picture/mark.js';
+
+/** How far from a window the numbers of its octants stand, by its sides. */
+const outward = 0.4;
+
+/** What of an outline was gone round so far to find out whether it surrounds the window. */
+export function containmentMarks(warnock: Warnock | null, scene: Scene): readonly Mark[] {
+  const { window = null, contained = [] } = warnock ?? {};
+  const last = contained.at(-1);
+  if (window === null || last === undefined) return [];
+  const polygon = scene.byId.get(last.polygon);
+  const inHand = edgeOf(polygon, last.edge, 'side');
+  return last.e === 'ray'
+    ? [
+        ...rayMarks(window, scene),
+        ...inHand,
+        ...contained.flatMap((each) => crossing(each, polygon, window, scene)),
+      ]
+    : [
+        ...octantMarks(window, scene),
+        ...inHand,
+        ...contained.flatMap((each) => turn(each, polygon)),
+      ];
+}
+
+const centreOf = ([x, y, width, height]: Box): Spot => [x + width / 2, y + height / 2];
+
+/** The ends of an edge. */
+function endsOf(polygon: Polygon | undefined, edge: number): readonly [Spot, Spot] | null {
+  const { vertices = [] } = polygon ?? {};
+  const from = vertices[edge];
+  const to = vertices[(edge + 1) % vertices.length];
+  return from && to
+    ? [
+        [from[0], from[1]],
+        [to[0], to[1]],
+      ]
+    : null;
+}
+
+/** From the centre of the window to beyond all that there is. */
+function rayMarks(window: Box, { area, polygons }: Scene): readonly Mark[] {
+  const [x, y] = centreOf(window);
+  const rightmost = polygons.flatMap(({ vertices }) => vertices.map((vertex) => vertex[0]));
+  const end = rightmost.reduce((far, each) => Math.max(far, each), area.x + area.width);
+  return [
+    path('edge', [
+      [x, y],
+      [end, y],
+    ]),
+    point('point', [x, y]),
+  ];
+}
+
+type Contained = Warnock['contained'][number];
+
+/** Where an edge meets the line of the ray, and how often that counts: told at the side of the area if that is beyond. */
+function crossing(
+  event: Contained,
+  polygon: Polygon | undefined,
+  window: Box,
+  { area }: Scene,
+): readonly Mark[] {
+  const ends = endsOf(polygon, event.edge);
+  if (event.e !== 'ray' || ends === null) return [];
+  const [[x1, y1], [x2, y2]] = ends;
+  const [, y] = centreOf(window);
+  const x = event.at === 'CR3' ? x1 : x1 + ((y - y1) / (y2 - y1)) * (x2 - x1);
+  const within = Math.max(area.x, Math.min(x, area.x + area.width));
+  return [point(event.counts > 0 ? 'yes' : 'no', [x, y]), note([within, y], String(event.counts))];
+}
+
+/** The lines of the window's sides, which part the plane around it into octants, and their numbers. */
+function octantMarks([x, y, width, height]: Box, { area }: Scene): readonly Mark[] {
+  const [left, top] = [area.x, area.y];
+  const [right, bottom] = [left + area.width, top + area.height];
+  const lines = [
+    ...[x, x + width].map((at) =>
+      path('clip', [
+        [at, top],
+        [at, bottom],
+      ]),
+    ),
+    ...[y, y + height].map((at) =>
+      path('clip', [
+        [left, at],
+        [right, at],
+      ]),
+    ),
+  ];
+  const xs = [x - outward * width, x + width / 2, x + width * (1 + outward)] as const;
+  const ys = [y - outward * height, y + height / 2, y + height * (1 + outward)] as const;
+  const places: readonly Spot[] = [
+    [xs[0], ys[0]],
+    [xs[1], ys[0]],
+    [xs[2], ys[0]],
+    [xs[2], ys[1]],
+    [xs[2], ys[2]],
+    [xs[1], ys[2]],
+    [xs[0], ys[2]],
+    [xs[0], ys[1]],
+  ];
+  return [...lines, ...places.map((at, octant) => note(at, String(octant)))];
+}
+
+/** By how many octants an edge turns, at its middle. */
+function turn(event: Contained, polygon: Polygon | undefined): readonly Mark[] {
+  const ends = endsOf(polygon, event.edge);
+  if (event.e !== 'octants' || ends === null) return [];
+  const [[x1, y1], [x2, y2]] = ends;
+  return [note([(x1 + x2) / 2, (y1 + y2) / 2], signed(event.difference))];
+}
+
+/** The vertex, and the pixel boundaries next to it that lie inside the window. */
+export function splitMarks(
+  { polygon, vertex, column, row, splits }: Event<'split_vertex'>,
+  { header: { scene }, after }: View,
+): readonly Mark[] {
+  const at = scene.byId.get(polygon)?.vertices[vertex];
+  const window = after.warnock?.window;
+  if (!at || !window) return [];
+  const [x, y, width, height] = window;
+  const lines = [
+    ...(column > x && column < x + width
+      ? [
+          path('side', [
+            [column, y],
+            [column, y + height],
+          ]),
+        ]
+      : []),
+    ...(row > y && row < y + height
+      ? [
+          path('side', [
+            [x, row],
+            [x + width, row],
+          ]),
+        ]
+      : []),
+  ];
+  return [...lines, point(splits ? 'yes' : 'no', at)];
+}

@@ -1,0 +1,52 @@
+import { eventNames } from '../trace/events.js';
+import type { Event, EventName } from '../trace/events.js';
+import { Refusal } from '../trace/refusal.js';
+import { changeApl, currentApl } from './lists.js';
+import { fieldsOf, uses } from '../replay/uses.js';
+import type { Warnock } from './state.js';
+
+type Change = Event<'discard' | 'mark'>;
+
+const isChange = (event: Event): event is Change => event.e === 'discard' || event.e === 'mark';
+
+/** The events before which the list must be as it is. */
+const lookers: ReadonlySet<EventName> = new Set(
+  eventNames.filter((name) => fieldsOf(uses[name]).some((it) => it === 'apl' || it === 'stack')),
+);
+
+/**
+ * The list of active polygons while polygons leave it or are marked. The list itself is made anew only when somebody looks
+ * at it: a copy for each of thousands of polygons would take seconds.
+ */
+export class ListInHand {
+  private entries: Map<string, boolean> | null = null;
+
+  /** Takes a change of the list, which is not in the state yet; any other event is left alone. */
+  take(event: Event, now: Warnock): boolean {
+    if (!isChange(event)) return false;
+    const { polygon } = event;
+    this.entries ??= new Map(currentApl(now).entries);
+    if (!this.entries.has(polygon)) throw new Refusal('polygon', 'notInList', polygon);
+    if (event.e === 'mark') this.entries.set(polygon, true);
+    else this.entries.delete(polygon);
+    return true;
+  }
+
+  /** The state as an event must find it. */
+  before({ e }: Event, now: Warnock): Warnock {
+    return lookers.has(e) ? this.settled(now) : now;
+  }
+
+  /** The state with the list as it has become. */
+  settled(now: Warnock): Warnock {
+    if (this.entries === null) return now;
+    const entries = [...this.entries];
+    this.entries = null;
+    return { ...now, ...changeApl(now, entries) };
+  }
+
+  /** Another state takes the place of this one. */
+  forget(): void {
+    this.entries = null;
+  }
+}

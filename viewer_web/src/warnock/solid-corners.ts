@@ -1,0 +1,45 @@
+import { cornerOf } from '../picture/mark.js';
+import { corners } from '../trace/events.js';
+import type { Corner, N } from '../trace/values.js';
+import type { View } from '../algorithm/view.js';
+
+/** What is known of a corner of the current window. */
+export interface CornerDepth {
+  readonly corner: Corner;
+  readonly at: readonly [x: number, y: number];
+  /** The nearest depth before this polygon. */
+  readonly stored: N;
+  /** That of the plane of the polygon in hand, as soon as it is computed. */
+  readonly own: N | null;
+  /** Whether the polygon in hand is the nearer one, at the step that says so. */
+  readonly nearer: boolean | null;
+}
+
+const isCompared = /^(PW[567]|HP[345])$/;
+
+/** The polygon whose depths at the corners are in hand. */
+export function comparedPolygon({ event }: View): string | null {
+  return event !== null && 'polygon' in event && isCompared.test(event.at) ? event.polygon : null;
+}
+
+/** The four corners with their depths; none where the trace does not tell them. */
+export function cornerDepths(view: View): readonly CornerDepth[] {
+  const { event, before, after } = view;
+  const { window = null, depths = [], corners: now } = after.warnock ?? {};
+  // The step that copies the nearer depths shows what they were compared with.
+  const stored = event?.e === 'nearer' ? before.warnock?.corners : now;
+  if (window === null || !stored) return [];
+  const isInHand = comparedPolygon(view) !== null;
+  return corners.map((corner, i) => ({
+    corner,
+    at: cornerOf(window, corner),
+    stored: stored[corner],
+    own: (isInHand ? depths[i] : null) ?? null,
+    nearer: answerAt(corner, view),
+  }));
+}
+
+function answerAt(corner: Corner, { event }: View): boolean | null {
+  if (event?.e === 'nearer') return event.corners.includes(corner);
+  return event?.e === 'compare' && event.corner === corner ? event.nearer : null;
+}

@@ -1,0 +1,238 @@
+import { corners as cornerNames } from '../trace/events.js';
+import type { CommonEvents, Event, EventName, WarnockEvents } from '../trace/events.js';
+import { Refusal } from '../trace/refusal.js';
+import type { Box, Color, Corner, N, Vertex } from '../trace/values.js';
+import { counted, isRoot, joinedBy, pushedApl, rejoined, wayTo } from './lists.js';
+import type { Screen } from '../replay/screen.js';
+
+/** An entry (P, S) of a list of active polygons. */
+export type Entry = readonly [polygon: string, surrounds: boolean];
+
+/** A list of active polygons. Windows that share one hold the same object. */
+export interface Apl {
+  readonly entries: readonly Entry[];
+}
+
+export interface StackedWindow {
+  readonly window: Box;
+  readonly apl: Apl;
+}
+
+export interface Clip {
+  readonly vertices: readonly Vertex[];
+  readonly next: readonly Vertex[];
+}
+
+/** Polygons that surround a window or are outside of it, and the level of the one at which each joined the list. */
+export type Joined = readonly { readonly polygon: string; readonly level: number }[];
+
+/** What is found out about a window. */
+interface Found {
+  readonly corners: Readonly<Record<Corner, N>> | null;
+  readonly k: number | null;
+  readonly count: number | null;
+  readonly hasSurround: boolean | null;
+  readonly color: Color | null;
+  readonly insider: boolean | null;
+}
+
+/** Of the current window; what the trace has not told of it yet is null. */
+export interface Warnock extends Found {
+  /** The first window, which all others are parts of. */
+  readonly root: Box | null;
+  /** The windows that were divided on the way to the current one, from the first on: its level is their number. */
+  readonly way: readonly Box[];
+  readonly stack: readonly StackedWindow[];
+  readonly window: Box | null;
+  /** With three lists the third, which all windows share; the others are those of polygons that joined them. */
+  readonly apl: Apl | null;
+  readonly joined: Readonly<Record<'surrounding' | 'outside', Joined>>;
+  /** What the edges of the outline that is gone round count so far, for containment. */
+  readonly contained: readonly (Event<'ray'> | Event<'octants'>)[];
+  /** Which polygon surrounds the window and hides all so far; a coarse trace does not tell it. */
+  readonly covering: string | null;
+  readonly clip: Clip | null;
+  /** The depths of the polygon in hand at the corners so far, in the order of their names. */
+  readonly depths: readonly N[];
+  /** What PointColor has found so far. */
+  readonly nearest: { readonly polygon: string; readonly z: N } | null;
+  /** What was told last, if of a window before: the program's variables hold it until they are set again. */
+  readonly last: Found;
+}
+
+const nothingFound: Found = {
+  corners: null,
+  k: null,
+  count: null,
+  hasSurround: null,
+  color: null,
+  insider: null,
+};
+
+export const emptyWarnock: Warnock = {
+  root: null,
+  way: [],
+  stack: [],
+  window: null,
+  apl: null,
+  joined: { surrounding: [], outside: [] },
+  contained: [],
+  ...nothingFound,
+  covering: null,
+  clip: null,
+  depths: [],
+  nearest: null,
+  last: { ...nothingFound, count: 0, hasSurround: false, insider: false },
+};
+
+type Name = keyof (CommonEvents & WarnockEvents);
+type Handler<K extends EventName> = (
+  event: Event<K>,
+  now: Warnock,
+  screen: Screen,
+) => Partial<Warnock>;
+type Handlers = { readonly [K in Name]: Handler<K> };
+
+const unchanged: Partial<Warnock> = {};
+const nothing = (): Partial<Warnock> => unchanged;
+
+function sameWindow(a: Box, b: Box): boolean {
+  return a.every((value, i) => value === b[i]);
+}
+
+/** This is found out about the current window. */
+const finding = (news: Partial<Found>, { last }: Warnock): Partial<Warnock> => ({
+  ...news,
+  last: { ...last, ...news },
+});
+
+function currentClip(now: Warnock): Clip {
+  if (now.clip === null) throw new Refusal('', 'noClip');
+  return now.clip;
+}
+
+function keep({ vertex }: { readonly vertex: Vertex }, now: Warnock): Partial<Warnock> {
+  const clip = currentClip(now);
+  return { clip: { ...clip, next: [...clip.next, vertex] } };
+}
+
+const handlers: Handlers = {
+  plane: nothing,
+  call: nothing,
+  depth: ({ at, z }, { depths }) =>
+    at === 'PW5' || at === 'HP3'
+      ? { depths: [...(depths.length < 4 ? depths : []), z] }
+      : unchanged,
+  fault: nothing,
+  disagree: nothing,
+  push: (event, now, screen) => {
+    event.apl?.forEach(([id]) => screen.polygon(id));
+    const { window } = event;
+    const stack = [...now.stack, { window, apl: pushedApl(event, now) }];
+    const root = isRoot(event) ? window : (now.root ?? window);
+    screen.divide(window, root);
+    return { stack, root };
+  },
+  skip: nothing,
+  pop: ({ window }, now) => {
+    const { stack } = now;
+    const top = stack.at(-1);
+    if (top === undefined) throw new Refusal('', 'emptyStack');
+    if (!sameWindow(top.window, window)) throw new Refusal('window', 'notTop');
+    const found = { ...nothingFound, nearest: null, covering: null };
+    return { stack: stack.slice(0, -1), way: wayTo(window, now), window, apl: top.apl, ...found };
+  },
+  corners: ({ z }, now) => ({
+    ...finding(
+      {
+        corners: { lb: z, lt: z, rb: z, rt: z },
+        k: null,
+        count: 0,
+        hasSurround: false,
+        color: null,
+        insider: false,
+      },
+      now,
+    ),
+    covering: null,
+    depths: [],
+  }),
+  box: nothing,
+  // The list in hand takes what leaves it, and what is marked.
+  discard: nothing,
+  count: ({ count }, now) => ({ ...finding({ count }, now), depths: [] }),
+  compare: nothing,
+  nearer: ({ corners, k }, now) => {
+    const depths: Partial<Record<Corner, N>> = {};
+    for (const corner of corners) {
+      const z = now.depths[cornerNames.indexOf(corner)];
+      if (z === undefined) throw new Refusal('corners', 'noDepths');
+      depths[corner] = z;
+    }
+    if (now.corners === null) throw new Refusal('', 'noWindow');
+    return finding({ k, corners: { ...now.corners, ...depths } }, now);
+  },
+  uncover: (_event, now) => ({ ...finding({ hasSurround: false }, now), covering: null }),
+  surround: nothing,
+  mark: nothing,
+  cover: ({ polygon, color }, now) => ({
+    ...finding({ hasSurround: true, color }, now),
+    covering: polygon,
+  }),
+  insider: ({ inside }, now) => finding({ insider: inside }, now),
+  summary: ({ count, hasSurround, color = null, insider }, now) =>
+    finding({ count, hasSurround, color, insider }, now),
+  decide: nothing,
+  fill: ({ rect, color }, _now, screen) => {
+    screen.paint(rect[0], rect[1], rect[2], rect[3], color);
+    return unchanged;
+  },
+  nearest: ({ polygon, z }) => ({ nearest: { polygon, z } }),
+  color: ({ color }, now) => finding({ color }, now),
+  orient: nothing,
+  clip_begin: ({ polygon }, _now, screen) => ({
+    clip: { vertices: screen.polygon(polygon).vertices, next: [] },
+  }),
+  clip_side: (_event, now) => ({ clip: { ...currentClip(now), next: [] } }),
+  clip_sign: nothing,
+  clip_cross: keep,
+  clip_keep: keep,
+  clip_drop: nothing,
+  clip_list: ({ count }, now) => {
+    const { next } = currentClip(now);
+    if (next.length !== count) {
+      throw new Refusal('count', 'clipCount', String(count), String(next.length));
+    }
+    return { clip: { vertices: next, next: [] } };
+  },
+  clip_result: () => ({ clip: null }),
+  row: nothing,
+  draw: ({ runs, color }, _now, screen) => {
+    for (const [row, first, end] of runs) screen.paint(first, row, end - first, 1, color);
+    return unchanged;
+  },
+
+  back_face: nothing,
+  rejoin: rejoined,
+  join: joinedBy,
+  relation: () => ({ contained: [] }),
+  trial: nothing,
+  meets: () => ({ contained: [] }),
+  ray: counted,
+  crossings: nothing,
+  octants: counted,
+  angle: nothing,
+  hiding: ({ polygon }, now) => ({
+    ...finding({ hasSurround: polygon !== undefined }, now),
+    covering: polygon ?? null,
+  }),
+  split_vertex: nothing,
+  edge_depth: nothing,
+};
+
+/** What is after an event of this method. */
+export function afterWarnock(event: Event, now: Warnock, screen: Screen): Warnock {
+  const handler = handlers[event.e as Name] as Handler<EventName>;
+  const news = handler(event, now, screen);
+  return news === unchanged ? now : { ...now, ...news };
+}

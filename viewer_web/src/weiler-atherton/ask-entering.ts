@@ -1,0 +1,37 @@
+import { point } from '../language/words.js';
+import { polygonThing } from '../algorithm/pointed.js';
+import { inOrder, stepsOf } from '../predict/ahead.js';
+import { mostOptions, pointOptions } from '../predict/asker.js';
+import type { Asker } from '../predict/asker.js';
+import { clippingAt, hasRegions } from './pieces.js';
+
+/** Where does the outline enter the clip polygon, and where does it leave it? */
+export const entering: Asker<'entering'> = {
+  isOf: hasRegions,
+  from: 'signs',
+  at: ['call'],
+  ask(trace, step) {
+    const clipping = clippingAt(trace, step);
+    if (clipping === null) return null;
+    const { clip, outline, result } = clipping;
+    const options = pointOptions(outline.map(({ from }) => from));
+    const points = new Set(options.map(({ value }) => value));
+    if (options.length > mostOptions || points.size < options.length) return null;
+    const until = result.step;
+    const enters = stepsOf(trace, step, until, 'entering');
+    const leaves = stepsOf(trace, step, until, 'leaving');
+    const { polygon } = result.event;
+    return {
+      kind: 'entering',
+      step,
+      until,
+      about: { polygon, clip: clip[0] },
+      parts: [
+        { asks: 'enters', options, right: enters.map(({ event }) => point(event.point)) },
+        { asks: 'leaves', options, right: leaves.map(({ event }) => point(event.point)) },
+      ],
+      because: inOrder(stepsOf(trace, step, until, 'edge_piece'), enters, leaves, [result]),
+      things: [polygon, clip[0]].map(polygonThing),
+    };
+  },
+};

@@ -1,0 +1,92 @@
+import { all, covers, noted, test } from '../history/entry.js';
+import type { Outcome, Wanted, Watch } from '../history/entry.js';
+import { toNumber } from '../language/words.js';
+import type { Known } from '../language/words.js';
+import type { Spot } from '../picture/mark.js';
+import type { Pixel } from '../picture/pixel.js';
+import { eventNames } from '../trace/events.js';
+import type { EventName, RegionEvents, Event } from '../trace/events.js';
+import type { Piece, Region } from './events.js';
+import { holds } from './geometry.js';
+import { afterRegions, emptyRegions } from './state.js';
+import type { Regions } from './state.js';
+
+/** The pixel, and what was known before the event. */
+interface Place {
+  readonly pixel: Pixel;
+  readonly centre: Spot;
+  readonly before: Regions;
+}
+
+const isOver = (region: Region, { centre }: Place): boolean => holds(region, centre);
+const isAnyOver = (pieces: readonly Piece[], place: Place): boolean =>
+  pieces.some(([, region]) => isOver(region, place));
+
+type Judge<K extends keyof RegionEvents> = (event: RegionEvents[K], place: Place) => Outcome | null;
+
+const judges: { readonly [K in keyof RegionEvents]?: Judge<K> } = {
+  cut_to_area: ({ region }, place) => noted(isOver(region, place)),
+  split: ({ region, other }, place) => noted(isOver(region, place) || isOver(other, place)),
+  pop_list: (_event, place) => noted(isAnyOver(place.before.lists.at(-1) ?? [], place)),
+  beside: (_event, place) => {
+    const { pieces, seen } = place.before.inHand ?? { pieces: [], seen: 0 };
+    return noted(isAnyOver(pieces.slice(seen, seen + 1), place));
+  },
+  clipped: ({ at, inside, outside }, place) => {
+    if (at === 'SP1' || !(isOver(inside, place) || isOver(outside, place))) return null;
+    return test(isOver(inside, place));
+  },
+  behind: ({ behind }, place) => {
+    const { inside, behind: seen } = place.before.inHand ?? { inside: [], behind: [] };
+    const part = inside.filter(([, , ground]) => !ground)[seen.length];
+    return part !== undefined && isOver(part[1], place) ? test(!behind) : null;
+  },
+  show: ({ region }, place) => (isOver(region, place) ? 'pass' : null),
+  order: ({ point, order }, { centre }) =>
+    point.every((value, i) => toNumber(value) === centre[i]) ? test(order > 0) : null,
+  paint: ({ runs }, { pixel: [x, y] }) =>
+    covers(
+      runs.filter(([row]) => row === y).map(([, first, end]) => [first, end] as const),
+      x,
+    )
+      ? 'paint'
+      : null,
+};
+
+const inSigns: readonly EventName[] = ['edge_piece', 'row'];
+const wanted: Wanted = all.map((is, i) => is && !inSigns.includes(eventNames[i] ?? 'call'));
+
+const nothingPainted = { paint: (): void => undefined };
+
+/** What concerns a pixel: the pieces over its centre, what clips them, what is behind, which region shows. */
+export class RegionWatch implements Watch {
+  readonly wanted = wanted;
+  private readonly pixel: Pixel;
+  private readonly centre: Spot;
+  private regions = emptyRegions;
+  private toldAt = 0;
+
+  constructor(pixel: Pixel) {
+    this.pixel = pixel;
+    this.centre = [pixel[0] + 0.5, pixel[1] + 0.5];
+  }
+
+  get known(): Known {
+    return { warnock: null, zbuffer: null, regions: this.regions };
+  }
+
+  see(event: Event, step: number): Outcome | null {
+    const before = this.regions;
+    this.regions = afterRegions(event, before, nothingPainted);
+    const outcome = this.judge(event, step, before);
+    if (outcome !== null) this.toldAt = step;
+    return outcome;
+  }
+
+  private judge(event: Event, step: number, before: Regions): Outcome | null {
+    const { pixel, centre } = this;
+    if (event.e === 'disagree') return this.toldAt === step - 1 ? 'wrong' : null;
+    const judge = (judges as Readonly<Partial<Record<string, Judge<keyof RegionEvents>>>>)[event.e];
+    return judge?.(event as RegionEvents[keyof RegionEvents], { pixel, centre, before }) ?? null;
+  }
+}

@@ -1,0 +1,172 @@
+import { LitElement, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { classMap } from 'lit/directives/class-map.js';
+import { countedIn, texts } from '../i18n/index.js';
+import { sized } from '../language/region-texts.js';
+import type { RegionTexts } from '../language/region-texts.js';
+import { polygonThing } from '../algorithm/pointed.js';
+import type { Piece } from './events.js';
+import { areaOf } from './geometry.js';
+import { isPainting, listInHand } from './in-hand.js';
+import { emptyRegions } from './state.js';
+import type { List, ListInHand, Regions } from './state.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import { chipsCell, listOf, rowsOf } from '../elements/lists.js';
+import { panelsStyle } from '../elements/panels.style.js';
+import { polygonName, value } from '../elements/parts.js';
+import { regionsPanelStyle } from './panel.style.js';
+import { base } from '../elements/theme.js';
+
+/** The state of Weiler and Atherton's algorithm: the list in hand and its parts, what is visible, and the stack of lists. */
+@customElement('vidno-regions')
+export class RegionsPanel extends LitElement {
+  static override styles = [base, panelsStyle, regionsPanelStyle];
+
+  @property({ attribute: false }) view!: View;
+
+  private get say(): RegionTexts {
+    return texts[this.view.language].regions;
+  }
+
+  private get now(): Regions {
+    return this.view.after.regions ?? emptyRegions;
+  }
+
+  private get old(): Regions {
+    return this.view.before.regions ?? emptyRegions;
+  }
+
+  private get hand(): ListInHand | null {
+    return listInHand(this.view);
+  }
+
+  /** The list before the step, or none as soon as regions are painted. */
+  private get oldHand(): ListInHand | null {
+    return isPainting(this.view) ? null : this.old.inHand;
+  }
+
+  override render(): TemplateResult {
+    const { say, hand, oldHand } = this;
+    return html`${this.found()} ${this.inHand()}
+      <section class="lists two">
+        ${this.parts(say.inside, hand?.inside ?? [], oldHand?.inside ?? [], true)}
+        ${this.parts(say.outside, hand?.outside ?? [], oldHand?.outside ?? [], false)}
+      </section>
+      ${this.visible()} ${this.stack()}`;
+  }
+
+  private found(): TemplateResult {
+    const { say, now, old, hand, oldHand } = this;
+    const { texts: page } = this.view;
+    const clip = hand?.pieces[0]?.[0];
+    return html`<section>
+      <dl class="values found">
+        ${value(
+          `C, ${say.clip}`,
+          clip === undefined ? page.none : polygonName(clip, this.view),
+          hand?.pieces !== oldHand?.pieces,
+        )}
+        ${value(say.lists, now.lists.length, now.lists.length !== old.lists.length)}
+        ${value(say.shown, now.visible.length, now.visible !== old.visible)}
+      </dl>
+    </section>`;
+  }
+
+  /** The list that was taken from the stack; before there is one, what is to be sorted. */
+  private inHand(): TemplateResult {
+    const { say, now, hand, oldHand } = this;
+    const title = now.inHand === null ? say.pieces : say.list;
+    const pieces = hand?.pieces ?? (now.inHand === null ? now.facets : []);
+    const isOther = hand?.seen !== oldHand?.seen;
+    const row = (piece: Piece, i: number): TemplateResult =>
+      this.row(piece, this.roleOf(i), isOther && i + 1 === hand?.seen);
+    return html`<section>
+      <h3>${title}</h3>
+      ${listOf(title, 'hand', pieces, row, this.view)}
+    </section>`;
+  }
+
+  /** What became of a piece of the list in hand. */
+  private roleOf(index: number): string {
+    const { say, hand } = this;
+    if (hand === null) return '';
+    if (index === 0) return `C, ${say.clip}`;
+    return index < hand.seen ? '✓' : '';
+  }
+
+  private parts(title: string, now: List, old: List, isInside: boolean): TemplateResult {
+    const fresh = now.length > old.length ? now.length - 1 : -1;
+    const row = (piece: Piece, i: number): TemplateResult =>
+      this.row(piece, isInside ? this.orderOf(now, i) : '', i === fresh, true);
+    return html`<div>
+      <h4>${title}</h4>
+      ${listOf(title, 'short', now, row, this.view)}
+    </div>`;
+  }
+
+  /** How a part inside lies to the clip polygon, where that is known. */
+  private orderOf(inside: List, index: number): string {
+    const { say, hand } = this;
+    if (inside[index]?.[2] === true) return '';
+    const place = inside.slice(0, index).filter(([, , ground]) => !ground).length;
+    const behind = hand?.behind[place];
+    if (behind === undefined) return '';
+    return behind ? say.behind : say.nearer;
+  }
+
+  private visible(): TemplateResult {
+    const { say, now, old } = this;
+    const shown = [...now.visible].reverse();
+    const isFresh = now.visible !== old.visible;
+    const row = (piece: Piece, i: number): TemplateResult =>
+      this.row(
+        piece,
+        `${say.area} ${numbersOf(this.view).short(areaOf(piece[1]))}`,
+        i === 0 && isFresh,
+      );
+    return html`<section>
+      <h3>${say.visible}</h3>
+      ${listOf(say.visible, 'visible', shown, row, this.view)}
+    </section>`;
+  }
+
+  /** In a narrow list what is known of a piece stands in place of its size. */
+  private row(
+    [id, region, ground]: Piece,
+    known: string,
+    changed: boolean,
+    isNarrow = false,
+  ): TemplateResult {
+    const { say } = this;
+    const thing = polygonThing(id);
+    const pointed = thing === this.view.pointed;
+    const said = ground ? say.ground : known;
+    const { language } = this.view;
+    const size = sized(region, say, (n, forms) => countedIn(language, n, forms));
+    return html`<tr class=${classMap({ pointed })} data-thing=${thing}>
+      <td class=${classMap({ changed })}>${polygonName(id, this.view)}</td>
+      ${isNarrow && said !== '' ? nothing : html`<td class="said">${size}</td>`}
+      ${isNarrow && said === '' ? nothing : html`<td class="said">${said}</td>`}
+    </tr>`;
+  }
+
+  private stack(): TemplateResult {
+    const { say, now, old } = this;
+    const fresh = now.lists.length > old.lists.length;
+    const shown = [...now.lists].reverse();
+    return html`<section class="stack">
+      <h3>${say.lists}</h3>
+      ${rowsOf(shown, (list, i) => this.stacked(list, i === 0 && fresh), this.view)}
+    </section>`;
+  }
+
+  private stacked(list: List, changed: boolean): TemplateResult {
+    const ids = list.map(([id]) => id);
+    return html`<tr>
+      <td class=${classMap({ number: true, changed })}>${list.length}</td>
+      ${chipsCell(ids, this.view)}
+    </tr>`;
+  }
+}

@@ -1,0 +1,32 @@
+import type { Piece } from './events.js';
+import type { Event, Method } from '../trace/events.js';
+import { methodKindOf } from '../trace/method-kind.js';
+import type { Trace } from '../replay/trace.js';
+import { eventAt, nextOf, stepsOf } from '../predict/ahead.js';
+import type { Step } from '../predict/ahead.js';
+
+export const hasRegions = (method: Method): boolean => methodKindOf(method) === 'regions';
+
+/** Whose pieces these are, each polygon once. */
+export const ownersOf = (pieces: readonly Piece[]): readonly string[] => [
+  ...new Set(pieces.map(([id]) => id)),
+];
+
+/** A piece of the list in hand that is clipped by the first one. */
+interface Clipping {
+  readonly clip: Piece;
+  /** The outline of the piece, cut wherever it meets that of the clip polygon. */
+  readonly outline: readonly Event<'edge_piece'>[];
+  readonly result: Step<'clipped'>;
+}
+
+/** What is clipped from a step on; null if that step does not begin it. */
+export function clippingAt(trace: Trace, step: number): Clipping | null {
+  const call = eventAt(trace, step, 'call');
+  if (call?.of !== 'RegionClip' || call.at !== 'WA5') return null;
+  const result = nextOf(trace, step, 'clipped', 'pop_list');
+  const clip = trace.timeline.seek(step).values.regions?.inHand?.pieces[0];
+  if (result === null || clip === undefined) return null;
+  const outline = stepsOf(trace, step, result.step, 'edge_piece').map(({ event }) => event);
+  return { clip, outline, result };
+}

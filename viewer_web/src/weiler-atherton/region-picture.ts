@@ -1,0 +1,35 @@
+import { customElement, property } from 'lit/decorators.js';
+import type { Frame } from '../picture/frame.js';
+import type { Cells } from '../picture/paint.js';
+import { allLayers } from './layers.js';
+import type { RegionLayer } from './layers.js';
+import { regionsStyle } from './regions.style.js';
+import { regionShapes, visibleShapes } from './shapes.js';
+import { drawn } from '../picture/drawn.js';
+import { PictureElement } from '../polygons/picture.js';
+
+/** The picture so far, over it the regions, and what the step is about. */
+@customElement('vidno-region-picture')
+export class RegionPictureElement extends PictureElement {
+  static override styles = [...PictureElement.styles, regionsStyle];
+
+  @property({ attribute: false }) shown: ReadonlySet<RegionLayer> = allLayers;
+
+  protected override get cells(): Cells | null {
+    return this.shown.has('pixels') ? super.cells : null;
+  }
+
+  protected override under(): unknown {
+    return visibleShapes(this.view, this.shown).map(drawn);
+  }
+
+  protected override over(frame: Frame): unknown {
+    return regionShapes(this.view, frame, this.shown).map(drawn);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-region-picture': RegionPictureElement;
+  }
+}

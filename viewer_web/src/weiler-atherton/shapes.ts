@@ -1,0 +1,170 @@
+import type { Frame } from '../picture/frame.js';
+import { isShown, spot } from '../picture/mark.js';
+import type { Spot } from '../picture/mark.js';
+import { circleData, diamondData, pathData } from '../picture/shapes.js';
+import type { Shape } from '../picture/shapes.js';
+import type { Event, EventName } from '../trace/events.js';
+import type { Area, Scene } from '../trace/header.js';
+import type { Point } from '../trace/values.js';
+import type { View } from '../algorithm/view.js';
+import type { Piece, Region } from './events.js';
+import { hatchData, regionData } from './geometry.js';
+import { listInHand } from './in-hand.js';
+import type { RegionLayer } from './layers.js';
+import { emptyRegions } from './state.js';
+import type { Crossings, List, Regions } from './state.js';
+
+/** CSS pixels: of the mark of a crossing, and between the lines of a hatch. */
+const crossingSize = 6;
+const hatch = { inside: 6, outside: 8 } as const;
+
+/** What enters is a full diamond, what leaves a ring: told apart without colours. */
+export const crossingData = { enters: diamondData, leaves: circleData } as const;
+
+const outlines = (pieces: List): string => pieces.map(([, region]) => regionData(region)).join('');
+
+const casing = (look: string, d: string): readonly Shape[] => [
+  { look: `casing ${look}`, d },
+  { look, d },
+];
+
+/** The polygons that take part as they are until there is a list. */
+const isBegun = ({ lists, inHand }: Regions): boolean => lists.length > 0 || inHand !== null;
+
+/** The piece that is looked at, or that the step has put inside and outside. */
+function subjectOf(view: View): Piece | undefined {
+  const { event } = view;
+  const inHand = listInHand(view);
+  if (inHand === null) return undefined;
+  const isDone = event?.e === 'clipped' || event?.e === 'beside';
+  const isOver = event !== null && !isDone && !inClip.includes(event.e);
+  return isOver ? undefined : inHand.pieces[inHand.seen - (isDone ? 1 : 0)];
+}
+const inClip: readonly EventName[] = ['call', 'edge_piece', 'entering', 'leaving', 'pop_list'];
+
+/** Those of the clip that runs, or that the step ended. */
+function crossingsOf({ before, after, event }: View): Crossings {
+  const isEnd = event?.e === 'clipped' || event?.e === 'cut_to_area';
+  return ((isEnd ? before.regions : after.regions) ?? emptyRegions).crossings;
+}
+
+function crossingShapes(look: keyof typeof crossingData, at: readonly Point[], r: number): Shape {
+  const spots = at.map(spot).filter(isShown);
+  return { look, d: spots.map((each) => crossingData[look](each, r)).join('') };
+}
+
+const colorOf = (scene: Scene, id: string): string => scene.byId.get(id)?.color ?? '#888888';
+
+/** Hatched parts, inside and outside in directions of their own. */
+function partShapes(
+  part: 'inside' | 'outside',
+  regions: readonly Region[],
+  frame: Frame,
+): readonly Shape[] {
+  const apart = hatch[part] / frame.scale;
+  const slope = part === 'inside' ? 1 : -1;
+  const lines = regions.map((region) => hatchData(region, slope, apart, frame.shown)).join('');
+  return [
+    { look: `${part}-part`, d: lines },
+    { look: `${part}-part outline`, d: regions.map(regionData).join('') },
+  ];
+}
+
+type Draw = (view: View, frame: Frame) => readonly Shape[];
+
+const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>> = {
+  list: (view) => {
+    const regions = view.after.regions ?? emptyRegions;
+    if (!isBegun(regions)) return [{ look: 'facet', d: outlines(regions.facets) }];
+    const inHand = listInHand(view);
+    const clip = inHand?.pieces[0];
+    const subject = subjectOf(view);
+    return [
+      { look: 'listed', d: outlines(inHand?.pieces.slice(1) ?? []) },
+      ...(clip === undefined ? [] : casing('clip-region', regionData(clip[1]))),
+      ...(subject === undefined ? [] : casing('subject', regionData(subject[1]))),
+    ];
+  },
+  parts: (view, frame) => {
+    const { event } = view;
+    if (event?.e === 'clipped' && event.at === 'SP1') {
+      return partShapes('inside', [event.inside], frame);
+    }
+    const inHand = listInHand(view);
+    const regionsOf = (list: List = []): readonly Region[] => list.map(([, region]) => region);
+    return [
+      ...partShapes('outside', regionsOf(inHand?.outside), frame),
+      ...partShapes('inside', regionsOf(inHand?.inside), frame),
+    ];
+  },
+  crossings: (view, { scale }) => {
+    const { entering, leaving } = crossingsOf(view);
+    const r = crossingSize / scale;
+    return [crossingShapes('enters', entering, r), crossingShapes('leaves', leaving, 0.8 * r)];
+  },
+};
+
+/** A line as far as it lies in the area. */
+function lineThrough(at: Point, normal: Point, { x, y, width, height }: Area): string {
+  const [px, py] = spot(at);
+  const [a, b] = spot(normal);
+  const way: Spot = [-b, a];
+  const sides = [
+    [(x - px) / way[0], (x + width - px) / way[0]],
+    [(y - py) / way[1], (y + height - py) / way[1]],
+  ].filter((ends) => ends.every(Number.isFinite));
+  const from = Math.max(...sides.map((ends) => Math.min(...ends)));
+  const to = Math.min(...sides.map((ends) => Math.max(...ends)));
+  const ends = [from, to].map((t): Spot => [px + t * way[0], py + t * way[1]]);
+  return from < to && ends.flat().every(Number.isFinite) ? pathData(ends, false) : '';
+}
+
+type OfEvent<K extends EventName> = (event: Event<K>, view: View) => readonly Shape[];
+
+/** What is shown because of the step itself. */
+const ofStep: { readonly [K in EventName]?: OfEvent<K> } = {
+  cut_to_area: ({ region }) => casing('newly', regionData(region)),
+  split: ({ region, other }) => casing('newly', regionData(region) + regionData(other)),
+  edge_piece: ({ from, to }) => [
+    { look: 'edge-piece', d: pathData([spot(from), spot(to)], false) },
+  ],
+  show: ({ region }) => casing('newly', regionData(region)),
+  push_list: ({ pieces }) => [{ look: 'newly', d: outlines(pieces) }],
+};
+
+function stepShapes(event: Event, view: View): readonly Shape[] {
+  const draw = ofStep[event.e] as OfEvent<EventName> | undefined;
+  return draw?.(event, view) ?? [];
+}
+
+/** What is visible so far, each region in its polygon's colour. */
+export function visibleShapes(
+  { after, header: { scene } }: View,
+  shown: ReadonlySet<RegionLayer>,
+): readonly Shape[] {
+  if (!shown.has('visible')) return [];
+  return (after.regions ?? emptyRegions).visible.map(([id, region]) => ({
+    look: 'shown',
+    d: regionData(region),
+    fill: colorOf(scene, id),
+  }));
+}
+
+const order: readonly (keyof typeof layers)[] = ['parts', 'list', 'crossings'];
+
+/** What else is shown of regions at a step, those above later. */
+export function regionShapes(
+  view: View,
+  frame: Frame,
+  shown: ReadonlySet<RegionLayer>,
+): readonly Shape[] {
+  const { event, after, header } = view;
+  const { piercing } = after.regions ?? emptyRegions;
+  const line =
+    piercing === null ? '' : lineThrough(piercing.point, piercing.normal, header.scene.area);
+  return [
+    ...order.filter((layer) => shown.has(layer)).flatMap((layer) => layers[layer](view, frame)),
+    { look: 'piercing-line', d: line },
+    ...(event === null ? [] : stepShapes(event, view)),
+  ].filter(({ d }) => d !== '');
+}

@@ -1,0 +1,119 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { canonical } from '../replay/canonical.js';
+import { headerOf, textOf, textWith, traceOf } from '../testing/traces.js';
+import type { Event } from '../trace/events.js';
+import { Unreadable } from '../replay/trace.js';
+import type { Region } from './events.js';
+
+const header = headerOf('weiler-atherton', 'polygons');
+
+/** The outline of a rectangle. */
+const box = (left: number, top: number, right: number, bottom: number): Region => [
+  [
+    [left, top],
+    [right, top],
+    [right, bottom],
+    [left, bottom],
+  ],
+];
+const far = box(0, 0, 8, 8);
+const near = box(2, 2, 4, 4);
+const push: Event = {
+  e: 'push_list',
+  at: 'WA3',
+  pieces: [
+    ['B', near, false],
+    ['A', far, false],
+  ],
+};
+const pop: Event = { e: 'pop_list', at: 'WA4', clip: 'B', count: 2 };
+const call: Event = { e: 'call', at: 'WA5', of: 'RegionClip' };
+const clipped: Event = {
+  e: 'clipped',
+  at: 'WA5',
+  polygon: 'A',
+  clip: 'B',
+  inside: near,
+  outside: far,
+};
+const remove: Event = { e: 'call', at: 'WA7', of: 'RemoveBehind' };
+const behind = (is: boolean): Event => ({
+  e: 'behind',
+  at: 'RB3',
+  polygon: 'A',
+  clip: 'B',
+  point: [3, 3],
+  z: is ? 0 : 1,
+  clipZ: 0.5,
+  order: is ? -1 : 1,
+  behind: is,
+});
+const nearerOnes: Event = { e: 'nearer_ones', at: 'WA7', polygons: [] };
+
+describe('the state of Weiler and Atherton’s algorithm', () => {
+  it('takes a list from the stack and cuts its pieces in two', async () => {
+    const { timeline } = await traceOf(textWith(header, [push, pop, call, clipped]));
+    expect(timeline.seek(1).values.regions?.lists).toHaveLength(1);
+    const { lists, inHand } = timeline.seek(4).values.regions ?? {};
+    expect(lists).toEqual([]);
+    expect(inHand).toMatchObject({
+      inside: [['A', near, false]],
+      outside: [['A', far, false]],
+      seen: 2,
+    });
+  });
+
+  it.each([
+    ['hidden', true, []],
+    ['nearer', false, [['A', near, false]]],
+  ] as const)('leaves of the parts inside what is not %s', async (_name, is, left) => {
+    const events = [push, pop, call, clipped, remove, behind(is), nearerOnes];
+    const { timeline } = await traceOf(textWith(header, events));
+    expect(timeline.seek(7).values.regions?.inHand?.inside).toEqual(left);
+  });
+
+  it('puts a piece outside by its box alone', async () => {
+    const beside: Event = { e: 'beside', at: 'WA5', polygon: 'A' };
+    const { timeline } = await traceOf(textWith(header, [push, pop, beside]));
+    expect(timeline.seek(3).values.regions?.inHand).toMatchObject({
+      inside: [],
+      outside: [['A', far, false]],
+    });
+  });
+
+  it('has the crossings of the clip that runs, and of no other', async () => {
+    const enter: Event = { e: 'entering', at: 'RC3', point: [2, 2] };
+    const leave: Event = { e: 'leaving', at: 'RC3', point: [4, 4] };
+    const { timeline } = await traceOf(textWith(header, [push, pop, call, enter, leave, clipped]));
+    expect(timeline.seek(5).values.regions?.crossings).toEqual({
+      entering: [[2, 2]],
+      leaving: [[4, 4]],
+    });
+    expect(timeline.seek(6).values.regions?.crossings).toEqual({ entering: [], leaving: [] });
+  });
+
+  it.each([
+    ['noList', [pop]],
+    ['notTopList', [push, { ...pop, count: 3 }]],
+    ['noListInHand', [{ e: 'beside', at: 'WA5', polygon: 'A' }]],
+    ['notNextPiece', [push, pop, { e: 'beside', at: 'WA5', polygon: 'B' }]],
+    ['behindCount', [push, pop, call, clipped, remove, nearerOnes]],
+  ] as const)('refuses what cannot happen: %s', async (reason, events) => {
+    const text = textWith(header, events);
+    const refused = await traceOf(text).catch((error: unknown) => error);
+    expect(refused).toBeInstanceOf(Unreadable);
+    expect((refused as Unreadable).refusal.reason).toBe(reason);
+  });
+
+  it('is at each step the one that the program has', async () => {
+    const file = new URL('../../test-data/wedge.weiler-atherton.states.json', import.meta.url);
+    const states = JSON.parse(readFileSync(file, 'utf8')) as readonly unknown[];
+    const trace = await traceOf(textOf('wedge.weiler-atherton.windows.jsonl'));
+    const { timeline } = trace;
+    expect(states).toHaveLength(timeline.length + 1);
+    states.forEach((state, step) =>
+      expect(structuredClone(canonical(timeline.seek(step), trace.header, []))).toEqual(state),
+    );
+  });
+});
