@@ -17,7 +17,6 @@ export default tseslint.config(
       // Lit calls the listeners of a template with the component as `this`.
       '@typescript-eslint/unbound-method': 'off',
       '@typescript-eslint/explicit-module-boundary-types': 'error',
-      'max-lines': ['error', { max: 300, skipBlankLines: true, skipComments: true }],
       'no-restricted-syntax': [
         'error',
         {

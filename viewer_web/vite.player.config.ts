@@ -12,7 +12,7 @@ export default defineConfig({
     target: 'es2022',
     emptyOutDir: false,
     lib: {
-      entry: 'src/player.ts',
+      entry: 'src/app/player.ts',
       formats: ['iife'],
       name: 'vidno',
       fileName: () => 'vidno-player.js',

@@ -10,7 +10,7 @@ export default defineConfig({
   build: {
     target: 'node18',
     emptyOutDir: false,
-    ssr: 'src/questions.ts',
+    ssr: 'src/app/questions.ts',
     rollupOptions: { output: { entryFileNames: 'vidno-questions.mjs' } },
   },
 });

@@ -8,7 +8,7 @@ import { violations } from './axe.js';
 import { browser } from './browser.js';
 import { openUrl, sampleTrace, small } from './page.js';
 
-const dist = new URL('../dist', import.meta.url).href;
+const dist = new URL('../dist/', import.meta.url).href;
 const script = `${dist}vidno-player.js`;
 const folder = mkdtempSync(join(tmpdir(), 'vidno-embed-'));
 const evil = '<img src=x onerror=alert(1)>';

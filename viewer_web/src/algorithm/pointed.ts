@@ -1,8 +1,7 @@
-import type { FloatingHorizon } from '../floating-horizon/state.js';
 import { texts } from '../i18n/index.js';
 import type { Pixel } from '../picture/pixel.js';
-import { corners } from '../trace/events.js';
 import type { Box, Corner } from '../trace/values.js';
+import { algorithmOf } from './algorithm.js';
 import { numbersOf } from './view.js';
 import type { View } from './view.js';
 
@@ -45,27 +44,11 @@ export function thingOf(text: string | null, view: View): Thing | null {
 }
 
 /** All that can be pointed at in a step, in the order in which the keyboard goes through it. */
-export function thingsOf({
-  header,
-  after: { warnock, zbuffer, horizon },
-  asked = [],
-}: View): readonly string[] {
-  const all = [
-    ...header.scene.polygons.map(({ id }) => polygonThing(id)),
-    ...(zbuffer?.ael ?? []).map(({ edge }) => edgeThing(edge)),
-    ...(zbuffer?.edges ?? []).map(edgeThing),
-    ...(warnock?.corners ? corners.map(cornerThing) : []),
-    ...(warnock?.stack ?? []).map(({ window }) => windowThing(window)).reverse(),
-    ...(header.scene.curves ?? []).map((_, i) => curveThing(i)),
-    ...(horizon === null ? [] : lookedAt(horizon)),
-    ...asked,
-  ];
-  return [...new Set(all)];
+export function thingsOf(view: View): readonly string[] {
+  const { header, asked = [] } = view;
+  const polygons = header.scene.polygons.map(({ id }) => polygonThing(id));
+  return [...new Set([...polygons, ...algorithmOf(header).things(view), ...asked])];
 }
-
-/** Of the columns, which may be thousands, the keyboard goes through those that were looked at last. */
-const lookedAt = ({ place: { previous, current } }: FloatingHorizon): readonly string[] =>
-  [previous, current].flatMap((looked) => (looked === null ? [] : [columnThing(looked[0])]));
 
 function columnOf(x: number, { columns, header }: View): Thing | null {
   const { area } = header.scene;

@@ -1,14 +1,15 @@
-import type { Columns } from '../replay/columns.js';
-import type { Line, Lines } from '../replay/lines.js';
-import { sentence, texts } from '../i18n/index.js';
+import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import type { PageTexts, Texts } from '../language/texts.js';
 import type { Pixel } from '../picture/pixel.js';
+import type { Columns } from '../replay/columns.js';
+import type { Line, Lines } from '../replay/lines.js';
 import type { Screen } from '../replay/screen.js';
 import type { Values } from '../replay/state.js';
+import type { Trace } from '../replay/trace.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
-import type { Trace } from '../replay/trace.js';
+import { sentence } from './sentence.js';
 
 /** A step as the components show it: what happened, and what was before and after it. */
 export interface View {

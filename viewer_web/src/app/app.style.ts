@@ -1,5 +1,5 @@
 import { css } from 'lit';
-import { besideStyle } from '../reader/beside.style.js';
+import { besideStyle } from './beside.style.js';
 
 export const appStyle = [
   css`

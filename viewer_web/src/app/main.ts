@@ -1,1 +1,2 @@
+import './shows.js';
 import './app.js';

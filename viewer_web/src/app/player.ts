@@ -1,1 +1,2 @@
 import '../player/player.js';
+import './shows.js';

@@ -6,6 +6,7 @@ import { moodleXml, usualCount } from '../predict/moodle.js';
 import { read } from '../replay/read.js';
 import { Unreadable, follow } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
+import './algorithms.js';
 
 /**
  * The questions of a trace on standard input as Moodle XML on standard output, as a program:

@@ -1,14 +1,14 @@
-import { formatAddress } from '../reader/address.js';
-import type { Setup } from '../reader/address.js';
 import { download, fileName } from '../base/download.js';
+import { isGzip } from '../base/text-file.js';
+import type { Carried } from '../editor/live.js';
 import { idOf } from '../lessons/lessons.js';
 import type { Lesson, LessonTrace } from '../lessons/lessons.js';
-import type { Carried } from '../editor/live.js';
-import { sceneFile } from '../run/sketch.js';
 import { isOnDisk, pageFile } from '../lessons/page-file.js';
-import type { Reading } from '../reader/reading.js';
+import { formatAddress } from '../reader/address.js';
+import type { Setup } from '../reader/address.js';
+import { sceneFile } from '../run/sketch.js';
+import type { Reading } from './reading.js';
 import type { Session } from './session.js';
-import { isGzip } from '../base/text-file.js';
 
 /** What is shown, how, and where. */
 export interface Shared {

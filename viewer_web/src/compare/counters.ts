@@ -1,8 +1,9 @@
+import { algorithmOf } from '../algorithm/algorithm.js';
 import { toldOf } from '../exactness/told.js';
+import type { Trace } from '../replay/trace.js';
 import { details, kinds, numberOf, tells } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
-import type { Trace } from '../replay/trace.js';
 import type { Survey } from './survey.js';
 
 export const counters = [
@@ -25,6 +26,9 @@ export const counters = [
   'steps',
 ] as const;
 export type Counter = (typeof counters)[number];
+
+/** Those that take more than the names of events. */
+export type Summed = 'splits' | 'ael' | 'painted';
 
 /** How often each happened; null for what the run does not tell. */
 export type Counts = Readonly<Record<Counter, number | null>>;
@@ -84,30 +88,24 @@ export class Counters {
     const { trace, survey } = this;
     const isOfCurves = trace.header.scene.curves !== null;
     const counts = this.tally.upTo(step);
-    const named = (...names: readonly EventName[]): number | null => {
-      const told = names.filter((name) => isTold(trace.header, name));
+    const { counts: names, sums } = algorithmOf(trace.header);
+    const areTold = (some: readonly EventName[]): readonly EventName[] =>
+      some.filter((name) => isTold(trace.header, name));
+    const named = (some: readonly EventName[]): number | null => {
+      const told = areTold(some);
       if (told.length === 0) return null;
       return told.reduce((sum, name) => sum + (counts[numberOf.get(name) ?? 0] ?? 0), 0);
     };
-    const where = (name: EventName, found: Survey['splits']): number | null =>
-      isTold(trace.header, name) ? found.upTo(step) : null;
+    const none = Object.fromEntries(counters.map((name) => [name, null])) as Counts;
+    const byName = Object.entries(names).map(([counter, some]) => [counter, named(some)]);
+    const summed = sums
+      .filter(({ at }) => areTold(at).length > 0)
+      .map(({ counter }) => [counter, survey.upTo(counter, step)]);
     return {
-      windows: named('pop'),
-      splits: where('decide', survey.splits),
-      surrounds: named('surround'),
-      relations: named('relation'),
-      comparisons: named('compare', 'pixel', 'behind', 'order'),
-      lists: named('pop_list'),
-      clips: named('clipped'),
-      regions: named('show'),
-      sides: named('clip_side'),
-      ael: where('ael_add', survey.ael),
-      painted: isOfCurves ? null : survey.painted.upTo(step),
-      curves: named('curve'),
-      flags: named('visibility'),
-      crossings: named('intersection'),
+      ...none,
+      ...(Object.fromEntries([...byName, ...summed]) as Partial<Counts>),
       lines: isOfCurves ? trace.timeline.lines.upTo(step).count : null,
-      wrong: toldOf(trace) === 'unchecked' ? null : named('disagree'),
+      wrong: toldOf(trace) === 'unchecked' ? null : named(['disagree']),
       steps: step,
     };
   }

@@ -1,12 +1,12 @@
 import type { Quick } from '../language/compare-texts.js';
 import { editionsOf, runnable, runs } from '../run/options.js';
 import type { Options } from '../run/options.js';
+import { drawsCurves } from '../trace/events.js';
 import type { Method } from '../trace/events.js';
-import { methodKindOf } from '../trace/method-kind.js';
 
 /** Curves are drawn by one method alone. */
 function otherMethods(method: Method): readonly Method[] {
-  if (methodKindOf(method) === 'curves') return [];
+  if (drawsCurves(method)) return [];
   return [method === 'warnock' ? 'zbuffer' : 'warnock'];
 }
 

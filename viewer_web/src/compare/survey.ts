@@ -1,26 +1,19 @@
-import { changesAel, indexFrom } from '../time/goals.js';
+import { algorithmOf } from '../algorithm/algorithm.js';
+import type { Algorithm } from '../algorithm/algorithm.js';
+import type { Trace } from '../replay/trace.js';
+import { indexFrom } from '../time/goals.js';
 import { eventNames } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
-import type { Trace } from '../replay/trace.js';
-import { cells } from '../language/words.js';
+import type { Summed } from './counters.js';
 
 const atOnce = 512;
 
-const looked: readonly EventName[] = [
-  'pop',
-  'decide',
-  'polygon',
-  'scanline',
-  'ael_add',
-  'ael_drop',
-  'fill',
-  'draw',
-  'span',
-  'curve',
-  'visibility',
-  'paint',
-];
-const isLooked = eventNames.map((name) => looked.includes(name));
+/** What is summed up over the events of some names. */
+export interface Sum {
+  readonly counter: Summed;
+  readonly at: readonly EventName[];
+  amount(event: Event): number;
+}
 
 /** Steps in order, and how much there was of something up to each of them. */
 class Sums {
@@ -37,26 +30,31 @@ class Sums {
   }
 }
 
-/** How many pixels an event gives a colour. */
-function painted(event: Event): number {
-  if (event.e === 'fill') return event.rect[2] * event.rect[3];
-  return event.e === 'draw' || event.e === 'span' || event.e === 'paint' ? cells(event.runs) : 0;
-}
-
 /**
  * What can be said of a run beside another one: its landmarks, steps that any run has at most once and by which it can be
  * held against others, and how often what happens. One pass, which may be spread over frames and goes on as the run grows.
  */
 export class Survey {
   readonly landmarks = new Map<string, number>();
-  readonly splits = new Sums();
-  readonly ael = new Sums();
-  readonly painted = new Sums();
+  private readonly algorithm: Algorithm;
+  private readonly sums: ReadonlyMap<Summed, Sums>;
+  private readonly isLooked: readonly boolean[];
   private seen = 0;
   /** The window, the polygon or the curve in hand. */
   private inHand = '';
 
-  constructor(private readonly trace: Trace) {}
+  constructor(private readonly trace: Trace) {
+    this.algorithm = algorithmOf(trace.header);
+    const { sums, landmarks } = this.algorithm;
+    this.sums = new Map(sums.map(({ counter }) => [counter, new Sums()]));
+    const looked = new Set([...landmarks, ...sums.flatMap(({ at }) => at)]);
+    this.isLooked = eventNames.map((name) => looked.has(name));
+  }
+
+  /** How much there was of something up to a step, which must have been surveyed; null where it is not summed up. */
+  upTo(counter: Summed, step: number): number | null {
+    return this.sums.get(counter)?.upTo(step) ?? null;
+  }
 
   /** Whether the whole run was seen. */
   get complete(): boolean {
@@ -80,7 +78,7 @@ export class Survey {
     for (let some = 0; some < atOnce && this.seen < names.length;) {
       const step = ++this.seen;
       const name = names[step - 1] ?? 0;
-      if (isLooked[name] !== true) continue;
+      if (this.isLooked[name] !== true) continue;
       const event = timeline.event(step);
       if (event !== null) this.look(event, step);
       some++;
@@ -88,22 +86,14 @@ export class Survey {
   }
 
   private look(event: Event, step: number): void {
-    const landmark = this.landmarkOf(event);
-    if (landmark !== null && !this.landmarks.has(landmark)) this.landmarks.set(landmark, step);
-    if (event.e === 'decide' && event.case === 'split') this.splits.add(step);
-    if (changesAel(event)) this.ael.add(step);
-    const pixels = painted(event);
-    if (pixels > 0) this.painted.add(step, pixels);
-  }
-
-  /** The name of a step; null for one that any run may have more than once. */
-  private landmarkOf(event: Event): string | null {
-    if (event.e === 'pop') return (this.inHand = `window ${event.window.join()}`);
-    if (event.e === 'decide') return `decide ${this.inHand}`;
-    if (event.e === 'polygon') return (this.inHand = `polygon ${event.polygon}`);
-    if (event.e === 'curve') return (this.inHand = `curve ${event.curve}`);
-    if (event.e === 'visibility') return `column ${event.x} ${this.inHand}`;
-    return event.e === 'scanline' ? `row ${event.row} ${this.inHand}` : null;
+    const { begins, landmark, sums } = this.algorithm;
+    const name = landmark(event, this.inHand);
+    if (name !== null && begins.includes(event.e)) this.inHand = name;
+    if (name !== null && !this.landmarks.has(name)) this.landmarks.set(name, step);
+    for (const { counter, at, amount } of sums) {
+      const found = at.includes(event.e) ? amount(event) : 0;
+      if (found > 0) this.sums.get(counter)?.add(step, found);
+    }
   }
 }
 

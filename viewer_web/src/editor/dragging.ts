@@ -1,9 +1,9 @@
+import type { Frame } from '../picture/frame.js';
+import { pointIn } from '../picture/own-size.js';
+import type { Sketch } from '../run/sketch.js';
+import { act } from './act.js';
 import { snapped } from './corner-keys.js';
 import type { Place } from './corner-keys.js';
-import type { Sketch } from '../run/sketch.js';
-import type { Frame } from '../picture/frame.js';
-import { act } from './act.js';
-import { pointIn } from '../elements/own-size.js';
 
 /** What lies over a picture: how the plane lies in that may change while something is dragged. */
 type Host = Element & { readonly frame: Frame };

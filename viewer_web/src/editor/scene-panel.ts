@@ -1,17 +1,17 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import { showsOfEdited } from '../algorithm/shows.js';
+import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
-import type { Act } from './editor.js';
-import type { LinkMade } from './live.js';
-import { whyRefused } from '../run/refusal.js';
 import { isOnDisk } from '../lessons/page-file.js';
+import { whyRefused } from '../run/refusal.js';
 import { ask } from './act.js';
+import type { Act } from './editor.js';
 import { FormElement } from './form.js';
+import type { LinkMade } from './live.js';
 import './run-form.js';
 import { scenePanelStyle } from './scene-panel.style.js';
-import { showsOfEdited } from '../player/shows.js';
-import { base } from '../elements/theme.js';
 
 /** The scene as a form, with what can be done with it as a whole, and what the library says of it. */
 @customElement('vidno-scene-panel')

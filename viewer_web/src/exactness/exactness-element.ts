@@ -1,26 +1,25 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import { panelsStyle } from '../elements/panels.style.js';
+import { base } from '../elements/theme.js';
+import { texts } from '../i18n/index.js';
+import type { ExactTexts } from '../language/exact-texts.js';
+import type { Trace } from '../replay/trace.js';
+import type { Answer } from '../trace/values.js';
+import { askCheck } from './ask-check.js';
+import { exactnessStyle } from './exactness.style.js';
+import './lens.js';
 import { side } from './places.js';
 import { questionOf } from './question.js';
 import type { Question } from './question.js';
-import type { SignMap } from './sign-map.js';
+import type { SignMap, SignMapSource } from './sign-map.js';
 import { verdictBy } from './truth.js';
 import type { Check } from './truth.js';
 import { isWrong } from './verdict.js';
 import type { Verdict } from './verdict.js';
-import type { ExactTexts } from '../language/exact-texts.js';
-import { texts } from '../i18n/index.js';
-import type { SignMaps } from '../run/sign-maps.js';
-import type { Answer } from '../trace/values.js';
-import type { Trace } from '../replay/trace.js';
-import { numbersOf } from '../algorithm/view.js';
-import type { View } from '../algorithm/view.js';
-import { askCheck } from './ask-check.js';
-import { exactnessStyle } from './exactness.style.js';
-import './lens.js';
-import { panelsStyle } from '../elements/panels.style.js';
-import { base } from '../elements/theme.js';
 
 /** A map, and what it is of. */
 interface Drawn {
@@ -42,7 +41,7 @@ export class ExactnessElement extends LitElement {
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) trace!: Trace;
   /** Who draws maps; null where the page has no library. */
-  @property({ attribute: false }) maps: SignMaps | null = null;
+  @property({ attribute: false }) maps: SignMapSource | null = null;
   /** How it is known what is right. */
   @property({ attribute: false }) check!: Check;
   /** In a hall the map stands beside the numbers: nobody scrolls there. */
@@ -73,7 +72,7 @@ export class ExactnessElement extends LitElement {
     if (check.is === 'unchecked' && maps !== null && trace.complete && isShort) askCheck(this);
   }
 
-  private async ask(question: Question, maps: SignMaps): Promise<void> {
+  private async ask(question: Question, maps: SignMapSource): Promise<void> {
     const map = await maps.of(question, this.trace.header.kernel);
     if (this.question !== question) return;
     this.drawn = map && { question, map };

@@ -1,4 +1,5 @@
 import { middle, side } from './places.js';
+import type { Question } from './question.js';
 
 /** The characters of places whose computed sign is the exact one. */
 const sameTwice = /[048]/g;
@@ -33,3 +34,8 @@ export class SignMap {
 }
 
 const signOf = (place: number): Sign => (place - 1) as Sign;
+
+/** Where maps come from; null if there is none under this kernel, or if another was asked for meanwhile. */
+export interface SignMapSource {
+  of(question: Question, kernel: string): Promise<SignMap | null>;
+}

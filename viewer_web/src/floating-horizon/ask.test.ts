@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { texts } from '../i18n/index.js';
 import { languages } from '../language/language.js';
+import { between } from '../predict/question.js';
+import type { Trace } from '../replay/trace.js';
 import { answers, questionFrom } from '../testing/questions.js';
 import { textOf, traceOf } from '../testing/traces.js';
-import type { Trace } from '../replay/trace.js';
-import { between } from './ask.js';
 
 /** A line at height 1.5, and one behind it from 3 over column 0 to -1 over column 4: 3, 2, 1, 0, -1, growing downward. */
 const crossing = (): Promise<Trace> => traceOf(textOf('crossing.floating-horizon.signs.jsonl'));

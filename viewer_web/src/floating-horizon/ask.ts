@@ -2,13 +2,12 @@ import { columnThing, curveThing } from '../algorithm/pointed.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
 import type { Asker } from '../predict/asker.js';
+import { between } from '../predict/question.js';
 import type { Option } from '../predict/question.js';
-import type { Event, Method } from '../trace/events.js';
 import type { Trace } from '../replay/trace.js';
+import type { Event } from '../trace/events.js';
 import type { N } from '../trace/values.js';
-import { sideBeside } from '../replay/sides.js';
-
-const isOf = (method: Method): boolean => method === 'floating-horizon';
+import { sideBeside } from './sides.js';
 
 /** How many columns one is asked about at once. */
 const mostColumns = 4;
@@ -46,7 +45,6 @@ const curveOf = (trace: Trace, step: number): number =>
 
 /** How does the curve lie to the horizons over the next columns? */
 export const flags: Asker<'flags'> = {
-  isOf,
   from: 'signs',
   at: ['visibility'],
   ask(trace, step) {
@@ -79,7 +77,6 @@ export const flags: Asker<'flags'> = {
 
 /** Over which of the two columns do the horizons change? */
 export const horizons: Asker<'horizons'> = {
-  isOf,
   from: 'signs',
   at: ['call'],
   ask(trace, step) {
@@ -116,12 +113,8 @@ export const horizons: Asker<'horizons'> = {
   },
 };
 
-/** Of the places where a segment may meet a horizon the one on no column. */
-export const between = 'between';
-
 /** Which horizon does the segment meet, and where? */
 export const meeting: Asker<'meeting'> = {
-  isOf,
   from: 'signs',
   at: ['call'],
   ask(trace, step) {

@@ -16,6 +16,9 @@ const icons: Readonly<Record<CurveLegendEntry, readonly [look: string, d: string
   sideEdge: ['side-edge', line],
 };
 
+/** In the order of the legend. */
+export const curveEntries = Object.keys(icons) as readonly CurveLegendEntry[];
+
 export const isCurveEntry = (entry: LegendEntry): entry is CurveLegendEntry => entry in icons;
 
 export function curveIcon(entry: CurveLegendEntry): SVGTemplateResult {

@@ -1,21 +1,21 @@
 import { css, html, nothing, svg } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
-import { curvesStyle } from './curves.style.js';
-import { allLayers } from './layers.js';
-import type { Layer } from './layers.js';
-import { columnShape, curveShapes, curvesToPoint } from './shapes.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { CurveHistoryTexts } from '../language/curve-texts.js';
-import type { Frame, Point } from '../picture/frame.js';
-import type { Pixel } from '../picture/pixel.js';
+import { curvesStyle } from '../picture/curves.style.js';
 import { drawn } from '../picture/drawn.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
+import type { Frame, Point } from '../picture/frame.js';
 import { marksStyle } from '../picture/marks.style.js';
 import { pictureStyle } from '../picture/picture.style.js';
+import type { Pixel } from '../picture/pixel.js';
 import { PlaneElement } from '../picture/plane.js';
+import { allLayers } from './layers.js';
+import type { Layer } from './layers.js';
 import './sample-handles.js';
-import { base } from '../elements/theme.js';
+import { columnShape, curveShapes, curvesToPoint } from './shapes.js';
 
 /** The lines that were drawn so far, and over them what the procedure knows of curves and columns. */
 @customElement('vidno-curve-picture')

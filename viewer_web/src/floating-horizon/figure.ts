@@ -1,10 +1,10 @@
-import { figureDocument, figureFrame, pathOf } from '../picture/figure.js';
 import type { View } from '../algorithm/view.js';
+import { figureDocument, figureFrame, pathOf } from '../picture/figure.js';
 import { allLayers } from './layers.js';
 import { curveShapes } from './shapes.js';
 
 /** The picture of curves at a step with all that it can show, as an SVG document of its own; see `figureOf`. */
-export function curveFigureOf(view: View): string {
+export function figureOf(view: View): string {
   const frame = figureFrame(view);
   const shapes = curveShapes({ ...view, pointed: null, asked: [] }, frame, allLayers);
   return figureDocument(view, frame, shapes.map((shape) => pathOf(shape, frame.scale)).join(''));

@@ -1,10 +1,12 @@
-import { noted, only, test } from '../history/entry.js';
-import type { Outcome, Wanted, Watch } from '../history/entry.js';
+import { noted, test } from '../history/entry.js';
+import type { Outcome, Watch } from '../history/entry.js';
 import type { Known } from '../language/words.js';
 import type { Pixel } from '../picture/pixel.js';
+import { only } from '../replay/wanted.js';
+import type { Wanted } from '../replay/wanted.js';
 import type { Edition } from '../trace/editions.js';
 import type { CurveEvents, Detail, Event } from '../trace/events.js';
-import { isLostBelow } from '../replay/sides.js';
+import { isLostBelow } from './sides.js';
 import { emptyFloatingHorizon, placeAfter } from './state.js';
 import type { FloatingHorizon } from './state.js';
 
@@ -54,7 +56,7 @@ export class ColumnWatch implements Watch {
   }
 
   get known(): Known {
-    return { warnock: null, zbuffer: null, horizon: this.horizon };
+    return { horizon: this.horizon };
   }
 
   /** Most columns are other ones; but what Visibility says of them tells which horizon is met. */

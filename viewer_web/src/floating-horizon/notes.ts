@@ -1,4 +1,5 @@
 import type { Numbers } from '../language/texts.js';
+import type { Notes } from '../listing/notes.js';
 import type { CurveEvents } from '../trace/events.js';
 import type { N } from '../trace/values.js';
 
@@ -6,9 +7,7 @@ const heights = (all: readonly (N | undefined)[], { list }: Numbers): string =>
   list(all.map((y) => y ?? '∅'));
 
 /** What the events of curves say in the notation of the listing. */
-export const curveNotes: {
-  readonly [K in keyof CurveEvents]: (event: CurveEvents[K], numbers: Numbers) => string;
-} = {
+export const notes: Pick<Notes, keyof CurveEvents> = {
   horizons: ({ upper, lower }, numbers) => heights([upper, lower], numbers),
   curve: ({ curve }) => String(curve),
   side_edge: ({ sample }, { point }) => point(sample),

@@ -1,9 +1,21 @@
+import type { Columns } from '../replay/columns.js';
 import type { CurveEvents, Event } from '../trace/events.js';
 import type { Curve } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Sample } from '../trace/values.js';
-import type { Columns } from '../replay/columns.js';
 import type { Flag, Segment } from './events.js';
+
+declare module '../replay/model.js' {
+  interface Held {
+    readonly horizon?: FloatingHorizon;
+  }
+}
+
+declare module '../language/words.js' {
+  interface Known {
+    readonly horizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'told'>;
+  }
+}
 
 /** A column that was looked at, and what Visibility said. */
 export type Looked = readonly [x: number, flag: Flag];

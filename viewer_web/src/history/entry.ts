@@ -1,6 +1,6 @@
 import type { Known } from '../language/words.js';
-import { eventNames } from '../trace/events.js';
-import type { Event, EventName } from '../trace/events.js';
+import type { Wanted } from '../replay/wanted.js';
+import type { Event } from '../trace/events.js';
 
 /** What a step came to for the pixel: a test passed or failed, a colour written, a wrong decision, or neither. */
 export type Outcome = 'pass' | 'fail' | 'paint' | 'wrong' | 'note';
@@ -13,9 +13,6 @@ export interface Entry {
   readonly known: Known;
 }
 
-/** For each number of an event's name whether a watch wants to see it. */
-export type Wanted = readonly boolean[];
-
 /** Sees the events of a run in turn, those that it wants, and says which concern its pixel. */
 export interface Watch {
   readonly wanted: Wanted;
@@ -24,12 +21,6 @@ export interface Watch {
   see(event: Event, step: number): Outcome | null;
   /** What was known when the event happened; asked for after `see`. */
   readonly known: Known;
-}
-
-export const all: Wanted = eventNames.map(() => true);
-
-export function only(...names: readonly EventName[]): Wanted {
-  return eventNames.map((name) => names.includes(name));
 }
 
 export const test = (passed: boolean): Outcome => (passed ? 'pass' : 'fail');

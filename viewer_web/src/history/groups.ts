@@ -1,9 +1,7 @@
-import type { Known } from '../language/words.js';
-import type { Box } from '../trace/values.js';
+import { algorithmOf } from '../algorithm/algorithm.js';
+import type { Heading } from '../algorithm/algorithm.js';
+import type { Method } from '../trace/events.js';
 import type { Entry } from './entry.js';
-
-/** A window, a polygon, or a curve. */
-type Heading = Box | string | number;
 
 /** Entries in a row that stand under the same heading. */
 export interface Group {
@@ -11,19 +9,11 @@ export interface Group {
   readonly entries: readonly Entry[];
 }
 
-const headingOf = ({ event, known }: Entry): Heading | null => {
-  // Once regions are painted no list is in hand.
-  if (event.e === 'paint' || event.e === 'order') return event.polygon;
-  return known.warnock?.window ?? known.zbuffer?.polygon ?? known.horizon?.curve ?? clipOf(known);
-};
-
-/** Whose piece the clip polygon of the list in hand is. */
-const clipOf = ({ regions }: Known): string | null => regions?.inHand?.pieces[0]?.[0] ?? null;
-
-export function grouped(entries: readonly Entry[]): readonly Group[] {
+export function grouped(entries: readonly Entry[], method: Method): readonly Group[] {
+  const algorithm = algorithmOf({ method });
   const groups: { under: Heading | null; entries: Entry[] }[] = [];
   for (const entry of entries) {
-    const under = headingOf(entry);
+    const under = algorithm.heading(entry.known, entry.event);
     const last = groups.at(-1);
     if (last?.under === under) last.entries.push(entry);
     else groups.push({ under, entries: [entry] });

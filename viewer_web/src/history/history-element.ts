@@ -3,26 +3,26 @@ import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { repeat } from 'lit/directives/repeat.js';
+import { polygonThing } from '../algorithm/pointed.js';
+import { placesOf } from '../algorithm/shows.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import { liveKey } from '../base/key-map.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import { polygonName, swatch } from '../elements/parts.js';
+import { base } from '../elements/theme.js';
+import { texts } from '../i18n/index.js';
+import type { HistoryTexts } from '../language/texts.js';
+import { bringInSight } from '../picture/in-sight.js';
+import type { Pixel } from '../picture/pixel.js';
+import { toColor } from '../replay/grid.js';
+import type { Command } from '../time/command.js';
 import type { Entry } from './entry.js';
 import { grouped, shownAround } from './groups.js';
 import type { Group } from './groups.js';
 import type { History } from './history.js';
-import { sayEntry, sayWhy } from './say.js';
-import { texts } from '../i18n/index.js';
-import type { HistoryTexts } from '../language/texts.js';
-import { liveKey } from '../base/key-map.js';
-import { polygonThing } from '../algorithm/pointed.js';
-import { toColor } from '../replay/grid.js';
-import type { Pixel } from '../picture/pixel.js';
-import { numbersOf } from '../algorithm/view.js';
-import type { View } from '../algorithm/view.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
 import { historyStyle } from './history.style.js';
-import { bringInSight } from '../elements/in-sight.js';
-import { polygonName, swatch } from '../elements/parts.js';
-import { placesOf } from '../player/shows.js';
-import { base } from '../elements/theme.js';
-import type { Command } from '../strip/transport.js';
+import { sayEntry, sayWhy } from './say.js';
 
 const signs = { pass: '✓', fail: '✗', wrong: '!', note: '·' } as const;
 
@@ -69,7 +69,7 @@ export class HistoryElement extends LitElement {
         @keydown=${this.onKey}
       >
         ${this.more(entries[first - 1], this.texts.earlier(first))}
-        ${grouped(entries.slice(first, end)).map((group) => this.group(group, history))}
+        ${grouped(entries.slice(first, end), this.view.header.method).map((group) => this.group(group, history))}
         ${this.more(entries[end], this.texts.later(entries.length - end))}
         ${history.complete ? nothing : html`<p class="hint">${this.texts.reading}</p>`}
       </div>

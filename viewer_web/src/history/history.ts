@@ -1,23 +1,10 @@
-import { ColumnWatch } from '../floating-horizon/history.js';
+import { algorithmOf } from '../algorithm/algorithm.js';
 import { isIn } from '../picture/pixel.js';
 import type { Pixel } from '../picture/pixel.js';
-import { RegionWatch } from '../weiler-atherton/history.js';
-import type { Header } from '../trace/header.js';
-import { methodKindOf } from '../trace/method-kind.js';
-import type { MethodKind } from '../trace/method-kind.js';
 import type { Trace } from '../replay/trace.js';
 import type { Entry, Watch } from './entry.js';
-import { WarnockWatch } from '../warnock/history.js';
-import { ZBufferWatch } from '../zbuffer/history.js';
 
 const atOnce = 4096;
-
-const watches: Readonly<Record<MethodKind, (pixel: Pixel, header: Header) => Watch>> = {
-  windows: (pixel, { detail }) => new WarnockWatch(pixel, detail),
-  scanlines: (pixel) => new ZBufferWatch(pixel),
-  curves: (pixel, { detail, edition }) => new ColumnWatch(pixel, detail, edition),
-  regions: (pixel) => new RegionWatch(pixel),
-};
 
 /**
  * All that concerned a pixel, or of curves its column, in order. It is gathered in one pass over the events, which a page may spread
@@ -34,7 +21,7 @@ export class History {
     readonly pixel: Pixel,
   ) {
     const { header } = trace;
-    this.watch = watches[methodKindOf(header.method)](pixel, header);
+    this.watch = algorithmOf(header).watch(pixel, header);
   }
 
   get entries(): readonly Entry[] {

@@ -1,6 +1,6 @@
-import { texts } from '../i18n/index.js';
+import { placesOf, showsOf } from '../algorithm/shows.js';
 import type { View } from '../algorithm/view.js';
-import { placesOf, showsOf } from '../player/shows.js';
+import { texts } from '../i18n/index.js';
 
 export type Side = 'state' | 'pixel' | 'exact' | 'solid' | 'predict' | 'bookmarks' | 'scene';
 

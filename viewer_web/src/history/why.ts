@@ -1,9 +1,3 @@
-import type { Known } from '../language/words.js';
-import type { Event } from '../trace/events.js';
-import { ownersOf } from '../language/words.js';
-import type { Header } from '../trace/header.js';
-import type { Entry } from './entry.js';
-
 /** The ways in which a pixel comes by its colour. */
 export type Why =
   | 'hides'
@@ -17,43 +11,8 @@ export type Why =
   | 'region'
   | 'untouched';
 
-/** What a window is that gets one colour, by the line that fills it. */
-const filled: Readonly<Record<Event<'fill'>['at'], Why>> = {
-  ...{ W7: 'empty', WS4: 'empty', WF5: 'empty' },
-  ...{ W8: 'hides', WF9: 'hides', WF10: 'hides' },
-  ...{ W9: 'centre', WS5: 'centre', WF11: 'centre' },
-  ...{ W10: 'beside', WF6: 'beside' },
-};
-
-const most = 3;
-
 export interface Reason {
   readonly why: Why;
   /** Whose colour it is; none for the background. */
   readonly polygon: string | null;
-}
-
-/** The polygon whose colour it is, or all that look the same where the trace does not say which; null for the background. */
-function ownerOf(event: Event<'fill'>, known: Known, header: Header): string | null {
-  const { polygons } = ownersOf(event, known, header);
-  if (polygons.length === 0) return null;
-  return polygons.length > most
-    ? `${polygons.slice(0, most).join(' / ')} / …`
-    : polygons.join(' / ');
-}
-
-/** Why the entry that painted the pixel gave it its colour. */
-export function reasonOf({ event, known }: Entry, header: Header): Reason {
-  if (event.e === 'draw') return { why: 'alone', polygon: event.polygon };
-  if (event.e === 'span') {
-    const why = header.edition === 'printed' ? 'notFarther' : 'nearest';
-    return { why, polygon: known.zbuffer?.polygon ?? null };
-  }
-  if (event.e === 'paint') return { why: 'region', polygon: event.polygon };
-  if (event.e !== 'fill') return { why: 'untouched', polygon: null };
-  const why = filled[event.at];
-  if (why === 'empty' || why === 'beside') return { why, polygon: null };
-  const polygon = ownerOf(event, known, header);
-  if (why === 'hides') return { why, polygon };
-  return { why: polygon === null ? 'nothing' : 'centre', polygon };
 }

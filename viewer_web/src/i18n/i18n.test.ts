@@ -1,20 +1,22 @@
 import { describe, expect, it } from 'vitest';
-import { allSamples } from '../testing/samples.js';
-import { headerOf } from '../testing/traces.js';
+import { sentence } from '../algorithm/sentence.js';
 import { emptyFloatingHorizon } from '../floating-horizon/state.js';
-import { emptyRegions } from '../weiler-atherton/state.js';
-import { emptyWarnock } from '../warnock/state.js';
-import { emptyZBuffer } from '../zbuffer/state.js';
-import type { Values } from '../replay/state.js';
-import type { Warnock } from '../warnock/state.js';
-import type { Event } from '../trace/events.js';
-import { parseHeader } from '../trace/header.js';
-import { Unreadable } from '../replay/trace.js';
-import { Refusal } from '../trace/refusal.js';
-import { complaint, sentence, texts } from './index.js';
 import { languages } from '../language/language.js';
 import type { Language } from '../language/language.js';
 import { short, shortApart, toNumber } from '../language/words.js';
+import type { Values } from '../replay/state.js';
+import { Unreadable } from '../replay/trace.js';
+import { allSamples } from '../testing/samples.js';
+import { tellerOf } from '../testing/teller.js';
+import { headerOf } from '../testing/traces.js';
+import type { Event } from '../trace/events.js';
+import { parseHeader } from '../trace/header.js';
+import { Refusal } from '../trace/refusal.js';
+import { emptyWarnock } from '../warnock/state.js';
+import type { Warnock } from '../warnock/state.js';
+import { emptyRegions } from '../weiler-atherton/state.js';
+import { emptyZBuffer } from '../zbuffer/state.js';
+import { complaint, texts } from './index.js';
 
 const header = parseHeader(headerOf('warnock'));
 const apl = { entries: [['A', false]] as const };
@@ -27,7 +29,7 @@ const values: Values = {
   regions: emptyRegions,
 };
 const say = (event: Event, language: Language): string =>
-  sentence(event, values, values, header, language);
+  sentence(event, values, values, { ...header, method: tellerOf(event) }, language);
 
 describe.each(languages)('in %s', (language) => {
   it.each(allSamples.map((event) => [event.e, event] as const))(

@@ -1,35 +1,21 @@
-import type { Event } from '../trace/events.js';
+import type { Language } from '../language/language.js';
+import type { Texts } from '../language/texts.js';
+import { counted } from '../language/words.js';
+import type { PluralForms } from '../language/words.js';
 import type { Complaint } from '../replay/read.js';
 import * as en from './en/index.js';
-import type { Language } from '../language/language.js';
 import * as ru from './ru/index.js';
-import type { Texts } from '../language/texts.js';
-import { Words, counted, withoutDoubledSigns } from '../language/words.js';
-import type { Known, PluralForms, ShownHeader } from '../language/words.js';
 
 export const texts: Readonly<Record<Language, Texts>> = { en: en.texts, ru: ru.texts };
 
-const rules: Readonly<Record<Language, Intl.PluralRules>> = {
+export const rulesOf: Readonly<Record<Language, Intl.PluralRules>> = {
   en: new Intl.PluralRules('en'),
   ru: new Intl.PluralRules('ru'),
 };
 
 /** "3 pixels", "3 пикселя". */
 export const countedIn = (language: Language, n: number, forms: PluralForms): string =>
-  counted(n, forms, rules[language]);
-
-/** What a step did, in one sentence. */
-export function sentence(
-  event: Event,
-  before: Known,
-  after: Known,
-  header: ShownHeader,
-  language: Language,
-): string {
-  const words = new Words(before, after, header, texts[language], rules[language]);
-  const say = texts[language].sentences[event.e] as (event: Event, words: Words) => string;
-  return withoutDoubledSigns(say(event, words));
-}
+  counted(n, forms, rulesOf[language]);
 
 function reasonOf({ refusal }: Complaint, language: Language): string {
   const say: (...details: string[]) => string = texts[language].reasons[refusal.reason];

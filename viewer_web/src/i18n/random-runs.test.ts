@@ -1,8 +1,11 @@
 import { describe, expect, it } from 'vitest';
+import { sentence } from '../algorithm/sentence.js';
+import { viewOf } from '../algorithm/view.js';
+import { languages } from '../language/language.js';
 import { canonical } from '../replay/canonical.js';
 import { curveFacts } from '../testing/facts/curves.js';
-import { familyFacts } from '../testing/facts/family.js';
 import type { Fact, Facts, Moment, ProgramState } from '../testing/facts/fact.js';
+import { familyFacts } from '../testing/facts/family.js';
 import { Moments } from '../testing/facts/moments.js';
 import { regionFacts } from '../testing/facts/regions.js';
 import { scanlineFacts } from '../testing/facts/scanlines.js';
@@ -13,9 +16,6 @@ import { randomRuns } from '../testing/random-runs.js';
 import type { RandomRun } from '../testing/random-runs.js';
 import { traceOf } from '../testing/traces.js';
 import type { Event, EventName } from '../trace/events.js';
-import { viewOf } from '../algorithm/view.js';
-import { sentence } from './index.js';
-import { languages } from '../language/language.js';
 
 /** The program that makes the runs; `./dev test` names it. */
 const program = process.env['VIDNO_PROGRAM'];

@@ -1,13 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf } from '../testing/traces.js';
-import { emptyWarnock } from '../warnock/state.js';
-import type { Event } from '../trace/events.js';
-import { parseHeader } from '../trace/header.js';
-import type { Edition } from '../trace/editions.js';
-import { sentence } from './index.js';
+import { sentence } from '../algorithm/sentence.js';
 import { languages } from '../language/language.js';
 import { orderOf } from '../language/words.js';
 import type { Known } from '../language/words.js';
+import { tellerOf } from '../testing/teller.js';
+import { headerOf } from '../testing/traces.js';
+import type { Edition } from '../trace/editions.js';
+import type { Event } from '../trace/events.js';
+import { parseHeader } from '../trace/header.js';
+import { emptyWarnock } from '../warnock/state.js';
 
 const known: Known = {
   warnock: { ...emptyWarnock, window: [0, 0, 4, 2] },
@@ -16,7 +17,10 @@ const known: Known = {
 
 /** What is said of an event of a run of this edition, in each language. */
 function saying(event: Event, edition: Edition, detail = 'signs'): readonly string[] {
-  const header = parseHeader({ ...headerOf('warnock'), edition, detail });
+  const header = {
+    ...parseHeader({ ...headerOf('warnock'), edition, detail }),
+    method: tellerOf(event),
+  };
   return languages.map((language) => sentence(event, known, known, header, language));
 }
 

@@ -1,7 +1,5 @@
 import type { Layer } from '../floating-horizon/layers.js';
-import type { CurveEvents } from '../trace/events.js';
 import type { HistoryTexts } from './texts.js';
-import type { Words } from './words.js';
 
 /** What a run of curves has to say of its own. */
 export interface CurveTexts {
@@ -51,10 +49,3 @@ export type CurveHistoryTexts = Pick<
   HistoryTexts,
   'pixel' | 'at' | 'hint' | 'how' | 'forget' | 'entries' | 'outcomes' | 'painted' | 'unpainted'
 >;
-
-export type CurveSentences = {
-  readonly [K in keyof CurveEvents]: (
-    event: Extract<CurveEvents[keyof CurveEvents], { readonly e: K }>,
-    words: Words,
-  ) => string;
-};

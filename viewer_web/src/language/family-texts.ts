@@ -1,6 +1,4 @@
-import type { Event, FamilyEvents, Method, Procedure } from '../trace/events.js';
-import type { N } from '../trace/values.js';
-import type { Sentences } from './texts.js';
+import type { Method, Procedure } from '../trace/events.js';
 
 type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'floating-horizon' | 'weiler-atherton'>;
 type OfVariants = 'Relation' | 'TrialFunction' | 'RayCrossings' | 'OctantAngles' | 'HidingPolygon';
@@ -23,13 +21,7 @@ export interface FamilyTexts {
   readonly rules: Readonly<Record<Method, string>>;
   readonly purposes: Readonly<Record<OfVariants & Procedure, string>>;
   readonly panel: FamilyPanelTexts;
-  readonly sentences: Pick<Sentences, keyof FamilyEvents>;
-  /** Of what it is said on which side of an edge it lies, by the line: a point, and its corner of the window if it is one. */
-  readonly side: Readonly<Record<SideLine, (at: readonly N[], corner: string | null) => string>>;
 }
-
-/** The lines that ask for the side of an edge, but for those that ask it of a point as such. */
-export type SideLine = Exclude<Event<'orient'>['at'], 'S2' | 'S3' | 'ED3'>;
 
 /** What stands in the panel of the state. */
 export interface FamilyPanelTexts {

@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { sentence, texts } from '../i18n/index.js';
+import { sentence } from '../algorithm/sentence.js';
+import { texts } from '../i18n/index.js';
 import { headerOf } from '../testing/traces.js';
-import { parseHeader } from '../trace/header.js';
 import type { Event } from '../trace/events.js';
+import { parseHeader } from '../trace/header.js';
 import type { Language } from './language.js';
 
 const header = parseHeader(headerOf('zbuffer'));
-const nothing = { warnock: null, zbuffer: null };
+const nothing = {};
 const say = (event: Event, language: Language): string =>
   sentence(event, nothing, nothing, header, language);
 

@@ -1,7 +1,5 @@
 import type { Relation } from '../predict/asker.js';
-import type { Becomes } from '../weiler-atherton/ask-behind.js';
-import type { Abouts, Asks, Kind } from '../predict/question.js';
-import type { tests } from '../warnock/ask-relation.js';
+import type { Abouts, Asks, Becomes, Kind, tests } from '../predict/question.js';
 import type { Event } from '../trace/events.js';
 
 /** What is said where one predicts the next steps. */

@@ -1,8 +1,3 @@
-import type { FloatingHorizon } from '../floating-horizon/state.js';
-import type { Warnock } from '../warnock/state.js';
-import type { Regions } from '../weiler-atherton/state.js';
-import type { ZBuffer } from '../zbuffer/state.js';
-import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
 import type { Texts } from './texts.js';
@@ -114,55 +109,18 @@ export function windowText([x, y, width, height]: Box): string {
   return `${point([x, y])} ${short(width)} × ${short(height)}`;
 }
 
-/** The text's corner at a point of a window, if it is one. */
-export function cornerAt(at: readonly N[], window: Box | null): Corner | null {
-  if (window === null) return null;
-  const [x, y, width, height] = window;
-  const [px, py] = at.map(toNumber);
-  if ((px !== x && px !== x + width) || (py !== y && py !== y + height)) return null;
-  if (px === x) return py === y ? 'lb' : 'lt';
-  return py === y ? 'rb' : 'rt';
-}
-
-const sideNames = ['top', 'left', 'bottom', 'right'] as const;
-export type WindowSide = (typeof sideNames)[number];
-
-/** The side of a window that a line goes along; null if it goes along none. */
-export function sideAlong(
-  { from, to }: { readonly from: readonly N[]; readonly to: readonly N[] },
-  window: Box | null,
-): WindowSide | null {
-  if (window === null) return null;
-  const [x, y, width, height] = window;
-  const ends = [from, to].map((end) => end.map(toNumber));
-  const along = (axis: 0 | 1, value: number): boolean => ends.every((end) => end[axis] === value);
-  const isAlong = {
-    top: along(1, y),
-    left: along(0, x),
-    bottom: along(1, y + height),
-    right: along(0, x + width),
-  };
-  return sideNames.find((side) => isAlong[side]) ?? null;
-}
-
 export interface PluralForms {
   readonly one: string;
   readonly few?: string;
   readonly other: string;
 }
 
-/** What a state has of the variants with three lists. */
-type WithLists = 'way' | 'joined' | 'contained';
-
-/** What of a state the sentences use. */
-export interface Known {
-  readonly warnock:
-    | (Pick<Warnock, 'window' | 'apl' | 'covering' | 'nearest'> & Partial<Pick<Warnock, WithLists>>)
-    | null;
-  readonly zbuffer: Pick<ZBuffer, 'polygon'> | null;
-  readonly horizon?: Pick<FloatingHorizon, 'curve' | 'place' | 'told'> | null;
-  readonly regions?: Pick<Regions, 'inHand'> | null;
-}
+/**
+ * What of a step's values the sentences use, each algorithm's under a name of its own. The algorithms add their parts by
+ * `declare module`.
+ */
+// eslint-disable-next-line @typescript-eslint/no-empty-object-type
+export interface Known {}
 
 /** "3 pixels", "3 пикселя". */
 export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules): string {
@@ -172,7 +130,7 @@ export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules):
 }
 
 /** What of a header the sentences use. */
-export type ShownHeader = Pick<Header, 'scene' | 'detail' | 'edition'>;
+export type ShownHeader = Pick<Header, 'method' | 'scene' | 'detail' | 'edition'>;
 
 /** What the sentences of a step need beside its event. */
 export class Words {
@@ -190,17 +148,6 @@ export class Words {
 
   places(corners: readonly Corner[]): string {
     return corners.map((corner) => this.texts.places[corner]).join(', ');
-  }
-
-  /** The place of a corner of the current window, or null for a point that is none. */
-  placeOf(at: readonly N[]): string | null {
-    const corner = cornerAt(at, this.after.warnock?.window ?? null);
-    return corner && this.texts.places[corner];
-  }
-
-  /** Whose colour it is that a window or a point gets. */
-  ownersOf(event: Event<'fill' | 'color'>): Owners {
-    return ownersOf(event, this.after, this.header);
   }
 
   ids(ids: readonly string[]): string {
@@ -222,55 +169,4 @@ export const capital = (text: string): string => text.charAt(0).toUpperCase() + 
 
 export function cells(runs: readonly (readonly number[])[]): number {
   return runs.reduce((sum, run) => sum + (run.at(-1) ?? 0) - (run.at(-2) ?? 0), 0);
-}
-
-/** The one polygon of the current list; null if the trace is too coarse to say which. */
-export function onlyOf({ warnock }: Known): string | null {
-  const [first, ...others] = warnock?.apl?.entries ?? [];
-  return first !== undefined && others.length === 0 ? first[0] : null;
-}
-
-/** The sum so far of what the edges of an outline count: crossings of a ray, or octants. */
-export function containment(warnock: Known['warnock']): number {
-  return (warnock?.contained ?? []).reduce(
-    (sum, edge) => sum + (edge.e === 'ray' ? edge.counts : edge.difference),
-    0,
-  );
-}
-
-/** What hides all others in the window: as it was found, or the only one that surrounds it. */
-export function hidingOf({ warnock }: Known): string | null {
-  return warnock?.covering ?? warnock?.joined?.surrounding.at(-1)?.polygon ?? null;
-}
-
-/** Whose a colour is: one polygon's or the background's; where the trace does not say which, all that have it. */
-export interface Owners {
-  readonly polygons: readonly string[];
-  readonly background: boolean;
-}
-
-const background: Owners = { polygons: [], background: true };
-
-/** The lines that fill a window with the background, whatever a polygon's colour is. */
-const fillsGround: readonly Event<'fill'>['at'][] = ['W7', 'W10', 'WS4', 'WF5', 'WF6'];
-/** Those at which PointColor has found the colour. */
-const fillsPoint: readonly Event<'fill' | 'color'>['at'][] = ['W9', 'WS5', 'WF11'];
-
-export function ownersOf(
-  { e, at, color }: Event<'fill' | 'color'>,
-  known: Known,
-  { scene, detail }: Pick<Header, 'scene' | 'detail'>,
-): Owners {
-  if (e === 'fill' && fillsGround.includes(at)) return background;
-  const isPoint = fillsPoint.includes(at);
-  const told = isPoint ? (known.warnock?.nearest?.polygon ?? null) : hidingOf(known);
-  if (told !== null && scene.byId.get(told)?.color === color) {
-    return { polygons: [told], background: false };
-  }
-  const isBackground = color === scene.background;
-  if (isPoint && told === null && isBackground && detail !== 'windows') return background;
-  return {
-    polygons: scene.polygons.filter((polygon) => polygon.color === color).map(({ id }) => id),
-    background: isBackground,
-  };
 }

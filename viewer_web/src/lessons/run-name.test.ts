@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { texts } from '../i18n/index.js';
 import { runName } from './run-name.js';
 
-const folder = new URL('../../../lessons', import.meta.url);
+const folder = new URL('../../../lessons/', import.meta.url);
 interface Written {
   readonly runs?: readonly { readonly scene?: string }[];
 }

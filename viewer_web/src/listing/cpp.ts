@@ -1,12 +1,12 @@
 import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
+import type { View } from '../algorithm/view.js';
+import { base } from '../elements/theme.js';
+import { Follower } from '../picture/in-sight.js';
+import { OwnSize } from '../picture/own-size.js';
 import { sourcesOf, telling } from './sources.js';
 import type { Source, SourceLine } from './sources.js';
-import type { View } from '../algorithm/view.js';
-import { Follower } from '../elements/in-sight.js';
-import { OwnSize } from '../elements/own-size.js';
-import { base } from '../elements/theme.js';
 
 /** The C++ of the procedures, and the lines that told the step. */
 @customElement('vidno-cpp')

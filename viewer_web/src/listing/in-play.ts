@@ -1,14 +1,11 @@
+import { algorithmOf } from '../algorithm/algorithm.js';
 import type { Numbers } from '../language/texts.js';
 import { depthChanges } from '../replay/state.js';
-import type { EventName } from '../trace/events.js';
 import type { Trace } from '../replay/trace.js';
 import { noteOf } from './notes.js';
 
 /** So far back is looked for values: a long list of polygons is not gone through at each step. */
 const farthest = 400;
-
-/** What takes a window, a polygon, a curve, or a list in hand. */
-const begins: readonly EventName[] = ['pop', 'polygon', 'curve', 'pop_list'];
 
 /** A label is its procedure's letters and the number of the line. */
 function placeOf(label: string): readonly [procedure: string, line: number] {
@@ -26,6 +23,7 @@ export function valuesInPlay(
   numbers: Numbers,
 ): ReadonlyMap<string, string> {
   const changes = depthChanges(header.detail);
+  const { begins } = algorithmOf(header);
   const values = new Map<string, string>();
   let lines = new Map<string, number>(); // in each procedure, the line reached on the way back
   let within = 0; // calls that were over
@@ -40,7 +38,7 @@ export function valuesInPlay(
     const [procedure, line] = placeOf(event.at);
     if (change > 0) lines = new Map();
     if (line <= (lines.get(procedure) ?? Infinity)) {
-      const note = noteOf(event, numbers);
+      const note = noteOf(event, header.method, numbers);
       if (note !== null && !values.has(event.at)) values.set(event.at, note);
       lines.set(procedure, line);
     }

@@ -1,17 +1,17 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
-import { valuesInPlay } from './in-play.js';
-import { listingsOf } from './listings.js';
-import type { Line, Listing } from './listings.js';
-import type { Trace } from '../replay/trace.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import './cpp.js';
-import { Follower } from '../elements/in-sight.js';
-import { listingStyle } from './listing.style.js';
-import { OwnSize } from '../elements/own-size.js';
 import { base } from '../elements/theme.js';
+import { Follower } from '../picture/in-sight.js';
+import { OwnSize } from '../picture/own-size.js';
+import type { Trace } from '../replay/trace.js';
+import './cpp.js';
+import { valuesInPlay } from './in-play.js';
+import { listingStyle } from './listing.style.js';
+import { listingsOf } from './listings.js';
+import type { Line, Listing } from './listings.js';
 
 /** The procedures, the current line and the lines that wait for a result. */
 @customElement('vidno-listing')

@@ -1,34 +1,13 @@
 import { LitElement, css, html, svg } from 'lit';
 import type { SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
-import type { LegendEntry } from '../language/picture-texts.js';
-import { methodKindOf } from '../trace/method-kind.js';
-import type { MethodKind } from '../trace/method-kind.js';
+import { showsOf } from '../algorithm/shows.js';
 import type { View } from '../algorithm/view.js';
-import { curvesStyle } from '../floating-horizon/curves.style.js';
-import { curveIcon, isCurveEntry } from '../floating-horizon/curve-icon.js';
-import { regionsStyle } from '../weiler-atherton/regions.style.js';
-import { isRegionEntry, regionIcon } from '../weiler-atherton/region-icon.js';
-import { marksStyle } from './marks.style.js';
 import { base } from '../elements/theme.js';
-
-const entries: Readonly<Record<MethodKind, readonly LegendEntry[]>> = {
-  windows: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
-  scanlines: ['scanline', 'edge', 'active', 'touched', 'chosen'],
-  curves: ['visible', 'inHand', 'upper', 'lower', 'above', 'below', 'hidden', 'sideEdge'],
-  regions: [
-    'clipRegion',
-    'subject',
-    'insidePart',
-    'outsidePart',
-    'enters',
-    'leaves',
-    'shown',
-    'piercing',
-    'touched',
-    'chosen',
-  ],
-};
+import type { LegendEntry } from '../language/picture-texts.js';
+import { curvesStyle } from './curves.style.js';
+import { marksStyle } from './marks.style.js';
+import { regionsStyle } from './regions.style.js';
 
 const dots: readonly LegendEntry[] = ['yes', 'no', 'edge'];
 
@@ -71,12 +50,14 @@ export class LegendElement extends LitElement {
   @property({ attribute: false }) view!: View;
 
   override render(): TemplateResult {
-    const { header, texts } = this.view;
+    const { texts } = this.view;
+    const { legend, icon } = showsOf(this.view);
     return html`<ul>
-      ${entries[methodKindOf(header.method)].map(
+      ${legend.map(
         (entry) =>
           html`<li>
-            <svg viewBox="0 0 20 14" aria-hidden="true">${icon(entry)}</svg>${texts.legend[entry]}
+            <svg viewBox="0 0 20 14" aria-hidden="true">${icon?.(entry) ?? plainIcon(entry)}</svg
+            >${texts.legend[entry]}
           </li>`,
       )}
       <li class="more"><slot></slot></li>
@@ -84,9 +65,7 @@ export class LegendElement extends LitElement {
   }
 }
 
-function icon(entry: LegendEntry): SVGTemplateResult {
-  if (isCurveEntry(entry)) return curveIcon(entry);
-  if (isRegionEntry(entry)) return regionIcon(entry);
+function plainIcon(entry: LegendEntry): SVGTemplateResult {
   if (entry === 'chosen') {
     return svg`<path class="chosen" d="M6 3.5h8v7h-8ZM10 1v2.5M10 10.5v2.5M3 7h3M14 7h3" />`;
   }

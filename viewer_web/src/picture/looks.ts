@@ -1,7 +1,7 @@
+import { curvesStyle } from './curves.style.js';
 import { marksStyle } from './marks.style.js';
 import { pictureStyle } from './picture.style.js';
-import { curvesStyle } from '../floating-horizon/curves.style.js';
-import { regionsStyle } from '../weiler-atherton/regions.style.js';
+import { regionsStyle } from './regions.style.js';
 
 /** Declarations for what has all of some classes. */
 interface Rule {

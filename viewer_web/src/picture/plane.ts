@@ -1,20 +1,20 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { property, query, state } from 'lit/decorators.js';
-import { extentOf } from './extent.js';
-import { Frame } from './frame.js';
-import type { Point, Zoom, Zooming } from './frame.js';
-import { isIn, moved, nearestIn } from './pixel.js';
-import type { Pixel } from './pixel.js';
+import type { View } from '../algorithm/view.js';
+import { Keyboard } from '../elements/keyboard.js';
+import type { Actions } from '../elements/keyboard.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
 import type { Area } from '../trace/header.js';
-import type { View } from '../algorithm/view.js';
-import { Gestures } from '../elements/gestures.js';
-import { Keyboard } from '../elements/keyboard.js';
-import type { Actions } from '../elements/keyboard.js';
-import { OwnSize, pointIn } from '../elements/own-size.js';
-import '../elements/zoom-bar.js';
+import { extentOf } from './extent.js';
+import { Frame } from './frame.js';
+import type { Point, Zoom, Zooming } from './frame.js';
+import { Gestures } from './gestures.js';
+import { OwnSize, pointIn } from './own-size.js';
+import { isIn, moved, nearestIn } from './pixel.js';
+import type { Pixel } from './pixel.js';
+import './zoom-bar.js';
 
 /** How much larger a key or a button makes the picture. */
 const zoomStep = 1.5;

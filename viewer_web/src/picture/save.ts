@@ -1,12 +1,12 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import { algorithmOf } from '../algorithm/algorithm.js';
+import type { View } from '../algorithm/view.js';
 import { download, fileName } from '../base/download.js';
 import { withKey } from '../base/key-map.js';
-import { figureOfStep } from './figures.js';
-import { pngOf } from './png.js';
-import type { View } from '../algorithm/view.js';
 import { base } from '../elements/theme.js';
+import { pngOf } from './png.js';
 
 /** Pixels: enough for a slide or a column of print. */
 const width = 2000;
@@ -44,7 +44,7 @@ export class SaveElement extends LitElement {
     const { header, step } = view;
     const { scene, method, kernel, edition } = header;
     const name = `${fileName(scene.name, method, kernel, edition, `step-${step}`)}.${kind}`;
-    const figure = figureOfStep(view);
+    const figure = algorithmOf(view.header).figure(view);
     const svg = new Blob([figure], { type: 'image/svg+xml' });
     download(kind === 'svg' ? svg : await pngOf(figure, width), name);
   }

@@ -1,19 +1,17 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
-import { allLayers } from '../floating-horizon/layers.js';
-import type { Editing } from '../editor/editor.js';
-import type { Exact, Layer } from '../picture/layers.js';
-import type { Pixel } from '../picture/pixel.js';
-import { allLayers as allRegionLayers } from '../weiler-atherton/layers.js';
+import { showsOf } from '../algorithm/shows.js';
+import type { LayerChoice } from '../algorithm/shows.js';
 import type { View } from '../algorithm/view.js';
+import type { Editing } from '../editor/editor.js';
+import { base } from '../elements/theme.js';
+import type { Exact, Layer } from '../picture/layers.js';
 import '../picture/legend.js';
+import type { Pixel } from '../picture/pixel.js';
 import type { PlaneElement } from '../picture/plane.js';
 import '../picture/save.js';
 import type { Kind, SaveElement } from '../picture/save.js';
-import { showsOf } from './shows.js';
-import type { LayerChoice } from './shows.js';
-import { base } from '../elements/theme.js';
 
 /**
  * The picture, the choice of what it shows, and the legend. An event `pixel` tells that one was chosen.
@@ -49,10 +47,8 @@ export class PicturePanelElement extends LitElement {
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) layer: Layer = 'picture';
   @property({ attribute: false }) exact: Exact = null;
-  /** What a picture of curves shows. */
-  @state() curveLayers = allLayers;
-  /** What of the regions. */
-  @state() regionLayers = allRegionLayers;
+  /** The parts that are shown, by all that there are. */
+  @state() private parts: ReadonlyMap<ReadonlySet<string>, ReadonlySet<string>> = new Map();
   @query('.drawing') private drawing!: PlaneElement;
   @query('.layers') private choice!: LayerChoice;
   @query('vidno-save') private saver!: SaveElement;
@@ -68,6 +64,14 @@ export class PicturePanelElement extends LitElement {
 
   nextLayer(): void {
     this.choice.next();
+  }
+
+  shownOf<T extends string>(all: ReadonlySet<T>): ReadonlySet<T> {
+    return (this.parts.get(all) ?? all) as ReadonlySet<T>;
+  }
+
+  show<T extends string>(some: ReadonlySet<T>, all: ReadonlySet<T>): void {
+    this.parts = new Map(this.parts).set(all, some);
   }
 
   choose(detail: Pixel): void {

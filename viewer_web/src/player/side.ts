@@ -1,27 +1,27 @@
 import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
-import type { History } from '../history/history.js';
-import { flag } from '../strip/lanes.js';
+import { placesOf, showsOf } from '../algorithm/shows.js';
+import type { View } from '../algorithm/view.js';
 import { withKey } from '../base/key-map.js';
-import type { Bookmarks } from '../time/bookmarks.js';
 import type { Editing } from '../editor/editor.js';
 import type { LinkMade } from '../editor/live.js';
-import type { Check } from '../exactness/truth.js';
-import type { View } from '../algorithm/view.js';
-import type { SignMaps } from '../run/sign-maps.js';
-import type { Trace } from '../replay/trace.js';
-import '../time/bookmarks-element.js';
-import type { BookmarksElement } from '../time/bookmarks-element.js';
-import '../exactness/exactness-element.js';
-import '../history/history-element.js';
-import '../predict/predict-element.js';
-import type { Predictor } from '../predict/predictor.js';
 import '../editor/scene-panel.js';
-import { placesOf, showsOf } from './shows.js';
+import { base } from '../elements/theme.js';
+import '../exactness/exactness-element.js';
+import type { Check } from '../exactness/truth.js';
+import type { History } from '../history/history.js';
+import '../history/history-element.js';
 import { hasSolid, sideName } from '../history/side-name.js';
 import type { Side } from '../history/side-name.js';
-import { base } from '../elements/theme.js';
+import '../predict/predict-element.js';
+import type { Predictor } from '../predict/predictor.js';
+import type { Trace } from '../replay/trace.js';
+import type { SignMaps } from '../run/sign-maps.js';
+import { flag } from '../strip/lanes.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import '../time/bookmarks-element.js';
+import type { BookmarksElement } from '../time/bookmarks-element.js';
 
 /** What opens it, besides its button. */
 const keys: Readonly<Partial<Record<Side, string>>> = {

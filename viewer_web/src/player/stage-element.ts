@@ -1,25 +1,26 @@
 import { html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { property, query } from 'lit/decorators.js';
-import { toldCheck } from '../exactness/truth.js';
-import type { Check } from '../exactness/truth.js';
-import type { History } from '../history/history.js';
-import { texts } from '../i18n/index.js';
-import { isLanguage } from '../language/language.js';
-import type { Language } from '../language/language.js';
-import type { Bookmarks } from '../time/bookmarks.js';
-import type { Trace } from '../replay/trace.js';
 import type { View } from '../algorithm/view.js';
 import { Announcer } from '../elements/announcer.js';
 import { Keyboard } from '../elements/keyboard.js';
 import type { Actions } from '../elements/keyboard.js';
 import '../elements/keys.js';
 import type { KeysElement } from '../elements/keys.js';
+import { toldCheck } from '../exactness/truth.js';
+import type { Check } from '../exactness/truth.js';
+import type { History } from '../history/history.js';
+import { texts } from '../i18n/index.js';
+import { isLanguage } from '../language/language.js';
+import type { Language } from '../language/language.js';
+import type { Trace } from '../replay/trace.js';
+import '../strip/transport.js';
+import type { TransportElement } from '../strip/transport.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import type { Command } from '../time/command.js';
+import '../time/travel.js';
 import { Presenter } from './presenter.js';
 import { TimedElement } from './timed.js';
-import '../strip/transport.js';
-import type { Command, TransportElement } from '../strip/transport.js';
-import '../time/travel.js';
 
 /** What the controls leave out: the ways through the run, or what shows the future. */
 interface LeftOut {

@@ -2,10 +2,10 @@ import { LitElement } from 'lit';
 import type { PropertyValues } from 'lit';
 import { property } from 'lit/decorators.js';
 import { isSpeed } from '../base/setting.js';
+import { Clock } from '../elements/clock.js';
 import { canonical } from '../replay/canonical.js';
 import type { Trace } from '../replay/trace.js';
-import { Clock } from '../elements/clock.js';
-import type { Command } from '../strip/transport.js';
+import type { Command } from '../time/command.js';
 
 /** What stands at a step of a trace, and may play from there. Each step that is shown is told by an event `vidno-step`. */
 export class TimedElement extends LitElement {

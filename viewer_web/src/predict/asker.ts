@@ -1,14 +1,14 @@
 import { orderOf, point, short, toNumber } from '../language/words.js';
+import type { Trace } from '../replay/trace.js';
 import type { Detail, EventName, Method } from '../trace/events.js';
 import type { Header, Polygon } from '../trace/header.js';
-import type { Trace } from '../replay/trace.js';
 import type { N, Point } from '../trace/values.js';
 import type { Kind, Note, Option, Question } from './question.js';
 
 /** Asks questions of one kind. */
 export interface Asker<K extends Kind = Kind> {
-  /** Whether a method's runs answer them. */
-  readonly isOf: (method: Method) => boolean;
+  /** Which variants' runs answer them, where not all do. */
+  readonly isOf?: (method: Method) => boolean;
   /** The least detail that answers them. */
   readonly from: Detail;
   /** The events at which they may be asked. */
@@ -16,6 +16,9 @@ export interface Asker<K extends Kind = Kind> {
   /** The question of a step, if the run goes on to answer it and it is not plain before. */
   ask(trace: Trace, step: number): Question<K> | null;
 }
+
+/** The kinds of question that the runs of an algorithm answer. */
+export type Askers = { readonly [K in Kind]?: Asker<K> };
 
 /** Of more options one would lose sight. */
 export const mostOptions = 8;

@@ -1,8 +1,7 @@
+import { element, writable } from '../base/xml.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import { element, writable } from '../base/xml.js';
-import { crossing } from '../warnock/ask-clip.js';
-import { none, parts as forms } from './question.js';
+import { crossing, none, parts as forms } from './question.js';
 import type { Asks, Option, Part, Question } from './question.js';
 import { sayNone, sayNoted, sayValue } from './say.js';
 

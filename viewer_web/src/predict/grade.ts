@@ -1,5 +1,4 @@
-import { crossing } from '../warnock/ask-clip.js';
-import { parts as forms } from './question.js';
+import { crossing, parts as forms } from './question.js';
 import type { Part, Question } from './question.js';
 
 /** The values that were chosen for each part, or typed; null where there is no answer yet. */

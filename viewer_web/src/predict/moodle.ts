@@ -1,11 +1,11 @@
-import { texts } from '../i18n/index.js';
-import type { Language } from '../language/language.js';
-import { figureOfStep } from '../picture/figures.js';
-import type { Trace } from '../replay/trace.js';
+import { algorithmOf } from '../algorithm/algorithm.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import { element, escaped } from '../base/xml.js';
 import { toBase64 } from '../base/base64.js';
+import { element, escaped } from '../base/xml.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { Trace } from '../replay/trace.js';
 import { clozeOf, inert } from './cloze.js';
 import { factsOf } from './facts.js';
 import type { Question } from './question.js';
@@ -44,7 +44,7 @@ function questionXml(trace: Trace, question: Question, language: Language): stri
   const { step, kind } = question;
   const view = viewOf(trace, step, { language, pixel: null, pointed: null });
   const file = `step-${step}.svg`;
-  const picture = toBase64(new TextEncoder().encode(figureOfStep(view)));
+  const picture = toBase64(new TextEncoder().encode(algorithmOf(view.header).figure(view)));
   const asked =
     text(questionText(view, question, file)) +
     element('file', Object.entries({ name: file, path: '/', encoding: 'base64' }), picture);

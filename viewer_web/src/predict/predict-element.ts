@@ -1,21 +1,21 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
-import { download, fileName } from '../base/download.js';
-import { texts } from '../i18n/index.js';
-import type { PredictTexts } from '../language/predict-texts.js';
-import { liveKey } from '../base/key-map.js';
-import type { Kind } from './question.js';
-import { countOf, isRightAtFirst, scoreOf } from './score.js';
-import type { Answered } from './score.js';
-import type { Header } from '../trace/header.js';
 import type { View } from '../algorithm/view.js';
-import { predictStyle } from './predict.style.js';
-import type { Current, Predictor } from './predictor.js';
-import './question-element.js';
+import { download, fileName } from '../base/download.js';
+import { liveKey } from '../base/key-map.js';
 import { kbd } from '../elements/kbd.js';
 import { base } from '../elements/theme.js';
-import type { Command } from '../strip/transport.js';
+import { texts } from '../i18n/index.js';
+import type { PredictTexts } from '../language/predict-texts.js';
+import type { Command } from '../time/command.js';
+import type { Header } from '../trace/header.js';
+import { predictStyle } from './predict.style.js';
+import type { Current, Predictor } from './predictor.js';
+import type { Kind } from './question.js';
+import './question-element.js';
+import { countOf, isRightAtFirst, scoreOf } from './score.js';
+import type { Answered } from './score.js';
 
 /** Where one says what the run will do next: the question in hand, what is asked about and how, and the score. */
 @customElement('vidno-predict')

@@ -2,21 +2,21 @@ import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
-import { texts } from '../i18n/index.js';
-import type { PredictTexts } from '../language/predict-texts.js';
-import { typedRow } from './grade.js';
-import { parts as forms } from './question.js';
-import type { Part } from './question.js';
-import type { Reason } from './reasons.js';
-import { sayIntro, sayRight } from './say.js';
 import type { View } from '../algorithm/view.js';
-import { optionName, valueName } from './answers.js';
 import { hiddenStyle } from '../elements/hidden.style.js';
-import type { Current, Predictor } from './predictor.js';
-import { questionStyle } from './question.style.js';
 import { kbd } from '../elements/kbd.js';
 import { base } from '../elements/theme.js';
-import type { Command } from '../strip/transport.js';
+import { texts } from '../i18n/index.js';
+import type { PredictTexts } from '../language/predict-texts.js';
+import type { Command } from '../time/command.js';
+import { optionName, valueName } from './answers.js';
+import { typedRow } from './grade.js';
+import type { Current, Predictor } from './predictor.js';
+import { parts as forms } from './question.js';
+import type { Part } from './question.js';
+import { questionStyle } from './question.style.js';
+import type { Reason } from './reasons.js';
+import { sayIntro, sayRight } from './say.js';
 
 /** A question as a form, and what the answer came to. */
 @customElement('vidno-question')

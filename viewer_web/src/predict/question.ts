@@ -104,6 +104,20 @@ export interface Option {
   readonly note?: Note;
 }
 
+/** Stands in a list of vertices for one that a crossing makes. */
+export const crossing = 'x';
+
+/** The place between two columns, among options that are columns. */
+export const between = 'between';
+
+/** How a polygon may lie to a window. */
+export const relations = ['outside', 'inside', 'intersecting', 'surrounding'] as const;
+/** What may tell, in the order of the listing: either line about the box, the edges, or containment. */
+export const tests = ['RE1', 'RE2', 'RE3', 'RE4'] as const;
+/** What may become of a region that nothing hides. */
+export const becomes = ['visible', 'again'] as const;
+export type Becomes = (typeof becomes)[number];
+
 /** No polygon at all, among options that are polygons. */
 export const none = '';
 

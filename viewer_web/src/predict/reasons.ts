@@ -1,4 +1,4 @@
-import { sentence } from '../i18n/index.js';
+import { sentence } from '../algorithm/sentence.js';
 import type { Language } from '../language/language.js';
 import type { Trace } from '../replay/trace.js';
 import type { Question } from './question.js';

@@ -1,14 +1,22 @@
-import { between } from '../floating-horizon/ask.js';
-import { withoutDoubledSigns } from '../language/words.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
+import { withoutDoubledSigns } from '../language/words.js';
 import type { Case } from '../time/course.js';
 import type { Corner } from '../trace/values.js';
 import type { Relation } from './asker.js';
-import type { Becomes } from '../weiler-atherton/ask-behind.js';
-import type { relations, tests } from '../warnock/ask-relation.js';
-import { none, parts } from './question.js';
-import type { Abouts, Asks, Kind, Of, Option, Part, Question } from './question.js';
+import { between, none, parts } from './question.js';
+import type {
+  Abouts,
+  Asks,
+  Becomes,
+  Kind,
+  Of,
+  Option,
+  Part,
+  Question,
+  relations,
+  tests,
+} from './question.js';
 
 type Lies = (typeof relations)[number];
 type Test = (typeof tests)[number];

@@ -3,7 +3,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 
-const top = fileURLToPath(new URL('../../..', import.meta.url));
+const top = fileURLToPath(new URL('../../../', import.meta.url));
 const read = (file: string): unknown => JSON.parse(readFileSync(top + file, 'utf8'));
 
 const lessons = readdirSync(`${top}lessons`)

@@ -1,6 +1,12 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import { readingLine, scrolledTo } from './reading-line.js';
-import type { Goal } from './reading.js';
+
+/** A place in the text that is to be brought into sight; null: its beginning. A new one each time. */
+export interface Goal {
+  readonly place: string | null;
+  /** Whether one goes on reading there, so that the run may follow. */
+  readonly isRead: boolean;
+}
 
 /** What stands nearest above the reading line: by the names of the places. */
 export interface Reached {

@@ -1,9 +1,11 @@
-import { Grid } from './grid.js';
-import type { Row } from './grid.js';
+import type { CurveEvents } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { N } from '../trace/values.js';
-import type { Flag } from '../floating-horizon/events.js';
+import { Grid } from './grid.js';
+import type { Row } from './grid.js';
+
+type Flag = CurveEvents['visibility']['flag'];
 
 /** Over each column of the area a height, or none. */
 type Heights = Grid<N | null>;

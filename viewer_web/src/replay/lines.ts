@@ -1,7 +1,6 @@
 import { numberOf } from '../trace/events.js';
 import type { CurveEvents, Event } from '../trace/events.js';
 import type { Point } from '../trace/values.js';
-import { isPoint } from './sides.js';
 
 /** A visible part of a curve. */
 export interface Line {
@@ -28,6 +27,14 @@ interface Entry {
   readonly segment: string;
   readonly fromColumns: Drawn['fromColumns'];
   readonly toColumns: Drawn['toColumns'];
+}
+
+/** Whether a part of a segment is a point on a column. */
+export function isPoint({
+  fromColumns,
+  toColumns,
+}: Pick<Drawn, 'fromColumns' | 'toColumns'>): boolean {
+  return fromColumns[0] === fromColumns[1] && fromColumns[0] === toColumns[1];
 }
 
 const drawing = numberOf.get('draw_line');

@@ -1,9 +1,9 @@
-import { keep } from './trace.js';
-import type { Trace } from './trace.js';
+import code from '../app/worker.js?code';
 import { read } from './read.js';
 import type { News } from './read.js';
 import { starterOf } from './start-worker.js';
-import code from './worker.js?code';
+import { keep } from './trace.js';
+import type { Trace } from './trace.js';
 
 const startWorker = starterOf(code);
 

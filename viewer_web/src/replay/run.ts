@@ -1,7 +1,3 @@
-import { State } from './state.js';
-import type { Keyframe } from './state.js';
-import { hasKeyframe } from './timeline.js';
-import { written } from './uses.js';
 import { details, eventNames } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
@@ -10,6 +6,10 @@ import type { LineKind } from '../trace/kinds.js';
 import { parseLine } from '../trace/parse.js';
 import type { End } from '../trace/parse.js';
 import type { BlockText } from '../trace/store.js';
+import { modelOf } from './model.js';
+import { State } from './state.js';
+import type { Keyframe } from './state.js';
+import { hasKeyframe } from './timeline.js';
 
 /** On a longer text a regular expression may run out of space. */
 const longestPlain = 2 ** 13;
@@ -34,6 +34,7 @@ export class Run {
     this.state = new State(header);
     this.kinds = new Map(kinds);
     this.ids = new Set(scene.polygons.map(({ id }) => JSON.stringify(id)));
+    const { written } = modelOf(header).uses;
     this.changes = eventNames.map((name, i) => written[i] !== 0 || name === 'call');
   }
 

@@ -1,60 +1,26 @@
-import { Columns } from './columns.js';
-import type { SavedColumns } from './columns.js';
-import { afterCurves, emptyFloatingHorizon } from '../floating-horizon/state.js';
-import type { FloatingHorizon } from '../floating-horizon/state.js';
-import { afterRegions, emptyRegions } from '../weiler-atherton/state.js';
-import type { Regions } from '../weiler-atherton/state.js';
-import {
-  callsFrom,
-  details,
-  eventNames,
-  hasThreeLists,
-  hasWindows,
-  kinds,
-} from '../trace/events.js';
-import type { Detail, Event, EventName, Method, Procedure } from '../trace/events.js';
+import { callsFrom, details, eventNames, kinds } from '../trace/events.js';
+import type { Detail, Event, EventName, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
-import { ListInHand } from '../warnock/list-in-hand.js';
+import { Columns } from './columns.js';
+import type { SavedColumns } from './columns.js';
+import { modelOf } from './model.js';
+import type { Hand, Held } from './model.js';
 import { Screen, keepsDepths } from './screen.js';
 import type { SavedScreen } from './screen.js';
 import type { Stretch } from './stretch.js';
-import { afterWarnock, emptyWarnock } from '../warnock/state.js';
-import type { Warnock } from '../warnock/state.js';
-import { afterZBuffer, emptyZBuffer } from '../zbuffer/state.js';
-import type { ZBuffer } from '../zbuffer/state.js';
-
-/** The methods themselves, as their listings are called. */
-type Bottom =
-  | 'Warnock'
-  | 'SimplestWarnock'
-  | 'ThreeListsWarnock'
-  | 'ZBuffer'
-  | 'FloatingHorizon'
-  | 'WeilerAtherton';
-
-function bottomOf(method: Method): Bottom {
-  if (hasThreeLists(method)) return 'ThreeListsWarnock';
-  if (method === 'warnock-simplest') return 'SimplestWarnock';
-  if (method === 'floating-horizon') return 'FloatingHorizon';
-  if (method === 'weiler-atherton') return 'WeilerAtherton';
-  return hasWindows(method) ? 'Warnock' : 'ZBuffer';
-}
 
 /** A procedure that runs, and the label that it is at. */
 export interface Frame {
-  readonly of: Procedure | Bottom;
+  /** As its listing is called. */
+  readonly of: string;
   readonly at: string | null;
 }
 
 /** What a step leaves behind, the cells of picture and Z-buffer apart. */
-export interface Values {
+export interface Values extends Held {
   readonly step: number;
   readonly calls: readonly Frame[];
-  readonly warnock: Warnock | null;
-  readonly zbuffer: ZBuffer | null;
-  readonly horizon: FloatingHorizon | null;
-  readonly regions: Regions | null;
 }
 
 /** All that a state is, as plain data. */
@@ -83,27 +49,20 @@ export class State {
   readonly columns: Columns | null;
   private step = 0;
   private calls: readonly Frame[];
-  private warnock: Warnock | null;
-  private readonly list = new ListInHand();
-  private zbuffer: ZBuffer | null;
-  private horizon: FloatingHorizon | null;
-  private regions: Regions | null;
+  private readonly hand: Hand;
 
   constructor(private readonly header: Header) {
     const { method, scene } = header;
-    this.screen = new Screen(scene, keepsDepths(header), method === 'warnock-vertex');
+    const model = modelOf(header);
+    this.screen = new Screen(scene, keepsDepths(header), model.cutsAnywhere?.(method));
     this.columns = scene.curves === null ? null : new Columns(scene);
-    this.calls = [{ of: bottomOf(method), at: null }];
-    this.warnock = hasWindows(method) ? emptyWarnock : null;
-    this.zbuffer = method === 'zbuffer' ? emptyZBuffer : null;
-    this.horizon = method === 'floating-horizon' ? emptyFloatingHorizon : null;
-    this.regions = method === 'weiler-atherton' ? emptyRegions : null;
+    this.calls = [{ of: model.bottomOf(method), at: null }];
+    this.hand = model.begin(header);
   }
 
   get values(): Values {
-    if (this.warnock !== null) this.warnock = this.list.settled(this.warnock);
-    const { step, calls, warnock, zbuffer, horizon, regions } = this;
-    return { step, calls, warnock, zbuffer, horizon, regions };
+    const { step, calls, hand } = this;
+    return { step, calls, ...hand.held };
   }
 
   /** The event of a step, at least the next that changes anything; one that cannot happen here is refused. */
@@ -138,26 +97,15 @@ export class State {
   }
 
   load({ values, screen, columns }: Keyframe): void {
-    this.list.forget();
     ({ step: this.step, calls: this.calls } = values);
-    ({ warnock: this.warnock, zbuffer: this.zbuffer } = values);
-    ({ horizon: this.horizon, regions: this.regions } = values);
+    this.hand.load(values);
     this.screen.load(screen);
     if (columns !== null) this.columns?.load(columns);
   }
 
   private change(event: Event): void {
-    const { warnock, zbuffer, horizon, regions, screen, columns } = this;
-    if ('polygon' in event) screen.polygon(event.polygon);
-    if (warnock !== null) this.warnock = this.afterWindows(event, warnock);
-    if (zbuffer !== null) this.zbuffer = afterZBuffer(event, zbuffer, screen);
-    if (horizon !== null && columns !== null) this.horizon = afterCurves(event, horizon, columns);
-    if (regions !== null) this.regions = afterRegions(event, regions, screen);
-  }
-
-  private afterWindows(event: Event, now: Warnock): Warnock {
-    if (this.list.take(event, now)) return now;
-    return afterWarnock(event, this.list.before(event, now), this.screen);
+    if ('polygon' in event) this.screen.polygon(event.polygon);
+    this.hand.take(event, this);
   }
 }
 

@@ -1,4 +1,4 @@
-import { everything, needed, set, written } from './uses.js';
+import type { Uses } from './uses.js';
 
 /** What of the events from one step to another matters to the state at the end. */
 export interface Stretch {
@@ -21,6 +21,7 @@ export function stretch(
   begin: number,
   end: number,
   depthChanges: readonly number[],
+  { everything, needed, set, written }: Uses,
 ): Stretch {
   const changes: number[] = [];
   const opened: number[] = [];

@@ -1,12 +1,14 @@
-import { Lines } from './lines.js';
 import type { Event } from '../trace/events.js';
 import type { Area, Header } from '../trace/header.js';
 import { Store } from '../trace/store.js';
 import type { Block } from '../trace/store.js';
+import { Lines } from './lines.js';
+import { modelOf } from './model.js';
 import { hasRoomForDepths } from './screen.js';
 import { State, depthChanges } from './state.js';
 import type { Keyframe } from './state.js';
 import { stretch } from './stretch.js';
+import type { Uses } from './uses.js';
 
 const mostKeyframes = 512;
 const mostCells = 2 ** 25;
@@ -40,6 +42,7 @@ export class Timeline {
   /** The lines that a run of curves draws. */
   readonly lines = new Lines(this.store);
   private readonly depthChanges: readonly number[];
+  private readonly uses: Uses;
   private keyframes: readonly Keyframe[];
   private every = least;
   /** Before the goal of the last long way, in a run that has few keyframes. */
@@ -48,6 +51,7 @@ export class Timeline {
   constructor(private readonly header: Header) {
     this.state = new State(header);
     this.depthChanges = depthChanges(header.detail);
+    this.uses = modelOf(header).uses;
     this.keyframes = [this.state.save()];
   }
 
@@ -103,7 +107,7 @@ export class Timeline {
   private leap(step: number): void {
     const { step: begin } = this.state.values;
     if (step <= begin) return;
-    const way = stretch(this.names, begin, step, this.depthChanges);
+    const way = stretch(this.names, begin, step, this.depthChanges, this.uses);
     this.state.leap(way, (each) => this.existing(each));
   }
 

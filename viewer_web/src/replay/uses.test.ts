@@ -1,8 +1,30 @@
-import { expect, it } from 'vitest';
-import { eventsOf, methods } from '../trace/events.js';
-import { bits, fieldsOf, uses } from './uses.js';
+import { describe, expect, it } from 'vitest';
+import { eventNames, methods } from '../trace/events.js';
+import { modelOf } from './model.js';
+import { Uses } from './uses.js';
 
-it.each(methods)('no two fields of a run of %s share a bit', (method) => {
-  const fields = [...new Set(eventsOf[method].flatMap((name) => fieldsOf(uses[name])))];
-  expect(new Set(fields.map((field) => bits([field]))).size).toBe(fields.length);
+/** Whether a set of fields has but one. */
+const isOne = (fields: number): boolean => fields !== 0 && (fields & (fields - 1)) === 0;
+
+describe('the fields that events use', () => {
+  it('have a bit each', () => {
+    const uses = new Uses({ push: { sets: ['a'], changes: ['b'] }, pop: { reads: ['c'] } });
+    const [push, pop] = [eventNames.indexOf('push'), eventNames.indexOf('pop')];
+    expect(isOne(uses.set[push] ?? 0)).toBe(true);
+    expect(isOne(uses.needed[pop] ?? 0)).toBe(true);
+    // a and b are written, b and c needed, and these are all.
+    expect((uses.written[push] ?? 0) & ~(uses.set[push] ?? 0)).toBe(uses.needed[push]);
+    expect((uses.written[push] ?? 0) | (uses.needed[pop] ?? 0)).toBe(uses.everything);
+  });
+
+  it('are no more than there are bits', () => {
+    const sets = Array.from({ length: 32 }, (_, i) => String(i));
+    expect(() => new Uses({ push: { sets } })).toThrow('32 fields');
+  });
+
+  it.each(methods)('of %s are told by events that the method tells', (method) => {
+    const { uses } = modelOf({ method });
+    const told = eventNames.flatMap((name) => uses.fieldsOf(name));
+    expect(uses.everything).toBe(2 ** new Set(told).size - 1);
+  });
 });

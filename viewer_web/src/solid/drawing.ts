@@ -1,4 +1,5 @@
 import type { Role } from '../picture/mark.js';
+import type { Polygon } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
 import { around } from './plane.js';
 import type { Space, Spot } from './space.js';
@@ -58,6 +59,10 @@ export function cased(role: Role, points: readonly Spot[], closed = true, color?
   const line: Line = { look: role, points, closed };
   return [{ ...line, look: `casing ${role}` }, color === undefined ? line : { ...line, color }];
 }
+
+/** The polygon in hand. */
+export const activeDrawing = (polygon: Polygon | undefined): Partial<Drawing> =>
+  polygon ? { lines: cased('active', polygon.vertices, true, polygon.color) } : {};
 
 /** A rectangle of the plane at one depth. */
 export const level = (box: Box, z: number): readonly Spot[] =>

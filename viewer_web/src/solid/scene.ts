@@ -1,17 +1,14 @@
-import { Frame } from '../picture/frame.js';
-import { cornerOf } from '../picture/mark.js';
-import { polygonInHand } from '../picture/marks.js';
-import { labelsOf, many } from '../picture/still.js';
+import { algorithmOf } from '../algorithm/algorithm.js';
 import { polygonThing, thingOf } from '../algorithm/pointed.js';
+import type { View } from '../algorithm/view.js';
+import { Frame } from '../picture/frame.js';
+import { labelsOf, many } from '../picture/still.js';
 import type { Area, Polygon, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
-import type { View } from '../algorithm/view.js';
-import { along, cased, level, placed, together } from './drawing.js';
+import { cased, level, placed, together } from './drawing.js';
 import type { Drawing, Line } from './drawing.js';
 import { around, planeOf } from './plane.js';
 import type { Space } from './space.js';
-import { warnockDrawing } from '../warnock/solid.js';
-import { edgeLine, zbufferDrawing } from '../zbuffer/solid.js';
 
 /** Pixels along a side up to which the picture's grid is drawn. */
 const mostGrid = 64;
@@ -36,9 +33,7 @@ export function stillDrawing({ header: { scene } }: View, space: Space): Drawing
 export function stepDrawing(view: View, space: Space): Drawing {
   return placed(
     together(
-      activeDrawing(view),
-      warnockDrawing(view, space),
-      zbufferDrawing(view, space),
+      algorithmOf(view.header).solid?.drawing(view, space) ?? {},
       pointedDrawing(view, space),
     ),
     space,
@@ -88,34 +83,22 @@ function names(scene: Scene): Drawing['labels'] {
   });
 }
 
-function activeDrawing(view: View): Partial<Drawing> {
-  const polygon = polygonInHand(view);
-  return polygon ? { lines: cased('active', polygon.vertices, true, polygon.color) } : {};
-}
-
 /** What is pointed at anywhere on the page. */
 function pointedDrawing(view: View, space: Space): Partial<Drawing> {
   const thing = thingOf(view.pointed, view);
-  const { warnock, zbuffer } = view.after;
-  const { byId } = view.header.scene;
-  switch (thing?.kind) {
+  const { header } = view;
+  if (thing === null) return {};
+  switch (thing.kind) {
     case 'polygon':
-      return { lines: cased('pointed', byId.get(thing.id)?.vertices ?? []) };
-    case 'edge': {
-      const polygon = byId.get(zbuffer?.polygon ?? '');
-      return polygon ? { lines: edgeLine(polygon, thing.edge, 'pointed') } : {};
-    }
+      return { lines: cased('pointed', header.scene.byId.get(thing.id)?.vertices ?? []) };
     case 'window':
       return { lines: cased('pointed', level(thing.window, space.far)) };
     case 'pixel':
       return { lines: cased('pointed', level([...thing.at, 1, 1], space.far)) };
+    case 'edge':
     case 'corner':
-      return warnock?.window
-        ? { lines: along(...cornerOf(warnock.window, thing.corner), space, 'pointed') }
-        : {};
     case 'curve':
     case 'column':
-    case undefined:
-      return {};
+      return algorithmOf(header).solid?.pointed?.(thing, view, space) ?? {};
   }
 }

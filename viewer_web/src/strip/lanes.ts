@@ -1,5 +1,4 @@
-import { methodKindOf } from '../trace/method-kind.js';
-import type { MethodKind } from '../trace/method-kind.js';
+import { algorithmOf } from '../algorithm/algorithm.js';
 import type { Header } from '../trace/header.js';
 
 /** What a strip shows, from above: what is in hand, how finely the area is split, changes of AEL, calls. */
@@ -18,36 +17,26 @@ export const stripHeight = 52;
 const gap = 2;
 
 type First = 'cases' | 'polygons' | 'curves';
+type Below = Exclude<LaneName, First>;
 
-/** What is in hand. */
-const firsts: Readonly<Record<MethodKind, First>> = {
-  windows: 'cases',
-  scanlines: 'polygons',
-  curves: 'curves',
-  regions: 'polygons',
-};
+/** What the strip shows of the runs of an algorithm. */
+export interface Lanes {
+  /** What is in hand. */
+  readonly first: First;
+  /** Below it, what the lowest detail has events for, and what takes more. */
+  readonly below: readonly [windows: readonly Below[], more: readonly Below[]];
+}
 
-/** Below it, those for which the lowest detail has events, and those that take more. */
-const others: Readonly<Record<MethodKind, readonly (readonly (keyof typeof heights)[])[]>> = {
-  windows: [['levels'], ['levels', 'calls']],
-  scanlines: [[], ['ael', 'calls']],
-  curves: [[], ['calls']],
-  regions: [[], ['calls']],
-};
-
-const heights: Readonly<Record<Exclude<LaneName, First>, number>> = {
+const heights: Readonly<Record<Below, number>> = {
   levels: 12,
   ael: 10,
   calls: 10,
 };
 
-function namesOf({ method, detail }: Header): readonly (keyof typeof heights)[] {
-  return others[methodKindOf(method)][detail === 'windows' ? 0 : 1] ?? [];
-}
-
 /** The lanes for which a trace of this detail has events; the first takes what the others leave. */
 export function lanesOf(header: Header): readonly Lane[] {
-  const names = namesOf(header);
+  const { first, below } = algorithmOf(header).lanes;
+  const names = below[header.detail === 'windows' ? 0 : 1];
   const taken = names.reduce((sum, name) => sum + heights[name] + gap, marksHeight);
   let top = marksHeight;
   const next = (name: LaneName, height: number): Lane => {
@@ -55,7 +44,6 @@ export function lanesOf(header: Header): readonly Lane[] {
     top += height + gap;
     return lane;
   };
-  const first = firsts[methodKindOf(header.method)];
   return [next(first, stripHeight - taken), ...names.map((name) => next(name, heights[name]))];
 }
 

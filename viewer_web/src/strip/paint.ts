@@ -1,11 +1,10 @@
+import { algorithmOf } from '../algorithm/algorithm.js';
 import { columnsOf, placeOf } from '../time/columns.js';
 import type { Column, Depth } from '../time/columns.js';
 import { cases } from '../time/course.js';
 import type { Course } from '../time/course.js';
-import { methodKindOf } from '../trace/method-kind.js';
-import type { MethodKind } from '../trace/method-kind.js';
 import { lanesOf, marksHeight } from './lanes.js';
-import type { Lane, LaneName } from './lanes.js';
+import type { Lane, LaneName, Lanes } from './lanes.js';
 import type { Look } from './look.js';
 import { stripes } from './textures.js';
 
@@ -93,7 +92,8 @@ export class StripPainter {
   private fillOf(part: number): CanvasPattern | string {
     const known = this.fills.get(part);
     if (known !== undefined) return known;
-    const { method, scene } = this.course.trace.header;
+    const { header } = this.course.trace;
+    const { scene } = header;
     const { look } = this;
     const name = cases[part];
     const polygon = scene.polygons[part];
@@ -103,13 +103,12 @@ export class StripPainter {
       if (polygon === undefined) return look.ground;
       return isCrowd ? polygon.color : look.ofPolygon(polygon, part);
     };
-    const ofKind: Readonly<Record<MethodKind, () => CanvasPattern | string>> = {
-      windows: () => (name === undefined ? look.ground : look.ofCase(name)),
-      scanlines: ofPolygon,
+    const fills: Readonly<Record<Lanes['first'], () => CanvasPattern | string>> = {
+      cases: () => (name === undefined ? look.ground : look.ofCase(name)),
+      polygons: ofPolygon,
       curves: () => look.ofCurve(part),
-      regions: ofPolygon,
     };
-    const fill = ofKind[methodKindOf(method)]();
+    const fill = fills[algorithmOf(header).lanes.first]();
     this.fills.set(part, fill);
     return fill;
   }

@@ -1,13 +1,13 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
+import { base } from '../elements/theme.js';
+import { OwnDots } from '../picture/own-dots.js';
+import type { Course } from '../time/course.js';
 import { stripHeight } from './lanes.js';
 import { lookOf } from './look.js';
 import { StripPainter } from './paint.js';
-import type { Course } from '../time/course.js';
-import { OwnDots } from '../elements/own-dots.js';
 import { stripColors } from './strip.style.js';
-import { base } from '../elements/theme.js';
 
 /** The whole run as a strip. It does not change from step to step. */
 @customElement('vidno-strip')

@@ -2,22 +2,16 @@ import { LitElement, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
-import type { Check } from '../exactness/truth.js';
-import type { Bookmarks } from '../time/bookmarks.js';
-import type { Trace } from '../replay/trace.js';
 import type { View } from '../algorithm/view.js';
 import { speedsWith } from '../elements/clock.js';
-import './slider.js';
 import { base } from '../elements/theme.js';
-import { transportStyle } from './transport.style.js';
 import { Typed } from '../elements/typed.js';
-
-/** What the controls ask for; the player does it. */
-export type Command =
-  | { readonly do: 'seek'; readonly step: number }
-  | { readonly do: 'play' }
-  | { readonly do: 'speed'; readonly speed: number }
-  | { readonly do: 'bookmarks'; readonly bookmarks: Bookmarks };
+import type { Check } from '../exactness/truth.js';
+import type { Trace } from '../replay/trace.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import type { Command } from '../time/command.js';
+import './slider.js';
+import { transportStyle } from './transport.style.js';
 
 const shapes = {
   first: 'M5 4v12M17 4l-9 6 9 6z',

@@ -7,7 +7,7 @@ import { read } from '../replay/read.js';
 import { follow, keep } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
 
-const directory = fileURLToPath(new URL('../../test-data', import.meta.url));
+const directory = fileURLToPath(new URL('../../test-data/', import.meta.url));
 
 export const traceNames: readonly string[] = readdirSync(directory).filter((name) =>
   name.endsWith('.jsonl'),

@@ -2,9 +2,12 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
+import type { View } from '../algorithm/view.js';
+import { liveKey } from '../base/key-map.js';
+import { kbd } from '../elements/kbd.js';
+import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { BookmarkTexts } from '../language/texts.js';
-import { liveKey } from '../base/key-map.js';
 import { isOnDisk } from '../lessons/page-file.js';
 import {
   bookmarkAt,
@@ -14,11 +17,8 @@ import {
   withoutBookmark,
 } from './bookmarks.js';
 import type { Bookmark, Bookmarks } from './bookmarks.js';
-import type { View } from '../algorithm/view.js';
 import { bookmarksStyle } from './bookmarks.style.js';
-import { kbd } from '../elements/kbd.js';
-import { base } from '../elements/theme.js';
-import type { Command } from '../strip/transport.js';
+import type { Command } from './command.js';
 
 /** The bookmarks: each a way to its step, a note that is edited in place, and a button that removes it. */
 @customElement('vidno-bookmarks')

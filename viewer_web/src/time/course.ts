@@ -1,8 +1,26 @@
-import { eventNames } from '../trace/events.js';
-import type { Event, EventName } from '../trace/events.js';
+import { algorithmOf } from '../algorithm/algorithm.js';
 import { depthChanges } from '../replay/state.js';
 import type { Trace } from '../replay/trace.js';
-import { changesAel, indexFrom } from './goals.js';
+import { eventNames } from '../trace/events.js';
+import type { Event, EventName } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import { indexFrom } from './goals.js';
+
+/** What is done at a step of an event's name. */
+export type Watched = Readonly<Partial<Record<EventName, (step: number) => void>>>;
+
+/** What an algorithm writes down of the course of a run. */
+export interface Book {
+  readonly header: Header;
+  eventAt(step: number): Event | null;
+  /** The place of a polygon in the scene. */
+  indexOf(polygon: string): number;
+  /** Something else comes in hand: see `Stretches`. */
+  begin(step: number, part: number, level?: number): void;
+  /** What the window in hand comes to. */
+  decide(part: number): void;
+  changeAel(step: number): void;
+}
 
 /** What may be decided of a window, in the order of the procedure. */
 export const cases = [
@@ -45,9 +63,6 @@ export class Course {
 
   private seen = 0;
   private depth = 1;
-  private level = 0;
-  /** The levels of the windows on the stack: a window that is pushed is a part of the one in hand. */
-  private readonly stack: number[] = [];
   private readonly depthChange: readonly number[];
   private readonly watch: readonly (((step: number) => void) | undefined)[];
   private readonly indices: ReadonlyMap<string, number>;
@@ -61,8 +76,13 @@ export class Course {
     const { header, timeline } = trace;
     this.depths = new Uint8Array(timeline.length + 1).fill(1, 0, 1);
     this.depthChange = depthChanges(header.detail);
-    this.watch = eventNames.map((name) => this.on[name]);
     this.indices = new Map(header.scene.polygons.map(({ id }, i) => [id, i]));
+    const watched: Watched = {
+      ...algorithmOf(header).course(this.book()),
+      disagree: (step) => this.wrong.push(step),
+      fault: (step) => this.faults.push(step),
+    };
+    this.watch = eventNames.map((name) => watched[name]);
   }
 
   /** The steps of the run. */
@@ -108,43 +128,24 @@ export class Course {
     this.depths = larger;
   }
 
-  private begin(first: number, level: number, part: number): void {
-    this.stretches.first.push(first);
-    this.stretches.level.push(level);
-    this.stretches.part.push(part);
+  /** In which what an algorithm's events tell is written down. */
+  private book(): Book {
+    const { stretches, indices, ael, trace } = this;
+    return {
+      header: trace.header,
+      eventAt: (step) => trace.timeline.event(step),
+      indexOf: (polygon) => indices.get(polygon) ?? -1,
+      begin: (step, part, level = 1) => {
+        this.finest = Math.max(this.finest, level);
+        stretches.first.push(step);
+        stretches.level.push(level);
+        stretches.part.push(part);
+      },
+      decide: (part) => {
+        const { length } = stretches.part;
+        if (length > 0) stretches.part[length - 1] = part;
+      },
+      changeAel: (step) => ael.push(step),
+    };
   }
-
-  private readonly on: Partial<Record<EventName, (step: number) => void>> = {
-    push: () => this.stack.push(this.level + 1),
-    pop: (step) => {
-      this.level = this.stack.pop() ?? 1;
-      this.finest = Math.max(this.finest, this.level);
-      this.begin(step, this.level, -1);
-    },
-    decide: (step) => {
-      const event = this.trace.timeline.event(step);
-      const { part } = this.stretches;
-      if (event?.e === 'decide' && part.length > 0)
-        part[part.length - 1] = cases.indexOf(event.case);
-    },
-    polygon: (step) => {
-      const event = this.trace.timeline.event(step);
-      if (event?.e === 'polygon') this.begin(step, 1, this.indices.get(event.polygon) ?? -1);
-    },
-    curve: (step) => {
-      const event = this.trace.timeline.event(step);
-      if (event?.e === 'curve') this.begin(step, 1, event.curve);
-    },
-    pop_list: (step) => {
-      const event = this.trace.timeline.event(step);
-      if (event?.e === 'pop_list') this.begin(step, 1, this.indices.get(event.clip) ?? -1);
-    },
-    ael_add: (step) => this.ael.push(step),
-    ael_drop: (step) => {
-      const event = this.trace.timeline.event(step);
-      if (event !== null && changesAel(event)) this.ael.push(step);
-    },
-    disagree: (step) => this.wrong.push(step),
-    fault: (step) => this.faults.push(step),
-  };
 }

@@ -1,12 +1,10 @@
-import { all, only } from '../history/entry.js';
-import type { Wanted } from '../history/entry.js';
-import type { History } from '../history/history.js';
+import { algorithmOf } from '../algorithm/algorithm.js';
 import type { Timeline } from '../replay/timeline.js';
-import { eventNames, kinds, numberOf } from '../trace/events.js';
-import type { Event, Method } from '../trace/events.js';
-import { methodKindOf } from '../trace/method-kind.js';
-import type { MethodKind } from '../trace/method-kind.js';
 import type { Trace } from '../replay/trace.js';
+import { all, only } from '../replay/wanted.js';
+import type { Wanted } from '../replay/wanted.js';
+import { eventNames, kinds, numberOf } from '../trace/events.js';
+import type { EventName, Method } from '../trace/events.js';
 import type { Bookmarks } from './bookmarks.js';
 
 /** What one may go to: steps of one kind, those of the chosen pixel, or bookmarks. */
@@ -27,42 +25,24 @@ type Given = 'pixel' | 'bookmark';
 type SearchedName = Exclude<GoalName, Given>;
 export type Goal = GoalName | { readonly polygon: string };
 
-const ofKind: Readonly<Record<MethodKind, readonly GoalName[]>> = {
-  windows: ['split', 'wrong', 'pixel', 'bookmark'],
-  scanlines: ['ael', 'wrong', 'pixel', 'bookmark'],
-  curves: ['curve', 'crossing', 'wrong', 'pixel', 'bookmark'],
-  regions: ['list', 'region', 'wrong', 'pixel', 'bookmark'],
-};
-
-export const goalsOf = (method: Method): readonly GoalName[] => ofKind[methodKindOf(method)];
-
-export function changesAel(event: Event | null): boolean {
-  return event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0);
+/** Steps that one may go to in the runs of an algorithm. */
+export interface OwnGoal {
+  readonly name: SearchedName;
+  readonly at: readonly EventName[];
+  /** Which of these; a long run is gone through without its events, by their names and the next ones, where that will do. */
+  isGoal?(timeline: Timeline, step: number): boolean;
 }
 
-/** What follows the decision to split. */
-const splits: Wanted = only('push', 'skip', 'split_vertex');
+/** Those of all algorithms. */
+const wrong: OwnGoal = { name: 'wrong', at: ['disagree'] };
 
-/** Most goals are known by their names, or by the next one: a long run is gone through without its events. */
-const isGoal: Readonly<Record<SearchedName, (timeline: Timeline, step: number) => boolean>> = {
-  split: ({ names }, step) => splits[names[step] ?? -1] === true,
-  ael: (timeline, step) => changesAel(timeline.event(step)),
-  curve: () => true,
-  crossing: () => true,
-  list: () => true,
-  region: () => true,
-  wrong: () => true,
-};
+const searched = (method: Method): readonly OwnGoal[] => [...algorithmOf({ method }).goals, wrong];
 
-const wanted: Readonly<Record<SearchedName, Wanted>> = {
-  split: only('decide'),
-  ael: only('ael_add', 'ael_drop'),
-  curve: only('curve'),
-  crossing: only('intersection'),
-  list: only('pop_list'),
-  region: only('show'),
-  wrong: only('disagree'),
-};
+export const goalsOf = (method: Method): readonly GoalName[] => [
+  ...searched(method).map(({ name }) => name),
+  'pixel',
+  'bookmark',
+];
 
 const havePolygon: Wanted = eventNames.map((name) => 'polygon' in kinds[name].fields);
 
@@ -103,13 +83,18 @@ function namesPolygon(line: string, polygon: string): boolean {
   return (JSON.parse(line) as { polygon?: string }).polygon === polygon;
 }
 
+/** The steps of a pixel's history. */
+export interface Followed {
+  readonly entries: readonly { readonly step: number }[];
+}
+
 /** The steps that one may go to, looked for when they are first asked for. */
 export class Goals {
   private readonly searches = new Map<string, Search>();
 
   constructor(private readonly trace: Trace) {}
 
-  stepsOf(goal: Goal, history: History | null, bookmarks: Bookmarks = []): readonly number[] {
+  stepsOf(goal: Goal, history: Followed | null, bookmarks: Bookmarks = []): readonly number[] {
     if (goal === 'pixel') return history?.entries.map(({ step }) => step) ?? [];
     if (goal === 'bookmark') return bookmarks.map(({ step }) => step);
     const key = JSON.stringify(goal);
@@ -121,7 +106,9 @@ export class Goals {
   private searchFor(goal: Exclude<Goal, Given>): Search {
     const { trace } = this;
     if (typeof goal === 'object') return new Search(trace, all, this.isOf(goal.polygon));
-    return new Search(trace, wanted[goal], (step) => isGoal[goal](trace.timeline, step));
+    const found = searched(trace.header.method).find(({ name }) => name === goal);
+    const { at = [], isGoal } = found ?? {};
+    return new Search(trace, only(...at), (step) => isGoal?.(trace.timeline, step) ?? true);
   }
 
   /** In the Z-buffer algorithm all from one `polygon` to the next concerns that one. */

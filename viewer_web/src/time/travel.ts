@@ -2,21 +2,20 @@ import { LitElement, html, nothing, svg } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
-import type { History } from '../history/history.js';
+import type { View } from '../algorithm/view.js';
+import { withKey } from '../base/key-map.js';
+import { base } from '../elements/theme.js';
+import { askCheck } from '../exactness/ask-check.js';
+import type { Check } from '../exactness/truth.js';
 import { texts } from '../i18n/index.js';
 import type { TravelTexts } from '../language/texts.js';
-import { withKey } from '../base/key-map.js';
+import type { Trace } from '../replay/trace.js';
 import type { Bookmarks } from './bookmarks.js';
-import type { Check } from '../exactness/truth.js';
 import { Calls } from './calls.js';
 import type { Direction } from './calls.js';
+import type { Command } from './command.js';
 import { Goals, around, goalsOf } from './goals.js';
-import type { Goal, GoalName } from './goals.js';
-import type { Trace } from '../replay/trace.js';
-import type { View } from '../algorithm/view.js';
-import { askCheck } from '../exactness/ask-check.js';
-import { base } from '../elements/theme.js';
-import type { Command } from '../strip/transport.js';
+import type { Followed, Goal, GoalName } from './goals.js';
 import { travelStyle } from './travel.style.js';
 
 const shapes = {
@@ -33,7 +32,7 @@ export class TravelElement extends LitElement {
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) check!: Check;
-  @property({ attribute: false }) history: History | null = null;
+  @property({ attribute: false }) history: Followed | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @state() private chosen: Goal | null = null;
   private calls: Calls | null = null;

@@ -67,6 +67,8 @@ export const isToldAnywhere = (name: EventName): boolean => kinds[name].at === k
 
 /** Whether it goes from window to window. */
 export const hasWindows = (method: Method): boolean => tells(method, 'pop');
+/** Whether its scenes are curves, not polygons. */
+export const drawsCurves = (method: Method): boolean => tells(method, 'curve');
 /** Whether the list of polygons is the third of three, of which the others hold what surrounds or is outside. */
 export const hasThreeLists = (method: Method): boolean => tells(method, 'join');
 /** A variant of Warnock's algorithm: its text is the corrected one. */

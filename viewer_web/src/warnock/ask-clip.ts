@@ -1,16 +1,12 @@
 import { polygonThing } from '../algorithm/pointed.js';
-import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
+import { crossing } from '../predict/question.js';
 import type { Given } from '../predict/question.js';
-
-/** Stands in a list of vertices for one that a crossing makes. */
-export const crossing = 'x';
 
 /** What does this side of the window leave of the list of vertices? */
 export const clip: Asker<'clip'> = {
-  isOf: hasWindows,
   from: 'polygons',
   at: ['clip_side'],
   ask(trace, step) {

@@ -1,13 +1,11 @@
 import { cornerThing, polygonThing } from '../algorithm/pointed.js';
-import { corners as places } from '../trace/events.js';
-import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { relationOf, relationOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
+import { corners as places } from '../trace/events.js';
 
 /** At which corners is this polygon nearer than all before it? */
 export const corners: Asker<'corners'> = {
-  isOf: hasWindows,
   from: 'polygons',
   at: ['depth'],
   ask(trace, step) {

@@ -1,9 +1,8 @@
-import { cornerAt } from '../language/words.js';
 import { cornerThing, polygonThing } from '../algorithm/pointed.js';
-import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { edgeNote, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
+import { cornerAt } from './naming.js';
 
 const signs = { '-1': '-', 0: '0', 1: '+' } as const;
 /** What fewer edges decide can be seen at a glance. */
@@ -11,7 +10,6 @@ const fewestEdges = 3;
 
 /** Is this point inside? */
 export const inside: Asker<'inside'> = {
-  isOf: hasWindows,
   from: 'signs',
   at: ['call'],
   ask(trace, step) {

@@ -1,14 +1,12 @@
-import { shownIn } from './lists.js';
 import { windowThing } from '../algorithm/pointed.js';
-import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { depthOptions, mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { none } from '../predict/question.js';
+import { shownIn } from './lists.js';
 
 /** Which polygon is seen at this point, and by which depth? */
 export const point: Asker<'point'> = {
-  isOf: hasWindows,
   from: 'polygons',
   at: ['call'],
   ask(trace, step) {
@@ -18,7 +16,7 @@ export const point: Asker<'point'> = {
     const until = color.step;
     const now = trace.timeline.seek(step).values.warnock;
     const window = now?.window ?? null;
-    const ids = now === null ? [] : shownIn(now, trace.header.scene);
+    const ids = now === undefined ? [] : shownIn(now, trace.header.scene);
     const depths = stepsOf(trace, step, until, 'depth');
     const options = depthOptions(depths.map(({ event }) => event.z));
     const nearest = stepsOf(trace, step, until, 'nearest');

@@ -1,13 +1,10 @@
 import { polygonThing, windowThing } from '../algorithm/pointed.js';
-import { hasThreeLists } from '../trace/events.js';
-import type { Trace } from '../replay/trace.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-
-export const relations = ['outside', 'inside', 'intersecting', 'surrounding'] as const;
-/** What may tell, in the order of the listing: either line about the box, the edges, or containment. */
-export const tests = ['RE1', 'RE2', 'RE3', 'RE4'] as const;
+import { relations, tests } from '../predict/question.js';
+import type { Trace } from '../replay/trace.js';
+import { hasThreeLists } from '../trace/events.js';
 
 /** The line that answered; above the level of signs the tests that come first may have no event. */
 function testOf(trace: Trace, step: number, until: number): (typeof tests)[number] {

@@ -1,15 +1,14 @@
-import { ownersOf } from '../language/words.js';
-import { shownIn } from './lists.js';
 import { windowThing } from '../algorithm/pointed.js';
-import { cases } from '../time/course.js';
-import type { Trace } from '../replay/trace.js';
-import { hasWindows } from '../trace/events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
 import { mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { none } from '../predict/question.js';
 import type { Part } from '../predict/question.js';
+import type { Trace } from '../replay/trace.js';
+import { cases } from '../time/course.js';
+import { shownIn } from './lists.js';
+import { ownersOf } from './naming.js';
 
 /** Which polygon hides the others in a window; null where the trace does not tell. */
 function hidingIn(
@@ -30,7 +29,6 @@ function hidingIn(
 
 /** Which case is this window? */
 export const window: Asker<'window'> = {
-  isOf: hasWindows,
   from: 'windows',
   at: ['pop'],
   ask(trace, step) {
@@ -44,7 +42,7 @@ export const window: Asker<'window'> = {
     const back = stepsOf(trace, step, until, 'rejoin');
     const now = trace.timeline.seek(back.at(-1)?.step ?? step).values.warnock;
     const ids = (now?.apl?.entries ?? []).map(([id]) => id);
-    const shown = now === null ? [] : shownIn(now, scene);
+    const shown = now === undefined ? [] : shownIn(now, scene);
     if (ids.length === 0 || shown.length > mostOptions) return null;
     const covers = stepsOf(trace, step, until, 'cover');
     const hiding = hidingIn(trace, decide, covers);

@@ -1,11 +1,13 @@
+import { covers, test } from '../history/entry.js';
+import type { Outcome, Watch } from '../history/entry.js';
 import type { Known } from '../language/words.js';
 import type { Pixel } from '../picture/pixel.js';
+import { only } from '../replay/wanted.js';
+import type { Wanted } from '../replay/wanted.js';
 import type { Detail, Event, EventName } from '../trace/events.js';
 import type { Box } from '../trace/values.js';
-import { covers, only, test } from '../history/entry.js';
-import type { Outcome, Wanted, Watch } from '../history/entry.js';
-import { wayTo } from './lists.js';
 import { Lists } from './history-lists.js';
+import { wayTo } from './lists.js';
 
 interface Place {
   readonly pixel: Pixel;
@@ -86,7 +88,7 @@ function inside(detail: Detail, centre: boolean): Wanted {
 
 /** What concerns a pixel in Warnock's algorithm: the windows that it lies in, and all that was found there. */
 export class WarnockWatch implements Watch {
-  known: Known = { warnock: null, zbuffer: null };
+  known: Known = {};
   private readonly lists = new Lists();
   private readonly place: Place;
   private readonly atCentre: Wanted;
@@ -156,6 +158,6 @@ export class WarnockWatch implements Watch {
   private know(news: Partial<NonNullable<Known['warnock']>>): void {
     if (!this.inside) return;
     const old = this.known.warnock ?? { window: null, apl: null, covering: null, nearest: null };
-    this.known = { warnock: { ...old, ...news }, zbuffer: null };
+    this.known = { warnock: { ...old, ...news } };
   }
 }

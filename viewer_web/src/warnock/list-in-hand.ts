@@ -2,8 +2,8 @@ import { eventNames } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import { changeApl, currentApl } from './lists.js';
-import { fieldsOf, uses } from '../replay/uses.js';
 import type { Warnock } from './state.js';
+import { uses } from './uses.js';
 
 type Change = Event<'discard' | 'mark'>;
 
@@ -11,7 +11,7 @@ const isChange = (event: Event): event is Change => event.e === 'discard' || eve
 
 /** The events before which the list must be as it is. */
 const lookers: ReadonlySet<EventName> = new Set(
-  eventNames.filter((name) => fieldsOf(uses[name]).some((it) => it === 'apl' || it === 'stack')),
+  eventNames.filter((name) => uses.fieldsOf(name).some((it) => it === 'apl' || it === 'stack')),
 );
 
 /**

@@ -1,9 +1,9 @@
 import type { TemplateResult } from 'lit';
-import { texts } from '../i18n/index.js';
-import { containment } from '../language/words.js';
-import type { Warnock } from './state.js';
 import type { View } from '../algorithm/view.js';
 import { polygonName, value } from '../elements/parts.js';
+import { texts } from '../i18n/index.js';
+import { containment } from './naming.js';
+import type { Warnock } from './state.js';
 
 /** What is known of a window with three lists: its level, what an outline counts so far, and what hides all others. */
 export function listValues(view: View, now: Warnock, old: Warnock): readonly TemplateResult[] {

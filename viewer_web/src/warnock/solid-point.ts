@@ -1,8 +1,8 @@
-import { shownIn } from './lists.js';
-import type { Role } from '../picture/mark.js';
-import type { N } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';
+import type { Role } from '../picture/mark.js';
 import { holds, planeOf } from '../solid/plane.js';
+import type { N } from '../trace/values.js';
+import { shownIn } from './lists.js';
 
 /** The depth of a polygon on the line through the point in hand. */
 export interface PointDepth {
@@ -25,7 +25,7 @@ export function pointInHand({ event, after }: View): readonly [number, number] |
 export function depthsAtPoint(view: View): readonly PointDepth[] {
   const at = pointInHand(view);
   const { warnock } = view.after;
-  if (at === null || warnock === null) return [];
+  if (at === null || warnock === undefined) return [];
   const { nearest } = warnock;
   return shownIn(warnock, view.header.scene).flatMap((id): readonly PointDepth[] => {
     const polygon = view.header.scene.byId.get(id);

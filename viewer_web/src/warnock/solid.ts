@@ -1,30 +1,49 @@
-import { toNumber } from '../language/words.js';
 import { cornerThing } from '../algorithm/pointed.js';
-import type { Clip } from './state.js';
-import type { N, Vertex } from '../trace/values.js';
-import type { Numbers } from '../language/texts.js';
+import type { Thing } from '../algorithm/pointed.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import { comparedPolygon, cornerDepths } from './solid-corners.js';
-import type { CornerDepth } from './solid-corners.js';
-import { along, cased, column, level, noDrawing, together } from '../solid/drawing.js';
+import type { Numbers } from '../language/texts.js';
+import { toNumber } from '../language/words.js';
+import { polygonInHand } from '../picture/in-hand.js';
+import { cornerOf } from '../picture/mark.js';
+import {
+  activeDrawing,
+  along,
+  cased,
+  column,
+  level,
+  noDrawing,
+  together,
+} from '../solid/drawing.js';
 import type { Dot, Drawing, Label } from '../solid/drawing.js';
 import { patchOf, planeOf } from '../solid/plane.js';
-import { depthsAtPoint, pointInHand } from './solid-point.js';
 import type { Space, Spot } from '../solid/space.js';
+import type { N, Vertex } from '../trace/values.js';
+import { comparedPolygon, cornerDepths } from './solid-corners.js';
+import type { CornerDepth } from './solid-corners.js';
+import { depthsAtPoint, pointInHand } from './solid-point.js';
+import type { Clip } from './state.js';
 
 /** Warnock's algorithm in the box: the window as a column, and what decides in it. */
-export function warnockDrawing(view: View, space: Space): Drawing {
+export function drawing(view: View, space: Space): Drawing {
   const { warnock } = view.after;
-  if (warnock === null) return noDrawing;
+  if (warnock === undefined) return noDrawing;
   const { stack, window, clip } = warnock;
   const isAtPoint = pointInHand(view) !== null;
   return together(
+    activeDrawing(polygonInHand(view)),
     { lines: stack.flatMap((each) => cased('stacked', level(each.window, space.far))) },
     window ? column(window, space, 'window') : {},
     clip ? clipDrawing(clip) : {},
     isAtPoint ? pointDrawing(view, space) : cornersDrawing(view, space),
   );
+}
+
+/** A corner of the window that is pointed at. */
+export function pointed(thing: Thing, { after }: View, space: Space): Partial<Drawing> {
+  const window = after.warnock?.window;
+  if (thing.kind !== 'corner' || !window) return {};
+  return { lines: along(...cornerOf(window, thing.corner), space, 'pointed') };
 }
 
 const spotOf = (vertex: Vertex): Spot => [

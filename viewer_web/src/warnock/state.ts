@@ -1,9 +1,15 @@
+import type { Screen } from '../replay/screen.js';
 import { corners as cornerNames } from '../trace/events.js';
 import type { CommonEvents, Event, EventName, WarnockEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, Color, Corner, N, Vertex } from '../trace/values.js';
 import { counted, isRoot, joinedBy, pushedApl, rejoined, wayTo } from './lists.js';
-import type { Screen } from '../replay/screen.js';
+
+declare module '../replay/model.js' {
+  interface Held {
+    readonly warnock?: Warnock;
+  }
+}
 
 /** An entry (P, S) of a list of active polygons. */
 export type Entry = readonly [polygon: string, surrounds: boolean];

@@ -1,16 +1,12 @@
-import { toNumber } from '../language/words.js';
 import { polygonThing } from '../algorithm/pointed.js';
-import { boundsOf } from './geometry.js';
-import type { Piece } from './events.js';
+import { toNumber } from '../language/words.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { mostOptions, optionsOf, relationBy, relationOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import { hasRegions } from './pieces.js';
+import { becomes } from '../predict/question.js';
 import type { Option, Part } from '../predict/question.js';
-
-/** What comes of the clip polygon: it is visible, or its list is looked at once more. */
-export const becomes = ['visible', 'again'] as const;
-export type Becomes = (typeof becomes)[number];
+import type { Piece } from './events.js';
+import { boundsOf } from './geometry.js';
 
 /** A part by the box around it. */
 function optionOf([id, region]: Piece): Option {
@@ -20,7 +16,6 @@ function optionOf([id, region]: Piece): Option {
 
 /** Which parts inside does the clip polygon hide, and is it visible then? */
 export const behind: Asker<'behind'> = {
-  isOf: hasRegions,
   from: 'polygons',
   at: ['call'],
   ask(trace, step) {

@@ -1,13 +1,12 @@
-import { point } from '../language/words.js';
 import { polygonThing } from '../algorithm/pointed.js';
+import { point } from '../language/words.js';
 import { inOrder, stepsOf } from '../predict/ahead.js';
 import { mostOptions, pointOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import { clippingAt, hasRegions } from './pieces.js';
+import { clippingAt } from './pieces.js';
 
 /** Where does the outline enter the clip polygon, and where does it leave it? */
 export const entering: Asker<'entering'> = {
-  isOf: hasRegions,
   from: 'signs',
   at: ['call'],
   ask(trace, step) {

@@ -1,11 +1,11 @@
 import { polygonThing } from '../algorithm/pointed.js';
-import type { Piece } from './events.js';
 import { inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
 import { mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import { hasRegions, ownersOf } from './pieces.js';
 import type { Part } from '../predict/question.js';
+import type { Piece } from './events.js';
+import { ownersOf } from './pieces.js';
 
 /** More outlines than most parts have. */
 const counts = ['0', '1', '2', '3', '4'];
@@ -33,7 +33,6 @@ function outlinesOf(
 
 /** What of a list lies inside the clip polygon, and what outside? */
 export const parted: Asker<'parted'> = {
-  isOf: hasRegions,
   from: 'polygons',
   at: ['pop_list'],
   ask(trace, step) {

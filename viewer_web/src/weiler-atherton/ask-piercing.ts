@@ -2,14 +2,13 @@ import { polygonThing } from '../algorithm/pointed.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import { hasRegions, ownersOf } from './pieces.js';
+import { ownersOf } from './pieces.js';
 
 /** So many more pieces than polygons there may be. */
 const mostMore = 4;
 
 /** Which polygons pierce each other, and how many pieces are there then? */
 export const piercing: Asker<'piercing'> = {
-  isOf: hasRegions,
   from: 'polygons',
   at: ['call'],
   ask(trace, step) {

@@ -1,9 +1,9 @@
 import { polygonThing } from '../algorithm/pointed.js';
-import type { Piece } from './events.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { depthOptions, mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import { hasRegions, ownersOf } from './pieces.js';
+import type { Piece } from './events.js';
+import { ownersOf } from './pieces.js';
 
 /** Two depths of two polygons could be guessed. */
 const fewestAnswers = 6;
@@ -13,7 +13,6 @@ const areSame = (a: Piece | undefined, b: Piece | undefined): boolean =>
 
 /** Which polygon is the first by depth, the one that clips all others? */
 export const sort: Asker<'sort'> = {
-  isOf: hasRegions,
   from: 'polygons',
   at: ['call'],
   ask(trace, step) {

@@ -2,11 +2,10 @@ import { polygonThing } from '../algorithm/pointed.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import { hasRegions, ownersOf } from './pieces.js';
+import { ownersOf } from './pieces.js';
 
 /** Which list is taken from the stack next, and which polygon clips then? One alone is plain. */
 export const stack: Asker<'stack'> = {
-  isOf: hasRegions,
   from: 'polygons',
   at: ['nearer_ones'],
   ask(trace, step) {

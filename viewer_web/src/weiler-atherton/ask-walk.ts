@@ -1,9 +1,9 @@
-import { point } from '../language/words.js';
 import { polygonThing } from '../algorithm/pointed.js';
+import { point } from '../language/words.js';
 import { inOrder, stepsOf } from '../predict/ahead.js';
 import { optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
-import { clippingAt, hasRegions } from './pieces.js';
+import { clippingAt } from './pieces.js';
 
 /** Of more points one would lose sight. */
 const mostPoints = 12;
@@ -21,7 +21,6 @@ function afterStart(
 
 /** Which way do the outlines lead round what is inside the clip polygon? */
 export const walk: Asker<'walk'> = {
-  isOf: hasRegions,
   from: 'signs',
   at: ['call'],
   ask(trace, step) {

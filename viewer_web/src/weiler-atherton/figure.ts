@@ -1,11 +1,11 @@
-import { figureFrame, figureOf } from '../picture/figure.js';
 import type { View } from '../algorithm/view.js';
+import { figureFrame, figureOf as polygonsFigure } from '../picture/figure.js';
 import { allLayers } from './layers.js';
 import { regionShapes, visibleShapes } from './shapes.js';
 
 /** The picture at a step with its regions, as an SVG document of its own; see `figureOf`. */
-export const regionFigureOf = (view: View): string =>
-  figureOf(view, {
+export const figureOf = (view: View): string =>
+  polygonsFigure(view, {
     under: visibleShapes(view, allLayers),
     over: regionShapes(view, figureFrame(view), allLayers),
   });

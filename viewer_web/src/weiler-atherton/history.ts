@@ -1,9 +1,11 @@
-import { all, covers, noted, test } from '../history/entry.js';
-import type { Outcome, Wanted, Watch } from '../history/entry.js';
+import { covers, noted, test } from '../history/entry.js';
+import type { Outcome, Watch } from '../history/entry.js';
 import { toNumber } from '../language/words.js';
 import type { Known } from '../language/words.js';
 import type { Spot } from '../picture/mark.js';
 import type { Pixel } from '../picture/pixel.js';
+import { all } from '../replay/wanted.js';
+import type { Wanted } from '../replay/wanted.js';
 import { eventNames } from '../trace/events.js';
 import type { EventName, RegionEvents, Event } from '../trace/events.js';
 import type { Piece, Region } from './events.js';
@@ -72,7 +74,7 @@ export class RegionWatch implements Watch {
   }
 
   get known(): Known {
-    return { warnock: null, zbuffer: null, regions: this.regions };
+    return { regions: this.regions };
   }
 
   see(event: Event, step: number): Outcome | null {

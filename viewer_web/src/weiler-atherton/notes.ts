@@ -1,20 +1,14 @@
-import type { Numbers } from '../language/texts.js';
+import { compared, half } from '../listing/notation.js';
+import type { Notes } from '../listing/notes.js';
 import type { RegionEvents } from '../trace/events.js';
-import type { N } from '../trace/values.js';
 import type { Region } from './events.js';
 import { verticesOf } from './geometry.js';
 
 const listed = (ids: readonly string[]): string => ids.join(' ') || '∅';
 const sized = (region: Region): string => (region.length === 0 ? '∅' : `|${verticesOf(region)}|`);
-const order: Readonly<Record<string, string>> = { '-1': '<', '0': '=', '1': '>' };
-const compared = (z: N, other: N, sign: number, { shortApart }: Numbers): string =>
-  shortApart(z, other).join(` ${order[sign] ?? ''} `);
-
 /** What the events of Weiler and Atherton's algorithm say in the notation of the listing; |n| is a region of n vertices. */
-export const regionNotes: {
-  readonly [K in Exclude<keyof RegionEvents, 'row'>]:
-    ((event: RegionEvents[K], numbers: Numbers) => string) | null;
-} = {
+export const notes: Pick<Notes, keyof RegionEvents> = {
+  row: ({ first, end }, numbers) => half([first, end], numbers),
   cut_to_area: ({ polygon, region }) => `${polygon}: ${sized(region)}`,
   pierce: ({ polygon, other }) => `${polygon}, ${other}`,
   split: ({ polygon, region, other }) => `${polygon}: ${sized(region)}, ${sized(other)}`,

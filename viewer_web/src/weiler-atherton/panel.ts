@@ -2,22 +2,22 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
-import { countedIn, texts } from '../i18n/index.js';
-import { sized } from '../language/region-texts.js';
-import type { RegionTexts } from '../language/region-texts.js';
 import { polygonThing } from '../algorithm/pointed.js';
-import type { Piece } from './events.js';
-import { areaOf } from './geometry.js';
-import { isPainting, listInHand } from './in-hand.js';
-import { emptyRegions } from './state.js';
-import type { List, ListInHand, Regions } from './state.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { chipsCell, listOf, rowsOf } from '../elements/lists.js';
 import { panelsStyle } from '../elements/panels.style.js';
 import { polygonName, value } from '../elements/parts.js';
-import { regionsPanelStyle } from './panel.style.js';
 import { base } from '../elements/theme.js';
+import { countedIn, texts } from '../i18n/index.js';
+import type { RegionTexts } from '../language/region-texts.js';
+import type { Piece } from './events.js';
+import { areaOf } from './geometry.js';
+import { isPainting, listInHand } from './in-hand.js';
+import { regionsPanelStyle } from './panel.style.js';
+import { sized } from './sizes.js';
+import { emptyRegions } from './state.js';
+import type { List, ListInHand, Regions } from './state.js';
 
 /** The state of Weiler and Atherton's algorithm: the list in hand and its parts, what is visible, and the stack of lists. */
 @customElement('vidno-regions')

@@ -1,11 +1,8 @@
-import type { Piece } from './events.js';
-import type { Event, Method } from '../trace/events.js';
-import { methodKindOf } from '../trace/method-kind.js';
-import type { Trace } from '../replay/trace.js';
 import { eventAt, nextOf, stepsOf } from '../predict/ahead.js';
 import type { Step } from '../predict/ahead.js';
-
-export const hasRegions = (method: Method): boolean => methodKindOf(method) === 'regions';
+import type { Trace } from '../replay/trace.js';
+import type { Event } from '../trace/events.js';
+import type { Piece } from './events.js';
 
 /** Whose pieces these are, each polygon once. */
 export const ownersOf = (pieces: readonly Piece[]): readonly string[] => [

@@ -17,6 +17,9 @@ const icons: Readonly<Record<RegionLegendEntry, readonly [look: string, d: strin
   piercing: ['piercing-line', 'M1 11L19 3'],
 };
 
+/** In the order of the legend. */
+export const regionEntries = Object.keys(icons) as readonly RegionLegendEntry[];
+
 export const isRegionEntry = (entry: LegendEntry): entry is RegionLegendEntry => entry in icons;
 
 export function regionIcon(entry: RegionLegendEntry): SVGTemplateResult {

@@ -1,12 +1,12 @@
 import { customElement, property } from 'lit/decorators.js';
+import { drawn } from '../picture/drawn.js';
 import type { Frame } from '../picture/frame.js';
 import type { Cells } from '../picture/paint.js';
+import { regionsStyle } from '../picture/regions.style.js';
+import { PictureElement } from '../polygons/picture.js';
 import { allLayers } from './layers.js';
 import type { RegionLayer } from './layers.js';
-import { regionsStyle } from './regions.style.js';
 import { regionShapes, visibleShapes } from './shapes.js';
-import { drawn } from '../picture/drawn.js';
-import { PictureElement } from '../polygons/picture.js';
 
 /** The picture so far, over it the regions, and what the step is about. */
 @customElement('vidno-region-picture')

@@ -3,6 +3,18 @@ import { Refusal } from '../trace/refusal.js';
 import type { Point } from '../trace/values.js';
 import type { Piece, Region } from './events.js';
 
+declare module '../replay/model.js' {
+  interface Held {
+    readonly regions?: Regions;
+  }
+}
+
+declare module '../language/words.js' {
+  interface Known {
+    readonly regions?: Pick<Regions, 'inHand'>;
+  }
+}
+
 export type List = readonly Piece[];
 
 /** The list that was taken from the stack; its first piece is the clip polygon. */

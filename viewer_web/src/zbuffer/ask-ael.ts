@@ -6,14 +6,13 @@ import type { Option, Part } from '../predict/question.js';
 
 /** What is the list of active edges on the next scanline? */
 export const ael: Asker<'ael'> = {
-  isOf: (method) => method === 'zbuffer',
   from: 'polygons',
   at: ['extent', 'span'],
   ask(trace, step) {
     const sort = nextOf(trace, step, 'ael_sort', 'call', 'polygon');
     const { zbuffer } = trace.timeline.seek(step).values;
     const polygon = trace.header.scene.byId.get(zbuffer?.polygon ?? '');
-    if (sort === null || zbuffer === null || polygon === undefined) return null;
+    if (sort === null || zbuffer === undefined || polygon === undefined) return null;
     const { length } = [...zbuffer.edges, ...zbuffer.ael];
     if (length < 2 || zbuffer.edges.length > mostOptions) return null;
     const until = sort.step;

@@ -5,7 +5,6 @@ import type { Asker } from '../predict/asker.js';
 
 /** At which pixels of this row is the polygon nearer than what is there? */
 export const pixels: Asker<'pixels'> = {
-  isOf: (method) => method === 'zbuffer',
   from: 'signs',
   at: ['columns'],
   ask(trace, step) {

@@ -1,8 +1,10 @@
+import { covers, test } from '../history/entry.js';
+import type { Outcome, Watch } from '../history/entry.js';
 import type { Known } from '../language/words.js';
 import type { Pixel } from '../picture/pixel.js';
+import { only } from '../replay/wanted.js';
+import type { Wanted } from '../replay/wanted.js';
 import type { Event, EventName } from '../trace/events.js';
-import { covers, only, test } from '../history/entry.js';
-import type { Outcome, Wanted, Watch } from '../history/entry.js';
 
 interface Place {
   readonly x: number;
@@ -44,7 +46,7 @@ function isOther(line: string, field: RegExp, value: number): boolean {
 
 /** What concerns a pixel in the Z-buffer algorithm: the lines of its row, and of these what is at its column. */
 export class ZBufferWatch implements Watch {
-  known: Known = { warnock: null, zbuffer: null };
+  known: Known = {};
   private readonly place: Place;
 
   constructor([x, y]: Pixel) {
@@ -71,7 +73,7 @@ export class ZBufferWatch implements Watch {
 
   private follow(event: Event, told: boolean): void {
     if (event.e === 'polygon') {
-      this.known = { warnock: null, zbuffer: { polygon: event.polygon } };
+      this.known = { zbuffer: { polygon: event.polygon } };
     } else if (event.e === 'line') this.place.onRow = told;
     else if (event.e === 'span') this.place.onRow = false;
   }

@@ -1,24 +1,28 @@
-import { toNumber } from '../language/words.js';
 import { edgeThing } from '../algorithm/pointed.js';
-import type { ActiveEdge } from './state.js';
+import type { Thing } from '../algorithm/pointed.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import type { SolidTexts } from '../language/solid-texts.js';
+import type { Numbers } from '../language/texts.js';
+import { toNumber } from '../language/words.js';
+import { polygonInHand } from '../picture/in-hand.js';
+import { activeDrawing, cased, column, noDrawing, together } from '../solid/drawing.js';
+import type { Drawing } from '../solid/drawing.js';
+import type { Space, Spot } from '../solid/space.js';
 import type { Event } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import type { N } from '../trace/values.js';
-import type { Numbers } from '../language/texts.js';
-import { numbersOf } from '../algorithm/view.js';
-import type { View } from '../algorithm/view.js';
-import { cased, column, noDrawing, together } from '../solid/drawing.js';
-import type { Drawing } from '../solid/drawing.js';
-import type { Space, Spot } from '../solid/space.js';
+import type { ActiveEdge } from './state.js';
 
 /** The Z-buffer in the box: the scanline as a plane parallel to z, its active edges, its spans. */
-export function zbufferDrawing(view: View, space: Space): Drawing {
+export function drawing(view: View, space: Space): Drawing {
   const { zbuffer } = view.after;
-  if (zbuffer === null) return noDrawing;
+  if (zbuffer === undefined) return noDrawing;
   const { row, y, ael } = zbuffer;
-  const polygon = view.header.scene.byId.get(zbuffer.polygon ?? '');
+  const polygon = polygonOf(view);
   const height = y === null ? NaN : toNumber(y);
   return together(
+    activeDrawing(polygonInHand(view, zbuffer.polygon)),
     row === null ? {} : scanline(row + 0.5, space),
     polygon ? { lines: ael.flatMap(({ edge }) => edgeLine(polygon, edge)) } : {},
     { lines: spansOf(view).flatMap((span) => cased('side', span, false)) },
@@ -35,6 +39,16 @@ export function zbufferDrawing(view: View, space: Space): Drawing {
   );
 }
 
+const polygonOf = ({ header, after }: View): Polygon | undefined =>
+  header.scene.byId.get(after.zbuffer?.polygon ?? '');
+
+/** An active edge that is pointed at. */
+export function pointed(thing: Thing, view: View): Partial<Drawing> {
+  const polygon = polygonOf(view);
+  if (thing.kind !== 'edge' || polygon === undefined) return {};
+  return { lines: edgeLine(polygon, thing.edge, 'pointed') };
+}
+
 const meeting = ({ x, z }: ActiveEdge, y: number): Spot => [toNumber(x), y, toNumber(z)];
 
 function scanline(y: number, { area, far, near }: Space): Partial<Drawing> {
@@ -49,7 +63,7 @@ function scanline(y: number, { area, far, near }: Space): Partial<Drawing> {
 }
 
 /** An edge of a polygon where it is in space. */
-export function edgeLine(
+function edgeLine(
   { vertices }: Polygon,
   edge: number,
   role: 'edge' | 'pointed' = 'edge',
@@ -60,7 +74,7 @@ export function edgeLine(
 }
 
 /** The ends of the lines that ShowLine has in hand, in space. */
-export function spansOf({ event, after }: View): readonly (readonly [Spot, Spot])[] {
+function spansOf({ event, after }: View): readonly (readonly [Spot, Spot])[] {
   const { row = null, ael = [] } = after.zbuffer ?? {};
   const end = ({ x, z }: { readonly x: N; readonly z: N }): Spot => [
     toNumber(x),
@@ -95,4 +109,27 @@ function pixelDrawing(
       { text: short(z), at: at(z), side: [0, -1], strong: shown },
     ],
   });
+}
+
+/** What the box shows of a scanline, in words. */
+export function caption(view: View, texts: SolidTexts): readonly string[] {
+  const { row = null, ael = [] } = view.after.zbuffer ?? {};
+  if (row === null) return [];
+  const edges = ael.map(({ edge }) => edge).join(', ') || '—';
+  const { event } = view;
+  return [
+    texts.scanline(String(row), edges),
+    ...spansOf(view).map(([[x0, , z0], [x1, , z1]]) =>
+      texts.span(numbersOf(view).point([x0, z0]), numbersOf(view).point([x1, z1])),
+    ),
+    ...(event?.e === 'pixel'
+      ? [
+          texts.pixel(
+            numbersOf(view).point([event.x, event.y]),
+            numbersOf(view).short(event.z),
+            numbersOf(view).short(event.stored),
+          ),
+        ]
+      : []),
+  ];
 }

@@ -1,7 +1,19 @@
+import type { Screen } from '../replay/screen.js';
 import type { CommonEvents, Event, EventName, ZBufferEvents } from '../trace/events.js';
 import { Refusal } from '../trace/refusal.js';
 import type { N } from '../trace/values.js';
-import type { Screen } from '../replay/screen.js';
+
+declare module '../replay/model.js' {
+  interface Held {
+    readonly zbuffer?: ZBuffer;
+  }
+}
+
+declare module '../language/words.js' {
+  interface Known {
+    readonly zbuffer?: Pick<ZBuffer, 'polygon'>;
+  }
+}
 
 /** An entry of the active edge list. */
 export interface ActiveEdge {

@@ -1,8 +1,8 @@
 import { LitElement, css, html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
-import { OwnSize } from '../../elements/own-size.js';
 import { base } from '../../elements/theme.js';
+import { OwnSize } from '../../picture/own-size.js';
 import { byCost, byError } from '../front.js';
 import { layoutOf } from '../layout.js';
 import { drawPlot } from '../plot.js';

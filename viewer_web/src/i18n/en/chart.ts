@@ -1,4 +1,4 @@
-import type { ChartTexts } from '../chart.js';
+import type { ChartTexts } from '../../language/chart-texts.js';
 import { costs, errors } from './chart-axes.js';
 import { subjects } from './chart-subjects.js';
 import { family } from './family.js';

@@ -1,0 +1,23 @@
+import { rulesOf, texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import { Words, withoutDoubledSigns } from '../language/words.js';
+import type { Known, ShownHeader } from '../language/words.js';
+import type { Event } from '../trace/events.js';
+import { algorithmOf } from './algorithm.js';
+
+type Say = (event: Event, words: Words) => string;
+
+/** What a step did, in one sentence. */
+export function sentence(
+  event: Event,
+  before: Known,
+  after: Known,
+  header: ShownHeader,
+  language: Language,
+): string {
+  const own = algorithmOf(header).sentences[language];
+  const say = (own[event.e] ?? texts[language].sentences[event.e]) as Say | undefined;
+  if (say === undefined) throw new Error(`no sentence of ${event.e}`);
+  const words = new Words(before, after, header, texts[language], rulesOf[language]);
+  return withoutDoubledSigns(say(event, words));
+}

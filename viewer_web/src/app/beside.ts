@@ -1,0 +1,65 @@
+import { html } from 'lit';
+import type { TemplateResult } from 'lit';
+import type { Lesson, LessonTrace } from '../lessons/lessons.js';
+import type { Setup } from '../reader/address.js';
+import '../reader/lesson-list.js';
+import '../reader/reader-element.js';
+import type { Read } from '../reader/reader-element.js';
+import type { Navigation } from './navigation.js';
+import type { Reading } from './reading.js';
+import type { Session } from './session.js';
+
+/** What the page shows beside the run: lessons, and the text of one of them. */
+export interface Told {
+  readonly lessons: readonly Lesson[];
+  readonly session: Session;
+  readonly setup: Setup;
+  readonly reading: Reading;
+  /** Whether the text of a lesson is beside the run. */
+  readonly isReading: boolean;
+  change(part: Partial<Setup>): void;
+  readonly ways: Navigation;
+  /** Opens the table of contents, or closes it, where there is no room for it. */
+  turnToContents(isOpen: boolean): void;
+}
+
+/** The lessons, and the headings of the text that is read. */
+export function contents(page: Told): TemplateResult {
+  const { lessons, session, setup, reading } = page;
+  const { language } = setup;
+  return html`<vidno-lesson-list
+    .lessons=${lessons}
+    .chosen=${session.lesson}
+    .setup=${setup}
+    .read=${reading.lesson?.id ?? null}
+    .story=${reading.story?.story[language] ?? null}
+    .heading=${reading.reached.heading}
+    @choose=${({ detail }: CustomEvent<LessonTrace>) => page.ways.replace(() => reading.choose(detail))}
+    @visit=${({ detail }: CustomEvent<string>) => reading.visit(detail)}
+    @leave=${() => page.turnToContents(false)}
+  ></vidno-lesson-list>`;
+}
+
+/** The text of the lesson. */
+export function reader(page: Told): TemplateResult {
+  const { lessons, setup, reading } = page;
+  return html`<vidno-reader
+    ?hidden=${!page.isReading}
+    ?inert=${setup.presenting}
+    .story=${reading.story}
+    .error=${reading.error}
+    .lessons=${lessons}
+    .setup=${setup}
+    .goal=${reading.goal}
+    .current=${reading.current}
+    .previous=${reading.neighbour(-1)}
+    .next=${reading.neighbour(1)}
+    @read=${({ detail }: CustomEvent<Read>) => reading.reach(detail, detail.isScrolled && setup.follows)}
+    @pin=${({ detail }: CustomEvent<string>) => page.ways.replace(() => reading.go(detail))}
+    @follow=${({ detail }: CustomEvent<boolean>) => {
+      page.change({ follows: detail });
+      if (detail) void page.ways.replace(() => reading.go(reading.reached.pin));
+    }}
+    @contents=${() => page.turnToContents(true)}
+  ></vidno-reader>`;
+}

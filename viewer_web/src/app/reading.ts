@@ -1,0 +1,184 @@
+import { embeddedFile, idOf } from '../lessons/lessons.js';
+import type { Lesson, LessonTrace } from '../lessons/lessons.js';
+import type { Address } from '../reader/address.js';
+import type { Goal, Reached } from '../reader/reading-place.js';
+import { readStory } from '../reader/story.js';
+import type { LessonStory, Pin } from '../reader/story.js';
+import type { Place, Session } from './session.js';
+
+/** Milliseconds for which one has to stay at a pin: who hurries past it wants to be elsewhere. */
+const stay = 120;
+
+/** A pin by the name of its place, which may have the number of the time behind it. */
+export function pinAt(place: string, { pins }: LessonStory): Pin | null {
+  return pins.get(place) ?? pins.get(place.replace(/\.\d+$/, '')) ?? null;
+}
+
+/** What an address names that is not here: a run, or a lesson. */
+function missingIn(
+  { trace, lesson }: Address,
+  found: LessonTrace | undefined,
+  lessons: readonly Lesson[],
+): string | null {
+  if (trace !== null && found === undefined) return trace;
+  return lesson === null || lessons.some(({ id }) => id === lesson) ? null : lesson;
+}
+
+/** Which lesson is read, where in its text one is, and what of the runs belongs to that. Each change is told. */
+export class Reading {
+  lesson: Lesson | null = null;
+  /** Its text, when it is there. */
+  story: LessonStory | null = null;
+  /** Why there is none. */
+  error: unknown = null;
+  goal: Goal = { place: null, isRead: false };
+  /** What one has reached by reading. */
+  reached: Reached = { place: null, pin: null, heading: null };
+  /** The pin by which the run has come to its step, by the name of its place. */
+  current: string | null = null;
+  private timer = 0;
+
+  constructor(
+    private readonly lessons: readonly Lesson[],
+    private readonly session: Session,
+    private readonly changed: () => void,
+    /** The run is about to be elsewhere. */
+    private readonly leave: () => void,
+  ) {}
+
+  /** Opens what an address names; without any the first lesson. A step that is named there stays, whatever the text says. */
+  async follow(address: Address): Promise<void> {
+    const { lesson: id, at, trace: name, live, step, pixel, bookmarks } = address;
+    const trace = this.lessons.flatMap(({ traces }) => traces).find((each) => idOf(each) === name);
+    const named = this.lessons.find((each) => each.id === id) ?? this.lessonOf(trace);
+    const isOpen = id === null && name === null && live === null;
+    const lesson = named ?? (isOpen ? this.lessons[0] : undefined) ?? null;
+    const place = { step: step ?? 0, pixel, bookmarks };
+    const opened = this.open(lesson, at);
+    const missing = missingIn(address, trace, this.lessons);
+    if (missing !== null) this.session.miss(missing);
+    if (live !== null) void this.session.openCarried(live, place);
+    else if (trace !== undefined) this.show(trace, place);
+    else if (lesson !== null && (await opened)) {
+      if (at === null) this.goal = { place: null, isRead: false };
+      this.begin(lesson, step === null ? at : null, place);
+    }
+  }
+
+  /** Opens a run by itself, with the text of its lesson. */
+  choose(trace: LessonTrace): void {
+    this.leave();
+    const lesson = this.lessonOf(trace) ?? null;
+    if (lesson !== this.lesson) void this.open(lesson, null);
+    void this.session.openLesson(trace);
+  }
+
+  /** Another place in the same text. */
+  visit(place: string): void {
+    this.goal = { place, isRead: true };
+    this.changed();
+  }
+
+  close(): void {
+    void this.open(null, null);
+  }
+
+  /** The lesson before or after this one, of those with a text. */
+  neighbour(by: 1 | -1): Lesson | null {
+    const told = this.lessons.filter(({ story }) => story !== undefined);
+    const own = told.findIndex((each) => each === this.lesson);
+    return own < 0 ? null : (told[own + by] ?? null);
+  }
+
+  /** One has read on; if the run follows, it goes to the pin that one has come to. */
+  reach(reached: Reached, follows: boolean): void {
+    const isOther = reached.pin !== this.reached.pin;
+    this.reached = reached;
+    if (follows && isOther) this.come(reached.pin);
+    this.changed();
+  }
+
+  /** The run goes to a pin at once. */
+  go(place: string | null): void {
+    clearTimeout(this.timer);
+    this.current = place;
+    const pin = this.story && place !== null ? pinAt(place, this.story) : null;
+    if (pin !== null) this.showPin(pin);
+    this.changed();
+  }
+
+  /** The trace of a pin. */
+  traceOf({ run }: Pin): LessonTrace | undefined {
+    const file = this.story?.traces.get(run);
+    return this.lesson?.traces.find((trace) => trace.file === file);
+  }
+
+  private come(place: string | null): void {
+    clearTimeout(this.timer);
+    if (place === this.current) return;
+    this.current = place;
+    // While a scene is edited, or a file of one's own is open, reading takes nobody away from it.
+    const isOwn = this.session.lesson !== null;
+    if (place !== null && isOwn) this.timer = window.setTimeout(() => this.go(place), stay);
+  }
+
+  private lessonOf(trace: LessonTrace | undefined): Lesson | undefined {
+    return this.lessons.find(({ traces }) => trace !== undefined && traces.includes(trace));
+  }
+
+  /** Says whether this is still what is wanted when the text has been read. */
+  private async open(lesson: Lesson | null, place: string | null): Promise<boolean> {
+    clearTimeout(this.timer);
+    if (lesson === this.lesson && place === null) return true;
+    const goal = { place, isRead: false };
+    this.goal = goal;
+    if (lesson !== this.lesson) {
+      this.lesson = lesson;
+      this.story = null;
+      this.error = null;
+      this.current = null;
+      this.reached = { place, pin: null, heading: null };
+    }
+    await this.read();
+    this.changed();
+    return this.goal === goal;
+  }
+
+  private async read(): Promise<void> {
+    const { lesson } = this;
+    if (lesson?.story === undefined || this.story !== null) return;
+    const file = embeddedFile(document, lesson.story);
+    if (file === null) return;
+    const [story, error] = await readStory(file).then(
+      (read) => [read, null] as const,
+      (refusal: unknown) => [null, refusal] as const,
+    );
+    if (lesson !== this.lesson) return;
+    this.story = story;
+    this.error = error;
+  }
+
+  /** The run of the pin at the place, else the first one. */
+  private begin(lesson: Lesson, at: string | null, place: Place): void {
+    const pin = at !== null && this.story !== null ? pinAt(at, this.story) : null;
+    const trace = (pin && this.traceOf(pin)) ?? lesson.traces[0];
+    if (trace === undefined) return;
+    if (pin !== null) this.current = at;
+    this.show(trace, pin === null ? place : { ...place, step: pin.step });
+    this.changed();
+  }
+
+  private show(trace: LessonTrace, place: Place): void {
+    if (idOf(trace) === this.session.lesson) this.session.move(place);
+    else void this.session.openLesson(trace, place);
+  }
+
+  private showPin(pin: Pin): void {
+    const { session } = this;
+    const trace = this.traceOf(pin);
+    if (trace === undefined) return;
+    this.leave();
+    if (idOf(trace) === session.lesson) session.move({ step: pin.step });
+    else void session.openLesson(trace, { step: pin.step, pixel: null, bookmarks: [] });
+  }
+}

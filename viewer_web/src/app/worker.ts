@@ -1,0 +1,23 @@
+import { read } from '../replay/read.js';
+import type { News } from '../replay/read.js';
+import './models.js';
+
+/** What of the global scope a worker has and a page has not. */
+interface Scope {
+  onmessage: ((message: MessageEvent<Blob>) => void) | null;
+  postMessage(news: News, transfer: readonly Transferable[]): void;
+}
+const scope = globalThis as unknown as Scope;
+
+/** Bytes and columns are given away, not copied. */
+function given(news: News): readonly Transferable[] {
+  if (news.is !== 'part') return [];
+  const { bytes, starts, names } = news.block;
+  return [bytes.buffer, starts.buffer, names.buffer];
+}
+
+async function tell(file: Blob): Promise<void> {
+  for await (const news of read(file)) scope.postMessage(news, given(news));
+}
+
+scope.onmessage = ({ data }) => void tell(data).catch(reportError);

@@ -1,0 +1,57 @@
+import { defineAlgorithm } from '../algorithm/algorithm.js';
+import { columnThing, curveThing } from '../algorithm/pointed.js';
+import type { View } from '../algorithm/view.js';
+import type { Event } from '../trace/events.js';
+import { flags, horizons, meeting } from './ask.js';
+import { figureOf } from './figure.js';
+import { ColumnWatch } from './history.js';
+import './model.js';
+import { notes } from './notes.js';
+import { sentences as en } from './sentences.en.js';
+import { sentences as ru } from './sentences.ru.js';
+
+/** The curves, and of the columns, which may be thousands, those that were looked at last. */
+function things({ header, after: { horizon } }: View): readonly string[] {
+  const { previous = null, current = null } = horizon?.place ?? {};
+  return [
+    ...(header.scene.curves ?? []).map((_, i) => curveThing(i)),
+    ...[previous, current].flatMap((looked) => (looked === null ? [] : [columnThing(looked[0])])),
+  ];
+}
+
+/** A curve is taken once, and looked at once over each column. */
+function landmark(event: Event, inHand: string): string | null {
+  if (event.e === 'curve') return `curve ${event.curve}`;
+  return event.e === 'visibility' ? `column ${event.x} ${inHand}` : null;
+}
+
+defineAlgorithm(['floating-horizon'], {
+  sentences: { en, ru },
+  notes,
+  begins: ['curve'],
+  things,
+  marks: () => [],
+  figure: figureOf,
+  lanes: { first: 'curves', below: [[], ['calls']] },
+  /** What is in hand is a curve. */
+  course: ({ begin, eventAt }) => ({
+    curve: (step) => {
+      const event = eventAt(step);
+      if (event?.e === 'curve') begin(step, event.curve);
+    },
+  }),
+  goals: [
+    { name: 'curve', at: ['curve'] },
+    { name: 'crossing', at: ['intersection'] },
+  ],
+  watch: (pixel, { detail, edition }) => new ColumnWatch(pixel, detail, edition),
+  heading: ({ horizon }) => horizon?.curve ?? null,
+  abouts: {},
+  askers: { flags, horizons, meeting },
+  facts: () => [],
+  polygonsAsked: () => [],
+  counts: { curves: ['curve'], flags: ['visibility'], crossings: ['intersection'] },
+  sums: [],
+  landmarks: ['curve', 'visibility'],
+  landmark,
+});

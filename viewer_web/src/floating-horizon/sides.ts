@@ -1,0 +1,32 @@
+import type { Edition } from '../trace/editions.js';
+import type { Event } from '../trace/events.js';
+import type { Flag } from './events.js';
+import type { FloatingHorizon } from './state.js';
+
+/** A point of a curve lies above the horizons, below them, or hidden between. */
+export type Side = 'above' | 'below' | 'hidden';
+
+/** The side on which a point counts: one on both goes with its neighbour if that is visible. */
+export function sideBeside(flag: Flag, neighbour: Flag): Side {
+  if (flag === 0) return 'hidden';
+  if (flag === 2) return neighbour === -1 ? 'below' : 'above';
+  return flag === 1 ? 'above' : 'below';
+}
+
+/** Which horizon a segment meets; null where that is not the same in both editions (X-H2), or not told. */
+export function metBy(
+  at: Event<'intersection'>['at'],
+  state: Pick<FloatingHorizon, 'place'> | null,
+): 'upper' | 'lower' | null {
+  const { previous = null, current = null } = state?.place ?? {};
+  if (previous === null || current === null) return null;
+  const was = sideBeside(previous[1], current[1]);
+  const is = sideBeside(current[1], previous[1]);
+  const side = at === 'FH7' ? was : is;
+  if (side === 'above') return 'upper';
+  return side === 'below' && was !== 'hidden' ? 'lower' : null;
+}
+
+/** Whether the printed text says of a point that it lies below, and need not draw it (X-H1). */
+export const isLostBelow = (flag: Flag, edition: Edition): boolean =>
+  flag === -1 && edition === 'printed';

@@ -1,0 +1,22 @@
+import type { Numbers } from '../language/texts.js';
+import type { N } from '../trace/values.js';
+
+/** From a first column, row or pixel up to, not including, an end. */
+export const half = (range: readonly [first: number, end: number], { list }: Numbers): string =>
+  `[${list(range)})`;
+
+const order: Readonly<Record<string, string>> = { '-1': '<', '0': '=', '1': '>' };
+
+/** How two numbers stand to each other. */
+export const compared = (z: N, other: N, sign: number, { shortApart }: Numbers): string =>
+  shortApart(z, other).join(` ${order[sign] ?? ''} `);
+
+/** Whether a number is nearer than another one. */
+export const nearer = (z: N, against: N, is: boolean, { shortApart }: Numbers): string =>
+  shortApart(z, against).join(is ? ' > ' : ' ≯ ');
+
+/** The sign of a value. */
+export const signOf = (
+  { value, sign }: { readonly value: N; readonly sign: number },
+  numbers: Numbers,
+): string => `${numbers.short(value)} ${order[sign] ?? ''} 0`;

@@ -1,0 +1,44 @@
+import type { View } from '../algorithm/view.js';
+import type { Event, EventName } from '../trace/events.js';
+import type { N, Point } from '../trace/values.js';
+import { box, path, point } from './mark.js';
+import type { Mark, Role } from './mark.js';
+
+/** What stands on the picture because of an event. */
+export type Draw<K extends EventName> = (event: Event<K>, view: View) => readonly Mark[];
+export type Draws = { readonly [K in EventName]?: Draw<K> };
+
+/** Stretches of a row of pixels. */
+export const rowBoxes = (
+  role: Role,
+  row: number,
+  runs: readonly (readonly [number, number])[],
+): readonly Mark[] => runs.map(([first, end]) => box(role, [first, row, end - first, 1]));
+
+export const atPoint = ({ point: at }: { readonly point: Point }): readonly Mark[] => [
+  point('point', at),
+];
+
+/** The pixels that take a colour. */
+export const painted = ({ runs }: Pick<Event<'draw'>, 'runs'>): readonly Mark[] =>
+  runs.flatMap(([row, ...run]) => rowBoxes('touched', row, [run]));
+
+/** A piece of the centre line of a row. */
+export const onRow = (row: number, left: N, right: N): Mark =>
+  path('side', [
+    [left, row + 0.5],
+    [right, row + 0.5],
+  ]);
+
+/** What the events tell that all algorithms have. */
+const common: Draws = {
+  depth: atPoint,
+  fault: ({ x, y }) => (x === undefined || y === undefined ? [] : [box('off', [x, y, 1, 1])]),
+};
+
+export function eventMarks(draws: Draws, view: View): readonly Mark[] {
+  const { event } = view;
+  if (event === null) return [];
+  const marks = (draws[event.e] ?? common[event.e]) as Draw<EventName> | undefined;
+  return marks?.(event, view) ?? [];
+}

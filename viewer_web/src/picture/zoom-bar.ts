@@ -1,0 +1,93 @@
+import { LitElement, css, html, nothing, svg } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { base } from '../elements/theme.js';
+import type { PictureTexts } from '../language/picture-texts.js';
+import type { Frame, Zooming } from './frame.js';
+
+/** Lines in a square of 20. */
+const shapes: Readonly<Record<Zooming, string>> = {
+  out: 'M4 10H16',
+  in: 'M4 10H16M10 4V16',
+  whole: 'M3 7.5V3H7.5M12.5 3H17V7.5M17 12.5V17H12.5M7.5 17H3V12.5',
+  all: 'M7 7H13V13H7ZM3 6V3H6M14 3H17V6M17 14V17H14M6 17H3V14',
+};
+
+/** Buttons that make what is shown smaller and larger: an event `zoom` tells which. */
+@customElement('vidno-zoom-bar')
+export class ZoomBarElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: var(--tools, block);
+        position: absolute;
+        top: 0.375rem;
+        right: 0.375rem;
+      }
+      div {
+        display: flex;
+        border: 1px solid var(--line);
+        border-radius: 6px;
+        overflow: hidden;
+        background: var(--panel);
+      }
+      button {
+        display: grid;
+        place-items: center;
+        width: 1.75rem;
+        min-height: 1.75rem;
+        padding: 0;
+        border: 0;
+        border-radius: 0;
+      }
+      button + button {
+        border-left: 1px solid var(--line);
+      }
+      button:hover:not([aria-disabled='true']) {
+        background: var(--accent-wash);
+      }
+      button[aria-disabled='true'] {
+        cursor: default;
+      }
+      [aria-disabled='true'] svg {
+        opacity: 0.4;
+      }
+      :focus-visible {
+        outline-offset: -3px;
+      }
+      svg {
+        width: 1rem;
+        height: 1rem;
+        fill: none;
+        stroke: currentColor;
+        stroke-width: 2;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) frame!: Frame;
+  @property({ attribute: false }) texts!: PictureTexts;
+
+  override render(): TemplateResult {
+    const { texts, frame } = this;
+    const isWhole = frame.zoom === null;
+    return html`<div role="group" aria-label=${texts.zoom}>
+      ${this.button('out', frame.isSmallest)} ${this.button('in', frame.isLargest)}
+      ${this.button('whole', isWhole)}
+      ${frame.hasMore ? this.button('all', frame.isSmallest) : nothing}
+    </div>`;
+  }
+
+  private button(way: Zooming, off: boolean): TemplateResult {
+    const label = this.texts[way];
+    return html`<button
+      aria-label=${label}
+      title=${label}
+      aria-disabled=${off ? 'true' : 'false'}
+      @click=${() => this.dispatchEvent(new CustomEvent<Zooming>('zoom', { detail: way }))}
+    >
+      <svg viewBox="0 0 20 20" aria-hidden="true">${svg`<path d=${shapes[way]} />`}</svg>
+    </button>`;
+  }
+}

@@ -1,0 +1,85 @@
+import type { Detail, Event, Method } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import type { Columns } from './columns.js';
+import type { Line } from './lines.js';
+import type { Screen } from './screen.js';
+import type { Uses } from './uses.js';
+
+/**
+ * What runs hold at a step, each algorithm under a name of its own. Values are immutable, so that keyframes share what does
+ * not change. The algorithms add their parts by `declare module`; those of the others are missing.
+ */
+// eslint-disable-next-line @typescript-eslint/no-empty-object-type
+export interface Held {}
+
+/** What events write on: pixels, and in a run of curves the columns of the area. */
+export interface Paper {
+  readonly screen: Screen;
+  readonly columns: Columns | null;
+}
+
+/** What one run holds while it goes from event to event. */
+export interface Hand {
+  readonly held: Held;
+  /** Goes past an event; one that cannot happen here is refused. */
+  take(event: Event, paper: Paper): void;
+  /** Holds what a keyframe has. */
+  load(held: Held): void;
+}
+
+/** What a state is in the one form in which readers of a trace are compared. */
+export interface Compared extends Paper {
+  readonly held: Held;
+  readonly method: Method;
+  readonly detail: Detail;
+  readonly lines: readonly Line[];
+}
+
+/** How the runs of an algorithm change what they hold. */
+export interface Model {
+  /** The procedure that runs first, as its listing is called. */
+  bottomOf(method: Method): string;
+  /** Whether windows are cut anywhere, not halved. */
+  cutsAnywhere?(method: Method): boolean;
+  begin(header: Header): Hand;
+  readonly uses: Uses;
+  compared(state: Compared): object;
+}
+
+/** A hand that holds one value, and gets the next one from an event. */
+export class ValueInHand<K extends keyof Held> implements Hand {
+  constructor(
+    private readonly name: K,
+    private value: NonNullable<Held[K]>,
+    private readonly after: (
+      event: Event,
+      now: NonNullable<Held[K]>,
+      paper: Paper,
+    ) => NonNullable<Held[K]>,
+  ) {}
+
+  get held(): Held {
+    return { [this.name]: this.value };
+  }
+
+  take(event: Event, paper: Paper): void {
+    this.value = this.after(event, this.value, paper);
+  }
+
+  load(held: Held): void {
+    this.value = held[this.name] ?? this.value;
+  }
+}
+
+const models = new Map<Method, Model>();
+
+/** Makes runs of these methods known; each algorithm does so once, as the page is loaded. */
+export function defineModel(methods: readonly Method[], model: Model): void {
+  for (const method of methods) models.set(method, model);
+}
+
+export function modelOf({ method }: Pick<Header, 'method'>): Model {
+  const model = models.get(method);
+  if (model === undefined) throw new Error(`no model of ${method} was defined`);
+  return model;
+}

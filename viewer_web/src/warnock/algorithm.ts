@@ -1,0 +1,91 @@
+import { defineAlgorithm } from '../algorithm/algorithm.js';
+import type { Algorithm } from '../algorithm/algorithm.js';
+import { cornerThing, windowThing } from '../algorithm/pointed.js';
+import type { View } from '../algorithm/view.js';
+import { cells } from '../language/words.js';
+import { figureOf } from '../picture/figure.js';
+import { corners, hasWindows, methods } from '../trace/events.js';
+import type { Event } from '../trace/events.js';
+import { abouts } from './about.js';
+import { clip } from './ask-clip.js';
+import { octants, ray } from './ask-contained.js';
+import { corners as cornersAsked } from './ask-corners.js';
+import { inside } from './ask-inside.js';
+import { point } from './ask-point.js';
+import { relation } from './ask-relation.js';
+import { window } from './ask-window.js';
+import { course, goals } from './course.js';
+import { facts, polygonsAsked } from './facts.js';
+import { WarnockWatch } from './history.js';
+import { marks, thingMarks } from './marks.js';
+import './model.js';
+import { notes } from './notes.js';
+import { sentences as en } from './sentences.en.js';
+import { sentences as ru } from './sentences.ru.js';
+import { drawing, pointed } from './solid.js';
+import { caption } from './solid-caption.js';
+import { why } from './why.js';
+
+/** The corners of the window in hand, and the windows on the stack, the next one first. */
+function things({ after: { warnock } }: View): readonly string[] {
+  if (warnock === undefined) return [];
+  return [
+    ...(warnock.corners === null ? [] : corners.map(cornerThing)),
+    ...warnock.stack.map(({ window: each }) => windowThing(each)).reverse(),
+  ];
+}
+
+/** A window is taken once, and decided once. */
+function landmark(event: Event, inHand: string): string | null {
+  if (event.e === 'pop') return `window ${event.window.join()}`;
+  return event.e === 'decide' ? `decide ${inHand}` : null;
+}
+
+const sums: Algorithm['sums'] = [
+  {
+    counter: 'splits',
+    at: ['decide'],
+    amount: (event) => (event.e === 'decide' && event.case === 'split' ? 1 : 0),
+  },
+  {
+    counter: 'painted',
+    at: ['fill', 'draw'],
+    amount(event) {
+      if (event.e === 'fill') return event.rect[2] * event.rect[3];
+      return event.e === 'draw' ? cells(event.runs) : 0;
+    },
+  },
+];
+
+defineAlgorithm(methods.filter(hasWindows), {
+  sentences: { en, ru },
+  notes,
+  begins: ['pop'],
+  things,
+  marks,
+  thingMarks,
+  figure: figureOf,
+  solid: { drawing, pointed, caption },
+  lanes: { first: 'cases', below: [['levels'], ['levels', 'calls']] },
+  course,
+  goals,
+  watch: (pixel, { detail }) => new WarnockWatch(pixel, detail),
+  heading: ({ warnock }) => warnock?.window ?? null,
+  why,
+  entry: ({ event, outcome }, { missed }) =>
+    outcome === 'fail' && event.e === 'draw' ? missed(event.polygon) : null,
+  abouts,
+  askers: { window, relation, ray, octants, corners: cornersAsked, inside, point, clip },
+  facts,
+  polygonsAsked,
+  counts: {
+    windows: ['pop'],
+    surrounds: ['surround'],
+    relations: ['relation'],
+    comparisons: ['compare'],
+    sides: ['clip_side'],
+  },
+  sums,
+  landmarks: ['pop', 'decide'],
+  landmark,
+});

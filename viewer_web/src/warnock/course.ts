@@ -1,0 +1,33 @@
+import { only } from '../replay/wanted.js';
+import { cases } from '../time/course.js';
+import type { Book, Watched } from '../time/course.js';
+import type { OwnGoal } from '../time/goals.js';
+
+/** What is in hand is a window. */
+export function course({ begin, decide, eventAt }: Book): Watched {
+  let level = 0;
+  // The levels of the windows on the stack: a window that is pushed is a part of the one in hand.
+  const stack: number[] = [];
+  return {
+    push: () => stack.push(level + 1),
+    pop: (step) => {
+      level = stack.pop() ?? 1;
+      begin(step, -1, level);
+    },
+    decide: (step) => {
+      const event = eventAt(step);
+      if (event?.e === 'decide') decide(cases.indexOf(event.case));
+    },
+  };
+}
+
+/** What follows the decision to split. */
+const splits = only('push', 'skip', 'split_vertex');
+
+export const goals: readonly OwnGoal[] = [
+  {
+    name: 'split',
+    at: ['decide'],
+    isGoal: ({ names }, step) => splits[names[step] ?? -1] === true,
+  },
+];

@@ -1,0 +1,104 @@
+import { toNumber } from '../language/words.js';
+import type { Known, Words } from '../language/words.js';
+import type { Event } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import type { Box, Corner, N } from '../trace/values.js';
+import type { Warnock } from './state.js';
+
+declare module '../language/words.js' {
+  interface Known {
+    readonly warnock?: Pick<Warnock, 'window' | 'apl' | 'covering' | 'nearest'> &
+      Partial<Pick<Warnock, 'way' | 'joined' | 'contained'>>;
+  }
+}
+
+/** The text's corner at a point of a window, if it is one. */
+export function cornerAt(at: readonly N[], window: Box | null): Corner | null {
+  if (window === null) return null;
+  const [x, y, width, height] = window;
+  const [px, py] = at.map(toNumber);
+  if ((px !== x && px !== x + width) || (py !== y && py !== y + height)) return null;
+  if (px === x) return py === y ? 'lb' : 'lt';
+  return py === y ? 'rb' : 'rt';
+}
+
+const sideNames = ['top', 'left', 'bottom', 'right'] as const;
+export type WindowSide = (typeof sideNames)[number];
+
+/** The side of a window that a line goes along; null if it goes along none. */
+export function sideAlong(
+  { from, to }: { readonly from: readonly N[]; readonly to: readonly N[] },
+  window: Box | null,
+): WindowSide | null {
+  if (window === null) return null;
+  const [x, y, width, height] = window;
+  const ends = [from, to].map((end) => end.map(toNumber));
+  const along = (axis: 0 | 1, value: number): boolean => ends.every((end) => end[axis] === value);
+  const isAlong = {
+    top: along(1, y),
+    left: along(0, x),
+    bottom: along(1, y + height),
+    right: along(0, x + width),
+  };
+  return sideNames.find((side) => isAlong[side]) ?? null;
+}
+
+/** The place of a corner of the current window in words, or null for a point that is none. */
+export function placeOf(at: readonly N[], words: Words): string | null {
+  const corner = cornerAt(at, words.after.warnock?.window ?? null);
+  return corner && words.places([corner]);
+}
+
+/** The one polygon of the current list; null if the trace is too coarse to say which. */
+export function onlyOf({ warnock }: Known): string | null {
+  const [first, ...others] = warnock?.apl?.entries ?? [];
+  return first !== undefined && others.length === 0 ? first[0] : null;
+}
+
+/** The sum so far of what the edges of an outline count: crossings of a ray, or octants. */
+export function containment(warnock: Known['warnock']): number {
+  return (warnock?.contained ?? []).reduce(
+    (sum, edge) => sum + (edge.e === 'ray' ? edge.counts : edge.difference),
+    0,
+  );
+}
+
+/** What hides all others in the window: as it was found, or the only one that surrounds it. */
+export function hidingOf({ warnock }: Known): string | null {
+  return warnock?.covering ?? warnock?.joined?.surrounding.at(-1)?.polygon ?? null;
+}
+
+/** Whose a colour is: one polygon's or the background's; where the trace does not say which, all that have it. */
+export interface Owners {
+  readonly polygons: readonly string[];
+  readonly background: boolean;
+}
+
+const background: Owners = { polygons: [], background: true };
+
+/** The lines that fill a window with the background, whatever a polygon's colour is. */
+const fillsGround: readonly Event<'fill'>['at'][] = ['W7', 'W10', 'WS4', 'WF5', 'WF6'];
+/** Those at which PointColor has found the colour. */
+const fillsPoint: readonly Event<'fill' | 'color'>['at'][] = ['W9', 'WS5', 'WF11'];
+
+export function ownersOf(
+  { e, at, color }: Event<'fill' | 'color'>,
+  known: Known,
+  { scene, detail }: Pick<Header, 'scene' | 'detail'>,
+): Owners {
+  if (e === 'fill' && fillsGround.includes(at)) return background;
+  const isPoint = fillsPoint.includes(at);
+  const told = isPoint ? (known.warnock?.nearest?.polygon ?? null) : hidingOf(known);
+  if (told !== null && scene.byId.get(told)?.color === color) {
+    return { polygons: [told], background: false };
+  }
+  const isBackground = color === scene.background;
+  if (isPoint && told === null && isBackground && detail !== 'windows') return background;
+  return {
+    polygons: scene.polygons.filter((polygon) => polygon.color === color).map(({ id }) => id),
+    background: isBackground,
+  };
+}
+
+/** The lines that ask for the side of an edge, but for those that ask it of a point as such. */
+export type SideLine = Exclude<Event<'orient'>['at'], 'S2' | 'S3' | 'ED3'>;

@@ -1,0 +1,73 @@
+import { defineAlgorithm } from '../algorithm/algorithm.js';
+import { cells } from '../language/words.js';
+import { polygonInHand } from '../picture/in-hand.js';
+import { activeDrawing } from '../solid/drawing.js';
+import { behind } from './ask-behind.js';
+import { entering } from './ask-entering.js';
+import { parted } from './ask-parted.js';
+import { piercing } from './ask-piercing.js';
+import { sort } from './ask-sort.js';
+import { stack } from './ask-stack.js';
+import { walk } from './ask-walk.js';
+import { facts, polygonsAsked } from './facts.js';
+import { figureOf } from './figure.js';
+import { RegionWatch } from './history.js';
+import { marks } from './marks.js';
+import './model.js';
+import { notes } from './notes.js';
+import { sentences as en } from './sentences.en.js';
+import { sentences as ru } from './sentences.ru.js';
+
+defineAlgorithm(['weiler-atherton'], {
+  sentences: { en, ru },
+  notes,
+  begins: ['pop_list'],
+  things: () => [],
+  marks,
+  figure: figureOf,
+  solid: {
+    drawing: (view) => activeDrawing(polygonInHand(view)),
+    caption: () => [],
+  },
+  lanes: { first: 'polygons', below: [[], ['calls']] },
+  /** What is in hand is a list with its clip polygon. */
+  course: ({ begin, eventAt, indexOf }) => ({
+    pop_list: (step) => {
+      const event = eventAt(step);
+      if (event?.e === 'pop_list') begin(step, indexOf(event.clip));
+    },
+  }),
+  goals: [
+    { name: 'list', at: ['pop_list'] },
+    { name: 'region', at: ['show'] },
+  ],
+  watch: (pixel) => new RegionWatch(pixel),
+  heading({ regions }, event) {
+    // Once regions are painted no list is in hand.
+    if (event.e === 'paint' || event.e === 'order') return event.polygon;
+    return regions?.inHand?.pieces[0]?.[0] ?? null;
+  },
+  why: ({ event }) =>
+    event.e === 'paint'
+      ? { why: 'region', polygon: event.polygon }
+      : { why: 'untouched', polygon: null },
+  abouts: {},
+  askers: { piercing, sort, parted, entering, walk, behind, stack },
+  facts,
+  polygonsAsked,
+  counts: {
+    comparisons: ['behind', 'order'],
+    lists: ['pop_list'],
+    clips: ['clipped'],
+    regions: ['show'],
+  },
+  sums: [
+    {
+      counter: 'painted',
+      at: ['paint'],
+      amount: (event) => (event.e === 'paint' ? cells(event.runs) : 0),
+    },
+  ],
+  landmarks: [],
+  landmark: () => null,
+});

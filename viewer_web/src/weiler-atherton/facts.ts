@@ -1,0 +1,31 @@
+import type { View } from '../algorithm/view.js';
+import { texts } from '../i18n/index.js';
+import { mostOptions } from '../predict/asker.js';
+import type { Fact } from '../predict/facts.js';
+import type { Piece } from './events.js';
+import { ownersOf } from './pieces.js';
+import { emptyRegions } from './state.js';
+import type { Regions } from './state.js';
+
+/** The list in hand; before there is one, what will be sorted. */
+const piecesOf = ({ inHand, facets }: Regions): readonly Piece[] => inHand?.pieces ?? facets;
+
+/** The pieces with their outlines as one walks along them, and the polygons of the other lists, the top one first. */
+export function facts({ after: { regions }, texts: page, language }: View): readonly Fact[] {
+  if (regions === undefined) return [];
+  const { regions: say, numbers } = texts[language];
+  const pieces = piecesOf(regions);
+  const listed = pieces.slice(0, mostOptions).map(([id, region, ground]) => {
+    const loops = region.map((loop) => loop.map(numbers.point).join(' ')).join(' / ');
+    return `${id}${ground ? ` (${say.ground})` : ''}: ${loops}`;
+  });
+  const others = pieces.length > mostOptions ? [page.more(pieces.length - mostOptions)] : [];
+  const lists = [...regions.lists].reverse().map((list) => list.map(([id]) => id).join(', '));
+  return [
+    [regions.inHand === null ? say.pieces : say.list, [...listed, ...others].join('; ')],
+    [say.lists, lists.join('; ') || '∅'],
+  ];
+}
+
+export const polygonsAsked = ({ after }: View): readonly string[] =>
+  ownersOf(piecesOf(after.regions ?? emptyRegions));

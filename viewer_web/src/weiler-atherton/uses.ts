@@ -1,0 +1,29 @@
+import { Uses, noneOfCommon, nothing } from '../replay/uses.js';
+import type { Use } from '../replay/uses.js';
+import type { CommonEvents, RegionEvents } from '../trace/events.js';
+
+const table: Readonly<Record<keyof CommonEvents | keyof RegionEvents, Use>> = {
+  ...noneOfCommon,
+  cut_to_area: { changes: ['facets'], sets: ['crossings'] },
+  pierce: { sets: ['piercing'] },
+  split: nothing,
+  facets: { sets: ['facets', 'piercing'] },
+  greatest_depth: nothing,
+  sorted: nothing,
+  push_list: { changes: ['lists'] },
+  pop_list: { changes: ['lists'], sets: ['inHand'] },
+  beside: { changes: ['inHand'] },
+  clipped: { changes: ['inHand'], sets: ['piercing', 'crossings'] },
+  edge_piece: nothing,
+  entering: { changes: ['crossings'] },
+  leaving: { changes: ['crossings'] },
+  behind: { changes: ['inHand'] },
+  nearer_ones: { changes: ['inHand'] },
+  show: { changes: ['visible'] },
+  order: nothing,
+  paint: { changes: ['picture'] },
+  painted: nothing,
+  row: nothing,
+};
+
+export const uses = new Uses(table);

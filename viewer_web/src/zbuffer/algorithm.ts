@@ -1,0 +1,77 @@
+import { defineAlgorithm } from '../algorithm/algorithm.js';
+import { edgeThing } from '../algorithm/pointed.js';
+import type { View } from '../algorithm/view.js';
+import type { Entry } from '../history/entry.js';
+import type { Reason } from '../history/why.js';
+import { cells } from '../language/words.js';
+import { figureOf } from '../picture/figure.js';
+import type { Event } from '../trace/events.js';
+import type { Header } from '../trace/header.js';
+import { abouts } from './about.js';
+import { ael } from './ask-ael.js';
+import { pixels } from './ask-pixels.js';
+import { changesAel, course, goals } from './course.js';
+import { facts, polygonsAsked } from './facts.js';
+import { ZBufferWatch } from './history.js';
+import { marks, thingMarks } from './marks.js';
+import './model.js';
+import { notes } from './notes.js';
+import { sentences as en } from './sentences.en.js';
+import { sentences as ru } from './sentences.ru.js';
+import { caption, drawing, pointed } from './solid.js';
+
+/** The edges of the polygon in hand, the active ones first. */
+function things({ after: { zbuffer } }: View): readonly string[] {
+  if (zbuffer === undefined) return [];
+  return [...zbuffer.ael.map(({ edge }) => edge), ...zbuffer.edges].map(edgeThing);
+}
+
+function why({ event, known }: Entry, { edition }: Header): Reason {
+  if (event.e !== 'span') return { why: 'untouched', polygon: null };
+  const polygon = known.zbuffer?.polygon ?? null;
+  return { why: edition === 'printed' ? 'notFarther' : 'nearest', polygon };
+}
+
+/** A polygon is taken once, and has a row once. */
+function landmark(event: Event, inHand: string): string | null {
+  if (event.e === 'polygon') return `polygon ${event.polygon}`;
+  return event.e === 'scanline' ? `row ${event.row} ${inHand}` : null;
+}
+
+defineAlgorithm(['zbuffer'], {
+  sentences: { en, ru },
+  notes,
+  begins: ['polygon'],
+  things,
+  marks,
+  thingMarks,
+  figure: figureOf,
+  solid: { drawing, pointed, caption },
+  lanes: { first: 'polygons', below: [[], ['ael', 'calls']] },
+  course,
+  goals,
+  watch: (pixel) => new ZBufferWatch(pixel),
+  heading: ({ zbuffer }) => zbuffer?.polygon ?? null,
+  why,
+  entry: ({ event, known, outcome }, { kept }) =>
+    outcome === 'fail' && event.e === 'span' ? kept(known.zbuffer?.polygon ?? '') : null,
+  abouts,
+  askers: { ael, pixels },
+  facts,
+  polygonsAsked,
+  counts: { comparisons: ['pixel'] },
+  sums: [
+    {
+      counter: 'ael',
+      at: ['ael_add', 'ael_drop'],
+      amount: (event) => (changesAel(event) ? 1 : 0),
+    },
+    {
+      counter: 'painted',
+      at: ['span'],
+      amount: (event) => (event.e === 'span' ? cells(event.runs) : 0),
+    },
+  ],
+  landmarks: ['polygon', 'scanline'],
+  landmark,
+});

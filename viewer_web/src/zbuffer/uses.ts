@@ -1,0 +1,29 @@
+import { Uses, noneOfCommon, nothing } from '../replay/uses.js';
+import type { Use } from '../replay/uses.js';
+import type { CommonEvents, ZBufferEvents } from '../trace/events.js';
+
+/** The state's copy of some of its values, which outlives the polygon. */
+const kept = ['last'];
+
+const table: Readonly<Record<keyof CommonEvents | keyof ZBufferEvents, Use>> = {
+  ...noneOfCommon,
+  clear: { sets: ['picture', 'z'] },
+  polygon: { sets: ['polygon', 'edges', 'ael', 'y', 'row', 'nextS', 'nextAel'] },
+  edge: { changes: ['edges'] },
+  extent: nothing,
+  scanline: { sets: ['y', 'row'], changes: kept },
+  ael_add: { changes: ['ael'] },
+  horizontal: nothing,
+  leave: { changes: ['edges', ...kept], sets: ['nextS'] },
+  ael_sort: { changes: ['ael', ...kept], sets: ['nextAel'] },
+  line: nothing,
+  miss: nothing,
+  slope: nothing,
+  columns: nothing,
+  pixel: nothing,
+  span: { changes: ['picture', 'z'], reads: ['polygon'] },
+  ael_drop: { changes: ['ael', ...kept], sets: ['nextAel'] },
+  ael_step: { changes: ['ael'] },
+};
+
+export const uses = new Uses(table);
