@@ -67,7 +67,7 @@ inline Scene small_scene() {
 
 /// With sanitizers a run takes ten times as long. There the longest tests take one of this number of their scenes or steps.
 #ifdef VIDNO_SANITIZED
-inline constexpr int thinning = 4;
+inline constexpr int thinning = 8;
 #else
 inline constexpr int thinning = 1;
 #endif
