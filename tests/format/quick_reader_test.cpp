@@ -7,7 +7,7 @@
 #include <set>
 
 #include "check/check.h"
-#include "format/curve_trace.h"
+#include "format/floating_horizon_trace.h"
 #include "format/trace_reader.h"
 #include "output.h"
 #include "support/agreement.h"
@@ -59,10 +59,10 @@ std::vector<TraceLines> traces_of_all_methods() {
                 traces.push_back(traced(TraceHeader{method, edition, name, Detail::signs, scene},
                                         RunRequest{method, kernel, edition, scene, Detail::signs}, place % 2 == 0));
             }
-            if (!kernel.choice->runs_curves(edition)) continue;
+            if (!kernel.choice->runs_floating_horizon(edition)) continue;
             const Surface surface{"", curves.scene()};
-            traces.push_back(traced(CurveHeader{edition, name, Detail::signs, surface},
-                                    CurveRequest{kernel, edition, surface.curves, Detail::signs}, true));
+            traces.push_back(traced(FloatingHorizonHeader{edition, name, Detail::signs, surface},
+                                    FloatingHorizonRequest{kernel, edition, surface.curves, Detail::signs}, true));
         }
     }
     return traces;

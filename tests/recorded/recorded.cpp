@@ -29,11 +29,11 @@
 #include "picture/image.h"
 #include "random_scenes.h"
 #include "regions/region_output.h"
-#include "run/curve_run.h"
+#include "run/floating_horizon_run.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "scene/surface.h"
-#include "state/curve_state.h"
+#include "state/floating_horizon_state.h"
 #include "state/state.h"
 
 namespace vidno::recorded {
@@ -136,7 +136,7 @@ struct PolygonMethod {
     Edition edition;
     NamedKernel kernel;
 };
-struct CurveMethod {
+struct FloatingHorizonMethod {
     Edition edition;
     NamedKernel kernel;
 };
@@ -149,7 +149,9 @@ std::string options_of(std::string_view method, Edition edition, const NamedKern
 std::string options_of(const PolygonMethod& each) {
     return options_of(method_names[std::size_t(each.method)], each.edition, each.kernel);
 }
-std::string options_of(const CurveMethod& each) { return options_of(curve_method, each.edition, each.kernel); }
+std::string options_of(const FloatingHorizonMethod& each) {
+    return options_of(floating_horizon_method, each.edition, each.kernel);
+}
 
 void for_each_choice(auto&& use) {
     for (std::size_t edition = 0; edition < edition_names.size(); ++edition) {
@@ -167,10 +169,10 @@ std::vector<PolygonMethod> polygon_methods() {
     return methods;
 }
 
-std::vector<CurveMethod> curve_methods() {
-    std::vector<CurveMethod> methods;
+std::vector<FloatingHorizonMethod> floating_horizon_methods() {
+    std::vector<FloatingHorizonMethod> methods;
     for_each_choice([&](Edition edition, const NamedKernel& kernel) {
-        if (kernel.choice->runs_curves(edition)) methods.push_back({edition, kernel});
+        if (kernel.choice->runs_floating_horizon(edition)) methods.push_back({edition, kernel});
     });
     return methods;
 }
@@ -193,7 +195,7 @@ std::string result_of(RunRequest request) {
     }
     return result;
 }
-std::string result_of(CurveRequest request) {
+std::string result_of(FloatingHorizonRequest request) {
     std::uint64_t steps = 0;
     request.progress = [&] { ++steps; };
     const DrawnLines lines = run(request);
@@ -203,7 +205,7 @@ std::string result_of(CurveRequest request) {
 TraceHeader header_of(const RunRequest& request, const Scene& scene) {
     return {request.method, request.edition, request.kernel.name(), request.detail, scene};
 }
-CurveHeader header_of(const CurveRequest& request, const Surface& surface) {
+FloatingHorizonHeader header_of(const FloatingHorizonRequest& request, const Surface& surface) {
     return {request.edition, request.kernel.name(), request.detail, surface};
 }
 
@@ -216,7 +218,9 @@ std::string trace_of(const auto& request, const auto& scene, bool checked) {
 }
 
 State state_of(const TraceReader& reader) { return State(reader.header()); }
-CurveState state_of(const CurveTraceReader& reader) { return CurveState(reader.header()); }
+FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
+    return FloatingHorizonState(reader.header());
+}
 
 /// What `vidno replay` writes of each state.
 Hash states_of(const std::string& trace) {
@@ -252,8 +256,8 @@ std::string findings_in(const RunRequest& request) {
     const CheckReport report = check_run(request, right_picture(request.scene, request.method));
     return text_of(report) + '\n' + std::to_string(report.wrong_pixels);
 }
-std::string findings_in(const CurveRequest& request) {
-    const CurveCheckReport report = check_run(request);
+std::string findings_in(const FloatingHorizonRequest& request) {
+    const FloatingHorizonCheckReport report = check_run(request);
     return text_of(report) + '\n' + std::to_string(report.wrong_columns);
 }
 /// Nothing of a run that is too long: with few bits the printed Z-buffer may step on for very long.
@@ -310,8 +314,8 @@ void tell(const PolygonMethod& each, const Scene& given, const Turn& turn, auto&
     if (refusal_of(method, scene)) return hear("refused", {});
     tell_in_each_way(RunRequest{method, kernel, edition, scene}, scene, turn, hear);
 }
-void tell(const CurveMethod& each, const Surface& surface, const Turn& turn, auto&& hear) {
-    tell_in_each_way(CurveRequest{each.kernel, each.edition, surface.curves}, surface, turn, hear);
+void tell(const FloatingHorizonMethod& each, const Surface& surface, const Turn& turn, auto&& hear) {
+    tell_in_each_way(FloatingHorizonRequest{each.kernel, each.edition, surface.curves}, surface, turn, hear);
 }
 
 // The table
@@ -341,7 +345,7 @@ struct Table {
 bool never_ends(const NamedScene& scene, const PolygonMethod& each) {
     return scene.name == "12-ray-crossings/far" && each.method == Method::zbuffer && each.edition == Edition::printed;
 }
-bool never_ends(const NamedScene&, const CurveMethod&) { return false; }
+bool never_ends(const NamedScene&, const FloatingHorizonMethod&) { return false; }
 
 /// The runs of a scene.
 void add_runs(const NamedScene& named, bool all, Table& table, bool print) {
@@ -365,7 +369,7 @@ void add_runs(const NamedScene& named, bool all, Table& table, bool print) {
         }
     };
     static const auto for_polygons = polygon_methods();
-    static const auto for_curves = curve_methods();
+    static const auto for_curves = floating_horizon_methods();
     const AnyScene scene = scene_in(named);
     if (const auto* polygons = std::get_if<Scene>(&scene)) {
         add(*polygons, for_polygons);

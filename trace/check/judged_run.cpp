@@ -116,12 +116,12 @@ bool write_trace(RunRequest request, TraceWriter& writer, bool checked) {
     });
 }
 
-bool write_trace(CurveRequest request, TraceWriter& writer, bool checked) {
+bool write_trace(FloatingHorizonRequest request, TraceWriter& writer, bool checked) {
     request.sink = &writer;
     return to_the_end(writer, [&] {
-        const auto lines = !checked ? told_lines(request)
+        const auto lines = !checked ? told_floating_horizon(request)
                                     : traced_checked(request.detail, writer, [&](EventSink& sink, const Followers& by) {
-                                          return told_lines(with_sink(request, sink), by);
+                                          return told_floating_horizon(with_sink(request, sink), by);
                                       });
         writer.finish("lines", lines_hash(lines));
     });

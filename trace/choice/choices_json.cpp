@@ -46,9 +46,9 @@ std::string choices_json() {
             method_choices[i],
             editions_of([i](const KernelChoice& kernel, Edition edition) { return kernel.runs(Method(i), edition); }));
     }
-    methods[std::string(curve_method)] = method_json(
-        curve_choice,
-        editions_of([](const KernelChoice& kernel, Edition edition) { return kernel.runs_curves(edition); }));
+    methods[std::string(floating_horizon_method)] = method_json(
+        floating_horizon_choice,
+        editions_of([](const KernelChoice& kernel, Edition edition) { return kernel.runs_floating_horizon(edition); }));
     for (const auto& choice : kernel_choices) kernels[std::string(choice.name)] = kernel_json(choice);
     for (std::size_t i = 0; i < edition_choices.size(); ++i) {
         editions[std::string(edition_names[i])] = {{"rule", edition_choices[i].rule},

@@ -36,7 +36,7 @@ struct KernelChoice {
     bool runs_regions = true;  // Weiler and Atherton's algorithm, and the floating horizon
 
     /// The floating horizon: it takes samples as they are, and has no depths to store.
-    bool runs_curves(Edition edition) const {
+    bool runs_floating_horizon(Edition edition) const {
         return runs_regions && !is_mistake(edition) && (runs_printed || edition != Edition::printed);
     }
 

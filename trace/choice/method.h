@@ -60,8 +60,8 @@ inline constexpr std::array method_choices{
 static_assert(method_choices.size() == method_names.size());
 
 /// The method that takes curves; those that take polygons are the values of Method.
-inline constexpr std::string_view curve_method = "floating-horizon";
-inline constexpr MethodChoice curve_choice{
+inline constexpr std::string_view floating_horizon_method = "floating-horizon";
+inline constexpr MethodChoice floating_horizon_choice{
     .does = "draw what is beyond both horizons; raise them to it",
     .procedure = Procedure::floating_horizon,
     .rule = {"curves with samples on whole columns, the nearest first",

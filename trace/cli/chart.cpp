@@ -34,7 +34,7 @@ void expect_format(const ChartOptions& options, bool of_surfaces) {
     if (output.ends_with(".svg")) {
         output_of({"gnuplot", "--version"}, "");
         if (of_surfaces) {
-            places_of(options.axes, curve_cost_axes, curve_error_axes);
+            places_of(options.axes, surface_cost_axes, surface_error_axes);
         } else {
             places_of(options.axes, cost_axes, error_axes);
         }
@@ -99,8 +99,9 @@ std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& 
 
 std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout,
                       bool in_russian) {
-    const auto [cost, error] = places_of(axes, curve_cost_axes, curve_error_axes);
-    return chart_script(surfaces, cost, error, layout, in_russian ? curve_chart_in_russian : curve_chart_in_english);
+    const auto [cost, error] = places_of(axes, surface_cost_axes, surface_error_axes);
+    return chart_script(surfaces, cost, error, layout,
+                        in_russian ? surface_chart_in_russian : surface_chart_in_english);
 }
 
 int chart(const ChartOptions& options) {

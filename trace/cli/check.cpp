@@ -7,28 +7,28 @@
 #include "format/trace_reader.h"
 #include "output.h"
 #include "progress.h"
-#include "run/curve_run.h"
+#include "run/floating_horizon_run.h"
 
 namespace vidno::cli {
 
 namespace {
 
 /// What a trace says of its run, or for a scene the defaults.
-using AnyHeader = std::variant<TraceHeader, CurveHeader>;
+using AnyHeader = std::variant<TraceHeader, FloatingHorizonHeader>;
 
 AnyHeader run_of(const CheckOptions& options) {
     const RunOptions defaults;
     const auto of_scene = [&]<class S>(const S& scene) -> AnyHeader {
         if constexpr (std::same_as<S, Surface>) {
-            return CurveHeader{edition_of(defaults), defaults.kernel, Detail::signs, scene};
+            return FloatingHorizonHeader{edition_of(defaults), defaults.kernel, Detail::signs, scene};
         } else {
             return TraceHeader{method_of(defaults), edition_of(defaults), defaults.kernel, Detail::signs, scene};
         }
     };
     if (!is_trace(options.input)) return std::visit(of_scene, any_scene_from(options.input, options.method));
     const AnyTraceReader opened = open_trace(LineReader(options.input), options.input);
-    const bool of_curves = std::holds_alternative<CurveTraceReader>(opened);
-    if (options.method && (options.method == curve_method) != of_curves) {
+    const bool of_curves = std::holds_alternative<FloatingHorizonTraceReader>(opened);
+    if (options.method && (options.method == floating_horizon_method) != of_curves) {
         throw Refused("--method " + *options.method + ": " + options.input + " is a trace of " +
                       (of_curves ? "curves" : "polygons"));
     }
@@ -82,10 +82,10 @@ int check_header(const CheckOptions& options, TraceHeader run) {
     return report.found_something() ? 1 : 0;
 }
 
-int check_header(const CheckOptions&, const CurveHeader& run) {
+int check_header(const CheckOptions&, const FloatingHorizonHeader& run) {
     const NamedKernel kernel = *kernel_named(run.kernel);
-    expect_curve_run(kernel, run.edition);
-    const CurveCheckReport report = checked(CurveRequest{kernel, run.edition, run.scene.curves});
+    expect_floating_horizon_run(kernel, run.edition);
+    const FloatingHorizonCheckReport report = checked(FloatingHorizonRequest{kernel, run.edition, run.scene.curves});
     print(report);
     std::cout << "wrong columns of curves: " << report.wrong_columns << " of " << report.columns << '\n';
     return report.found_something() ? 1 : 0;

@@ -151,7 +151,7 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition);
 void expect_admitted(Method method, const Scene& scene, const std::string& file);
 
 /// Refuses a kernel or an edition that does not run curves.
-void expect_curve_run(const NamedKernel& kernel, Edition edition);
+void expect_floating_horizon_run(const NamedKernel& kernel, Edition edition);
 
 /// The kernel of the options, if it runs their method and edition.
 NamedKernel kernel_of(const RunOptions& options);

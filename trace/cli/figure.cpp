@@ -157,11 +157,11 @@ figures::Figure drawn(TraceReader& reader, const std::vector<std::uint64_t>& ste
     return figure;
 }
 
-figures::Figure drawn(CurveTraceReader& reader, const std::vector<std::uint64_t>& steps,
+figures::Figure drawn(FloatingHorizonTraceReader& reader, const std::vector<std::uint64_t>& steps,
                       const figures::Options& drawing, const FigureOptions& options) {
     if (!options.pixel.empty()) refuse("--pixel", "a run of curves paints no pixels");
     figures::Figure figure(drawing);
-    figures::CurveMoment moment(reader.header());
+    figures::FloatingHorizonMoment moment(reader.header());
     go_through(
         reader, moment, steps, options.input, [&] { figure.add(moment); }, [] {});
     return figure;
@@ -173,7 +173,7 @@ std::string method_in(const TraceHeader& header, const figures::FigureWords& wor
     return is_family(header.method) ? method + " (" + std::string(method_names[std::size_t(header.method)]) + ")"
                                     : method;
 }
-std::string method_in(const CurveHeader&, const figures::FigureWords& words) {
+std::string method_in(const FloatingHorizonHeader&, const figures::FigureWords& words) {
     return std::string(words.floating_horizon);
 }
 

@@ -26,7 +26,7 @@ const CLI::Validator a_kernel(
 /// The methods of polygons, and that of curves.
 std::vector<std::string> all_methods() {
     auto methods = words(method_names);
-    methods.emplace_back(curve_method);
+    methods.emplace_back(floating_horizon_method);
     return methods;
 }
 
@@ -149,9 +149,9 @@ void add_axes(CLI::App& command, AxisOptions& axes, const char* what_cost) {
         return names;
     };
     command.add_option("--cost", axes.cost, what_cost)
-        ->check(CLI::IsMember(all(names_of(cost_axes), names_of(curve_cost_axes))));
+        ->check(CLI::IsMember(all(names_of(cost_axes), names_of(surface_cost_axes))));
     command.add_option("--error", axes.error, "And from below [wrongPixels, of surfaces wrongColumns]")
-        ->check(CLI::IsMember(all(names_of(error_axes), names_of(curve_error_axes))));
+        ->check(CLI::IsMember(all(names_of(error_axes), names_of(surface_error_axes))));
 }
 
 CLI::App& add_chart(CLI::App& app, ChartOptions& options) {

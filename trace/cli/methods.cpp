@@ -4,7 +4,7 @@
 #include "choice/kernel_choice.h"
 #include "choice/method.h"
 #include "commands.h"
-#include "format/curve_trace.h"
+#include "format/floating_horizon_trace.h"
 
 namespace vidno::cli {
 
@@ -27,7 +27,7 @@ int methods(bool as_json) {
     std::cout << "methods    (unless it says otherwise, domain: " << picture_rule.domain
               << ";\n    rule: " << picture_rule.rule << ")\n";
     for (std::size_t i = 0; i < method_choices.size(); ++i) print(method_names[i], method_choices[i]);
-    print(curve_method, curve_choice);
+    print(floating_horizon_method, floating_horizon_choice);
     std::cout << "kernels    (the arithmetic; warnock-... not under depth,\n"
                  "            weiler-atherton and floating-horizon not under depth and grid)\n";
     for (const auto& kernel : kernel_choices) {

@@ -18,7 +18,7 @@ std::string title_of(const auto& scene, const std::string& file) {
 }
 
 std::string_view method_for(const Scene&) { return method_names[std::size_t(method_of(RunOptions{}))]; }
-std::string_view method_for(const Surface&) { return curve_method; }
+std::string_view method_for(const Surface&) { return floating_horizon_method; }
 std::string text_of(const Scene& scene) { return scene_json(scene); }
 std::string text_of(const Surface& surface) { return surface_json(surface); }
 
@@ -33,7 +33,7 @@ PageFile scene_file(const std::string& file) {
 }
 
 std::string_view method_in(const TraceHeader& header) { return method_names[std::size_t(header.method)]; }
-std::string_view method_in(const CurveHeader&) { return curve_method; }
+std::string_view method_in(const FloatingHorizonHeader&) { return floating_horizon_method; }
 
 /// A trace, every event of which could be read.
 PageFile trace_file(const std::string& file, bool& whole) {

@@ -1,13 +1,13 @@
 #include <iostream>
 
 #include "commands.h"
-#include "figure/curve_parts.h"
 #include "figure/encoded.h"
+#include "figure/floating_horizon_parts.h"
 #include "format/trace_reader.h"
 #include "output.h"
 #include "picture/image.h"
 #include "progress.h"
-#include "state/curve_state.h"
+#include "state/floating_horizon_state.h"
 #include "state/state.h"
 #include "steps.h"
 
@@ -16,14 +16,16 @@ namespace vidno::cli {
 namespace {
 
 State state_of(const TraceReader& reader) { return State(reader.header()); }
-CurveState state_of(const CurveTraceReader& reader) { return CurveState(reader.header()); }
+FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
+    return FloatingHorizonState(reader.header());
+}
 
 std::string hash_of(const State& state) { return picture_hash(state.picture()); }
-std::string hash_of(const CurveState& state) { return lines_hash(state.lines()); }
+std::string hash_of(const FloatingHorizonState& state) { return lines_hash(state.lines()); }
 
 /// What was painted or drawn, in the format that the name says.
 std::string encoded(const State& state, const std::string& name) { return encode_image(state.picture(), name); }
-std::string encoded(const CurveState& state, const std::string& name) {
+std::string encoded(const FloatingHorizonState& state, const std::string& name) {
     const Surface& surface = state.header().scene;
     return figures::encoded(figures::drawn_lines(state.lines(), surface.curves.area), {surface.name}, name);
 }

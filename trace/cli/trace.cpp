@@ -4,8 +4,8 @@
 #include "check/judged_run.h"
 #include "choice/method.h"
 #include "commands.h"
-#include "figure/curve_parts.h"
 #include "figure/encoded.h"
+#include "figure/floating_horizon_parts.h"
 #include "figure/region_parts.h"
 #include "output.h"
 #include "picture/image.h"
@@ -43,13 +43,13 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     }
 }
 
-void expect_curve_run(const NamedKernel& kernel, Edition edition) {
-    if (kernel.choice->runs_curves(edition)) return;
+void expect_floating_horizon_run(const NamedKernel& kernel, Edition edition) {
+    if (kernel.choice->runs_floating_horizon(edition)) return;
     const std::string edition_name(choice_of(edition).name);
     if (is_mistake(edition)) {
         throw Refused("--edition " + edition_name + ": a mistake of methods that paint polygons");
     }
-    if (kernel.choice->runs_curves(Edition::corrected)) {
+    if (kernel.choice->runs_floating_horizon(Edition::corrected)) {
         throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
     }
     throw Refused("--kernel " + kernel.name() + ": for polygons alone");
@@ -80,12 +80,13 @@ Scene scene_from(const std::string& file) { return scene_of(read_file(file), fil
 AnyScene any_scene_from(const std::string& file, const std::optional<std::string>& method) {
     const std::string text = read_file(file);
     if (is_surface(text)) {
-        if (method && *method != curve_method) {
-            throw Refused(file + ": a surface, which only --method " + std::string(curve_method) + " draws");
+        if (method && *method != floating_horizon_method) {
+            throw Refused(file + ": a surface, which only --method " + std::string(floating_horizon_method) + " draws");
         }
         return read_surface(text, file);
     }
-    if (method == curve_method) throw Refused("--method " + *method + ": " + file + " is no surface, vidno-surface/1");
+    if (method == floating_horizon_method)
+        throw Refused("--method " + *method + ": " + file + " is no surface, vidno-surface/1");
     return scene_of(text, file);
 }
 
@@ -116,9 +117,9 @@ RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, cons
     return {method_of(options), kernel, edition_of(options), scene, detail_of(options)};
 }
 
-CurveRequest request_of(const RunOptions& options, const Surface& surface) {
+FloatingHorizonRequest request_of(const RunOptions& options, const Surface& surface) {
     const NamedKernel kernel = *kernel_named(options.kernel);
-    expect_curve_run(kernel, edition_of(options));
+    expect_floating_horizon_run(kernel, edition_of(options));
     return {kernel, edition_of(options), surface.curves, detail_of(options)};
 }
 
@@ -151,8 +152,9 @@ int trace_scene(const RunOptions& options, const Scene& given) {
                         options);
 }
 int trace_scene(const RunOptions& options, const Surface& surface) {
-    const CurveRequest request = request_of(options, surface);
-    return write_traced(CurveHeader{request.edition, request.kernel.name(), request.detail, surface}, request, options);
+    const FloatingHorizonRequest request = request_of(options, surface);
+    return write_traced(FloatingHorizonHeader{request.edition, request.kernel.name(), request.detail, surface}, request,
+                        options);
 }
 
 std::string paced_by(Method method) {
@@ -188,7 +190,7 @@ std::string rendered(const RunOptions& options, const Scene& given) {
 }
 std::string rendered(const RunOptions& options, const Surface& surface) {
     figures::format_of(options.output);  // refuses a wrong name before the work
-    CurveRequest request = request_of(options, surface);
+    FloatingHorizonRequest request = request_of(options, surface);
     Progress progress("curves");
     request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
     return figures::encoded(figures::drawn_lines(run(request), surface.curves.area), {surface.name}, options.output);

@@ -99,7 +99,7 @@ std::string with_event_schema(const std::string& schema) {
     document["oneOf"] = lines;
     Json& header = document["$defs"]["header"]["properties"];
     header["method"]["enum"] = method_names;
-    header["method"]["enum"].push_back(curve_method);
+    header["method"]["enum"].push_back(floating_horizon_method);
     header["edition"]["enum"] = edition_names;
     header["kernel"]["pattern"] = kernel_pattern();
     header["detail"]["enum"] = detail_names;

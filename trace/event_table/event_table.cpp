@@ -39,9 +39,12 @@ EventGroup group_of(std::string_view title, EventTypes<Events...>) {
 }  // namespace
 
 std::vector<EventGroup> event_table() {
-    return {group_of("Every method", EventsOfAll{}),     group_of("Warnock", WarnockEvents{}),
-            group_of("Z-buffer", ZBufferEvents{}),       group_of("The Warnock family", FamilyEvents{}),
-            group_of("Floating horizon", CurveEvents{}), group_of("Weiler and Atherton's algorithm", RegionEvents{})};
+    return {group_of("Every method", EventsOfAll{}),
+            group_of("Warnock", WarnockEvents{}),
+            group_of("Z-buffer", ZBufferEvents{}),
+            group_of("The Warnock family", FamilyEvents{}),
+            group_of("Floating horizon", FloatingHorizonEvents{}),
+            group_of("Weiler and Atherton's algorithm", RegionEvents{})};
 }
 
 std::vector<EventDescription> all_events() {

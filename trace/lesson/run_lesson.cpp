@@ -42,8 +42,8 @@ void trace_scene(const Scene& scene, const LessonRun& run, const TraceWriter::Wr
 }
 void trace_scene(const Surface& surface, const LessonRun& run, const TraceWriter::Write& write) {
     const NamedKernel kernel = *kernel_named(run.kernel);
-    TraceWriter writer(CurveHeader{run.edition, kernel.name(), run.detail, surface}, write);
-    write_trace(CurveRequest{kernel, run.edition, surface.curves, run.detail}, writer, run.check);
+    TraceWriter writer(FloatingHorizonHeader{run.edition, kernel.name(), run.detail, surface}, write);
+    write_trace(FloatingHorizonRequest{kernel, run.edition, surface.curves, run.detail}, writer, run.check);
 }
 
 }  // namespace

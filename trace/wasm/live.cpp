@@ -68,14 +68,14 @@ Options read_options(const JsonNode& root, Kind kind) {
     Options options;
     if (kind == Kind::polygons) {
         options.method = Method(place_of(root.at("method"), method_names));
-    } else if (root.at("method").text() != curve_method) {
+    } else if (root.at("method").text() != floating_horizon_method) {
         root.at("method").refuse("draws no surface");
     }
     options.edition = Edition(place_of(root.at("edition"), edition_names));
     options.kernel = read_kernel(root.at("kernel"));
     const KernelChoice& choice = *options.kernel.choice;
-    const bool runs =
-        kind == Kind::curves ? choice.runs_curves(options.edition) : choice.runs(options.method, options.edition);
+    const bool runs = kind == Kind::curves ? choice.runs_floating_horizon(options.edition)
+                                           : choice.runs(options.method, options.edition);
     if (!runs) root.at("kernel").refuse("does not run this method and edition");
     options.detail = Detail(place_of(root.at("detail"), detail_names));
     options.check = root.at("check").truth();
@@ -112,8 +112,8 @@ void make_trace(Live& live) {
     const auto& [method, edition, kernel, detail, check, most_events] = options;
     if (kind == Kind::curves) {
         const Surface surface = read_surface(file, "scene");
-        write_run(live, options, CurveHeader{edition, kernel.name(), detail, surface},
-                  CurveRequest{kernel, edition, surface.curves, detail});
+        write_run(live, options, FloatingHorizonHeader{edition, kernel.name(), detail, surface},
+                  FloatingHorizonRequest{kernel, edition, surface.curves, detail});
     } else {
         const Scene scene = read_scene_for(kernel, file, live.messages);
         if (const auto reason = refusal_of(method, scene)) throw Refused("scene: " + *reason);

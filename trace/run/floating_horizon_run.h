@@ -1,12 +1,12 @@
 /// Running the floating horizon as chosen at run time, with a trace or without.
 #pragma once
 
-#include "format/curve_trace.h"
+#include "format/floating_horizon_trace.h"
 #include "run/run.h"
 
 namespace vidno {
 
-struct CurveRequest {
+struct FloatingHorizonRequest {
     NamedKernel kernel;  // one that runs curves, in this edition
     Edition edition;
     const CurveScene& scene;
@@ -16,7 +16,7 @@ struct CurveRequest {
 };
 
 /// Throws what the sink throws: a writer, EventLimitReached.
-DrawnLines run(const CurveRequest& request);
+DrawnLines run(const FloatingHorizonRequest& request);
 
 /// Of each curve, over which of its columns it is drawn.
 using ColumnsDrawn = std::vector<std::vector<bool>>;
@@ -26,6 +26,6 @@ ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene);
 std::uint64_t different_columns(const ColumnsDrawn& one, const ColumnsDrawn& other);
 
 /// A run told to the request's sink; the followers hear its decisions, and what each decision in Visibility comes to.
-DrawnLines told_lines(const CurveRequest& request, const Followers& followers = {});
+DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers = {});
 
 }  // namespace vidno

@@ -1,4 +1,4 @@
-#include "curve_parts.h"
+#include "floating_horizon_parts.h"
 
 #include "notation.h"
 #include "table.h"
@@ -40,7 +40,7 @@ std::vector<Polyline> joined(const DrawnLines& lines, const Plane& plane) {
 }
 
 /// From column to column where the horizon is; over a column alone, a point.
-std::vector<Polyline> horizon_lines(const CurveState::Heights& heights, const Plane& plane) {
+std::vector<Polyline> horizon_lines(const FloatingHorizonState::Heights& heights, const Plane& plane) {
     std::vector<Polyline> lines;
     bool goes_on = false;
     for (std::size_t i = 0; i < heights.size(); ++i) {
@@ -79,7 +79,8 @@ struct Marks {
     void dot(int x, const Value& y) const { add_dot(to, plane.at(x, number_of(y)), 0.7, plane, ink); }
 };
 
-std::string flag_text(const std::string& x, const std::string& flag, const std::optional<CurveState::Looked>& looked) {
+std::string flag_text(const std::string& x, const std::string& flag,
+                      const std::optional<FloatingHorizonState::Looked>& looked) {
     if (!looked) return "";
     return x + " = " + in_full(looked->x) + ", " + flag + " = " + in_full(int(looked->flag));
 }
@@ -94,18 +95,18 @@ Drawing drawn_lines(const DrawnLines& lines, const Area& area) {
     return drawing;
 }
 
-void draw_lines(Drawing& to, const CurveMoment& moment, const Plane& plane) {
+void draw_lines(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane) {
     add_lines(to, joined(moment.state().lines(), plane), {ink, 0.5}, plane);
 }
 
-void draw_horizons(Drawing& to, const CurveMoment& moment, const Plane& plane, const Style& style) {
+void draw_horizons(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style) {
     add_lines(to, horizon_lines(moment.state().upper(), plane), upper_stroke(style), plane);
     add_lines(to, horizon_lines(moment.state().lower(), plane), lower_stroke(style), plane);
 }
 
-void draw_curve_at_hand(Drawing& to, const CurveMoment& moment, const Plane& plane, const Style& style) {
+void draw_curve_at_hand(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style) {
     constexpr double dots_from = 1.5;  // millimetres between samples
-    const CurveState& state = moment.state();
+    const FloatingHorizonState& state = moment.state();
     if (!state.curve()) return;
     const auto& samples = moment.scene().curves[std::size_t(*state.curve())].samples;
     Polyline curve, segment;
@@ -128,7 +129,7 @@ void draw_curve_at_hand(Drawing& to, const CurveMoment& moment, const Plane& pla
     if (moment.event()) moment.event()->visit(Marks{to, plane});
 }
 
-Drawing curve_legend(const CurveMoment& moment, const Style& style, double width) {
+Drawing curve_legend(const FloatingHorizonMoment& moment, const Style& style, double width) {
     constexpr double sample = 7, gap = 1.2, base = 3;
     Drawing drawing{width, legend_height};
     double x = 0;

@@ -1,4 +1,4 @@
-/// CurveChart: what each sampling of a surface costs, and how far what is drawn is from the function. What Chart is to scenes.
+/// SurfaceChart: what each sampling of a surface costs, and how far what is drawn is from the function. What Chart is to scenes.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ enum class SamplingKnob : unsigned char { samples, tolerance };
 inline constexpr std::array<std::string_view, 2> sampling_knob_names{"samples", "tolerance"};
 
 /// A way to draw a surface.
-struct CurveWay {
+struct SurfaceWay {
     NamedKernel kernel;
     Edition edition = Edition::corrected;
     std::optional<SamplingKnob> knob{};
@@ -29,46 +29,46 @@ struct CurveWay {
 
 /// The elementary steps of the listings, by columns: held against the horizons, gone along by Horizon, looked at by
 /// Intersection; and crossings computed.
-enum class CurveOperation : unsigned char { visibilities, horizons, steps, crossings };
-inline constexpr std::array<std::string_view, 4> curve_operation_names{"visibilities", "horizons", "steps",
-                                                                       "crossings"};
-using CurveOperationCounts = std::array<std::uint64_t, curve_operation_names.size()>;
+enum class FloatingHorizonOperation : unsigned char { visibilities, horizons, steps, crossings };
+inline constexpr std::array<std::string_view, 4> floating_horizon_operation_names{"visibilities", "horizons", "steps",
+                                                                                  "crossings"};
+using FloatingHorizonOperationCounts = std::array<std::uint64_t, floating_horizon_operation_names.size()>;
 
-struct CurveCost {
+struct SurfaceCost {
     double seconds = 0;  // of the lines without a trace, from samples that are there
     double time = 0;     // relative to the surface's fastest run
     double operations = 0;
     double samples = 0;  // of all curves together
 };
 
-struct CurveFindings {
-    CurveOperationCounts operations{};
+struct SurfaceFindings {
+    FloatingHorizonOperationCounts operations{};
     std::uint64_t wrong_columns = 0;  // of all curves, drawn and hidden by the function, or the other way round
     double height = 0;                // the farthest that a curve is from the function over a column, in pixels
     std::uint64_t decisions = 0, wrong_decisions = 0;
 };
 
-struct CurveChartRun {
-    CurveWay way;
-    CurveCost cost;
-    CurveFindings found;
+struct SurfaceChartRun {
+    SurfaceWay way;
+    SurfaceCost cost;
+    SurfaceFindings found;
     Fronts<3, 3> on_front{};
 
     bool is_complete() const { return true; }  // no text of the floating horizon has a fault
 };
 
-extern const CostAxes<CurveChartRun, 3> curve_cost_axes;
-extern const ErrorAxes<CurveChartRun, 3> curve_error_axes;
+extern const CostAxes<SurfaceChartRun, 3> surface_cost_axes;
+extern const ErrorAxes<SurfaceChartRun, 3> surface_error_axes;
 
 struct SurfaceChart {
     std::string name;
     std::size_t curves = 0, columns = 0;  // of all curves together
-    std::vector<CurveChartRun> runs{};
+    std::vector<SurfaceChartRun> runs{};
     std::string surface{};  // its file, as it samples it
 };
 
 /// The sampling of the file and both knobs at each place, under each kernel that runs curves, in each edition that it runs.
-std::vector<CurveWay> ways_to_draw(const FunctionSurface& surface);
+std::vector<SurfaceWay> ways_to_draw(const FunctionSurface& surface);
 
 /// Of curves together; a chart takes no more.
 inline constexpr std::size_t most_charted_columns = std::size_t{1} << 16;
@@ -82,15 +82,15 @@ std::string chart_json(const std::vector<SurfaceChart>& surfaces);
 std::string chart_csv(const std::vector<SurfaceChart>& surfaces);
 
 /// The words in a chart's figure.
-struct CurveChartWords {
+struct SurfaceChartWords {
     std::array<std::string_view, 3> costs, errors;  // by the places of the axes
     std::array<std::string_view, 2> knobs;
     std::string_view as_given, printed, front;
 };
-extern const CurveChartWords curve_chart_in_english, curve_chart_in_russian;
+extern const SurfaceChartWords surface_chart_in_english, surface_chart_in_russian;
 
 /// The program by which gnuplot draws a panel a surface, as SVG. The axes are given by their places.
 std::string chart_script(const std::vector<SurfaceChart>& surfaces, std::size_t cost, std::size_t error,
-                         const PlotLayout& layout = {}, const CurveChartWords& words = curve_chart_in_english);
+                         const PlotLayout& layout = {}, const SurfaceChartWords& words = surface_chart_in_english);
 
 }  // namespace vidno

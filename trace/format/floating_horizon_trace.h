@@ -5,23 +5,23 @@
 #include "choice/method.h"
 #include "format/event_json.h"
 #include "scene/surface.h"
-#include "vidno/floating_horizon/horizon_run.h"
+#include "vidno/floating_horizon/floating_horizon_run.h"
 
 namespace vidno {
 
-struct CurveHeader {
+struct FloatingHorizonHeader {
     Edition edition{};
     std::string kernel;
     Detail detail{};
     Surface scene;
-    bool operator==(const CurveHeader&) const = default;
+    bool operator==(const FloatingHorizonHeader&) const = default;
 };
 
 /// There are none.
 inline PolygonNames polygon_names(const Surface&) { return {}; }
 
 /// The first line of a trace.
-std::string header_json(const CurveHeader& header);
+std::string header_json(const FloatingHorizonHeader& header);
 
 /// The visible lines, as a run has them at its end.
 using DrawnLines = std::vector<VisibleLine<Value>>;

@@ -1,4 +1,4 @@
-/// CorrectedCurves: the floating horizon with the errors of the printed text put right. The default set for curves; corrected.h
+/// CorrectedFloatingHorizon: the floating horizon with the errors of the printed text put right. The default set for curves; corrected.h
 /// says what a set is.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace vidno {
 
-struct CorrectedCurves : FloatingHorizon, SideEdge, Visibility, Horizon, Intersection {
+struct CorrectedFloatingHorizon : FloatingHorizon, SideEdge, Visibility, Horizon, Intersection {
     /// FH1: what the horizons start at: there are none.
     template <class K>
     static Horizons<K> first_horizons(const K&, const Area& area) {

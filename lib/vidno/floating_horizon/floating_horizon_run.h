@@ -1,4 +1,4 @@
-/// HorizonRun: one execution of the floating horizon: its procedure set, kernel and visitor, the curves, the horizons so
+/// FloatingHorizonRun: one execution of the floating horizon: its procedure set, kernel and visitor, the curves, the horizons so
 /// far, and the lines drawn. What Run is to the methods that paint polygons.
 #pragma once
 
@@ -46,8 +46,8 @@ void add_line(std::vector<VisibleLine<Number>>& lines, const VisibleLine<Number>
     }
 }
 
-template <class ProcedureSet, HorizonKernel K, class Trace>
-struct HorizonRun {
+template <class ProcedureSet, FloatingHorizonKernel K, class Trace>
+struct FloatingHorizonRun {
     using Set = ProcedureSet;
     using Arithmetic = K;
     using End = LineEnd<typename K::Number>;
@@ -59,7 +59,7 @@ struct HorizonRun {
     Horizons<K> horizons;
     std::vector<VisibleLine<typename K::Number>> lines;
 
-    HorizonRun(const CurveScene& curves, K arithmetic, Trace visitor, Set procedures = {})
+    FloatingHorizonRun(const CurveScene& curves, K arithmetic, Trace visitor, Set procedures = {})
         : set(std::move(procedures)),
           kernel(std::move(arithmetic)),
           trace(std::move(visitor)),

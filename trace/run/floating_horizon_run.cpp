@@ -1,38 +1,38 @@
-#include "run/curve_run.h"
+#include "run/floating_horizon_run.h"
 
 #include <stdexcept>
 
-#include "run/curve_lines.h"
+#include "run/floating_horizon_lines.h"
 #include "vidno/kernels/bits.h"
 #include "vidno/kernels/filtered_heights.h"
-#include "vidno/printed_curves.h"
+#include "vidno/printed_floating_horizon.h"
 
 namespace vidno {
 
 namespace {
 
 /// The visitor of a run without a trace.
-struct CurvePacer : NoTrace {
+struct FloatingHorizonPacer : NoTrace {
     const std::function<void()>& progress;
     void curve(Line, int) { progress(); }
 };
 
 template <Kernel K>
-DrawnLines untraced_lines(const CurveRequest& request, const K& kernel) {
-    const CurvePacer pacer{{}, request.progress};
+DrawnLines untraced_lines(const FloatingHorizonRequest& request, const K& kernel) {
+    const FloatingHorizonPacer pacer{{}, request.progress};
     if constexpr (PrintedKernel<K>) {
-        if (request.edition == Edition::printed) return lines_drawn<PrintedCurves>(request, kernel, pacer);
+        if (request.edition == Edition::printed) return lines_drawn<PrintedFloatingHorizon>(request, kernel, pacer);
     }
-    return lines_drawn<CorrectedCurves>(request, kernel, pacer);
+    return lines_drawn<CorrectedFloatingHorizon>(request, kernel, pacer);
 }
 
 }  // namespace
 
-DrawnLines run(const CurveRequest& request) {
-    if (!request.kernel.choice->runs_curves(request.edition)) {
+DrawnLines run(const FloatingHorizonRequest& request) {
+    if (!request.kernel.choice->runs_floating_horizon(request.edition)) {
         throw std::invalid_argument(request.kernel.name() + " draws no curves in this edition");
     }
-    if (request.sink) return told_lines(request);
+    if (request.sink) return told_floating_horizon(request);
     switch (request.kernel.kind()) {
         case KernelKind::binary32: return untraced_lines(request, Float{});
         case KernelKind::bits: return untraced_lines(request, Bits(request.kernel.parameter));

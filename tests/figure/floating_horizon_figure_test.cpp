@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "figure/curve_parts.h"
 #include "figure/figure.h"
+#include "figure/floating_horizon_parts.h"
 #include "figure/writers.h"
 #include "refused.h"
 #include "support/curves.h"
@@ -18,7 +18,7 @@ constexpr Area columns_9{0, 0, 9, 16};
 const Plane plane_90{columns_9, 10, {0, 0}, {0, 0, 90, 160}};
 
 /// A level curve at 8 over the columns 0 to 4, and one that comes from below and crosses it at (2.5, 8).
-CurveHeader crossing_curves() {
+FloatingHorizonHeader crossing_curves() {
     return {Edition::corrected,
             "double",
             Detail::signs,
@@ -42,8 +42,8 @@ std::vector<Event> some_events() {
             event::Height{Line::V1, 4, 5, Value(8), Value(8)}};
 }
 
-CurveMoment after(const CurveHeader& header, const std::vector<Event>& events) {
-    CurveMoment moment(header);
+FloatingHorizonMoment after(const FloatingHorizonHeader& header, const std::vector<Event>& events) {
+    FloatingHorizonMoment moment(header);
     for (const auto& event : events) moment.take(event);
     return moment;
 }
@@ -66,7 +66,7 @@ bool has_text(const Drawing& drawing, const std::string& text) {
 }  // namespace
 
 TEST_CASE("curve figure: the lines so far, one line where they meet, broken where nothing is drawn") {
-    const CurveHeader header = crossing_curves();
+    const FloatingHorizonHeader header = crossing_curves();
     Drawing drawing;
     draw_lines(drawing, after(header, some_events()), plane_90);
     REQUIRE(paths_of(drawing).size() == 1);
@@ -74,7 +74,7 @@ TEST_CASE("curve figure: the lines so far, one line where they meet, broken wher
 }
 
 TEST_CASE("curve figure: horizons only where there are any") {
-    const CurveHeader header = crossing_curves();
+    const FloatingHorizonHeader header = crossing_curves();
     Drawing drawing;
     draw_horizons(drawing, after(header, some_events()), plane_90, {});
     const Polyline level{{0, 80}, {10, 80}, {20, 80}, {30, 80}, {40, 80}};
@@ -84,7 +84,7 @@ TEST_CASE("curve figure: horizons only where there are any") {
 }
 
 TEST_CASE("curve figure: the segment at hand is heavy, the height that is compared a dot on its column") {
-    const CurveHeader header = crossing_curves();
+    const FloatingHorizonHeader header = crossing_curves();
     Drawing drawing;
     draw_curve_at_hand(drawing, after(header, some_events()), plane_90, {});
     const auto paths = paths_of(drawing);
@@ -98,8 +98,8 @@ TEST_CASE("curve figure: the segment at hand is heavy, the height that is compar
 }
 
 TEST_CASE("curve figure: listing, legend and flags in both languages") {
-    const CurveHeader header = crossing_curves();
-    const CurveMoment moment = after(header, some_events());
+    const FloatingHorizonHeader header = crossing_curves();
+    const FloatingHorizonMoment moment = after(header, some_events());
     CHECK(has_text(listing_part(moment, {}, 200), "take upper[x] and lower[x]"));
     CHECK(has_text(listing_part(moment, {.language = Language::russian}, 200), "взять upper[x] и lower[x]"));
     CHECK(has_text(curve_legend(moment, {}, 90), "upper"));
@@ -113,7 +113,7 @@ TEST_CASE("curve figure: listing, legend and flags in both languages") {
 }
 
 TEST_CASE("curve figure: as printed, the listing is the text's") {
-    CurveHeader header = crossing_curves();
+    FloatingHorizonHeader header = crossing_curves();
     const std::vector<Event> begun{event::Horizons{Line::FH1, Value(16), Value(0)}};
     CHECK_FALSE(
         has_text(listing_part(after(header, begun), {}, 200), "upper := 0, lower := height; Xleft, Xright := 1"));
@@ -122,8 +122,8 @@ TEST_CASE("curve figure: as printed, the listing is the text's") {
 }
 
 TEST_CASE("curve figure: the same moment gives the same bytes, and what a run of curves has not is refused") {
-    const CurveHeader header = crossing_curves();
-    const CurveMoment moment = after(header, some_events());
+    const FloatingHorizonHeader header = crossing_curves();
+    const FloatingHorizonMoment moment = after(header, some_events());
     const auto svg = [&](const std::vector<Part>& parts) {
         Options options;
         options.show = parts;

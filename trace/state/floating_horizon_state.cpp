@@ -1,16 +1,16 @@
-#include "state/curve_state.h"
+#include "state/floating_horizon_state.h"
 
 #include <algorithm>
 
 namespace vidno {
 
-CurveState::CurveState(const CurveHeader& header)
+FloatingHorizonState::FloatingHorizonState(const FloatingHorizonHeader& header)
     : header_(&header),
       calls_(Procedure::floating_horizon, header.detail),
       upper_(std::size_t(header.scene.curves.area.width)),
       lower_(upper_.size()) {}
 
-void CurveState::apply(const EventView& event) {
+void FloatingHorizonState::apply(const EventView& event) {
     event.visit([this](const auto& e) {
         calls_.take(e);
         take(e);
@@ -18,12 +18,12 @@ void CurveState::apply(const EventView& event) {
     ++step_;
 }
 
-void CurveState::take(const event::Horizons& e) {
+void FloatingHorizonState::take(const event::Horizons& e) {
     std::fill(upper_.begin(), upper_.end(), e.upper);
     std::fill(lower_.begin(), lower_.end(), e.lower);
 }
 
-void CurveState::take(const event::Curve& e) {
+void FloatingHorizonState::take(const event::Curve& e) {
     const auto curves = int(header_->scene.curves.curves.size());
     if (e.curve < 0 || e.curve >= curves) throw Impossible{"no curve of the scene"};
     curve_ = e.curve;
@@ -32,9 +32,9 @@ void CurveState::take(const event::Curve& e) {
     current_.reset();
 }
 
-void CurveState::take(const event::SideEdge& e) { (e.at == Line::FH3 ? left_edge_ : right_edge_) = e.sample; }
+void FloatingHorizonState::take(const event::SideEdge& e) { (e.at == Line::FH3 ? left_edge_ : right_edge_) = e.sample; }
 
-void CurveState::take(const event::Visibility& e) {
+void FloatingHorizonState::take(const event::Visibility& e) {
     segment_ = e.segment;
     if (e.at == Line::FH4) {
         previous_ = {e.x, e.flag};
@@ -44,7 +44,7 @@ void CurveState::take(const event::Visibility& e) {
     current_ = {e.x, e.flag};
 }
 
-Segment CurveState::segment_on(const SegmentColumns& columns) const {
+Segment FloatingHorizonState::segment_on(const SegmentColumns& columns) const {
     if (!curve_) throw Impossible{"a segment of no curve"};
     const auto& samples = header_->scene.curves.curves[std::size_t(*curve_)].samples;
     const auto from = std::lower_bound(samples.begin(), samples.end(), columns.first,
@@ -55,21 +55,21 @@ Segment CurveState::segment_on(const SegmentColumns& columns) const {
     return {*curve_, *from, *std::next(from)};
 }
 
-LineEnd<Value> CurveState::end_of(const ValuePoint& point, const std::pair<int, int>& columns) const {
+LineEnd<Value> FloatingHorizonState::end_of(const ValuePoint& point, const std::pair<int, int>& columns) const {
     return {{point.x, point.y}, columns.first, columns.second};
 }
 
-void CurveState::take(const event::DrawLine& e) {
+void FloatingHorizonState::take(const event::DrawLine& e) {
     segment_ = e.segment;
     add_line<Value>(lines_, {segment_on(e.segment), end_of(e.from, e.from_columns), end_of(e.to, e.to_columns)});
 }
 
-void CurveState::take(const event::Horizon& e) {
+void FloatingHorizonState::take(const event::Horizon& e) {
     for (const auto& [x, y] : e.upper) set(upper_, x, y);
     for (const auto& [x, y] : e.lower) set(lower_, x, y);
 }
 
-void CurveState::set(Heights& horizon, int x, const Value& y) const {
+void FloatingHorizonState::set(Heights& horizon, int x, const Value& y) const {
     const Area& area = header_->scene.curves.area;
     if (x < area.x || x >= area.right()) throw Impossible{"a column outside the area"};
     horizon[std::size_t(x - area.x)] = y;

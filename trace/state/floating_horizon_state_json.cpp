@@ -1,13 +1,13 @@
-#include "state/curve_state.h"
+#include "state/floating_horizon_state.h"
 #include "state/state_text.h"
 
 namespace vidno {
 
 namespace {
 
-class CurveStateText : StateText {
+class FloatingHorizonStateText : StateText {
 public:
-    explicit CurveStateText(const CurveState& state) : StateText({}), state_(state) {}
+    explicit FloatingHorizonStateText(const FloatingHorizonState& state) : StateText({}), state_(state) {}
 
     std::string line() {
         begin(state_);
@@ -47,7 +47,7 @@ private:
         out_ += ',';
         list(std::array{p.x, p.y}, [this](const Value& value) { number(value); });
     }
-    void looked(const std::optional<CurveState::Looked>& at) {
+    void looked(const std::optional<FloatingHorizonState::Looked>& at) {
         optional(at, [this](const auto& l) { integers(l.x, int(l.flag)); });
     }
     void edge(const std::optional<SampleTold>& at) {
@@ -59,15 +59,15 @@ private:
             out_ += ']';
         });
     }
-    void horizon(const CurveState::Heights& heights) {
+    void horizon(const FloatingHorizonState::Heights& heights) {
         list(heights, [this](const auto& y) { optional(y, [this](const Value& value) { number(value); }); });
     }
 
-    const CurveState& state_;
+    const FloatingHorizonState& state_;
 };
 
 }  // namespace
 
-std::string state_json(const CurveState& state) { return CurveStateText(state).line(); }
+std::string state_json(const FloatingHorizonState& state) { return FloatingHorizonStateText(state).line(); }
 
 }  // namespace vidno

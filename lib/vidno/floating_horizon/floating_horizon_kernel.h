@@ -1,4 +1,4 @@
-/// HorizonKernel: the arithmetic of the floating horizon: heights of segments over whole columns, which compare.
+/// FloatingHorizonKernel: the arithmetic of the floating horizon: heights of segments over whole columns, which compare.
 ///
 /// OnColumns<K> is a kernel K that does so. This one works each formula out in K's own numbers; the one for `filtered`
 /// stands in kernels/filtered_heights.h.
@@ -13,7 +13,7 @@
 namespace vidno {
 
 template <class K>
-concept HorizonKernel = requires(const K& kernel, const Segment& segment, const typename K::Height& height) {
+concept FloatingHorizonKernel = requires(const K& kernel, const Segment& segment, const typename K::Height& height) {
     // The column lies between the segment's ends, or is one of them; at an end the height is the sample's own.
     { kernel.height(segment, 0) } -> std::same_as<typename K::Height>;
     { kernel.point_on(segment, 0) } -> std::same_as<Point<typename K::Number>>;

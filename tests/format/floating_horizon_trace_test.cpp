@@ -8,7 +8,7 @@
 #include "check/check.h"
 #include "format/event_json.h"
 #include "format/trace_reader.h"
-#include "state/curve_state.h"
+#include "state/floating_horizon_state.h"
 #include "state/state.h"
 #include "support/random_curves.h"
 
@@ -26,7 +26,7 @@ std::vector<Choice> all_choices() {
     std::vector<Choice> choices;
     for (const std::string kernel : {"float", "double", "bits:4", "bits:11", "filtered", "exact"}) {
         for (const Edition edition : {Edition::corrected, Edition::printed}) {
-            if (kernel_named(kernel)->choice->runs_curves(edition)) choices.push_back({kernel, edition});
+            if (kernel_named(kernel)->choice->runs_floating_horizon(edition)) choices.push_back({kernel, edition});
         }
     }
     return choices;
@@ -34,7 +34,7 @@ std::vector<Choice> all_choices() {
 
 Surface some_surface() { return {"some", some_curves()}; }
 
-CurveHeader header_of(const Surface& surface, const Choice& choice, Detail detail) {
+FloatingHorizonHeader header_of(const Surface& surface, const Choice& choice, Detail detail) {
     return {choice.edition, choice.kernel, detail, surface};
 }
 
@@ -54,16 +54,16 @@ TracedRun traced(const Surface& surface, const Choice& choice, Detail detail, bo
 }
 
 DrawnLines lines_of_run(const Surface& surface, const Choice& choice) {
-    return run(CurveRequest{*kernel_named(choice.kernel), choice.edition, surface.curves});
+    return run(FloatingHorizonRequest{*kernel_named(choice.kernel), choice.edition, surface.curves});
 }
 
-CurveTraceReader reader_of(const std::string& text) {
-    return CurveTraceReader(TraceFile(LineReader::of_text(text), "trace"));
+FloatingHorizonTraceReader reader_of(const std::string& text) {
+    return FloatingHorizonTraceReader(TraceFile(LineReader::of_text(text), "trace"));
 }
 
 std::vector<Event> events_of(const std::string& text) {
     std::vector<Event> events;
-    CurveTraceReader reader = reader_of(text);
+    FloatingHorizonTraceReader reader = reader_of(text);
     while (const auto event = reader.next()) events.push_back(event->copy());
     return events;
 }
@@ -95,8 +95,8 @@ TEST_CASE("Curves: the lines are rebuilt at every level, and their hash is that 
         const DrawnLines own = lines_of_run(surface, choice);
         for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
             CAPTURE(int(detail));
-            CurveTraceReader reader = reader_of(traced(surface, choice, detail).text);
-            CurveState state(reader.header());
+            FloatingHorizonTraceReader reader = reader_of(traced(surface, choice, detail).text);
+            FloatingHorizonState state(reader.header());
             while (const auto event = reader.next()) state.apply(*event);
             CHECK(same_lines(state.lines(), own));
             REQUIRE(reader.end().has_value());
@@ -138,10 +138,10 @@ TEST_CASE("Curves: read back and written again the bytes are the same, twice tra
     for (const auto& choice : all_choices()) {
         const std::string text = traced(surface, choice, Detail::signs).text;
         CHECK(text == traced(surface, choice, Detail::signs).text);
-        CurveTraceReader reader = reader_of(text);
+        FloatingHorizonTraceReader reader = reader_of(text);
         std::string again;
         TraceWriter writer(reader.header(), [&](std::string_view part) { again += part; });
-        CurveState state(reader.header());
+        FloatingHorizonState state(reader.header());
         while (const auto event = reader.next()) {
             writer.hear(*event);
             state.apply(*event);
@@ -158,14 +158,14 @@ TEST_CASE("Curves: the example of FORMAT.md is what the program writes") {
     const std::string opening = "```jsonl\n";
     const auto begin = format.str().find(opening, format.str().find("## An example of curves")) + opening.size();
     const std::string example = format.str().substr(begin, format.str().find("```", begin) - begin);
-    const CurveHeader header = reader_of(example).header();
+    const FloatingHorizonHeader header = reader_of(example).header();
     CHECK(traced(header.scene, {header.kernel, header.edition}, header.detail).text == example);
 }
 
 TEST_CASE("Curves: a limit keeps what was told and says that it is partial") {
     const auto [text, whole] = traced(some_surface(), {"double", Edition::corrected}, Detail::signs, false, 10);
     CHECK_FALSE(whole);
-    CurveTraceReader reader = reader_of(text);
+    FloatingHorizonTraceReader reader = reader_of(text);
     while (reader.next()) {
     }
     CHECK(reader.events() == 10);
@@ -175,11 +175,11 @@ TEST_CASE("Curves: a limit keeps what was told and says that it is partial") {
 
 TEST_CASE("Curves: a trace of one kind is not taken for one of the other") {
     const std::string text = traced(some_surface(), {"double", Edition::corrected}, Detail::windows).text;
-    CHECK(std::holds_alternative<CurveTraceReader>(open_trace(LineReader::of_text(text), "trace")));
+    CHECK(std::holds_alternative<FloatingHorizonTraceReader>(open_trace(LineReader::of_text(text), "trace")));
     CHECK_THROWS_WITH_AS(TraceReader(LineReader::of_text(text), "trace"),
                          "trace:1: /method: floating-horizon, which this command does not take", Refused);
-    const CurveHeader header = header_of(some_surface(), {"double", Edition::corrected}, Detail::signs);
-    CurveState state(header);
+    const FloatingHorizonHeader header = header_of(some_surface(), {"double", Edition::corrected}, Detail::signs);
+    FloatingHorizonState state(header);
     CHECK_THROWS_AS(state.apply(event::Pop{}), Impossible);
     const TraceHeader polygons{
         {}, {}, "double", Detail::signs, {.name = {}, .area = {0, 0, 1, 1}, .background = {}, .polygons = {}}};
@@ -210,9 +210,9 @@ TEST_CASE("Curves: what no run tells is refused, with its line") {
 }
 
 TEST_CASE("Curves: an event that cannot follow") {
-    const CurveHeader header = header_of(some_surface(), {"double", Edition::corrected}, Detail::signs);
+    const FloatingHorizonHeader header = header_of(some_surface(), {"double", Edition::corrected}, Detail::signs);
     const auto impossible = [&](const std::vector<Event>& events) -> std::string {
-        CurveState state(header);
+        FloatingHorizonState state(header);
         try {
             for (const auto& event : events) state.apply(event);
         } catch (const Impossible& reason) {
@@ -261,7 +261,7 @@ bool is_visible(const Answer& flag) { return std::get<int>(flag) != int(Visibili
 /// What the rule says of each column of each curve, one after the other.
 std::vector<bool> by_the_rule(const CurveScene& scene) {
     std::vector<bool> visible;
-    const HorizonReference reference(scene);
+    const FloatingHorizonReference reference(scene);
     for (const auto& curve : reference.curves())
         visible.insert(visible.end(), curve.visible.begin(), curve.visible.end());
     return visible;
@@ -304,8 +304,8 @@ TEST_CASE("Curves: exact and filtered decide as the rule says, and their check f
                 CHECK(found.flags[j].told.exact->answer == found.flags[j].decision());
             }
             CHECK(found.disagreements == 0);
-            CHECK_FALSE(
-                check_run(CurveRequest{*kernel_named(kernel), Edition::corrected, surface.curves}).found_something());
+            CHECK_FALSE(check_run(FloatingHorizonRequest{*kernel_named(kernel), Edition::corrected, surface.curves})
+                            .found_something());
         }
     }
 }
@@ -337,17 +337,17 @@ TEST_CASE("Curves: a check counts decisions by procedure, and the columns that a
     // The second curve is below the first over all of its columns: as printed it is not drawn (X-H1). Three decisions of
     // Visibility on each curve: its three columns; the text looks at two, its samples.
     const CurveScene scene = CurveSceneBuilder({0, 0, 4, 16}).curve({{0, 4}, {2, 4}}).curve({{0, 12}, {2, 12}}).build();
-    const auto decisions = [](const CurveCheckReport& report, Procedure procedure) {
+    const auto decisions = [](const FloatingHorizonCheckReport& report, Procedure procedure) {
         const auto of = std::find_if(report.procedures.begin(), report.procedures.end(),
                                      [&](const auto& each) { return each.procedure == procedure; });
         return of == report.procedures.end() ? 0 : of->decisions;
     };
-    const auto right = check_run(CurveRequest{*kernel_named("double"), Edition::corrected, scene});
+    const auto right = check_run(FloatingHorizonRequest{*kernel_named("double"), Edition::corrected, scene});
     CHECK(right.columns == 6);
     CHECK(right.wrong_columns == 0);
     CHECK(decisions(right, Procedure::visibility) == 6);
     CHECK_FALSE(right.found_something());
-    const auto printed = check_run(CurveRequest{*kernel_named("double"), Edition::printed, scene});
+    const auto printed = check_run(FloatingHorizonRequest{*kernel_named("double"), Edition::printed, scene});
     CHECK(printed.wrong_columns == 3);
     CHECK(decisions(printed, Procedure::visibility) == 4);
     CHECK(printed.found_something());
@@ -357,9 +357,9 @@ TEST_CASE("Curves: how far double's intersections are from the exact ones") {
     // 0.1 + x / 3 from (0, 0.1) to (9, 3.1) comes to 1 at x = 2.7 (nearly, for 0.1 and 3.1 are no doubles).
     const CurveScene scene =
         CurveSceneBuilder({0, 0, 10, 16}).curve({{0, 1}, {9, 1}}).curve({{0, 0.1}, {9, 3.1}}).build();
-    const auto report = check_run(CurveRequest{*kernel_named("double"), Edition::corrected, scene});
+    const auto report = check_run(FloatingHorizonRequest{*kernel_named("double"), Edition::corrected, scene});
     CHECK(report.intersections == 2);  // the line that ends above, and the one that begins below
     CHECK(report.farthest_off < 1e-14);
-    const auto in_bits = check_run(CurveRequest{*kernel_named("bits:6"), Edition::corrected, scene});
+    const auto in_bits = check_run(FloatingHorizonRequest{*kernel_named("bits:6"), Edition::corrected, scene});
     CHECK(in_bits.farthest_off > 1e-3);
 }

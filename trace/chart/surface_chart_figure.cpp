@@ -1,10 +1,10 @@
 // The figure of a chart of surfaces.
 
-#include "chart/curve_chart.h"
+#include "chart/surface_chart.h"
 
 namespace vidno {
 
-const CurveChartWords curve_chart_in_english{
+const SurfaceChartWords surface_chart_in_english{
     .costs = {"time, times that of the fastest", "operations", "samples"},
     .errors = {"wrong columns, %", "height missed, pixels", "wrong decisions, %"},
     .knobs = {"samples", "tolerance"},
@@ -12,7 +12,7 @@ const CurveChartWords curve_chart_in_english{
     .printed = "printed",
     .front = "nothing is cheaper and as right"};
 
-const CurveChartWords curve_chart_in_russian{
+const SurfaceChartWords surface_chart_in_russian{
     .costs = {"время относительно самого быстрого прогона", "операции", "отсчёты"},
     .errors = {"неверные столбцы, %", "потерянная высота, пиксели", "неверные решения, %"},
     .knobs = {"отсчёты", "допуск"},
@@ -28,10 +28,10 @@ struct Series {
     Edition edition;
     std::optional<SamplingKnob> knob;
 
-    bool has(const CurveWay& way) const {
+    bool has(const SurfaceWay& way) const {
         return way.kernel.choice->name == kernel && way.edition == edition && way.knob == knob;
     }
-    std::string name(const CurveChartWords& words) const {
+    std::string name(const SurfaceChartWords& words) const {
         std::string text(knob ? words.knobs[std::size_t(*knob)] : words.as_given);
         text += ", ";
         text += kernel;
@@ -54,7 +54,7 @@ std::vector<Series> all_series() {
     std::vector<Series> series;
     for (const auto& choice : kernel_choices) {
         for (const Edition edition : {Edition::corrected, Edition::printed}) {
-            if (choice.parameter || !choice.runs_curves(edition)) continue;
+            if (choice.parameter || !choice.runs_floating_horizon(edition)) continue;
             series.push_back({choice.name, edition, std::nullopt});
             for (const SamplingKnob knob : {SamplingKnob::samples, SamplingKnob::tolerance}) {
                 series.push_back({choice.name, edition, knob});
@@ -65,8 +65,8 @@ std::vector<Series> all_series() {
 }
 
 /// In per cent, or in pixels.
-double error_in(const SurfaceChart& surface, const CurveChartRun& run, std::size_t error) {
-    const auto& axis = curve_error_axes[error];
+double error_in(const SurfaceChart& surface, const SurfaceChartRun& run, std::size_t error) {
+    const auto& axis = surface_error_axes[error];
     const double value = axis.of(run);
     if (axis.name == "height") return value;
     return 100 * (axis.name == "wrongDecisions" ? value : value / double(surface.columns));
@@ -78,28 +78,28 @@ Plot plot_of(const SurfaceChart& surface, std::size_t cost, std::size_t error) {
     const auto marks = [&](const auto& belongs) {
         std::vector<PlotMark> found;
         for (const auto& run : surface.runs) {
-            if (belongs(run)) found.push_back({*curve_cost_axes[cost].of(run), error_in(surface, run, error)});
+            if (belongs(run)) found.push_back({*surface_cost_axes[cost].of(run), error_in(surface, run, error)});
         }
         return found;
     };
     for (const auto& run : surface.runs) plot.errors.push_back(error_in(surface, run, error));
     for (const auto& series : all_series()) {
-        plot.marks.push_back(marks([&](const CurveChartRun& run) { return series.has(run.way); }));
+        plot.marks.push_back(marks([&](const SurfaceChartRun& run) { return series.has(run.way); }));
     }
-    plot.front = marks([&](const CurveChartRun& run) { return run.on_front[cost][error]; });
+    plot.front = marks([&](const SurfaceChartRun& run) { return run.on_front[cost][error]; });
     return plot;
 }
 
 }  // namespace
 
 std::string chart_script(const std::vector<SurfaceChart>& surfaces, std::size_t cost, std::size_t error,
-                         const PlotLayout& layout, const CurveChartWords& words) {
+                         const PlotLayout& layout, const SurfaceChartWords& words) {
     PlotWords of_plot{.cost = words.costs[cost],
                       .error = words.errors[error],
                       .front = words.front,
                       .no_number = {},
                       .series = {},
-                      .plain_costs = curve_cost_axes[cost].name == "time"};
+                      .plain_costs = surface_cost_axes[cost].name == "time"};
     for (const auto& series : all_series()) {
         of_plot.series.push_back({series.name(words), series.color(), series.point(), series.knob.has_value()});
     }

@@ -2,13 +2,13 @@
 
 #include <doctest/doctest.h>
 
-#include "state/curve_state.h"
+#include "state/floating_horizon_state.h"
 #include "support/kernels.h"
 #include "support/random_curves.h"
 #include "support/rebuilt.h"
 #include "vidno/floating_horizon.h"
 #include "vidno/kernels/filtered_heights.h"
-#include "vidno/printed_curves.h"
+#include "vidno/printed_floating_horizon.h"
 
 using namespace vidno;
 using namespace vidno::test;
@@ -17,8 +17,8 @@ namespace {
 
 /// Records, and holds the run's horizons against the rebuilt ones whenever they may have changed.
 template <class K>
-class CompareHorizons : public RebuildingRecorder<K, CurveState> {
-    using Base = RebuildingRecorder<K, CurveState>;
+class CompareHorizons : public RebuildingRecorder<K, FloatingHorizonState> {
+    using Base = RebuildingRecorder<K, FloatingHorizonState>;
     using Base::rebuilt_;
 
 public:
@@ -56,10 +56,10 @@ private:
 
 template <class Set, class K>
 void check_rebuilt(const CurveScene& scene) {
-    constexpr Edition edition = std::same_as<Set, PrintedCurves> ? Edition::printed : Edition::corrected;
+    constexpr Edition edition = std::same_as<Set, PrintedFloatingHorizon> ? Edition::printed : Edition::corrected;
     for (const Detail detail : {Detail::polygons, Detail::signs}) {
-        const CurveHeader header{edition, std::string(K::name), detail, {"", scene}};
-        Rebuilt<CurveState> rebuilt(header);
+        const FloatingHorizonHeader header{edition, std::string(K::name), detail, {"", scene}};
+        Rebuilt<FloatingHorizonState> rebuilt(header);
         const auto own = visible_lines<Set>(scene, K{}, CompareHorizons<K>(rebuilt)).lines;
         CHECK(rebuilt.compared >= 2 * scene.area.width);
         CHECK(rebuilt.different == 0);
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("Sufficient: lines and horizons rebuilt from the events are t
     for (int i = 0; i < 60; ++i) {
         CAPTURE(i);
         const CurveScene scene = i == 0 ? some_curves() : random.scene();
-        check_rebuilt<CorrectedCurves, K>(scene);
-        if constexpr (PrintedKernel<K>) check_rebuilt<PrintedCurves, K>(scene);
+        check_rebuilt<CorrectedFloatingHorizon, K>(scene);
+        if constexpr (PrintedKernel<K>) check_rebuilt<PrintedFloatingHorizon, K>(scene);
     }
 }

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "run/curve_lines.h"
-#include "run/recorded_curves.h"
+#include "run/floating_horizon_lines.h"
+#include "run/recorded_floating_horizon.h"
 #include "run/recorder.h"
 #include "run/run_time_kernel.h"
 #include "vidno/kernels/filtered_heights.h"
@@ -39,11 +39,11 @@ struct Judging {
 
 /// Records; of a judged run, judges what Visibility says.
 template <class Set, Kernel K>
-class CurveRecorder : public Recorder<K> {
+class FloatingHorizonRecorder : public Recorder<K> {
     using Base = Recorder<K>;
 
 public:
-    CurveRecorder(Recording& recording, Judging& judging, const Set& set)
+    FloatingHorizonRecorder(Recording& recording, Judging& judging, const Set& set)
         : Base(recording), judging_(&judging), set_(set) {}
 
     void call(Line at, Procedure procedure) {
@@ -79,21 +79,21 @@ private:
 };
 
 template <Kernel K>
-DrawnLines told(const CurveRequest& request, const K& kernel, Judging& judging) {
+DrawnLines told(const FloatingHorizonRequest& request, const K& kernel, Judging& judging) {
     Recording recording{request.detail, *request.sink};
     const auto by = [&]<class Set>(const Set& set) {
-        return lines_drawn(request, kernel, CurveRecorder<Set, K>(recording, judging, set), set);
+        return lines_drawn(request, kernel, FloatingHorizonRecorder<Set, K>(recording, judging, set), set);
     };
     if constexpr (PrintedKernel<K>) {
-        return by(AnyCurveEdition(rules_of(request.edition)));
+        return by(AnyFloatingHorizon(rules_of(request.edition)));
     } else {
-        return by(CorrectedCurves{});
+        return by(CorrectedFloatingHorizon{});
     }
 }
 
 }  // namespace
 
-DrawnLines told_lines(const CurveRequest& request, const Followers& followers) {
+DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers) {
     assert(request.sink);
     Judging judging{followers.judge, followers.survey};
     const KernelKind kind = request.kernel.kind();

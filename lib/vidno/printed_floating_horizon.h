@@ -1,15 +1,15 @@
-/// PrintedCurves: the floating horizon as the course text prints it. Each difference bears its id, as in printed.h.
+/// PrintedFloatingHorizon: the floating horizon as the course text prints it. Each difference bears its id, as in printed.h.
 #pragma once
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "corrected_curves.h"
+#include "corrected_floating_horizon.h"
 
 namespace vidno {
 
-struct PrintedCurves : CorrectedCurves {
+struct PrintedFloatingHorizon : CorrectedFloatingHorizon {
     /// X-H3: the sides of the screen, 0 and its height in the text, where y grows upward. Beyond one, the higher may be hidden.
     template <class K>
     static Horizons<K> first_horizons(const K& kernel, const Area& area) {

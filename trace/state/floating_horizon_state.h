@@ -1,12 +1,12 @@
-/// CurveState: everything that a run of curves holds at a step, rebuilt from its events alone. What State is to polygons.
+/// FloatingHorizonState: everything that a run of curves holds at a step, rebuilt from its events alone. What State is to polygons.
 #pragma once
 
-#include "format/curve_trace.h"
+#include "format/floating_horizon_trace.h"
 #include "state/call_stack.h"
 
 namespace vidno {
 
-class CurveState {
+class FloatingHorizonState {
 public:
     using Heights = std::vector<std::optional<Value>>;  // over each column of the area
 
@@ -17,13 +17,13 @@ public:
         bool operator==(const Looked&) const = default;
     };
 
-    explicit CurveState(const CurveHeader& header);
+    explicit FloatingHorizonState(const FloatingHorizonHeader& header);
 
     /// Takes the next event. Throws Impossible and is then as before or useless: throw it away.
     void apply(const EventView& event);
 
     std::uint64_t step() const { return step_; }
-    const CurveHeader& header() const { return *header_; }
+    const FloatingHorizonHeader& header() const { return *header_; }
     const std::vector<CallStack::Frame>& calls() const { return calls_.frames(); }
     const DrawnLines& lines() const { return lines_; }
     std::optional<int> curve() const { return curve_; }                        // at hand
@@ -52,7 +52,7 @@ private:
     void take(const event::Lower& e) { set(lower_, e.x, e.y); }
     void take(const event::Step&) {}
     template <class E>
-    void take(const E&) requires(!CurveEvent<E>) {
+    void take(const E&) requires(!FloatingHorizonEvent<E>) {
         throw Impossible{"an event of a run of polygons"};
     }
 
@@ -60,7 +60,7 @@ private:
     Segment segment_on(const SegmentColumns& columns) const;
     LineEnd<Value> end_of(const ValuePoint& point, const std::pair<int, int>& columns) const;
 
-    const CurveHeader* header_;
+    const FloatingHorizonHeader* header_;
     std::uint64_t step_ = 0;
     CallStack calls_;
     DrawnLines lines_;
@@ -72,6 +72,6 @@ private:
 };
 
 /// The state as JSON on one line.
-std::string state_json(const CurveState& state);
+std::string state_json(const FloatingHorizonState& state);
 
 }  // namespace vidno

@@ -1,4 +1,4 @@
-#include "chart/curve_chart.h"
+#include "chart/surface_chart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +11,16 @@
 
 namespace vidno {
 
-const CostAxes<CurveChartRun, 3> curve_cost_axes{{
-    {"time", [](const CurveChartRun& run) { return std::optional(run.cost.time); }},
-    {"operations", [](const CurveChartRun& run) { return std::optional(run.cost.operations); }},
-    {"samples", [](const CurveChartRun& run) { return std::optional(run.cost.samples); }},
+const CostAxes<SurfaceChartRun, 3> surface_cost_axes{{
+    {"time", [](const SurfaceChartRun& run) { return std::optional(run.cost.time); }},
+    {"operations", [](const SurfaceChartRun& run) { return std::optional(run.cost.operations); }},
+    {"samples", [](const SurfaceChartRun& run) { return std::optional(run.cost.samples); }},
 }};
 
-const ErrorAxes<CurveChartRun, 3> curve_error_axes{{
-    {"wrongColumns", [](const CurveChartRun& run) { return double(run.found.wrong_columns); }},
-    {"height", [](const CurveChartRun& run) { return run.found.height; }},
-    wrong_decisions_axis<CurveChartRun>,
+const ErrorAxes<SurfaceChartRun, 3> surface_error_axes{{
+    {"wrongColumns", [](const SurfaceChartRun& run) { return double(run.found.wrong_columns); }},
+    {"height", [](const SurfaceChartRun& run) { return run.found.height; }},
+    wrong_decisions_axis<SurfaceChartRun>,
 }};
 
 namespace {
@@ -43,7 +43,7 @@ std::vector<Turn> turns_for(const FunctionSurface& surface) {
     return turns;
 }
 
-FunctionSurface turned(FunctionSurface surface, const CurveWay& way) {
+FunctionSurface turned(FunctionSurface surface, const SurfaceWay& way) {
     if (way.knob == SamplingKnob::samples) {
         surface.samples = int(way.value);
         surface.tolerance.reset();
@@ -68,17 +68,21 @@ double height_missed(const Curve& curve, const Curve& dense) {
 
 /// Counts what an event tells; of most, nothing.
 struct Counting {
-    CurveOperationCounts& counts;
+    FloatingHorizonOperationCounts& counts;
 
-    void operator()(const event::Visibility&) const { add(CurveOperation::visibilities, 1); }
-    void operator()(const event::Horizon& e) const { add(CurveOperation::horizons, std::max(0, e.last - e.first + 1)); }
-    void operator()(const event::Step&) const { add(CurveOperation::steps, 1); }
+    void operator()(const event::Visibility&) const { add(FloatingHorizonOperation::visibilities, 1); }
+    void operator()(const event::Horizon& e) const {
+        add(FloatingHorizonOperation::horizons, std::max(0, e.last - e.first + 1));
+    }
+    void operator()(const event::Step&) const { add(FloatingHorizonOperation::steps, 1); }
     void operator()(const event::Intersection& e) const {
-        add(CurveOperation::crossings, e.columns.first < e.columns.second ? 1 : 0);
+        add(FloatingHorizonOperation::crossings, e.columns.first < e.columns.second ? 1 : 0);
     }
     void operator()(const auto&) const {}
 
-    void add(CurveOperation operation, int count) const { counts[std::size_t(operation)] += std::uint64_t(count); }
+    void add(FloatingHorizonOperation operation, int count) const {
+        counts[std::size_t(operation)] += std::uint64_t(count);
+    }
 };
 
 /// The function as the screen shows it, for runs of samples to be held against.
@@ -90,10 +94,10 @@ public:
 
     const CurveScene& dense() const { return dense_; }
 
-    CurveFindings examine(const CurveRequest& request) const {
-        CurveFindings found;
+    SurfaceFindings examine(const FloatingHorizonRequest& request) const {
+        SurfaceFindings found;
         const auto hear = [&](const EventView& event) { event.visit(Counting{found.operations}); };
-        const CurveCheckReport report = check_run(request, hear);
+        const FloatingHorizonCheckReport report = check_run(request, hear);
         for (const auto& each : report.procedures) {
             found.decisions += each.decisions - each.undefined;
             found.wrong_decisions += each.wrong_for_scene;
@@ -112,11 +116,11 @@ private:
 
 }  // namespace
 
-std::vector<CurveWay> ways_to_draw(const FunctionSurface& surface) {
-    std::vector<CurveWay> ways;
+std::vector<SurfaceWay> ways_to_draw(const FunctionSurface& surface) {
+    std::vector<SurfaceWay> ways;
     for (const auto& choice : kernel_choices) {
         for (const Edition edition : {Edition::corrected, Edition::printed}) {
-            if (choice.parameter || !choice.runs_curves(edition)) continue;
+            if (choice.parameter || !choice.runs_floating_horizon(edition)) continue;
             for (const auto& [knob, value] : turns_for(surface)) ways.push_back({{&choice}, edition, knob, value});
         }
     }
@@ -131,12 +135,12 @@ SurfaceChart chart_of(const Function& function, const std::function<void()>& pro
     chart.surface = function.file;
     const auto ways = ways_to_draw(function.surface);
     std::vector<CurveScene> scenes;
-    for (const CurveWay& way : ways) scenes.push_back({function.area, sampled(turned(function.surface, way))});
+    for (const SurfaceWay& way : ways) scenes.push_back({function.area, sampled(turned(function.surface, way))});
     std::vector<std::function<void()>> runs;
     for (std::size_t i = 0; i < ways.size(); ++i) {
-        const CurveRequest request{ways[i].kernel, ways[i].edition, scenes[i]};
-        const CurveFindings found = examiner.examine(request);
-        CurveCost cost;
+        const FloatingHorizonRequest request{ways[i].kernel, ways[i].edition, scenes[i]};
+        const SurfaceFindings found = examiner.examine(request);
+        SurfaceCost cost;
         cost.operations = double(std::accumulate(found.operations.begin(), found.operations.end(), std::uint64_t{0}));
         cost.samples = double(sample_count(scenes[i]));
         chart.runs.push_back({ways[i], cost, found});
@@ -145,7 +149,7 @@ SurfaceChart chart_of(const Function& function, const std::function<void()>& pro
     }
     const auto seconds = median_seconds(runs, chart_rounds, progress);
     for (std::size_t i = 0; i < seconds.size(); ++i) chart.runs[i].cost.seconds = seconds[i];
-    compare_runs(chart.runs, curve_cost_axes, curve_error_axes);
+    compare_runs(chart.runs, surface_cost_axes, surface_error_axes);
     return chart;
 }
 

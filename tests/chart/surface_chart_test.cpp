@@ -1,6 +1,6 @@
 // Charts of surfaces: what sampling costs and what it misses, on a surface small enough to be counted by hand.
 
-#include "chart/curve_chart.h"
+#include "chart/surface_chart.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 
 #include "chart/chart_input.h"
 #include "refused.h"
-#include "run/curve_run.h"
+#include "run/floating_horizon_run.h"
 
 using namespace vidno;
 using nlohmann::json;
@@ -29,18 +29,18 @@ SurfaceChart charted(const std::string& text) {
     return chart_of(function_of(text), [] {});
 }
 
-CurveChartRun run_in(const SurfaceChart& chart, const std::string& kernel, Edition edition,
-                     std::optional<SamplingKnob> knob, double value = 0) {
-    const auto found = std::find_if(chart.runs.begin(), chart.runs.end(), [&](const CurveChartRun& run) {
-        const CurveWay& way = run.way;
+SurfaceChartRun run_in(const SurfaceChart& chart, const std::string& kernel, Edition edition,
+                       std::optional<SamplingKnob> knob, double value = 0) {
+    const auto found = std::find_if(chart.runs.begin(), chart.runs.end(), [&](const SurfaceChartRun& run) {
+        const SurfaceWay& way = run.way;
         return way.kernel.name() == kernel && way.edition == edition && way.knob == knob && way.value == value;
     });
     REQUIRE(found != chart.runs.end());
     return *found;
 }
 
-CurveOperationCounts counted(std::uint64_t visibilities, std::uint64_t horizons, std::uint64_t steps,
-                             std::uint64_t crossings) {
+FloatingHorizonOperationCounts counted(std::uint64_t visibilities, std::uint64_t horizons, std::uint64_t steps,
+                                       std::uint64_t crossings) {
     return {visibilities, horizons, steps, crossings};
 }
 
@@ -156,7 +156,7 @@ TEST_CASE("Chart of a surface: the figure has a series for each kernel, edition 
                                     "'samples'", "'height missed, pixels'"}) {
         CHECK_MESSAGE(script.find(title) != script.npos, title);
     }
-    const std::string russian = chart_script(charts, 2, 1, {}, curve_chart_in_russian);
+    const std::string russian = chart_script(charts, 2, 1, {}, surface_chart_in_russian);
     CHECK(russian.find("'допуск, double, как напечатано'") != russian.npos);
 }
 

@@ -1,12 +1,12 @@
-#include "format/curve_trace.h"
+#include "format/floating_horizon_trace.h"
 
 #include "format/trace_writer.h"
 
 namespace vidno {
 
-std::string header_json(const CurveHeader& header) {
+std::string header_json(const FloatingHorizonHeader& header) {
     std::string text = R"({"format":"vidno-trace/1","method":")";
-    text += curve_method;
+    text += floating_horizon_method;
     text += R"(","edition":")";
     text += edition_names[std::size_t(header.edition)];
     text += R"(","kernel":")" + header.kernel + R"(","detail":")";
