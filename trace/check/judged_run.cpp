@@ -55,7 +55,7 @@ Picture compared_run(const RunRequest& request, const Followers& followers) {
 }
 
 /// By the signs: Weiler and Atherton's algorithm decides more than it tells.
-Picture compared_regions(const RunRequest& request, const Followers& followers) {
+Picture compared_weiler_atherton(const RunRequest& request, const Followers& followers) {
     std::vector<Sign> right;
     const HearSign keep = [&](Sign sign) { right.push_back(sign); };
     HeardBy nobody([](const EventView&) {});
@@ -102,7 +102,7 @@ auto with_sink(auto request, EventSink& sink) {
 
 Picture judged_run(const RunRequest& request, const Followers& followers) {
     if (!request.kernel.is_always_right()) return told_run(request, followers);
-    return request.method == Method::weiler_atherton ? compared_regions(request, followers)
+    return request.method == Method::weiler_atherton ? compared_weiler_atherton(request, followers)
                                                      : compared_run(request, followers);
 }
 

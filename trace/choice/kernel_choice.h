@@ -32,17 +32,17 @@ struct KernelChoice {
     std::optional<Parameter> parameter{};
     bool runs_warnock = true;
     bool runs_mistakes = false;
-    bool runs_family = true;   // the Warnock family
-    bool runs_regions = true;  // Weiler and Atherton's algorithm, and the floating horizon
+    bool runs_family = true;           // the Warnock family
+    bool runs_weiler_atherton = true;  // Weiler and Atherton's algorithm, and the floating horizon
 
     /// The floating horizon: it takes samples as they are, and has no depths to store.
     bool runs_floating_horizon(Edition edition) const {
-        return runs_regions && !is_mistake(edition) && (runs_printed || edition != Edition::printed);
+        return runs_weiler_atherton && !is_mistake(edition) && (runs_printed || edition != Edition::printed);
     }
 
     bool runs(Method method, Edition edition) const {
         const auto only = choice_of(edition).only;
-        if (method == Method::weiler_atherton) return runs_regions && edition == Edition::corrected;
+        if (method == Method::weiler_atherton) return runs_weiler_atherton && edition == Edition::corrected;
         if (is_family(method) && !(runs_family && (edition == Edition::corrected || only == method))) return false;
         return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed) &&
                (runs_mistakes || !is_mistake(edition)) && (!only || *only == method);
@@ -66,7 +66,7 @@ inline constexpr std::array kernel_choices{
                  .parameter = {{'B', fewest_depth_bits, most_depth_bits}},
                  .runs_warnock = false,
                  .runs_family = false,
-                 .runs_regions = false},
+                 .runs_weiler_atherton = false},
     KernelChoice{.kind = KernelKind::filtered,
                  .name = "filtered",
                  .rule = "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
@@ -79,7 +79,7 @@ inline constexpr std::array kernel_choices{
         .is_always_right = true,
         .runs_printed = false,
         .parameter = {{'K', 1, finest_grid, 8}},
-        .runs_regions = false},
+        .runs_weiler_atherton = false},
     KernelChoice{.kind = KernelKind::exact,
                  .name = "exact",
                  .rule = "exact rationals; every decision is right, the reference",

@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "figure/encoded.h"
 #include "figure/floating_horizon_parts.h"
-#include "figure/region_parts.h"
+#include "figure/weiler_atherton_parts.h"
 #include "output.h"
 #include "picture/image.h"
 #include "progress.h"

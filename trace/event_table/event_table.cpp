@@ -44,7 +44,7 @@ std::vector<EventGroup> event_table() {
             group_of("Z-buffer", ZBufferEvents{}),
             group_of("The Warnock family", FamilyEvents{}),
             group_of("Floating horizon", FloatingHorizonEvents{}),
-            group_of("Weiler and Atherton's algorithm", RegionEvents{})};
+            group_of("Weiler and Atherton's algorithm", WeilerAthertonEvents{})};
 }
 
 std::vector<EventDescription> all_events() {

@@ -4,8 +4,8 @@
 
 #include "floating_horizon_parts.h"
 #include "refused.h"
-#include "region_parts.h"
 #include "table.h"
+#include "weiler_atherton_parts.h"
 
 namespace vidno::figures {
 

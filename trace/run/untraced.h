@@ -30,10 +30,10 @@ Picture untraced_family_grid(const RunRequest&);  // of a snapped scene
 Picture untraced_family_exact(const RunRequest&);
 
 /// Weiler and Atherton's algorithm (vidno/weiler_atherton.h); the corrected edition only.
-Picture untraced_regions_float(const RunRequest&);
-Picture untraced_regions_double(const RunRequest&);
-Picture untraced_regions_bits(const RunRequest&);
-Picture untraced_regions_filtered(const RunRequest&);
-Picture untraced_regions_exact(const RunRequest&);
+Picture untraced_weiler_atherton_float(const RunRequest&);
+Picture untraced_weiler_atherton_double(const RunRequest&);
+Picture untraced_weiler_atherton_bits(const RunRequest&);
+Picture untraced_weiler_atherton_filtered(const RunRequest&);
+Picture untraced_weiler_atherton_exact(const RunRequest&);
 
 }  // namespace vidno

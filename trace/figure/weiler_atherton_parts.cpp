@@ -1,4 +1,4 @@
-#include "region_parts.h"
+#include "weiler_atherton_parts.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-/// RegionKernel: the arithmetic of Weiler and Atherton's algorithm: lines, the points where they meet, and depths there.
+/// WeilerAthertonKernel: the arithmetic of Weiler and Atherton's algorithm: lines, the points where they meet, and depths there.
 ///
 /// OnRegions<K> is a kernel K that does so, each formula worked out in K's own numbers; the one for `filtered` stands in
 /// kernels/filtered_regions.h. A vertex is always made from two lines of the scene, never from vertices made before: so its
@@ -13,11 +13,12 @@
 namespace vidno {
 
 template <class K>
-concept RegionKernel = requires(const K& kernel, const typename K::Number& number,
-                                const Point<typename K::Number>& point, const LoopVertex<typename K::Number>& vertex,
-                                const SupportLine<typename K::Number>& line,
-                                const vidno::Plane<typename K::Number>& plane,
-                                const Region<typename K::Number>& region) {
+concept WeilerAthertonKernel = requires(const K& kernel, const typename K::Number& number,
+                                        const Point<typename K::Number>& point,
+                                        const LoopVertex<typename K::Number>& vertex,
+                                        const SupportLine<typename K::Number>& line,
+                                        const vidno::Plane<typename K::Number>& plane,
+                                        const Region<typename K::Number>& region) {
     // From the scene and the screen.
     { kernel.vertex(glm::dvec3{}) } -> std::same_as<Vertex<typename K::Number>>;
     { kernel.place(0.0, 0.0) } -> std::same_as<Point<typename K::Number>>;

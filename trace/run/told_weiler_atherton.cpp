@@ -1,7 +1,7 @@
 #include "run/recorder.h"
-#include "run/regions_run.h"
 #include "run/run_time_kernel.h"
 #include "run/told.h"
+#include "run/weiler_atherton_run.h"
 #include "vidno/kernels/filtered_regions.h"
 
 namespace vidno {
@@ -32,7 +32,7 @@ struct NumbersTellingSigns : ConstructedNumbers<StageTally> {
 template <Kernel K>
 Picture told_with(const RunRequest& request, const K& kernel) {
     Recording recording{request.detail, *request.sink};
-    return regions_run(request, kernel, Recorder<K>(recording));
+    return weiler_atherton_run(request, kernel, Recorder<K>(recording));
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ struct OnRegions<TellingSigns> : OnRegions<NumbersTellingSigns> {
     explicit OnRegions(const TellingSigns& kernel) : OnRegions<NumbersTellingSigns>(NumbersTellingSigns(kernel)) {}
 };
 
-Picture told_regions(const RunRequest& request, const Followers& followers) {
+Picture told_weiler_atherton(const RunRequest& request, const Followers& followers) {
     const KernelKind kind = request.kernel.kind();
     if (kind == KernelKind::filtered) return told_with(request, TellingSigns(followers));
     if (kind == KernelKind::binary64 && !followers.judge) return told_with(request, Double{});

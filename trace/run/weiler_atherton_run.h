@@ -20,7 +20,7 @@ std::vector<ShownRegion> shown(const VisibleRegions<Number>& visible) {
 }
 
 template <Kernel K>
-Picture regions_run(const RunRequest& request, const K& kernel, const auto& trace) {
+Picture weiler_atherton_run(const RunRequest& request, const K& kernel, const auto& trace) {
     const auto visible = visible_regions(request.scene, kernel, trace);
     if (request.regions) *request.regions = shown<K>(visible);
     return visible.picture;
