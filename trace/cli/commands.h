@@ -48,7 +48,7 @@ struct ChooseOptions {
 };
 
 struct MapOptions {
-    std::string question, output;  // no output: the table alone
+    std::string decision, output;  // no output: the table alone
     std::string kernel = "double";
 };
 
@@ -102,7 +102,7 @@ struct GradeOptions {
     int seconds = 10;
 };
 
-struct VariantsOptions {
+struct HomeworkOptions {
     std::string scene, output;
     std::string method = "warnock";
     std::size_t count = 30;
@@ -207,7 +207,7 @@ int lesson_pin(const LessonOptions& options);
 int lesson_check(const LessonOptions& options);
 int lesson_build(const LessonOptions& options);
 int grade(const GradeOptions& options);
-int variants(const VariantsOptions& options);
+int homework(const HomeworkOptions& options);
 int worksheet(const WorksheetOptions& options);
 /// The part of `worksheet` that writes .xml, from a trace, by Node.
 int moodle_questions(const WorksheetOptions& options);

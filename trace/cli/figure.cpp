@@ -12,7 +12,7 @@
 #include "lesson/lesson.h"
 #include "output.h"
 #include "page/program.h"
-#include "sign_map/question_json.h"
+#include "sign_map/mapped_decision_json.h"
 #include "steps.h"
 
 namespace vidno::cli {
@@ -253,7 +253,7 @@ std::string drawn_map(const FigureOptions& options, const std::string& text) {
     expect_no_steps(options);
     const NamedKernel kernel = *kernel_named(options.kernel);
     if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
-    const SignMap map = sign_map(read_question(text, options.input), kernel);
+    const SignMap map = sign_map(read_mapped_decision(text, options.input), kernel);
     const double width = options.width.empty() ? column_width : length_of(options.width);
     const figures::Style style = style_of(options);
     return encoded(figures::map_figure(map, style, width), {map.name, style.language}, options.output,

@@ -7,7 +7,7 @@
 #include "choice/method.h"
 #include "commands.h"
 #include "figure/figure_words.h"
-#include "homework/variants.h"
+#include "homework/exercises.h"
 #include "refused.h"
 
 namespace {
@@ -128,7 +128,7 @@ CLI::App& add_choose(CLI::App& app, ChooseOptions& options) {
 CLI::App& add_map(CLI::App& app, MapOptions& options) {
     auto& command =
         *app.add_subcommand("map", "Ask one decision at 256 x 256 places of a point, and the truth beside it");
-    command.add_option("QUESTION", options.question, "A question file, vidno-question/1; - for standard input")
+    command.add_option("DECISION", options.decision, "A file of a decision, vidno-question/1; - for standard input")
         ->required();
     command.add_option("--kernel", options.kernel, "Which arithmetic decides")->check(a_kernel)->capture_default_str();
     command.add_option("-o", options.output,
@@ -316,11 +316,12 @@ CLI::App& add_import(CLI::App& app, MeshOptions& options) {
     return command;
 }
 
-CLI::App& add_variants(CLI::App& app, VariantsOptions& options) {
-    auto& command = *app.add_subcommand("variants", "Make scenes as hard as this one, with other numbers");
+CLI::App& add_homework(CLI::App& app, HomeworkOptions& options) {
+    auto& command = *app.add_subcommand("homework", "Make scenes as hard as this one, with other numbers");
+    command.alias("variants");  // as it was called before
     command.add_option("SCENE", options.scene, "A scene file, vidno-scene/1; - for standard input")->required();
     command.add_option("--count", options.count, "How many")
-        ->check(CLI::Range(std::size_t{1}, most_variants))
+        ->check(CLI::Range(std::size_t{1}, most_exercises))
         ->capture_default_str();
     command.add_option("--seed", options.seed, "Another one, other scenes")->capture_default_str();
     command.add_option("--method", options.method, "By which algorithm they are as hard")
@@ -329,7 +330,7 @@ CLI::App& add_variants(CLI::App& app, VariantsOptions& options) {
     command.add_option("-o", options.output, "The folder, which is not there yet: 01.json and so on")->required();
     command.footer(
         "As hard: the same lines of the listing are reached and the same cases met, as often but for a tenth.\n"
-        "Example: vidno variants scene.json --count 30 --seed 7 -o homework\n"
+        "Example: vidno homework scene.json --count 30 --seed 7 -o homework\n"
         "Exit status 1: there are fewer than wanted.");
     return command;
 }
@@ -385,10 +386,10 @@ CLI::App& add_stability(CLI::App& app, StabilityOptions& options) {
 CLI::App& add_figure(CLI::App& app, FigureOptions& options) {
     auto& command = *app.add_subcommand("figure", "Draw steps of a trace, a map or a chart for a paper or a slide");
     command
-        .add_option(
-            "TRACE|LESSON|QUESTION|CHART", options.input,
-            "A trace, .jsonl or .jsonl.gz, - for standard input; the folder of a lesson; or a question of a map or a "
-            "chart, .json")
+        .add_option("TRACE|LESSON|DECISION|CHART", options.input,
+                    "A trace, .jsonl or .jsonl.gz, - for standard input; the folder of a lesson; or a decision to be "
+                    "mapped or a "
+                    "chart, .json")
         ->required();
     auto* step = command.add_option("--step", options.step, "After so many events; without it, at the end");
     auto* steps = command.add_option("--steps", options.steps, "A film strip: N,M,... or A..B or A..B:BY");
@@ -465,7 +466,7 @@ int main(int argc, char** argv) {
     PageOptions paged;
     LessonOptions lesson;
     GradeOptions graded;
-    VariantsOptions varied;
+    HomeworkOptions exercises;
     WorksheetOptions printed;
     MeshOptions mesh;
     StabilityOptions campaign;
@@ -484,7 +485,7 @@ int main(int argc, char** argv) {
     add_page(app, paged).callback([&] { status = page(paged); });
     auto& lessons = add_lesson(app, lesson, status);
     add_grade(app, graded).callback([&] { status = grade(graded); });
-    add_variants(app, varied).callback([&] { status = variants(varied); });
+    add_homework(app, exercises).callback([&] { status = homework(exercises); });
     add_worksheet(app, printed).callback([&] { status = worksheet(printed); });
     add_import(app, mesh).callback([&] { status = import(mesh); });
     add_stability(app, campaign).callback([&] { status = stability(campaign); });

@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "output.h"
 #include "picture/image.h"
-#include "sign_map/question_json.h"
+#include "sign_map/mapped_decision_json.h"
 
 namespace vidno::cli {
 
@@ -38,10 +38,11 @@ int map(const MapOptions& options) {
     if (output == "-") throw Refused("-: the table goes to standard output, the map to a .png, .ppm or .json file");
     const NamedKernel kernel = *kernel_named(options.kernel);
     if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
-    const std::string text = read_file(options.question);
-    if (is_surface(text)) throw Refused(options.question + ": a surface, and no question of a map, vidno-question/1");
-    const Question question = read_question(text, options.question);
-    const SignMap drawn = sign_map(question, kernel);
+    const std::string text = read_file(options.decision);
+    if (is_surface(text))
+        throw Refused(options.decision + ": a surface, and no decision to be mapped, vidno-question/1");
+    const MappedDecision decision = read_mapped_decision(text, options.decision);
+    const SignMap drawn = sign_map(decision, kernel);
     if (!output.empty()) {
         OutputFile file(output);
         file.write(output.ends_with(".json") ? map_json(drawn) : encode_image(picture_of(drawn), output));

@@ -8,7 +8,7 @@
 ///     {"method":"warnock","edition":"corrected","kernel":"double","detail":"signs","check":false,"most_events":1000}
 ///     {"format":"vidno-scene/1",...}
 ///
-/// For a map, the kernel and how many places it has in a row; and the file of a question:
+/// For a map, the kernel and how many places it has in a row; and the file of a decision:
 ///
 ///     {"kernel":"double","side":48}
 ///     {"format":"vidno-question/1",...}
@@ -22,7 +22,7 @@
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "sign_map/map.h"
-#include "sign_map/question_json.h"
+#include "sign_map/mapped_decision_json.h"
 
 namespace vidno {
 namespace {
@@ -128,9 +128,10 @@ void make_map(Live& live) {
         root.require_keys({"kernel", "side"});
         const NamedKernel named = read_kernel(root.at("kernel"));
         if (named.snaps()) root.at("kernel").refuse("the places of a map lie on no grid");
-        return std::pair(named, root.at("side").whole_number(1, Question::side));
+        return std::pair(named, root.at("side").whole_number(1, MappedDecision::side));
     });
-    for (const auto& [computed, exact] : sign_map(read_question(std::string(file), "question"), kernel, side).cells) {
+    for (const auto& [computed, exact] :
+         sign_map(read_mapped_decision(std::string(file), "decision"), kernel, side).cells) {
         live.made += char('0' + 3 * place_of(computed) + place_of(exact));
     }
 }

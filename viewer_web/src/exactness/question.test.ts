@@ -1,13 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { headerOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event, Method } from '../trace/events.js';
-import { questionOf, questionText } from './question.js';
-import type { Question } from './question.js';
+import { mappedDecisionOf, mappedDecisionText } from './question.js';
+import type { MappedDecision } from './question.js';
 
 /** Of the last of some events, on the scene of two squares from (0, 0) to (8, 8), A and B, both at z = 1/2. */
-async function asked(method: Method, ...events: readonly Event[]): Promise<Question | null> {
+async function asked(method: Method, ...events: readonly Event[]): Promise<MappedDecision | null> {
   const trace = await traceOf(textWith(headerOf(method), events));
-  return questionOf(trace, events.length);
+  return mappedDecisionOf(trace, events.length);
 }
 
 const square = [
@@ -47,27 +47,27 @@ describe('a sign', () => {
       sign: 1,
     };
     // Edge 3 goes from the last vertex, (0, 8), to the first; the differences are taken from where it begins.
-    const question = await asked('warnock', orient);
-    expect(question?.at).toEqual([4.5, 2]);
-    expect(question?.asked).toEqual({ orientation: { q: [0, 8], r: [0, 0], pivot: 'q' } });
+    const decision = await asked('warnock', orient);
+    expect(decision?.at).toEqual([4.5, 2]);
+    expect(decision?.asked).toEqual({ orientation: { q: [0, 8], r: [0, 0], pivot: 'q' } });
   });
 
   it('of a window’s side asks on which side of that a vertex is', async () => {
     const side: Event = { e: 'clip_side', at: 'PL2', side: 2, from: [4, 4], to: [4, 8] };
     const sign: Event = { e: 'clip_sign', at: 'PL4', vertex: [8, 0, 0.5], value: 16, sign: 1 };
     const begin: Event = { e: 'clip_begin', at: 'PL1', polygon: 'A', window: [4, 4, 4, 4] };
-    const question = await asked('warnock', push, pop, begin, side, sign);
-    expect(question?.at).toEqual([8, 0]);
-    expect(question?.asked).toEqual({ orientation: { q: [4, 4], r: [4, 8], pivot: 'r' } });
+    const decision = await asked('warnock', push, pop, begin, side, sign);
+    expect(decision?.at).toEqual([8, 0]);
+    expect(decision?.asked).toEqual({ orientation: { q: [4, 4], r: [4, 8], pivot: 'r' } });
   });
 });
 
 describe('a comparison of depths', () => {
   it('at a corner is with the last polygon that was nearer there', async () => {
     const before = [push, pop, corners, ...depths, nearer];
-    const question = await asked('warnock', ...before, compare('lt'));
-    expect(question?.at).toEqual([0, 8]);
-    expect(question?.asked).toEqual({ depth: { polygons: [square, square] } });
+    const decision = await asked('warnock', ...before, compare('lt'));
+    expect(decision?.at).toEqual([0, 8]);
+    expect(decision?.asked).toEqual({ depth: { polygons: [square, square] } });
     expect(await asked('warnock', ...before, compare('rb'))).toBeNull(); // there is nothing yet
   });
 
@@ -92,14 +92,14 @@ describe('a comparison of depths', () => {
       stored: 0.5,
       shown,
     });
-    const question = await asked(
+    const decision = await asked(
       'zbuffer',
       polygon('A'),
       pixel(1, true),
       polygon('B'),
       pixel(1, false),
     );
-    expect(question?.at).toEqual([1.5, 2.5]);
+    expect(decision?.at).toEqual([1.5, 2.5]);
     expect(await asked('zbuffer', polygon('A'), pixel(2, true), pixel(1, true))).toBeNull();
   });
 });
@@ -121,10 +121,10 @@ it('a verdict asks what the step before it asked', async () => {
     exact: 1,
     cause: 'rounded',
   };
-  const question = await asked('warnock', call, surround, wrong);
-  expect(question?.asked).toEqual({
+  const decision = await asked('warnock', call, surround, wrong);
+  expect(decision?.asked).toEqual({
     surround: { polygon: square.map(([x, y]) => [x, y]) },
   });
-  const file = question && (JSON.parse(questionText(question)) as object);
+  const file = decision && (JSON.parse(mappedDecisionText(decision)) as object);
   expect(file).toMatchObject({ format: 'vidno-question/1', step: 2 ** -51 }); // 3.5 = 1.75 * 2^1
 });

@@ -8,7 +8,7 @@ import type { Corner, N } from '../trace/values.js';
 import { placesAround } from './places.js';
 import type { Places } from './places.js';
 
-/** What a decision asks of a point, as a question file has it; lessons/maps/README.md says what each means. */
+/** What a decision asks of a point, as a file of a sign map has it; lessons/maps/README.md says what each means. */
 type Asked =
   | {
       readonly orientation: { readonly q: Spot; readonly r: Spot; readonly pivot: 'p' | 'q' | 'r' };
@@ -19,7 +19,7 @@ type Vertices = Polygon['vertices'];
 type Spot = readonly [x: number, y: number];
 
 /** A decision about a point, to be asked at its neighbours as well. */
-export interface Question {
+export interface MappedDecision {
   readonly at: Spot;
   readonly places: Places;
   readonly asked: Asked;
@@ -30,8 +30,8 @@ const farthest = 20_000;
 
 const spotOf = (at: readonly N[]): Spot => [toNumber(at[0] ?? NaN), toNumber(at[1] ?? NaN)];
 
-/** The question of a step; null if it decides nothing about a point. */
-export function questionOf(trace: Trace, step: number): Question | null {
+/** The decision of a step; null if it decides nothing about a point. */
+export function mappedDecisionOf(trace: Trace, step: number): MappedDecision | null {
   const found = aboutPoint(trace, step);
   if (found === null) return null;
   const [at, asked] = found;
@@ -39,8 +39,8 @@ export function questionOf(trace: Trace, step: number): Question | null {
   return places && { at, places, asked };
 }
 
-/** The text of the question's file. */
-export function questionText({ places: { p, step }, asked }: Question): string {
+/** The text of the decision's file. */
+export function mappedDecisionText({ places: { p, step }, asked }: MappedDecision): string {
   return JSON.stringify({ format: 'vidno-question/1', p, step, ...asked });
 }
 

@@ -1,4 +1,4 @@
-#include "homework/variants.h"
+#include "homework/exercises.h"
 
 #include <filesystem>
 #include <iostream>
@@ -21,14 +21,14 @@ std::string number_of(std::size_t place, std::size_t count) {
 
 }  // namespace
 
-int variants(const VariantsOptions& options) {
+int homework(const HomeworkOptions& options) {
     const std::filesystem::path folder(options.output);
     if (std::filesystem::exists(folder)) throw Refused(options.output + ": is there already");
     const Scene scene = scene_from(options.scene);
     expect_by_hand(scene, options.scene);
-    Progress progress("variants");
-    auto found = variants_of(scene, Method(place_in(method_names, options.method)), options.count, options.seed,
-                             [&](std::size_t so_far) { progress.show(so_far, options.count); });
+    Progress progress("exercises");
+    auto found = exercises_of(scene, Method(place_in(method_names, options.method)), options.count, options.seed,
+                              [&](std::size_t so_far) { progress.show(so_far, options.count); });
     progress.clear();
     std::error_code error;
     std::filesystem::create_directories(folder, error);
@@ -40,7 +40,7 @@ int variants(const VariantsOptions& options) {
     }
     if (found.size() == options.count) return 0;
     std::cerr << options.output << ": " << found.size() << " of " << options.count
-              << " variants: no more were found (another --seed may find more)\n";
+              << " exercises: no more were found (another --seed may find more)\n";
     return 1;
 }
 

@@ -1,12 +1,12 @@
-// Variants of a scene: as hard, and other.
+// Exercises made from a scene: as hard, and other.
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
 #include <set>
 
+#include "homework/exercises.h"
 #include "homework/profile.h"
-#include "homework/variants.h"
 #include "output.h"
 #include "refused.h"
 #include "scene/scene_json.h"
@@ -18,19 +18,19 @@ namespace vidno {
 
 namespace {
 
-struct Exercise {
+struct Original {
     const char* scene;
     Method method;
 };
 
-const std::array exercises{Exercise{VIDNO_ROOT "/lessons/01-four-relations/scene.json", Method::warnock},
-                           Exercise{VIDNO_ROOT "/lessons/03-subdivision/scene.json", Method::warnock},
-                           Exercise{VIDNO_ROOT "/lessons/07-z-buffer-ael/scene.json", Method::zbuffer}};
+const std::array originals{Original{VIDNO_ROOT "/lessons/01-four-relations/scene.json", Method::warnock},
+                           Original{VIDNO_ROOT "/lessons/03-subdivision/scene.json", Method::warnock},
+                           Original{VIDNO_ROOT "/lessons/07-z-buffer-ael/scene.json", Method::zbuffer}};
 
 Scene read(const std::string& file) { return read_scene(read_file(file), file).scene; }
 
-std::vector<Scene> some_variants(const Scene& scene, Method method, std::uint64_t seed = 7) {
-    return variants_of(scene, method, 6, seed, [](std::size_t) {});
+std::vector<Scene> some_exercises(const Scene& scene, Method method, std::uint64_t seed = 7) {
+    return exercises_of(scene, method, 6, seed, [](std::size_t) {});
 }
 
 int most_binary_places(const ScenePolygon& polygon) {
@@ -94,37 +94,35 @@ TEST_CASE("profile: as hard is the same but for a tenth, and a twentieth of the 
     CHECK_FALSE(is_as_hard({{"line W12"}, original.counts}, original));
 }
 
-TEST_CASE("variants: as hard as the lesson's scene, no finer numbers, and admitted as a file") {
-    for (const Exercise& exercise : exercises) {
-        const std::string file = exercise.scene;
-        const Method method = exercise.method;
+TEST_CASE("exercises: as hard as the lesson's scene, no finer numbers, and admitted as a file") {
+    for (const auto& [name, method] : originals) {
+        const std::string file = name;
         CAPTURE(file);
         const Scene original = read(file);
         const Profile profile = profiled_run(original, method).profile;
-        const auto variants = some_variants(original, method);
-        REQUIRE(variants.size() == 6);
-        for (const Scene& variant : variants) {
-            CHECK(read_scene(scene_json(variant), "variant.json").warnings.empty());
-            CHECK(read_scene(scene_json(variant), "variant.json").scene == variant);
-            CHECK_NOTHROW(expect_by_hand(variant, "variant.json"));
-            CHECK(is_as_hard(profiled_run(variant, method).profile, profile));
-            REQUIRE(variant.polygons.size() == original.polygons.size());
-            for (std::size_t i = 0; i < variant.polygons.size(); ++i) {
-                CHECK(variant.polygons[i].id == original.polygons[i].id);
-                CHECK(variant.polygons[i].color == original.polygons[i].color);
-                CHECK(variant.polygons[i].vertices.size() == original.polygons[i].vertices.size());
-                CHECK(most_binary_places(variant.polygons[i]) <= most_binary_places(original.polygons[i]));
+        const auto exercises = some_exercises(original, method);
+        REQUIRE(exercises.size() == 6);
+        for (const Scene& exercise : exercises) {
+            CHECK(read_scene(scene_json(exercise), "exercise.json").warnings.empty());
+            CHECK(read_scene(scene_json(exercise), "exercise.json").scene == exercise);
+            CHECK_NOTHROW(expect_by_hand(exercise, "exercise.json"));
+            CHECK(is_as_hard(profiled_run(exercise, method).profile, profile));
+            REQUIRE(exercise.polygons.size() == original.polygons.size());
+            for (std::size_t i = 0; i < exercise.polygons.size(); ++i) {
+                CHECK(exercise.polygons[i].id == original.polygons[i].id);
+                CHECK(exercise.polygons[i].color == original.polygons[i].color);
+                CHECK(exercise.polygons[i].vertices.size() == original.polygons[i].vertices.size());
+                CHECK(most_binary_places(exercise.polygons[i]) <= most_binary_places(original.polygons[i]));
             }
         }
     }
 }
 
-TEST_CASE("variants: no two show the same picture, mirrored or not, nor that of the original") {
-    for (const Exercise& exercise : exercises) {
-        const std::string file = exercise.scene;
-        const Method method = exercise.method;
+TEST_CASE("exercises: no two show the same picture, mirrored or not, nor that of the original") {
+    for (const auto& [name, method] : originals) {
+        const std::string file = name;
         CAPTURE(file);
-        auto scenes = some_variants(read(file), method);
+        auto scenes = some_exercises(read(file), method);
         scenes.push_back(read(file));
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
@@ -136,30 +134,30 @@ TEST_CASE("variants: no two show the same picture, mirrored or not, nor that of 
     }
 }
 
-TEST_CASE("variants: the same seed gives the same scenes, another one others") {
-    const Scene scene = read(exercises[0].scene);
-    const auto variants = some_variants(scene, Method::warnock);
-    CHECK(some_variants(scene, Method::warnock) == variants);
-    CHECK(some_variants(scene, Method::warnock, 8) != variants);
+TEST_CASE("exercises: the same seed gives the same scenes, another one others") {
+    const Scene scene = read(originals[0].scene);
+    const auto exercises = some_exercises(scene, Method::warnock);
+    CHECK(some_exercises(scene, Method::warnock) == exercises);
+    CHECK(some_exercises(scene, Method::warnock, 8) != exercises);
 }
 
-TEST_CASE("variants: where nothing can be moved there are none, and fewer than wanted is exit 1") {
-    // One pixel that one polygon covers: every variant of it has the same picture.
+TEST_CASE("homework: where nothing can be moved there are none, and fewer than wanted is exit 1") {
+    // One pixel that one polygon covers: every exercise made from it has the same picture.
     const Workplace work;
     const std::string scene =
         work.write("scene.json", R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":1,"height":1},"polygons":[)"
                                  R"({"color":"#ff0000","vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}]})");
-    const auto outcome = program("variants " + scene + " --count 3 -o " + work.file("homework"));
+    const auto outcome = program("homework " + scene + " --count 3 -o " + work.file("homework"));
     CHECK(outcome.status == 1);
-    CHECK(outcome.text.find("0 of 3 variants") != std::string::npos);
+    CHECK(outcome.text.find("0 of 3 exercises") != std::string::npos);
     CHECK(std::filesystem::is_empty(work.file("homework")));
 }
 
-TEST_CASE("variants: numbered files, the same bytes each time") {
+TEST_CASE("homework: numbered files, the same bytes each time, by the command's earlier name, too") {
     const Workplace work;
-    const std::string call = std::string("variants ") + exercises[2].scene + " --method zbuffer --count 3 --seed 5 -o ";
-    REQUIRE(program(call + work.file("a")).status == 0);
-    REQUIRE(program(call + work.file("b")).status == 0);
+    const std::string words = std::string(" ") + originals[2].scene + " --method zbuffer --count 3 --seed 5 -o ";
+    REQUIRE(program("homework" + words + work.file("a")).status == 0);
+    REQUIRE(program("variants" + words + work.file("b")).status == 0);
     for (const std::string name : {"01.json", "02.json", "03.json"}) {
         CHECK(work.read("a/" + name) == work.read("b/" + name));
         CHECK(work.read("a/" + name).find("A pentagon and its active edges · " + name.substr(0, 2)) !=
@@ -167,7 +165,7 @@ TEST_CASE("variants: numbered files, the same bytes each time") {
     }
 }
 
-TEST_CASE("variants: a scene that nobody works by hand is refused") {
+TEST_CASE("exercises: a scene that nobody works by hand is refused") {
     const auto refusal = [](const Scene& scene) {
         try {
             expect_by_hand(scene, "scene.json");

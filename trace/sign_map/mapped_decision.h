@@ -1,4 +1,4 @@
-/// Question: a decision of the procedures, asked at each place of a point p that moves by small steps.
+/// MappedDecision: a decision of the procedures, asked at each place of a point p that moves by small steps.
 ///
 /// Source  The places are those of L. Kettner, K. Mehlhorn, S. Pion, S. Schirra and C. Yap, Classroom examples of
 ///         robustness problems in geometric computations, Computational Geometry 40(1), 2008.
@@ -23,7 +23,7 @@ constexpr int place_of(Sign sign) { return int(sign) + 1; }
 
 /// On which side of the line from q to r does p lie? The differences are taken from the pivot, and always in the same
 /// order round the triangle: in exact arithmetic the pivot makes no difference.
-struct OrientationQuestion {
+struct MappedOrientation {
     static constexpr std::string_view decision = "orientation";
     static constexpr AnswerNames answers = three_signs;
 
@@ -32,7 +32,7 @@ struct OrientationQuestion {
 };
 
 /// Does the polygon hold p?
-struct SurroundQuestion {
+struct MappedSurround {
     static constexpr std::string_view decision = "surround";
     static constexpr AnswerNames answers{"outside", "", "inside"};
 
@@ -41,7 +41,7 @@ struct SurroundQuestion {
 
 /// PolygonClip cuts the edge from p to q at one side of the window. On which side of a later one does the cut lie?
 /// (What is not cut has its own coordinates: a double tells their side right.)
-struct ClipQuestion {
+struct MappedClip {
     static constexpr std::string_view decision = "clip";
     static constexpr AnswerNames answers = three_signs;  // positive lies outside
 
@@ -51,20 +51,20 @@ struct ClipQuestion {
 };
 
 /// Is the first polygon nearer at p than the second?
-struct DepthQuestion {
+struct MappedDepth {
     static constexpr std::string_view decision = "depth";
     static constexpr AnswerNames answers{"not nearer", "", "nearer"};
 
     std::array<ScenePolygon, 2> polygons;
 };
 
-struct Question {
+struct MappedDecision {
     static constexpr int side = 256;
 
     std::string name;
     glm::dvec2 p;
     double step;
-    std::variant<OrientationQuestion, SurroundQuestion, ClipQuestion, DepthQuestion> asked;
+    std::variant<MappedOrientation, MappedSurround, MappedClip, MappedDepth> asked;
 
     /// A double each, without rounding, for 0 <= i, j < side.
     glm::dvec2 place(int i, int j) const { return {p.x + i * step, p.y + j * step}; }

@@ -1,4 +1,4 @@
-#include "homework/variants.h"
+#include "homework/exercises.h"
 
 #include <cmath>
 #include <glm/vec2.hpp>
@@ -17,7 +17,7 @@ namespace vidno {
 namespace {
 
 constexpr int most_places = 12;           // binary, of a coordinate
-constexpr int most_steps = 20000;         // of the walk, tried between two variants
+constexpr int most_steps = 20000;         // of the walk, tried between two exercises
 constexpr std::size_t pixels_alike = 32;  // pictures that differ in one of so many are alike
 
 using Vertices = std::vector<glm::dvec3>;
@@ -281,29 +281,29 @@ void expect_by_hand(const Scene& scene, const std::string& file) {
     }
 }
 
-std::vector<Scene> variants_of(const Scene& scene, Method method, std::size_t count, std::uint64_t seed,
-                               const std::function<void(std::size_t)>& progress) {
+std::vector<Scene> exercises_of(const Scene& scene, Method method, std::size_t count, std::uint64_t seed,
+                                const std::function<void(std::size_t)>& progress) {
     Walk walk(scene, method, seed);
-    std::vector<Scene> variants;
+    std::vector<Scene> exercises;
     std::vector<Picture> pictures{profiled_run(scene, method).picture};
     const auto take_if_new = [&](Scene candidate) {
         auto picture = walk.picture_if_as_hard(candidate);
         const auto is_alike = [&](const Picture& other) { return are_alike(*picture, other); };
         if (!picture || std::any_of(pictures.begin(), pictures.end(), is_alike)) return false;
         pictures.push_back(std::move(*picture));
-        variants.push_back(std::move(candidate));
+        exercises.push_back(std::move(candidate));
         return true;
     };
     const std::size_t steps_apart = 2 * scene.polygons.size();
     std::size_t taken = 0;
-    for (int tried = 0; variants.size() < count && tried < most_steps; ++tried) {
-        progress(variants.size());
+    for (int tried = 0; exercises.size() < count && tried < most_steps; ++tried) {
+        progress(exercises.size());
         if (!walk.step() || ++taken < steps_apart) continue;
         if (!take_if_new(moved(walk.scene(), walk.symmetry()))) continue;
         taken = 0;
         tried = 0;
     }
-    return variants;
+    return exercises;
 }
 
 }  // namespace vidno

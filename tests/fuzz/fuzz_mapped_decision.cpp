@@ -1,23 +1,23 @@
-/// Fuzz target: any bytes as a question file are refused, or give a question whose places all differ.
+/// Fuzz target: any bytes as a decision file are refused, or give a decision whose places all differ.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
 #include "refused.h"
-#include "sign_map/question_json.h"
+#include "sign_map/mapped_decision_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    vidno::Question question;
+    vidno::MappedDecision decision;
     try {
-        question = vidno::read_question(text, "fuzz.json");
+        decision = vidno::read_mapped_decision(text, "fuzz.json");
     } catch (const vidno::Refused&) {
         return 0;
     }
-    for (int i = 1; i < vidno::Question::side; ++i) {
-        const auto before = question.place(i - 1, i - 1);
-        const auto place = question.place(i, i);
+    for (int i = 1; i < vidno::MappedDecision::side; ++i) {
+        const auto before = decision.place(i - 1, i - 1);
+        const auto place = decision.place(i, i);
         if (!(before.x < place.x && before.y < place.y)) std::abort();
     }
     return 0;
