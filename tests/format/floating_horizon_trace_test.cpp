@@ -6,8 +6,10 @@
 #include <sstream>
 
 #include "check/check.h"
+#include "check/checked_trace.h"
 #include "format/event_json.h"
 #include "format/trace_reader.h"
+#include "run/write_trace.h"
 #include "state/floating_horizon_state.h"
 #include "state/state.h"
 #include "support/random_curves.h"
@@ -48,8 +50,8 @@ TracedRun traced(const Surface& surface, const Choice& choice, Detail detail, bo
     std::string text;
     TraceWriter writer(
         header_of(surface, choice, detail), [&](std::string_view part) { text += part; }, most_events);
-    const bool whole =
-        write_trace({*kernel_named(choice.kernel), choice.edition, surface.curves, detail}, writer, checked);
+    const FloatingHorizonRequest request{*kernel_named(choice.kernel), choice.edition, surface.curves, detail};
+    const bool whole = checked ? write_checked_trace(request, writer) : write_trace(request, writer);
     return {text, whole};
 }
 

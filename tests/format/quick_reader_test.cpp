@@ -7,9 +7,11 @@
 #include <set>
 
 #include "check/check.h"
+#include "check/checked_trace.h"
 #include "format/floating_horizon_trace.h"
 #include "format/trace_reader.h"
 #include "output.h"
+#include "run/write_trace.h"
 #include "support/agreement.h"
 #include "support/editions.h"
 #include "support/random_curves.h"
@@ -40,7 +42,7 @@ struct TraceLines {
 TraceLines traced(const auto& header, const auto& request, bool checked) {
     std::string text;
     TraceWriter writer(header, [&](std::string_view part) { text += part; });
-    write_trace(request, writer, checked);
+    checked ? write_checked_trace(request, writer) : write_trace(request, writer);
     return {header, text};
 }
 

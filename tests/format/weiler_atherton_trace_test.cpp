@@ -9,9 +9,11 @@
 #include <sstream>
 
 #include "check/check.h"
+#include "check/checked_trace.h"
 #include "format/trace_reader.h"
 #include "output.h"
 #include "regions/region_output.h"
+#include "run/write_trace.h"
 #include "state/state.h"
 #include "support/scenes.h"
 
@@ -28,7 +30,8 @@ std::string traced(const Scene& scene, const std::string& kernel, Detail detail,
     std::string text;
     TraceWriter writer(TraceHeader{Method::weiler_atherton, Edition::corrected, kernel, detail, scene},
                        [&](std::string_view part) { text += part; });
-    write_trace(request_of(scene, kernel, detail), writer, checked);
+    const RunRequest request = request_of(scene, kernel, detail);
+    checked ? write_checked_trace(request, writer) : write_trace(request, writer);
     return text;
 }
 

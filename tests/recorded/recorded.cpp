@@ -23,6 +23,7 @@
 #include <stdexcept>
 
 #include "check/check.h"
+#include "check/checked_trace.h"
 #include "choice/method.h"
 #include "format/trace_reader.h"
 #include "output.h"
@@ -30,6 +31,7 @@
 #include "random_scenes.h"
 #include "regions/region_output.h"
 #include "run/floating_horizon_run.h"
+#include "run/write_trace.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "scene/surface.h"
@@ -213,7 +215,7 @@ std::string trace_of(const auto& request, const auto& scene, bool checked) {
     std::string text;
     TraceWriter writer(
         header_of(request, scene), [&](std::string_view part) { text += part; }, most_events);
-    write_trace(request, writer, checked);
+    checked ? write_checked_trace(request, writer) : write_trace(request, writer);
     return text;
 }
 
@@ -265,7 +267,7 @@ std::string findings_of(auto request, const auto& scene) {
     request.detail = Detail::signs;
     TraceWriter writer(
         header_of(request, scene), [](std::string_view) {}, most_events_checked);
-    return write_trace(request, writer, false) ? findings_in(request) : "";
+    return write_trace(request, writer) ? findings_in(request) : "";
 }
 
 /// Which ways a scene is run in. By its name, so that a scene that is added changes no turn of another.

@@ -1,5 +1,6 @@
 #include "check/check.h"
 
+#include "check/judged_run.h"
 #include "choice/method.h"
 
 namespace vidno {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "check/decision_count.h"
-#include "check/judged_run.h"
+#include "run/floating_horizon_run.h"
+#include "run/run.h"
 
 namespace vidno {
 

@@ -5,12 +5,12 @@
 #include <iostream>
 #include <map>
 
-#include "check/judged_run.h"
 #include "commands.h"
 #include "grade/scenes.h"
 #include "output.h"
 #include "page/page.h"
 #include "progress.h"
+#include "run/write_trace.h"
 
 namespace vidno::cli {
 
@@ -110,7 +110,7 @@ PageFile right_run(const TraceHeader& drawn) {
     const TraceHeader header{drawn.method, Edition::corrected, kernel.name(), Detail::signs, drawn.scene};
     std::string text;
     TraceWriter writer(header, [&](std::string_view part) { text += part; });
-    write_trace({drawn.method, kernel, Edition::corrected, drawn.scene, Detail::signs}, writer, false);
+    write_trace({drawn.method, kernel, Edition::corrected, drawn.scene, Detail::signs}, writer);
     return page_file("Right", header, text);
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "check/judged_run.h"
+#include "check/checked_trace.h"
 #include "choice/method.h"
 #include "commands.h"
 #include "figure/encoded.h"
@@ -11,6 +11,7 @@
 #include "picture/image.h"
 #include "progress.h"
 #include "regions/region_output.h"
+#include "run/write_trace.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 
@@ -134,7 +135,7 @@ int write_traced(const auto& header, const auto& request, const RunOptions& opti
     };
     TraceWriter writer(header, write, options.most_events);
     running = &writer;
-    const bool whole = write_trace(request, writer, options.check);
+    const bool whole = options.check ? write_checked_trace(request, writer) : write_trace(request, writer);
     if (!whole) {
         progress.clear();
         std::cerr << options.output << ": partial: stopped after " << writer.events() << " events (--max-events)\n";

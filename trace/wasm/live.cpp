@@ -16,9 +16,10 @@
 #include <string>
 #include <string_view>
 
-#include "check/judged_run.h"
+#include "check/checked_trace.h"
 #include "choice/method.h"
 #include "json/json_node.h"
+#include "run/write_trace.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "sign_map/map.h"
@@ -102,7 +103,7 @@ std::pair<std::string_view, std::string_view> parts(std::string_view request) {
 void write_run(Live& live, const Options& options, const auto& header, const auto& request) {
     const auto write = [&](std::string_view text) { live.made += text; };
     TraceWriter writer(header, write, options.most_events, &live.lines);
-    write_trace(request, writer, options.check);
+    options.check ? write_checked_trace(request, writer) : write_trace(request, writer);
 }
 
 void make_trace(Live& live) {
