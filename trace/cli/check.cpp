@@ -1,17 +1,25 @@
-#include "check/check.h"
-
 #include <iomanip>
 #include <iostream>
 
-#include "commands.h"
+#include "check/check.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
+#include "cli/shared/trace_files.h"
 #include "format/trace_reader.h"
 #include "output.h"
-#include "progress.h"
 #include "run/floating_horizon_run.h"
 
 namespace vidno::cli {
 
 namespace {
+
+/// A scene, or a trace whose scene is run again; what is not given is the trace's own, or the default.
+struct CheckOptions {
+    std::string input;
+    std::optional<std::string> method, kernel, edition;
+};
 
 /// What a trace says of its run, or for a scene the defaults.
 using AnyHeader = std::variant<TraceHeader, FloatingHorizonHeader>;
@@ -91,8 +99,6 @@ int check_header(const CheckOptions&, const FloatingHorizonHeader& run) {
     return report.found_something() ? 1 : 0;
 }
 
-}  // namespace
-
 int check(const CheckOptions& options) {
     AnyHeader header = run_of(options);
     return std::visit(
@@ -102,6 +108,28 @@ int check(const CheckOptions& options) {
             return check_header(options, run);
         },
         header);
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("check", "Run a scene and hold every decision against the truth");
+    const auto options = std::make_shared<CheckOptions>();
+    command.add_option("SCENE|TRACE", options->input, "A scene file, or a trace (.jsonl, .jsonl.gz) to be run again")
+        ->required();
+    command
+        .add_option("--method", options->method,
+                    "Which algorithm [warnock, of a surface floating-horizon, or the trace's]")
+        ->check(CLI::IsMember(all_methods()));
+    command.add_option("--kernel", options->kernel, "Which arithmetic decides [double, or the trace's]")
+        ->check(a_kernel());
+    command.add_option("--edition", options->edition, "Which text of the procedures [corrected, or the trace's]")
+        ->check(an_edition())
+        ->type_name("EDITION");
+    command.footer(
+        "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"
+        "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");
+    command.callback([options, &status] { status = check(*options); });
 }
 
 }  // namespace vidno::cli

@@ -3,7 +3,8 @@
 #include <iomanip>
 #include <iostream>
 
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/shared/run_options.h"
 #include "output.h"
 #include "picture/image.h"
 #include "sign_map/mapped_decision_json.h"
@@ -11,6 +12,11 @@
 namespace vidno::cli {
 
 namespace {
+
+struct MapOptions {
+    std::string decision, output;  // no output: the table alone
+    std::string kernel = "double";
+};
 
 void print(const SignMap& map) {
     const auto counts = map.counts();
@@ -31,8 +37,6 @@ void print(const SignMap& map) {
     std::cout << "differ: " << map.differing() << " of " << map.cells.size() << '\n';
 }
 
-}  // namespace
-
 int map(const MapOptions& options) {
     const std::string& output = options.output;
     if (output == "-") throw Refused("-: the table goes to standard output, the map to a .png, .ppm or .json file");
@@ -50,6 +54,26 @@ int map(const MapOptions& options) {
     }
     print(drawn);
     return drawn.differing() > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_map(CLI::App& program, int& status) {
+    auto& command =
+        *program.add_subcommand("map", "Ask one decision at 256 x 256 places of a point, and the truth beside it");
+    const auto options = std::make_shared<MapOptions>();
+    command.add_option("DECISION", options->decision, "A file of a decision, vidno-question/1; - for standard input")
+        ->required();
+    command.add_option("--kernel", options->kernel, "Which arithmetic decides")
+        ->check(a_kernel())
+        ->capture_default_str();
+    command.add_option("-o", options->output,
+                       "The map, .png or .ppm; or .json: how often each answer is right and wrong");
+    command.footer(
+        "In the picture orange is negative, blue positive, white or black zero; dark differs from the exact answer.\n"
+        "Example: vidno map lessons/maps/kettner-2a.json -o a.png\n"
+        "Exit status 1: at some place the answer is wrong.");
+    command.callback([options, &status] { status = map(*options); });
 }
 
 }  // namespace vidno::cli

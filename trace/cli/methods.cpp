@@ -3,8 +3,7 @@
 #include "choice/choices_json.h"
 #include "choice/kernel_choice.h"
 #include "choice/method.h"
-#include "commands.h"
-#include "format/floating_horizon_trace.h"
+#include "cli/commands.h"
 
 namespace vidno::cli {
 
@@ -17,9 +16,7 @@ void print(std::string_view name, const MethodChoice& choice) {
     std::cout << '\n';
 }
 
-}  // namespace
-
-int methods(bool as_json) {
+int print_methods(bool as_json) {
     if (as_json) {
         std::cout << choices_json();
         return 0;
@@ -46,6 +43,15 @@ int methods(bool as_json) {
                  "  polygons   relations, corner depths and clips; the active edge list and stored depths\n"
                  "  signs      every orientation test and every depth comparison\n";
     return 0;
+}
+
+}  // namespace
+
+void add_methods(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("methods", "What there is: methods, kernels, editions, levels");
+    const auto as_json = std::make_shared<bool>();
+    command.add_flag("--json", *as_json, "As JSON: also which edition of which method runs under which kernel");
+    command.callback([as_json, &status] { status = print_methods(*as_json); });
 }
 
 }  // namespace vidno::cli

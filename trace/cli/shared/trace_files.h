@@ -1,11 +1,19 @@
-/// Going through a trace step by step; what cannot be is refused in one line.
+/// Traces as files of the command line, gone through step by step; what cannot be is refused in one line.
 #pragma once
+
+#include <string>
 
 #include "format/trace_reader.h"
 #include "refused.h"
 #include "state/call_stack.h"
 
 namespace vidno::cli {
+
+/// Whether a file is a trace, by its name.
+inline bool is_trace(const std::string& file) { return file.ends_with(".jsonl") || file.ends_with(".jsonl.gz"); }
+
+/// After the last event: whether the trace is of a whole run. If not, it is said on standard error.
+bool is_whole(const TraceFile& trace);
 
 /// Gives `take` the next event of the trace; false at the end. Throws Refused, with line and step, if it cannot follow.
 bool take_next(TraceFile& trace, auto&& take) {
