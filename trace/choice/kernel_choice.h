@@ -36,7 +36,7 @@ struct KernelChoice {
     bool runs_weiler_atherton = true;  // Weiler and Atherton's algorithm, and the floating horizon
 
     /// The floating horizon: it takes samples as they are, and has no depths to store.
-    bool runs_floating_horizon(Edition edition) const {
+    constexpr bool runs_floating_horizon(Edition edition) const {
         return runs_weiler_atherton && !is_mistake(edition) && (runs_printed || edition != Edition::printed);
     }
 

@@ -2,44 +2,24 @@
 
 #include <stdexcept>
 
-#include "run/floating_horizon_lines.h"
-#include "vidno/kernels/bits.h"
-#include "vidno/kernels/filtered_heights.h"
-#include "vidno/printed_floating_horizon.h"
+#include "run/untraced.h"
 
 namespace vidno {
 
-namespace {
-
-/// The visitor of a run without a trace.
-struct FloatingHorizonPacer : NoTrace {
-    const std::function<void()>& progress;
-    void curve(Line, int) { progress(); }
-};
-
-template <Kernel K>
-DrawnLines untraced_lines(const FloatingHorizonRequest& request, const K& kernel) {
-    const FloatingHorizonPacer pacer{{}, request.progress};
-    if constexpr (PrintedKernel<K>) {
-        if (request.edition == Edition::printed) return lines_drawn<PrintedFloatingHorizon>(request, kernel, pacer);
-    }
-    return lines_drawn<CorrectedFloatingHorizon>(request, kernel, pacer);
+DrawnLines told_to_nobody(FloatingHorizonRequest request) {
+    HeardBy sink([progress = request.progress](const EventView& event) {
+        if (event.get_if<event::Curve>()) progress();
+    });
+    request.detail = Detail::windows;
+    request.sink = &sink;
+    return told_floating_horizon(request);
 }
-
-}  // namespace
 
 DrawnLines run(const FloatingHorizonRequest& request) {
     if (!request.kernel.choice->runs_floating_horizon(request.edition)) {
         throw std::invalid_argument(request.kernel.name() + " draws no curves in this edition");
     }
-    if (request.sink) return told_floating_horizon(request);
-    switch (request.kernel.kind()) {
-        case KernelKind::binary32: return untraced_lines(request, Float{});
-        case KernelKind::bits: return untraced_lines(request, Bits(request.kernel.parameter));
-        case KernelKind::filtered: return untraced_lines(request, Filtered{});
-        case KernelKind::exact: return untraced_lines(request, Exact{});
-        default: return untraced_lines(request, Double{});
-    }
+    return request.sink ? told_floating_horizon(request) : untraced_run(request);
 }
 
 ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene) {
