@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/shared/progress.h"
+#include "import/mesh_soup.h"
 #include "output.h"
 
 namespace vidno::cli {
@@ -74,7 +75,7 @@ int import_scene(const ImportedMesh& options) {
 void add_import(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("import", "Make a scene from a mesh seen by a camera");
     const auto options = std::make_shared<ImportedMesh>();
-    command.add_option("MESH", options->mesh, "A mesh: .obj, .off, .ply or .stl")->required();
+    command.add_option("MESH", options->mesh, "A mesh: " + mesh_endings())->required();
     add_camera_options(command, options->import);
     command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
     command.footer("Faces that are not planar or not convex are cut into triangles; what is dropped is said.");

@@ -8,6 +8,7 @@
 #include "cli/shared/built_lesson.h"
 #include "cli/shared/scene_files.h"
 #include "import/import.h"
+#include "import/mesh_soup.h"
 #include "lesson/new_lesson.h"
 #include "output.h"
 #include "scene/scene_json.h"
@@ -97,8 +98,7 @@ void add_lesson(CLI::App& program, int& status) {
     };
 
     auto& made = *command.add_subcommand("new", "Make the folder of a lesson from a scene or a mesh");
-    made.add_option("SCENE|MESH", options->source, "A scene or surface file, or a mesh: .obj, .off, .ply or .stl")
-        ->required();
+    made.add_option("SCENE|MESH", options->source, "A scene or surface file, or a mesh: " + mesh_endings())->required();
     made.add_option("-o", options->output, "The folder, which is not there yet")->required();
     made.footer("Example: vidno lesson new scene.json -o lessons/11-my-topic");
     made.callback([options, &status] { status = make_lesson(*options); });
