@@ -674,13 +674,25 @@ TEST_CASE("methods --json: which edition of which method runs under which kernel
         return choices["methods"][method]["editions"][edition].get<std::vector<std::string>>();
     };
     using Kernels = std::vector<std::string>;
-    CHECK(kernels_of("zbuffer", "corrected") ==
-          Kernels{"float", "double", "bits", "depth", "filtered", "grid", "exact"});
-    CHECK(kernels_of("warnock", "printed") == Kernels{"float", "double", "bits", "exact"});
+    const auto runs = [&](const char* method, const char* edition, const char* kernel) {
+        const auto kernels = kernels_of(method, edition);
+        return std::find(kernels.begin(), kernels.end(), kernel) != kernels.end();
+    };
+    for (const char* kernel : {"float", "double", "bits", "depth", "filtered", "grid", "exact"}) {
+        CAPTURE(std::string(kernel));
+        const std::string name = kernel;
+        CHECK(runs("zbuffer", "corrected", kernel));
+        CHECK(runs("warnock", "printed", kernel) == (name != "depth" && name != "filtered" && name != "grid"));
+        CHECK(runs("floating-horizon", "corrected", kernel) == (name != "depth" && name != "grid"));
+    }
     CHECK(kernels_of("warnock-full", "line-for-edge") == Kernels{"double", "exact"});
-    CHECK(kernels_of("floating-horizon", "corrected") == Kernels{"float", "double", "bits", "filtered", "exact"});
+    CHECK(choices["editions"]["one-list"]["title"]["ru"] == "один список на все части");
+    CHECK(choices["methods"]["warnock-angles"]["title"]["en"] == "sum of angles");
     CHECK_FALSE(choices["methods"]["weiler-atherton"]["editions"].contains("printed"));
-    CHECK(choices["kernels"]["bits"]["parameter"] == nlohmann::json{{"letter", "P"}, {"least", 4}, {"most", 24}});
+    CHECK(choices["kernels"]["bits"]["parameter"] ==
+          nlohmann::json{{"letter", "P"}, {"least", 4}, {"most", 24}, {"offered", {8, 12}}});
+    CHECK(choices["kernels"]["grid"]["snaps"] == true);
+    CHECK(choices["kernels"]["exact"]["snaps"] == false);
     CHECK(choices["kernels"]["grid"]["alwaysRight"] == true);
     CHECK(choices["kernels"]["double"]["alwaysRight"] == false);
     CHECK(choices["editions"]["one-list"]["isMistake"] == true);

@@ -130,8 +130,12 @@ AnyScene scene_in(const NamedScene& scene) {
 
 // Methods, each in its editions and under kernels that run it
 
-constexpr std::string_view kernels[]{"float",   "double",   "bits:4", "bits:9", "bits:24",
-                                     "depth:8", "filtered", "grid:8", "exact"};
+/// Which numbers behind the colon of a kernel are run.
+std::vector<int> numbers_of(const KernelChoice& choice) {
+    if (choice.kind == KernelKind::bits) return {4, 9, 24};
+    if (choice.kind == KernelKind::depth) return {8};
+    return {choice.parameter ? choice.parameter->if_not_said.value_or(choice.parameter->least) : 0};
+}
 
 struct PolygonMethod {
     Method method;
@@ -157,7 +161,9 @@ std::string options_of(const FloatingHorizonMethod& each) {
 
 void for_each_choice(auto&& use) {
     for (std::size_t edition = 0; edition < edition_names.size(); ++edition) {
-        for (const auto kernel : kernels) use(Edition(edition), kernel_named(kernel).value());
+        for (const auto& choice : kernel_choices) {
+            for (const int number : numbers_of(choice)) use(Edition(edition), NamedKernel{&choice, number});
+        }
     }
 }
 

@@ -37,10 +37,15 @@ struct Series {
         text += kernel;
         return edition == Edition::printed ? text + ", " + std::string(words.printed) : text;
     }
+    /// By the place of the kernel among those without a parameter.
     std::string_view color() const {
-        if (kernel == "float") return "#0072b2";
-        if (kernel == "double") return "#d55e00";
-        return kernel == "filtered" ? "#009e73" : "#000000";
+        constexpr std::array<std::string_view, 5> colors{"#0072b2", "#d55e00", "#009e73", "#000000", "#cc79a7"};
+        std::size_t place = 0;
+        for (const auto& choice : kernel_choices) {
+            if (choice.name == kernel) break;
+            if (!choice.parameter) ++place;
+        }
+        return colors[place % colors.size()];
     }
     int point() const {
         const int filled = edition == Edition::corrected ? 1 : 0;  // gnuplot has each shape open, and next to it filled

@@ -25,15 +25,17 @@ int print_methods(bool as_json) {
               << ";\n    rule: " << picture_rule.rule << ")\n";
     for (std::size_t i = 0; i < method_choices.size(); ++i) print(method_names[i], method_choices[i]);
     print(floating_horizon_method, floating_horizon_choice);
-    std::cout << "kernels    (the arithmetic; warnock-... not under depth,\n"
-                 "            weiler-atherton and floating-horizon not under depth and grid)\n";
+    std::cout << "kernels    (the arithmetic; warnock-... not under " << kernels_that(&KernelChoice::runs_family, false)
+              << ",\n            weiler-atherton and floating-horizon not under "
+              << kernels_that(&KernelChoice::constructs_points, false) << ")\n";
     for (const auto& kernel : kernel_choices) {
         std::string name(kernel.name);
         if (kernel.parameter) (name += ':') += kernel.parameter->letter;
         std::cout << "  " << name << std::string(11 - name.size(), ' ') << kernel.rule << '\n';
     }
-    std::cout << "editions    (from the third on with one usual mistake, under double and exact)\n";
-    for (const auto& [name, rule, only] : edition_choices) {
+    std::cout << "editions    (from the third on with one usual mistake, under "
+              << kernels_that(&KernelChoice::runs_mistakes) << ")\n";
+    for (const auto& [name, rule, title, only] : edition_choices) {
         std::cout << "  " << name << std::string(21 - name.size(), ' ') << rule;
         if (only) std::cout << "; " << method_names[std::size_t(*only)] << " only";
         std::cout << '\n';

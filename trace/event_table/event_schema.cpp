@@ -1,6 +1,8 @@
 // The events of schema/trace.schema.json, and the words of its header.
 
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <stdexcept>
 
 #include "choice/kernel_choice.h"
 #include "choice/method.h"
@@ -88,6 +90,14 @@ std::string written(const Json& value, std::size_t indent, bool breaks = true) {
 }
 
 }  // namespace
+
+std::string with_methods(const std::string& schema, bool with_floating_horizon) {
+    Json methods = method_names;
+    if (with_floating_horizon) methods.push_back(floating_horizon_method);
+    const std::regex list(R"rx("method": *\{\s*"enum": *\[[^\]]*\]\s*\})rx");
+    if (!std::regex_search(schema, list)) throw std::runtime_error("the schema has no list of methods");
+    return std::regex_replace(schema, list, "\"method\": " + written({{"enum", methods}}, 8));
+}
 
 std::string with_event_schema(const std::string& schema) {
     Json document = Json::parse(schema);

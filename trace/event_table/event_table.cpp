@@ -83,6 +83,13 @@ std::vector<Shape> named_words() {
     return all;
 }
 
+std::vector<DerivedDocument> derived_documents() {
+    return {{"FORMAT.md", with_format_tables},
+            {"schema/trace.schema.json", with_event_schema},
+            {"schema/chart.schema.json", [](const std::string& text) { return with_methods(text, false); }},
+            {"schema/lesson.schema.json", [](const std::string& text) { return with_methods(text, true); }}};
+}
+
 std::vector<std::string_view> names_of(const LineSet& lines) {
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < line_names.size(); ++i) {

@@ -20,7 +20,7 @@ constexpr Runs runs_under() {
     using Under = Untraced<kind>;
     Runs runs{&Under::course};
     if constexpr (choice.runs_family) runs.family = &Under::family;
-    if constexpr (choice.runs_weiler_atherton) runs.weiler_atherton = &Under::weiler_atherton;
+    if constexpr (choice.constructs_points) runs.weiler_atherton = &Under::weiler_atherton;
     if constexpr (choice.runs_floating_horizon(Edition::corrected)) runs.floating_horizon = &Under::floating_horizon;
     return runs;
 }

@@ -5,6 +5,7 @@
 #include "chart/chart.h"
 #include "cli/shared/run_options.h"
 #include "cli/shared/trace_files.h"
+#include "event_table/joined_texts.h"
 #include "figure/encoded.h"
 #include "figure/figure.h"
 #include "figure/figure_words.h"
@@ -105,7 +106,8 @@ std::vector<figures::Part> parts_of(const FigureOptions& options) {
     for (const auto& name : split(options.show, ",")) {
         const auto place = place_in(figures::part_names, name);
         if (place == figures::part_names.size()) {
-            refuse("--show " + options.show, name + " is not one of picture, windows, list, listing, history");
+            const auto names = joined_texts(figures::part_names, ", ", [](auto each) { return std::string(each); });
+            refuse("--show " + options.show, name + " is not one of " + names);
         }
         parts.push_back(figures::Part(place));
     }

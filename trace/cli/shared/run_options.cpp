@@ -73,7 +73,8 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     }
     const std::string named = "--edition " + std::string(choice_of(edition).name);
     if (is_mistake(edition) && !kernel.choice->runs_mistakes) {
-        throw Refused(named + ": not under --kernel " + kernel.name() + ", but under double and exact");
+        throw Refused(named + ": not under --kernel " + kernel.name() + ", but under " +
+                      kernels_that(&KernelChoice::runs_mistakes));
     }
     if (only && *only != method) {
         throw Refused(named + ": a mistake of --method " + std::string(method_names[std::size_t(*only)]) + " alone");

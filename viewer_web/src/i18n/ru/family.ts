@@ -1,4 +1,4 @@
-import { prefixed } from '../family-texts.js';
+import { methodRules, prefixed, variantTitles } from '../family-texts.js';
 import type { FamilyTexts } from '../family-texts.js';
 import { containment } from '../words.js';
 import { point, short, signed } from './numbers.js';
@@ -6,39 +6,12 @@ import { point, short, signed } from './numbers.js';
 const lists = { surrounding: 'охватывающих', outside: 'внешних' } as const;
 const found = { surrounding: 'охватывающим', outside: 'внешним' } as const;
 
-const names = {
-  'warnock-simplest': 'простейший',
-  'warnock-full': 'три списка',
-  'warnock-angles': 'сумма углов',
-  'warnock-vertex': 'деление в вершине',
-  'warnock-edges': 'видимые с ребра',
-  'warnock-bodies': 'замкнутые тела',
-} as const;
+const names = variantTitles('ru');
 
 export const family: FamilyTexts = {
   names,
   methods: prefixed('Варнок: ', names),
-  rules: {
-    warnock:
-      'Выпуклые плоские многоугольники. Окно рассматривается; простое закрашивается, иначе делится.',
-    'warnock-simplest':
-      'Выпуклые плоские многоугольники. Делится каждое окно, не пустое по габаритам, вплоть до пикселей.',
-    'warnock-full': 'Выпуклые плоские многоугольники. Три списка; охват по пересечениям с лучом.',
-    'warnock-angles':
-      'Выпуклые плоские многоугольники. Три списка; охват по сумме углов в октантах.',
-    'warnock-vertex':
-      'Выпуклые плоские многоугольники. Три списка; окно делится в вершине, лежащей в нём.',
-    'warnock-edges':
-      'Выпуклые плоские многоугольники. Три списка; повёрнутый ребром виден как отрезок, с ближайшей глубиной.',
-    'warnock-bodies':
-      'Замкнутые выпуклые тела, обход граней снаружи против часовой стрелки. Отвёрнутые грани не участвуют; из одинаково близких видна обращённая к наблюдателю.',
-    'floating-horizon':
-      'Кривые с отсчётами в целых столбцах, начиная с ближней. Рисуется то, что выходит за оба горизонта, и они сдвигаются до него.',
-    'weiler-atherton':
-      'Выпуклые плоские многоугольники. Разрезаются границами друг друга, пока видимое не станет областями; затем области закрашиваются.',
-    zbuffer:
-      'Выпуклые плоские многоугольники. Каждый развёртывается по строкам; в пикселе остаётся ближайшая глубина.',
-  },
+  rules: methodRules('ru'),
   purposes: {
     Relation: 'как многоугольник лежит относительно окна?',
     TrialFunction: 'встречает ли окно хоть одно ребро многоугольника?',
