@@ -2,7 +2,7 @@
 ///
 /// A procedure set is an object whose functions are the procedures; a run calls them through its set. Another set derives
 /// from this one and hides what it does otherwise: a whole procedure, or one of the rules below, in which editions of the text
-/// differ. trace/FORMAT.md and `vidno methods` name the editions; printed.h lists the defects (X-...), mistakes.h the usual
+/// differ. trace/FORMAT.md and `vidno methods` name the editions; printed.h lists the defects (X-...), mistakes/ has the usual
 /// mistakes.
 #pragma once
 

@@ -1,5 +1,5 @@
 /// CorrectedPolygons: what all methods over polygons share: how they take them from the scene, and their depths. It is part of the
-/// sets in corrected.h and corrected_regions.h.
+/// sets in corrected.h and corrected_weiler_atherton.h.
 #pragma once
 
 #include "warnock/depth.h"

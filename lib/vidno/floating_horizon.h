@@ -4,22 +4,23 @@
 ///     for (const auto& line : visible.lines) ...
 #pragma once
 
-#include "corrected_curves.h"
+#include "corrected_floating_horizon.h"
 #include "kernels/machine.h"
 
 namespace vidno {
 
 /// The visible lines in the order of the curves, each from left to right, and the horizons at the end.
-template <HorizonKernel K>
+template <FloatingHorizonKernel K>
 struct VisibleCurves {
     std::vector<VisibleLine<typename K::Number>> lines;
     Horizons<K> horizons;
 };
 
 /// What floating_horizon/floating_horizon.h says, told to the trace step by step. The numbers are the kernel's.
-template <class Set = CorrectedCurves, Kernel K, class Trace = NoTrace>
+template <class Set = CorrectedFloatingHorizon, Kernel K, class Trace = NoTrace>
 VisibleCurves<OnColumns<K>> visible_lines(const CurveScene& curves, K kernel, Trace trace = {}, Set set = {}) {
-    HorizonRun<Set, OnColumns<K>, Trace> run(curves, OnColumns<K>(std::move(kernel)), std::move(trace), std::move(set));
+    FloatingHorizonRun<Set, OnColumns<K>, Trace> run(curves, OnColumns<K>(std::move(kernel)), std::move(trace),
+                                                     std::move(set));
     run.set.floating_horizon(run);
     return {std::move(run.lines), std::move(run.horizons)};
 }

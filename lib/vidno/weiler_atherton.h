@@ -5,7 +5,7 @@
 ///     for (const auto& region : visible.regions) ...
 #pragma once
 
-#include "corrected_regions.h"
+#include "corrected_weiler_atherton.h"
 #include "kernels/machine.h"
 
 namespace vidno {
@@ -56,7 +56,7 @@ struct VisibleRegions {
 
 /// What weiler_atherton/weiler_atherton.h says, told to the trace step by step. The numbers are the kernel's. The scene's polygons
 /// must have been admitted (admission.h).
-template <class Set = CorrectedRegions, Kernel K, class Trace = NoTrace>
+template <class Set = CorrectedWeilerAtherton, Kernel K, class Trace = NoTrace>
 VisibleRegions<typename OnRegions<K>::Number> visible_regions(const Scene& scene, K kernel, Trace trace = {}) {
     VisibleRegions<typename OnRegions<K>::Number> result{{}, Picture(scene.area, scene.background)};
     WeilerAthertonRun<Set, OnRegions<K>, Trace> run(scene, OnRegions<K>(std::move(kernel)), std::move(trace),

@@ -7,9 +7,11 @@
 #include <sstream>
 
 #include "check/check.h"
+#include "check/checked_trace.h"
 #include "format/trace_reader.h"
 #include "output.h"
 #include "run/run_time_kernel.h"
+#include "run/write_trace.h"
 #include "scene/snapped_scene.h"
 #include "support/editions.h"
 #include "support/kernels.h"
@@ -237,7 +239,7 @@ TEST_CASE("A checked trace is the trace, with the truth beside each decision") {
                             std::ostringstream text;
                             TraceWriter writer(TraceHeader{method, edition, name, detail, scene},
                                                [&](std::string_view part) { text << part; });
-                            CHECK(write_trace(request, writer, checked));
+                            CHECK((checked ? write_checked_trace(request, writer) : write_trace(request, writer)));
                             return read_back(text.str());
                         };
                         const Read plain = traced(false);

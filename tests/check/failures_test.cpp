@@ -12,7 +12,7 @@
 
 #include "check/check.h"
 #include "output.h"
-#include "run/curve_run.h"
+#include "run/floating_horizon_run.h"
 #include "scene/sampling.h"
 #include "scene/scene_json.h"
 #include "scene/surface.h"
@@ -23,7 +23,7 @@
 #include "support/stage.h"
 #include "support/visitors.h"
 #include "vidno/floating_horizon.h"
-#include "vidno/printed_curves.h"
+#include "vidno/printed_floating_horizon.h"
 #include "vidno/viewport.h"
 
 using namespace vidno;
@@ -167,7 +167,7 @@ void check_entry(const json& entry, const Scene& scene) {
 /// What the rule of the floating horizon says.
 ColumnsDrawn right_columns(const CurveScene& curves) {
     ColumnsDrawn right;
-    const HorizonReference reference(curves);
+    const FloatingHorizonReference reference(curves);
     for (const auto& seen : reference.curves()) right.push_back(seen.visible);
     return right;
 }
@@ -184,8 +184,9 @@ CurveScene true_curves(json surface) {
 void check_entry(const json& entry, const Surface& surface) {
     const CurveScene& curves = surface.curves;
     const auto drawn = [](const json& told, const CurveScene& scene) {
-        REQUIRE(told.at("method") == curve_method);
-        return columns_drawn(run(CurveRequest{kernel_in(told), edition_named(told.at("edition")), scene}), scene);
+        REQUIRE(told.at("method") == floating_horizon_method);
+        return columns_drawn(run(FloatingHorizonRequest{kernel_in(told), edition_named(told.at("edition")), scene}),
+                             scene);
     };
     const ColumnsDrawn right = right_columns(true_curves(entry.at("scene"))), fails = drawn(entry.at("fails"), curves);
     for (const auto& [form, told] : entry.at("shows").items()) {
@@ -365,19 +366,19 @@ TEST_CASE("Failures: an empty list has no least element") {
 namespace {
 
 // The corrected procedures, with one rule of the text each.
-struct BelowLost : CorrectedCurves {  // X-H1
-    static bool draws(VisibilityFlag side) { return PrintedCurves::draws(side); }
+struct BelowLost : CorrectedFloatingHorizon {  // X-H1
+    static bool draws(VisibilityFlag side) { return PrintedFloatingHorizon::draws(side); }
 };
-struct EdgeLost : CorrectedCurves {  // X-H1
-    static bool no_edge_yet(const std::optional<Sample>& edge) { return PrintedCurves::no_edge_yet(edge); }
+struct EdgeLost : CorrectedFloatingHorizon {  // X-H1
+    static bool no_edge_yet(const std::optional<Sample>& edge) { return PrintedFloatingHorizon::no_edge_yet(edge); }
 };
-struct StepsOfSamples : CorrectedCurves {  // X-H5
-    static int next_column(const Segment& segment, int x) { return PrintedCurves::next_column(segment, x); }
+struct StepsOfSamples : CorrectedFloatingHorizon {  // X-H5
+    static int next_column(const Segment& segment, int x) { return PrintedFloatingHorizon::next_column(segment, x); }
 };
 struct WrongHorizonMet
     : StepsOfSamples {  // X-H2; where steps are of a column, no column is lost by it, but a part of one
     static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) {
-        return PrintedCurves::horizon_met(was, is);
+        return PrintedFloatingHorizon::horizon_met(was, is);
     }
 };
 
@@ -400,6 +401,6 @@ TEST_CASE("Failures: what the printed floating horizon has wrong shows by each o
     CHECK(shows_alone<BelowLost>("x-h1"));
     CHECK(shows_alone<EdgeLost>("x-h1-edge"));
     CHECK(shows_alone<WrongHorizonMet>("x-h2"));
-    for (const auto* name : {"x-h1", "x-h1-edge", "x-h2"}) CHECK_FALSE(shows_alone<CorrectedCurves>(name));
+    for (const auto* name : {"x-h1", "x-h1-edge", "x-h2"}) CHECK_FALSE(shows_alone<CorrectedFloatingHorizon>(name));
     CHECK_FALSE(shows_alone<StepsOfSamples>("x-h2"));
 }

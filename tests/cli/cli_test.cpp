@@ -208,7 +208,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
     REQUIRE(program("trace " + scene + " -o " + run).status == 0);
     const std::string wide = work.write(
         "wide.json", R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":513,"height":1},"polygons":[]})");
-    const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
+    const std::string decision = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
     const std::string output = " -o " + work.file("out.jsonl");
     for (const std::string& call : {
              std::string(""),
@@ -231,7 +231,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "render " + scene + " --method warnock-bodies" + output + ".png",
              "check " + scene + " --method warnock-bodies",
              "shrink " + scene + " --method warnock-bodies" + output,
-             "variants " + scene + " --method warnock-full -o " + work.file("a"),
+             "homework " + scene + " --method warnock-full -o " + work.file("a"),
              "trace " + scene + " --method zbuffer --edition one-list" + output,
              "trace " + scene + " --edition depths-not-cleared" + output,
              "trace " + work.file("missing.json") + output,
@@ -253,13 +253,13 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "worksheet " + scene + " -o " + work.file("a.png"),
              "worksheet " + scene + " --language la -o " + work.file("a.pdf"),
              "worksheet " + work.file("missing.json") + " -o " + work.file("a.pdf"),
-             "variants " + scene,
-             "variants " + scene + " --count 0 -o " + work.file("a"),
-             "variants " + scene + " --seed many -o " + work.file("a"),
-             "variants " + scene + " --method painter -o " + work.file("a"),
-             "variants " + scene + " -o " + work.directory.string(),  // is there already
-             "variants " + wide + " -o " + work.file("a"),            // has no polygons
-             "variants " + work.file("missing.json") + " -o " + work.file("a"),
+             "homework " + scene,
+             "homework " + scene + " --count 0 -o " + work.file("a"),
+             "homework " + scene + " --seed many -o " + work.file("a"),
+             "homework " + scene + " --method painter -o " + work.file("a"),
+             "homework " + scene + " -o " + work.directory.string(),  // is there already
+             "homework " + wide + " -o " + work.file("a"),            // has no polygons
+             "homework " + work.file("missing.json") + " -o " + work.file("a"),
              "choose " + work.file("missing.json"),
              "chart " + scene,
              "chart -o " + work.file("a.json"),
@@ -269,7 +269,7 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "chart " + work.file("missing.json") + " -o " + work.file("a.json"),
              "page " + scene,
              "page " + scene + " -o " + work.file("a.htm"),
-             "page " + question + " -o " + work.file("a.html"),
+             "page " + decision + " -o " + work.file("a.html"),
              "page " + work.file("missing.jsonl") + " -o " + work.file("a.html"),
              "worksheet " + scene + " -o " + work.file("a.xml"),
              "worksheet " + work.file("missing.jsonl") + " -o " + work.file("a.xml"),
@@ -280,11 +280,11 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "worksheet " + scene + " --count 5 -o " + work.file("a.pdf"),
              "map " + scene,
              "map " + work.file("missing.json"),
-             "map " + question + " --kernel half",
-             "map " + question + " --kernel grid:4",
-             "map " + question + " -o -",
-             "map " + question + " -o " + work.file("a.gif"),
-             "map " + question + " -o " + work.file("no/such/place.png"),
+             "map " + decision + " --kernel half",
+             "map " + decision + " --kernel grid:4",
+             "map " + decision + " -o -",
+             "map " + decision + " -o " + work.file("a.gif"),
+             "map " + decision + " -o " + work.file("no/such/place.png"),
              "import " + scene + " -o " + work.file("a.json"),
              std::string("stability --family cubes"),
              std::string("stability --kernel half"),
@@ -578,18 +578,18 @@ TEST_CASE("page: the built page with what was given in place of its lessons") {
 
 TEST_CASE("map: a table, a picture or counts, exit 1 if any place is answered wrongly") {
     const Workplace work;
-    const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
-    const auto wrong = program("map " + question + " -o " + work.file("a.png"));
+    const std::string decision = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
+    const auto wrong = program("map " + decision + " -o " + work.file("a.png"));
     CHECK(wrong.status == 1);
     CHECK(wrong.text.find("orientation under double\ncomputed        exactly negative") == 0);
     CHECK(work.read("a.png").find("PNG") == 1);
-    const auto right = program("map " + question + " --kernel filtered -o " + work.file("b.ppm"));
+    const auto right = program("map " + decision + " --kernel filtered -o " + work.file("b.ppm"));
     CHECK(right.status == 0);
     CHECK(right.text.find("\ndiffer: 0 of 65536\n") != std::string::npos);
     CHECK(work.read("b.ppm").find("P6\n1024 1024\n255\n") == 0);
-    CHECK(program("map " + question + " --kernel exact -o " + work.file("c.json")).status == 0);
+    CHECK(program("map " + decision + " --kernel exact -o " + work.file("c.json")).status == 0);
     CHECK(work.read("c.json").find(R"("differ":0)") != std::string::npos);
-    CHECK_MESSAGE(program("map " + question).text == wrong.text, "without a file the table alone");
+    CHECK_MESSAGE(program("map " + decision).text == wrong.text, "without a file the table alone");
 }
 
 TEST_CASE("figure: the name decides what is written, the same bytes each time") {
@@ -621,7 +621,7 @@ TEST_CASE("figure: the name decides what is written, the same bytes each time") 
 TEST_CASE("figure: what it cannot draw is refused in one line, and no file appears") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
-    const std::string question = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
+    const std::string decision = VIDNO_ROOT "/lessons/maps/kettner-2a.json";
     const std::string run = work.file("run.jsonl");
     REQUIRE(program("trace " + scene + " --detail windows -o " + run).status == 0);
     for (const std::string& call : {
@@ -639,8 +639,8 @@ TEST_CASE("figure: what it cannot draw is refused in one line, and no file appea
              "figure " + run + " --width 8km -o " + work.file("a.svg"),
              "figure " + run + " --language la -o " + work.file("a.svg"),
              "figure " + run + " --beamer -o " + work.file("a.svg"),
-             "figure " + question + " --step 1 -o " + work.file("a.svg"),
-             "figure " + question + " -o " + work.file("a.tex"),
+             "figure " + decision + " --step 1 -o " + work.file("a.svg"),
+             "figure " + decision + " -o " + work.file("a.tex"),
              "figure " + scene + " -o " + work.file("a.svg"),
              "figure " + work.file("missing.jsonl") + " -o " + work.file("a.svg"),
          }) {
@@ -657,7 +657,7 @@ TEST_CASE("figure: what it cannot draw is refused in one line, and no file appea
 TEST_CASE("Help says what there is, exit 0") {
     for (const std::string call :
          {"--help", "trace --help", "check --help", "shrink --help", "need --help", "choose --help", "chart --help",
-          "page --help", "map --help", "figure --help", "stability --help", "variants --help", "worksheet --help",
+          "page --help", "map --help", "figure --help", "stability --help", "homework --help", "worksheet --help",
           "import --help", "methods", "--version"}) {
         CHECK(program(call).status == 0);
         CHECK(program(call).text.size() > 10);
@@ -674,13 +674,25 @@ TEST_CASE("methods --json: which edition of which method runs under which kernel
         return choices["methods"][method]["editions"][edition].get<std::vector<std::string>>();
     };
     using Kernels = std::vector<std::string>;
-    CHECK(kernels_of("zbuffer", "corrected") ==
-          Kernels{"float", "double", "bits", "depth", "filtered", "grid", "exact"});
-    CHECK(kernels_of("warnock", "printed") == Kernels{"float", "double", "bits", "exact"});
+    const auto runs = [&](const char* method, const char* edition, const char* kernel) {
+        const auto kernels = kernels_of(method, edition);
+        return std::find(kernels.begin(), kernels.end(), kernel) != kernels.end();
+    };
+    for (const char* kernel : {"float", "double", "bits", "depth", "filtered", "grid", "exact"}) {
+        CAPTURE(std::string(kernel));
+        const std::string name = kernel;
+        CHECK(runs("zbuffer", "corrected", kernel));
+        CHECK(runs("warnock", "printed", kernel) == (name != "depth" && name != "filtered" && name != "grid"));
+        CHECK(runs("floating-horizon", "corrected", kernel) == (name != "depth" && name != "grid"));
+    }
     CHECK(kernels_of("warnock-full", "line-for-edge") == Kernels{"double", "exact"});
-    CHECK(kernels_of("floating-horizon", "corrected") == Kernels{"float", "double", "bits", "filtered", "exact"});
+    CHECK(choices["editions"]["one-list"]["title"]["ru"] == "один список на все части");
+    CHECK(choices["methods"]["warnock-angles"]["title"]["en"] == "sum of angles");
     CHECK_FALSE(choices["methods"]["weiler-atherton"]["editions"].contains("printed"));
-    CHECK(choices["kernels"]["bits"]["parameter"] == nlohmann::json{{"letter", "P"}, {"least", 4}, {"most", 24}});
+    CHECK(choices["kernels"]["bits"]["parameter"] ==
+          nlohmann::json{{"letter", "P"}, {"least", 4}, {"most", 24}, {"offered", {8, 12}}});
+    CHECK(choices["kernels"]["grid"]["snaps"] == true);
+    CHECK(choices["kernels"]["exact"]["snaps"] == false);
     CHECK(choices["kernels"]["grid"]["alwaysRight"] == true);
     CHECK(choices["kernels"]["double"]["alwaysRight"] == false);
     CHECK(choices["editions"]["one-list"]["isMistake"] == true);

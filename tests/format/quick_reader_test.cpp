@@ -7,9 +7,11 @@
 #include <set>
 
 #include "check/check.h"
-#include "format/curve_trace.h"
+#include "check/checked_trace.h"
+#include "format/floating_horizon_trace.h"
 #include "format/trace_reader.h"
 #include "output.h"
+#include "run/write_trace.h"
 #include "support/agreement.h"
 #include "support/editions.h"
 #include "support/random_curves.h"
@@ -40,7 +42,7 @@ struct TraceLines {
 TraceLines traced(const auto& header, const auto& request, bool checked) {
     std::string text;
     TraceWriter writer(header, [&](std::string_view part) { text += part; });
-    write_trace(request, writer, checked);
+    checked ? write_checked_trace(request, writer) : write_trace(request, writer);
     return {header, text};
 }
 
@@ -59,10 +61,10 @@ std::vector<TraceLines> traces_of_all_methods() {
                 traces.push_back(traced(TraceHeader{method, edition, name, Detail::signs, scene},
                                         RunRequest{method, kernel, edition, scene, Detail::signs}, place % 2 == 0));
             }
-            if (!kernel.choice->runs_curves(edition)) continue;
+            if (!kernel.choice->runs_floating_horizon(edition)) continue;
             const Surface surface{"", curves.scene()};
-            traces.push_back(traced(CurveHeader{edition, name, Detail::signs, surface},
-                                    CurveRequest{kernel, edition, surface.curves, Detail::signs}, true));
+            traces.push_back(traced(FloatingHorizonHeader{edition, name, Detail::signs, surface},
+                                    FloatingHorizonRequest{kernel, edition, surface.curves, Detail::signs}, true));
         }
     }
     return traces;

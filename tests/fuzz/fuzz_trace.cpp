@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "format/trace_reader.h"
-#include "state/curve_state.h"
+#include "state/floating_horizon_state.h"
 #include "state/state.h"
 #include "support/agreement.h"
 
@@ -32,7 +32,9 @@ void compare_readers(const auto& header, std::string_view text) {
     }
 }
 void follow(TraceReader& reader) { follow<State>(reader, reader.header().scene.area); }
-void follow(CurveTraceReader& reader) { follow<CurveState>(reader, reader.header().scene.curves.area); }
+void follow(FloatingHorizonTraceReader& reader) {
+    follow<FloatingHorizonState>(reader, reader.header().scene.curves.area);
+}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include "check/check.h"
 #include "grade/grade.h"
 #include "grade/scenes.h"
+#include "run/write_trace.h"
 #include "support/scenes.h"
 
 using namespace vidno;
@@ -21,7 +22,7 @@ StudentRun run_of(const Scene& scene, Method method, const char* kernel, Edition
     const NamedKernel named = *kernel_named(kernel);
     std::string text;
     TraceWriter writer({method, edition, named.name(), detail, scene}, [&](std::string_view part) { text += part; });
-    write_trace({method, named, edition, scene, detail}, writer, false);
+    write_trace({method, named, edition, scene, detail}, writer);
     return read_student_trace(std::move(text));
 }
 

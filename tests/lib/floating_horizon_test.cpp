@@ -8,7 +8,7 @@
 #include "support/kernels.h"
 #include "support/random_curves.h"
 #include "vidno/kernels/filtered_heights.h"
-#include "vidno/printed_curves.h"
+#include "vidno/printed_floating_horizon.h"
 
 using namespace vidno;
 using namespace vidno::test;
@@ -35,7 +35,7 @@ Lines in_doubles(const auto& lines) {
 }
 
 /// Of the last curve of a scene.
-template <class K, class Set = CorrectedCurves>
+template <class K, class Set = CorrectedFloatingHorizon>
 Lines last_lines(const CurveScene& scene) {
     Lines drawn = in_doubles(visible_lines<Set>(scene, K{}).lines);
     std::erase_if(drawn, [&](const Drawn& line) { return line.curve != int(scene.curves.size()) - 1; });
@@ -65,16 +65,17 @@ CurveScene behind_an_edge(int left) {
 
 /// A run whose horizons a scene has raised: to call one procedure of it and look at what it gives.
 template <class K>
-struct HorizonStage {
+struct FloatingHorizonStage {
     CurveScene scene;
-    HorizonRun<CorrectedCurves, OnColumns<K>, NoTrace> run;
+    FloatingHorizonRun<CorrectedFloatingHorizon, OnColumns<K>, NoTrace> run;
 
-    explicit HorizonStage(CurveScene given) : scene(std::move(given)), run(scene, OnColumns<K>{}, NoTrace{}) {
-        CorrectedCurves::floating_horizon(run);
+    explicit FloatingHorizonStage(CurveScene given) : scene(std::move(given)), run(scene, OnColumns<K>{}, NoTrace{}) {
+        CorrectedFloatingHorizon::floating_horizon(run);
     }
 
     VisibilityFlag flag(double y, int column) {
-        return CorrectedCurves::visibility(run, Segment{0, {column, y}, {column + 1, y}}, column, run.horizons);
+        return CorrectedFloatingHorizon::visibility(run, Segment{0, {column, y}, {column + 1, y}}, column,
+                                                    run.horizons);
     }
     double upper(int column) const { return as_double(*run.horizons.upper[column]); }
     double lower(int column) const { return as_double(*run.horizons.lower[column]); }
@@ -84,7 +85,8 @@ struct HorizonStage {
 
 TEST_CASE_TEMPLATE("Visibility: on a horizon is visible, strictly between the two is not", K, VIDNO_HORIZON_KERNELS) {
     using enum VisibilityFlag;
-    HorizonStage<K> stage(CurveSceneBuilder(columns_17).curve({{0, 4}, {8, 4}}).curve({{0, 12}, {8, 4}}).build());
+    FloatingHorizonStage<K> stage(
+        CurveSceneBuilder(columns_17).curve({{0, 4}, {8, 4}}).curve({{0, 12}, {8, 4}}).build());
     // Over column 4 the second curve is at 8, over column 8 the two meet, and over column 9 there is nothing.
     CHECK(stage.flag(3, 4) == above);
     CHECK(stage.flag(4, 4) == above);
@@ -101,8 +103,8 @@ TEST_CASE_TEMPLATE("Visibility: on a horizon is visible, strictly between the tw
 TEST_CASE_TEMPLATE("Horizon: what is higher raises the upper, what is lower lowers the lower", K,
                    VIDNO_HORIZON_KERNELS) {
     // From (0, 2) to (8, 18) the segment is at 2 + 2 x.
-    HorizonStage<K> stage(CurveSceneBuilder(columns_17).curve({{0, 8}, {8, 8}}).build());
-    CorrectedCurves::horizon(stage.run, Segment{1, {0, 2}, {8, 18}}, 1, 5);
+    FloatingHorizonStage<K> stage(CurveSceneBuilder(columns_17).curve({{0, 8}, {8, 8}}).build());
+    CorrectedFloatingHorizon::horizon(stage.run, Segment{1, {0, 2}, {8, 18}}, 1, 5);
     const double upper[]{8, 4, 6, 8, 8, 8, 8};
     const double lower[]{8, 8, 8, 8, 10, 12, 8};
     for (int x = 0; x < 7; ++x) {
@@ -115,10 +117,10 @@ TEST_CASE_TEMPLATE("Horizon: what is higher raises the upper, what is lower lowe
 
 TEST_CASE_TEMPLATE("Intersection: the first change on the way, between columns or on one", K, VIDNO_HORIZON_KERNELS) {
     // The horizon goes down from 2 at x = 0 to 6 at x = 4, and up again.
-    HorizonStage<K> stage(CurveSceneBuilder(columns_17).curve({{0, 2}, {4, 6}, {8, 2}}).build());
+    FloatingHorizonStage<K> stage(CurveSceneBuilder(columns_17).curve({{0, 2}, {4, 6}, {8, 2}}).build());
     const auto meets = [&](const Segment& segment, int first, int last) {
-        return CorrectedCurves::intersection(stage.run, segment, first, last, stage.run.horizons.upper,
-                                             VisibilityFlag::above);
+        return CorrectedFloatingHorizon::intersection(stage.run, segment, first, last, stage.run.horizons.upper,
+                                                      VisibilityFlag::above);
     };
     // A level one at 4.5 meets it at 2.5 and 5.5, one at 4 on the columns 2 and 6.
     const auto between = meets({1, {0, 4.5}, {8, 4.5}}, 0, 8);
@@ -137,7 +139,8 @@ TEST_CASE_TEMPLATE("Intersection: the first change on the way, between columns o
 TEST_CASE_TEMPLATE("SideEdge: over the columns between the ends of two curves, either way", K, VIDNO_HORIZON_KERNELS) {
     // The left edge from (6, 4) to (2, 12) is at 10, 8, 6 over the columns 3, 4, 5, the right one from (10, 4) to (14, 12) at
     // 6, 8, 10 over 11, 12, 13.
-    HorizonStage<K> stage(CurveSceneBuilder(columns_17).curve({{6, 4}, {10, 4}}).curve({{2, 12}, {14, 12}}).build());
+    FloatingHorizonStage<K> stage(
+        CurveSceneBuilder(columns_17).curve({{6, 4}, {10, 4}}).curve({{2, 12}, {14, 12}}).build());
     const double upper[]{12, 10, 8, 6, 4, 4, 4, 4, 4, 6, 8, 10, 12};
     for (int x = 2; x <= 14; ++x) {
         CAPTURE(x);
@@ -307,7 +310,7 @@ auto seen_by(const CurveScene& scene) {
     return Seen{std::move(result), std::move(visible)};
 }
 
-std::vector<std::vector<bool>> visible_by(const HorizonReference& reference) {
+std::vector<std::vector<bool>> visible_by(const FloatingHorizonReference& reference) {
     std::vector<std::vector<bool>> visible;
     for (const auto& curve : reference.curves()) visible.push_back(curve.visible);
     return visible;
@@ -316,8 +319,8 @@ std::vector<std::vector<bool>> visible_by(const HorizonReference& reference) {
 const Rational& exactly(const Rational& height) { return height; }
 Rational exactly(const OnColumns<Filtered>::Height& height) { return height.exactly(); }
 
-void check_horizons(const auto& horizons, const HorizonReference& reference, const Area& area) {
-    const auto same = [](const auto& cell, const HorizonReference::Cell& expected) {
+void check_horizons(const auto& horizons, const FloatingHorizonReference& reference, const Area& area) {
+    const auto same = [](const auto& cell, const FloatingHorizonReference::Cell& expected) {
         return cell.has_value() == expected.has_value() && (!cell || exactly(*cell) == *expected);
     };
     for (int x = area.x; x < area.right(); ++x) {
@@ -327,15 +330,15 @@ void check_horizons(const auto& horizons, const HorizonReference& reference, con
 }
 
 /// The exact lines are the parts of the rule, cut at samples, none twice.
-void check_lines(const auto& lines, const HorizonReference& reference, const CurveScene& scene) {
-    std::vector<std::vector<HorizonReference::Interval>> drawn(scene.curves.size());
+void check_lines(const auto& lines, const FloatingHorizonReference& reference, const CurveScene& scene) {
+    std::vector<std::vector<FloatingHorizonReference::Interval>> drawn(scene.curves.size());
     for (const auto& [segment, from, to] : lines) {
         const Curve& curve = scene.curves[std::size_t(segment.curve)];
         CHECK(segment.from.x <= from.point.x);
         CHECK(from.point.x <= to.point.x);
         CHECK(to.point.x <= segment.to.x);
         for (const auto& [point, left, right] : {from, to}) {
-            CHECK(point.y == HorizonReference::height(curve, point.x));
+            CHECK(point.y == FloatingHorizonReference::height(curve, point.x));
             CHECK((left == right ? point.x == left : left < point.x && point.x < right && right == left + 1));
         }
         auto& parts = drawn[std::size_t(segment.curve)];
@@ -343,7 +346,7 @@ void check_lines(const auto& lines, const HorizonReference& reference, const Cur
         parts.push_back({from.point.x, to.point.x});
     }
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-        CHECK(HorizonReference::united(drawn[i]) == reference.curves()[i].parts);
+        CHECK(FloatingHorizonReference::united(drawn[i]) == reference.curves()[i].parts);
     }
 }
 
@@ -363,7 +366,7 @@ void check_same_lines(const auto& filtered, const auto& exact) {
     }
 }
 
-void check_against_rule(const CurveScene& scene, const HorizonReference& reference) {
+void check_against_rule(const CurveScene& scene, const FloatingHorizonReference& reference) {
     const auto exact = seen_by<Exact>(scene);
     CHECK(exact.visible == visible_by(reference));
     check_horizons(exact.result.horizons, reference, scene.area);
@@ -383,7 +386,7 @@ TEST_CASE("Exact and filtered draw what the rule says, on thousands of random an
     for (int i = 0; i < 4000; ++i) {
         CAPTURE(i);
         const CurveScene scene = random.scene();
-        const HorizonReference reference(scene);
+        const FloatingHorizonReference reference(scene);
         check_against_rule(scene, reference);
         for (const auto& [visible, parts] : reference.curves()) {
             hidden += parts.empty() ? 1 : 0;
@@ -403,7 +406,7 @@ TEST_CASE("Next to coincidences: filtered is right, and double is not") {
         CAPTURE(i);
         CurveScene scene = random.scene();
         move_by_ulps(scene, random);
-        const HorizonReference reference(scene);
+        const FloatingHorizonReference reference(scene);
         check_against_rule(scene, reference);
         wrong_in_double += seen_by<Double>(scene).visible == visible_by(reference) ? 0 : 1;
     }
@@ -438,7 +441,7 @@ TEST_CASE("Heights that overflow are compared all the same") {
                            .curve({{0, -1}, {4, -1}})
                            .curve({{0, -far}, {4, far}})
                            .build();
-    const HorizonReference reference(scene);
+    const FloatingHorizonReference reference(scene);
     const auto filtered = seen_by<Filtered>(scene);
     CHECK(filtered.visible == visible_by(reference));
     CHECK_FALSE(filtered.visible[2][2]);
@@ -454,35 +457,37 @@ TEST_CASE("Heights that overflow are compared all the same") {
 namespace {
 
 // Sets with one defect each.
-struct OnlyEdgeStart : CorrectedCurves {
-    static bool no_edge_yet(const std::optional<Sample>& edge) { return PrintedCurves::no_edge_yet(edge); }
+struct OnlyEdgeStart : CorrectedFloatingHorizon {
+    static bool no_edge_yet(const std::optional<Sample>& edge) { return PrintedFloatingHorizon::no_edge_yet(edge); }
 };
-struct OnlyFlagTest : CorrectedCurves {
-    static bool draws(VisibilityFlag side) { return PrintedCurves::draws(side); }
+struct OnlyFlagTest : CorrectedFloatingHorizon {
+    static bool draws(VisibilityFlag side) { return PrintedFloatingHorizon::draws(side); }
 };
-struct OnlyXH2 : CorrectedCurves {
+struct OnlyXH2 : CorrectedFloatingHorizon {
     static VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) {
-        return PrintedCurves::horizon_met(was, is);
+        return PrintedFloatingHorizon::horizon_met(was, is);
     }
 };
-struct OnlyXH3 : CorrectedCurves {
+struct OnlyXH3 : CorrectedFloatingHorizon {
     static auto first_horizons(const auto& kernel, const Area& area) {
-        return PrintedCurves::first_horizons(kernel, area);
+        return PrintedFloatingHorizon::first_horizons(kernel, area);
     }
 };
-struct OnlyOwnHorizon : CorrectedCurves {
+struct OnlyOwnHorizon : CorrectedFloatingHorizon {
     static const auto& horizons_before(const auto& horizons, auto& kept) {
-        return PrintedCurves::horizons_before(horizons, kept);
+        return PrintedFloatingHorizon::horizons_before(horizons, kept);
     }
 };
-struct OnlyEdgeEnds : CorrectedCurves {
-    static auto edge_columns(const Segment& edge) { return PrintedCurves::edge_columns(edge); }
+struct OnlyEdgeEnds : CorrectedFloatingHorizon {
+    static auto edge_columns(const Segment& edge) { return PrintedFloatingHorizon::edge_columns(edge); }
 };
-struct OnlyXH5 : CorrectedCurves {
-    static int next_column(const Segment& segment, int column) { return PrintedCurves::next_column(segment, column); }
+struct OnlyXH5 : CorrectedFloatingHorizon {
+    static int next_column(const Segment& segment, int column) {
+        return PrintedFloatingHorizon::next_column(segment, column);
+    }
 };
-struct OnlyXH6 : CorrectedCurves {
-    static VisibilityFlag flag_on_both() { return PrintedCurves::flag_on_both(); }
+struct OnlyXH6 : CorrectedFloatingHorizon {
+    static VisibilityFlag flag_on_both() { return PrintedFloatingHorizon::flag_on_both(); }
 };
 
 }  // namespace
@@ -490,18 +495,18 @@ struct OnlyXH6 : CorrectedCurves {
 TEST_CASE_TEMPLATE("X-H1: a side edge at x = 1 is taken for none", K, VIDNO_PRINTED_KERNELS) {
     // Without the edge the upper horizon stays at 12 up to x = 3, and goes to 8 over the next column: it is at 11 a quarter of
     // the way.
-    CHECK(last_lines<K, CorrectedCurves>(behind_an_edge(1)) == Lines{{2, 0, 24, 1, 11}, {2, 1, 11, 1.5, 11}});
+    CHECK(last_lines<K, CorrectedFloatingHorizon>(behind_an_edge(1)) == Lines{{2, 0, 24, 1, 11}, {2, 1, 11, 1.5, 11}});
     CHECK(last_lines<K, OnlyEdgeStart>(behind_an_edge(1)) == Lines{{2, 0, 24, 1, 11}, {2, 1, 11, 3.25, 11}});
     CHECK_MESSAGE(
-        (last_lines<K, OnlyEdgeStart>(behind_an_edge(2)) == last_lines<K, CorrectedCurves>(behind_an_edge(2))),
+        (last_lines<K, OnlyEdgeStart>(behind_an_edge(2)) == last_lines<K, CorrectedFloatingHorizon>(behind_an_edge(2))),
         "at x = 2 it is one");
 }
 
 TEST_CASE_TEMPLATE("X-H1: what is below at both ends is not drawn, and lowers nothing", K, VIDNO_PRINTED_KERNELS) {
     const auto scene = CurveSceneBuilder(columns_17).curve({{0, 4}, {8, 4}}).curve({{0, 12}, {8, 12}}).build();
-    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{1, 0, 12, 8, 12}});
+    CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{1, 0, 12, 8, 12}});
     CHECK(last_lines<K, OnlyFlagTest>(scene).empty());
-    const auto printed = visible_lines<PrintedCurves>(scene, K{});
+    const auto printed = visible_lines<PrintedFloatingHorizon>(scene, K{});
     CHECK(printed.lines.size() == 1);
     CHECK(as_double(*printed.horizons.lower[4]) == 4);
 }
@@ -510,24 +515,24 @@ TEST_CASE_TEMPLATE("X-H2: what emerges below is cut by the upper horizon", K, VI
     // 9.5 + x is 12 at 2.5. It never meets the upper horizon, so that the cut is the end of the step: the next column, or as
     // printed the next sample.
     const auto scene = between_4_and_12({{0, 9.5}, {8, 17.5}});
-    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{2, 2.5, 12, 8, 17.5}});
+    CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{2, 2.5, 12, 8, 17.5}});
     CHECK(last_lines<K, OnlyXH2>(scene) == Lines{{2, 3, 12.5, 8, 17.5}});
-    CHECK(last_lines<K, PrintedCurves>(scene) == Lines{{2, 8, 17.5, 8, 17.5}});
+    CHECK(last_lines<K, PrintedFloatingHorizon>(scene) == Lines{{2, 8, 17.5, 8, 17.5}});
 }
 
 TEST_CASE_TEMPLATE("X-H3: a curve beyond the screen hides what is not behind it", K, VIDNO_PRINTED_KERNELS) {
     // Both are below the screen; the second is above the first, and below the upper horizon's start.
     const auto scene = CurveSceneBuilder({0, 0, 9, 8}).curve({{0, 20}, {8, 20}}).curve({{0, 14}, {8, 14}}).build();
-    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{1, 0, 14, 8, 14}});
+    CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{1, 0, 14, 8, 14}});
     CHECK(last_lines<K, OnlyXH3>(scene).empty());
 }
 
 TEST_CASE_TEMPLATE("X-H4: a curve meets what it has raised itself, and its own side edge", K, VIDNO_PRINTED_KERNELS) {
     const auto dips = between_4_and_12({{0, 2}, {1, 3}, {2, 7}});
-    CHECK(last_lines<K, CorrectedCurves>(dips) == Lines{{2, 0, 2, 1, 3}, {2, 1, 3, 1.25, 4}});
+    CHECK(last_lines<K, CorrectedFloatingHorizon>(dips) == Lines{{2, 0, 2, 1, 3}, {2, 1, 3, 1.25, 4}});
     CHECK(last_lines<K, OnlyOwnHorizon>(dips) == Lines{{2, 0, 2, 1, 3}});
     const auto begins = between_4_and_12({{2, 3}, {3, 7}});
-    CHECK(last_lines<K, CorrectedCurves>(begins) == Lines{{2, 2, 3, 2.25, 4}});
+    CHECK(last_lines<K, CorrectedFloatingHorizon>(begins) == Lines{{2, 2, 3, 2.25, 4}});
     CHECK(last_lines<K, OnlyEdgeEnds>(begins) == Lines{{2, 2, 3, 2, 3}});
 }
 
@@ -537,16 +542,16 @@ TEST_CASE_TEMPLATE("X-H5: a peak between two samples hides nothing", K, VIDNO_PR
                            .curve({{0, 8}, {4, 8}, {6, 2}, {8, 8}, {12, 8}})
                            .curve({{0, 5}, {12, 5}})
                            .build();
-    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{2, 0, 5, 5, 5}, {2, 7, 5, 12, 5}});
+    CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{2, 0, 5, 5, 5}, {2, 7, 5, 12, 5}});
     CHECK(last_lines<K, OnlyXH5>(scene) == Lines{{2, 0, 5, 12, 5}});
-    CHECK(last_lines<K, PrintedCurves>(scene) == Lines{{2, 0, 5, 12, 5}});
+    CHECK(last_lines<K, PrintedFloatingHorizon>(scene) == Lines{{2, 0, 5, 12, 5}});
 }
 
 TEST_CASE_TEMPLATE("X-H6: from where both horizons meet to below them is taken for a crossing", K,
                    VIDNO_PRINTED_KERNELS) {
     // The lower horizon is reached over both columns: there is no change, and the line begins at the second.
     const auto scene = CurveSceneBuilder(columns_17).curve({{0, 8}, {8, 8}}).curve({{0, 8}, {8, 16}}).build();
-    CHECK(last_lines<K, CorrectedCurves>(scene) == Lines{{1, 0, 8, 8, 16}});
+    CHECK(last_lines<K, CorrectedFloatingHorizon>(scene) == Lines{{1, 0, 8, 8, 16}});
     CHECK(last_lines<K, OnlyXH6>(scene) == Lines{{1, 0, 8, 0, 8}, {1, 1, 9, 8, 16}});
 }
 
@@ -554,6 +559,6 @@ TEST_CASE_TEMPLATE("The printed floating horizon runs to its end on all curves",
     RandomCurves random(17);
     for (int i = 0; i < 300; ++i) {
         const CurveScene scene = random.scene();
-        CHECK_FALSE(visible_lines<PrintedCurves>(scene, K{}).lines.empty());
+        CHECK_FALSE(visible_lines<PrintedFloatingHorizon>(scene, K{}).lines.empty());
     }
 }

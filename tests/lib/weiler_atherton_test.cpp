@@ -43,14 +43,14 @@ struct HearPassages : NoTrace {
 
 /// A run at hand: to call one procedure of it and look at what it gives.
 template <class K>
-struct RegionStage {
+struct WeilerAthertonStage {
     Scene scene;
     Picture picture;
     Places entered, left;
-    WeilerAthertonRun<CorrectedRegions, OnRegions<K>, HearPassages> run;
+    WeilerAthertonRun<CorrectedWeilerAtherton, OnRegions<K>, HearPassages> run;
     using Piece = typename decltype(run)::Piece;
 
-    explicit RegionStage(Scene given)
+    explicit WeilerAthertonStage(Scene given)
         : scene(std::move(given)),
           picture(scene.area, scene.background),
           run(scene, OnRegions<K>{}, HearPassages(entered, left), picture) {}
@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE("RegionClip: what is inside and what is outside, in every kin
             CAPTURE(reversed);
             Corners other = contact.clip;
             if (reversed) std::reverse(other.begin(), other.end());
-            RegionStage<K> stage(SceneBuilder(area_16).polygon(square).polygon(other).build());
+            WeilerAthertonStage<K> stage(SceneBuilder(area_16).polygon(square).polygon(other).build());
             const auto parts = stage.run.region_clip(Line::WA5, stage.piece(0), stage.piece(1));
             CHECK(area_in_doubles(parts.inside) == contact.area_inside);
             CHECK(area_in_doubles(parts.outside) == 64 - contact.area_inside);
@@ -144,7 +144,7 @@ TEST_CASE_TEMPLATE("RegionClip: what is inside and what is outside, in every kin
 TEST_CASE_TEMPLATE("RegionClip: entering and leaving vertices", K, VIDNO_REGION_KERNELS) {
     // The outline goes right along y = 2, down x = 10, left along y = 10 and up x = 2.
     const auto passages = [](const Corners& clip) {
-        RegionStage<K> stage(SceneBuilder(area_16).polygon(square).polygon(clip).build());
+        WeilerAthertonStage<K> stage(SceneBuilder(area_16).polygon(square).polygon(clip).build());
         const auto subject = stage.piece(0);
         stage.run.region_clip(Line::WA5, subject, stage.piece(1));
         std::sort(stage.entered.begin(), stage.entered.end());
@@ -166,7 +166,7 @@ TEST_CASE_TEMPLATE("RegionClip: entering and leaving vertices", K, VIDNO_REGION_
 TEST_CASE_TEMPLATE("RegionClip: a subject with a hole, and a clip region with one", K, VIDNO_REGION_KERNELS) {
     // The ring of 64 - 16 = 48 around (4, 4) to (8, 8), and the band of 8 x 4 over 3 <= x <= 5: of its 2 x 8 = 16 the hole
     // takes 1 x 4.
-    RegionStage<K> stage(
+    WeilerAthertonStage<K> stage(
         SceneBuilder(area_16).polygon(square).quad(4, 4, 8, 8, 0).quad(3, 2, 5, 10, 0).quad(4, 4, 8, 8, 0).build());
     auto ring = stage.piece(0);
     ring.region = stage.run.region_clip(Line::WA5, ring, stage.piece(1)).outside;
@@ -182,13 +182,13 @@ TEST_CASE_TEMPLATE("RegionClip: a subject with a hole, and a clip region with on
 
 TEST_CASE_TEMPLATE("A polygon is cut to the area", K, VIDNO_REGION_KERNELS) {
     // From (-4, -4) to (4, 4), to (20, 20), over a corner, and beside the area.
-    RegionStage<K> stage(SceneBuilder(area_16)
-                             .quad(-4, -4, 4, 4, 0)
-                             .quad(-4, -4, 20, 20, 0)
-                             .polygon({{12, 20, 0}, {20, 12, 0}, {20, 20, 0}})
-                             .polygon({{8, -8, 0}, {24, 8, 0}, {8, 8, 0}})
-                             .quad(16, 0, 20, 16, 0)
-                             .build());
+    WeilerAthertonStage<K> stage(SceneBuilder(area_16)
+                                     .quad(-4, -4, 4, 4, 0)
+                                     .quad(-4, -4, 20, 20, 0)
+                                     .polygon({{12, 20, 0}, {20, 12, 0}, {20, 20, 0}})
+                                     .polygon({{8, -8, 0}, {24, 8, 0}, {8, 8, 0}})
+                                     .quad(16, 0, 20, 16, 0)
+                                     .build());
     CHECK(area_in_doubles(stage.part_in_area(0)) == 16);
     CHECK(area_in_doubles(stage.part_in_area(1)) == 256);
     CHECK_MESSAGE(stage.part_in_area(2).empty(), "its edge passes through the corner (16, 16)");
@@ -217,28 +217,28 @@ TEST_CASE("InsertionSort: in order and stable, and what is no number stays in it
 
 TEST_CASE_TEMPLATE("DepthSort: by the greatest depth, equal ones in the order of the scene", K, VIDNO_REGION_KERNELS) {
     // The first reaches from 0 to 1, the others are level; of the last only z = 3/4 x / 16 up to x = 16 is in the area.
-    RegionStage<K> stage(SceneBuilder(area_16)
-                             .polygon({{0, 0, 0}, {16, 0, 1}, {16, 16, 1}, {0, 16, 0}})
-                             .quad(0, 0, 4, 4, .5)
-                             .quad(0, 0, 4, 4, .875)
-                             .quad(4, 4, 8, 8, .5)
-                             .polygon({{0, 0, 0}, {21.25, 0, .99609375}, {0, 16, 0}})
-                             .build());
+    WeilerAthertonStage<K> stage(SceneBuilder(area_16)
+                                     .polygon({{0, 0, 0}, {16, 0, 1}, {16, 16, 1}, {0, 16, 0}})
+                                     .quad(0, 0, 4, 4, .5)
+                                     .quad(0, 0, 4, 4, .875)
+                                     .quad(4, 4, 8, 8, .5)
+                                     .polygon({{0, 0, 0}, {21.25, 0, .99609375}, {0, 16, 0}})
+                                     .build());
     CHECK(places_of(stage.run.depth_sort(Line::WA3, stage.all_pieces())) == std::vector{0, 2, 4, 1, 3});
 }
 
 TEST_CASE_TEMPLATE("RemoveBehind: what is nearer stays, of coplanar ones the first of the scene", K,
                    VIDNO_REGION_KERNELS) {
     // All over the same square. The third meets the clip polygon along x = 2 and is before it elsewhere, the fourth behind.
-    RegionStage<K> stage(SceneBuilder(area_16)
-                             .quad(2, 2, 10, 10, .5)
-                             .quad(2, 2, 10, 10, .5)
-                             .polygon({{2, 2, .5}, {10, 2, 1}, {10, 10, 1}, {2, 10, .5}})
-                             .polygon({{2, 2, .5}, {10, 2, 0}, {10, 10, 0}, {2, 10, .5}})
-                             .quad(2, 2, 10, 10, .5)
-                             .quad(2, 2, 10, 10, .25)
-                             .quad(2, 2, 10, 10, .75)
-                             .build());
+    WeilerAthertonStage<K> stage(SceneBuilder(area_16)
+                                     .quad(2, 2, 10, 10, .5)
+                                     .quad(2, 2, 10, 10, .5)
+                                     .polygon({{2, 2, .5}, {10, 2, 1}, {10, 10, 1}, {2, 10, .5}})
+                                     .polygon({{2, 2, .5}, {10, 2, 0}, {10, 10, 0}, {2, 10, .5}})
+                                     .quad(2, 2, 10, 10, .5)
+                                     .quad(2, 2, 10, 10, .25)
+                                     .quad(2, 2, 10, 10, .75)
+                                     .build());
     const auto pieces = stage.all_pieces();
     const auto& clip = pieces[1];
     CHECK(places_of(stage.run.remove_behind(Line::WA7, pieces, clip)) == std::vector{0, 2, 6});
@@ -247,12 +247,12 @@ TEST_CASE_TEMPLATE("RemoveBehind: what is nearer stays, of coplanar ones the fir
 TEST_CASE_TEMPLATE("SplitPiercing: both are cut where their planes meet, others are not", K, VIDNO_REGION_KERNELS) {
     // z = x / 16 meets z = 1/2 at x = 8. The third polygon meets the level plane along its own edge x = 12 only; the last one's
     // plane meets the others at x = 8, too, but it lies beyond that.
-    RegionStage<K> stage(SceneBuilder(area_16)
-                             .polygon({{0, 4, 0}, {16, 4, 1}, {16, 12, 1}, {0, 12, 0}})
-                             .quad(4, 0, 12, 16, .5)
-                             .polygon({{10, 13, .25}, {12, 13, .5}, {12, 15, .5}, {10, 15, .25}})
-                             .polygon({{9, 1, .4375}, {11, 1, .3125}, {11, 3, .3125}, {9, 3, .4375}})
-                             .build());
+    WeilerAthertonStage<K> stage(SceneBuilder(area_16)
+                                     .polygon({{0, 4, 0}, {16, 4, 1}, {16, 12, 1}, {0, 12, 0}})
+                                     .quad(4, 0, 12, 16, .5)
+                                     .polygon({{10, 13, .25}, {12, 13, .5}, {12, 15, .5}, {10, 15, .25}})
+                                     .polygon({{9, 1, .4375}, {11, 1, .3125}, {11, 3, .3125}, {9, 3, .4375}})
+                                     .build());
     const auto convex = stage.run.split_piercing(Line::WA2, stage.all_pieces());
     CHECK(places_of(convex) == std::vector{0, 1, 2, 3, 1, 0});
     for (const auto& piece : convex) CHECK(area_in_doubles(piece.region) == (piece.polygon->index < 2 ? 64 : 4));

@@ -12,39 +12,35 @@ import sys
 import picture
 
 COURSE = ["warnock", "zbuffer"]
-FAMILY = [f"warnock-{name}" for name in ("simplest", "full", "angles", "vertex", "edges", "bodies")]
 REGIONS = ["weiler-atherton"]
 CURVES = ["floating-horizon"]
 LEVELS = ["windows", "polygons", "signs"]
 EVERY_KERNEL = ["float", "double", "bits:9", "filtered", "exact"]
-MISTAKES = {
-    "warnock": ["one-list", "clip-order-reversed", "y-flipped", "depth-sign-reversed", "boundary-outside",
-                "integer-division", "surround-kept"],
-    "zbuffer": ["depths-not-cleared", "y-flipped", "depth-sign-reversed", "boundary-outside"],
-    "warnock-full": ["vertex-counted-twice", "line-for-edge"],
-    "warnock-angles": ["octants-not-split"],
-}  # fmt: skip
 
 
-def runs():
-    """Scenes below the lessons, each with the options of its runs."""
+def runs(choices):
+    """Scenes below the lessons, each with the options of its runs. The choices are those of `vidno methods --json`."""
+    methods = choices["methods"]
+    family = [method for method in methods if method.startswith("warnock-")]
+    of_any_scene = [method for method in family if not methods[method]["domain"].startswith("closed")]
     bodies = "11-warnock-family/bodies.json"  # which every method takes
-    for method in COURSE + FAMILY + REGIONS:
+    for method in COURSE + family + REGIONS:
         kernels = EVERY_KERNEL + ([] if method in REGIONS else ["grid:4"])
         for place, kernel in enumerate(kernels):
             yield bodies, ["--method", method, "--kernel", kernel, "--detail", LEVELS[place % 3]]
         for level in LEVELS:
             yield bodies, ["--method", method, "--detail", level, "--check"]
     for scene in ("09-usual-mistakes/mistakes.json", "01-four-relations/cycle.json"):
-        for method in COURSE + FAMILY[:-1] + REGIONS:
+        for method in COURSE + of_any_scene + REGIONS:
             yield scene, ["--method", method, "--kernel", "float", "--detail", "windows"]
         for method in COURSE:
             for kernel in ("float", "double", "bits:9", "exact"):
                 options = ["--method", method, "--kernel", kernel, "--edition", "printed"]
                 yield scene, options + ["--detail", "polygons"]
-        for method, editions in MISTAKES.items():
-            for edition in editions:
-                yield scene, ["--method", method, "--edition", edition, "--detail", "windows"]
+        for method, about in methods.items():
+            for edition in about["editions"]:
+                if choices["editions"][edition]["isMistake"]:
+                    yield scene, ["--method", method, "--edition", edition, "--detail", "windows"]
         yield scene, ["--method", "zbuffer", "--kernel", "depth:6", "--detail", "polygons"]
         yield scene, ["--method", "warnock", "--max-events", "40"]
     for scene in ("scene", "tie", "peak", "edges", "denser"):
@@ -97,7 +93,8 @@ def main(vidno, lessons, work):
     work = pathlib.Path(work)
     work.mkdir(parents=True, exist_ok=True)
     total = changed = 0
-    for scene, options in runs():
+    choices = json.loads(subprocess.run([vidno, "methods", "--json"], stdout=subprocess.PIPE, check=True).stdout)
+    for scene, options in runs(choices):
         trace = work / ("trace.jsonl.gz" if total % 10 == 0 else "trace.jsonl")
         what = " ".join(["vidno", "trace", scene, *options])
         told = subprocess.run(

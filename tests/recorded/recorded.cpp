@@ -23,17 +23,19 @@
 #include <stdexcept>
 
 #include "check/check.h"
+#include "check/checked_trace.h"
 #include "choice/method.h"
 #include "format/trace_reader.h"
 #include "output.h"
 #include "picture/image.h"
 #include "random_scenes.h"
 #include "regions/region_output.h"
-#include "run/curve_run.h"
+#include "run/floating_horizon_run.h"
+#include "run/write_trace.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "scene/surface.h"
-#include "state/curve_state.h"
+#include "state/floating_horizon_state.h"
 #include "state/state.h"
 
 namespace vidno::recorded {
@@ -128,15 +130,19 @@ AnyScene scene_in(const NamedScene& scene) {
 
 // Methods, each in its editions and under kernels that run it
 
-constexpr std::string_view kernels[]{"float",   "double",   "bits:4", "bits:9", "bits:24",
-                                     "depth:8", "filtered", "grid:8", "exact"};
+/// Which numbers behind the colon of a kernel are run.
+std::vector<int> numbers_of(const KernelChoice& choice) {
+    if (choice.kind == KernelKind::bits) return {4, 9, 24};
+    if (choice.kind == KernelKind::depth) return {8};
+    return {choice.parameter ? choice.parameter->if_not_said.value_or(choice.parameter->least) : 0};
+}
 
 struct PolygonMethod {
     Method method;
     Edition edition;
     NamedKernel kernel;
 };
-struct CurveMethod {
+struct FloatingHorizonMethod {
     Edition edition;
     NamedKernel kernel;
 };
@@ -149,11 +155,15 @@ std::string options_of(std::string_view method, Edition edition, const NamedKern
 std::string options_of(const PolygonMethod& each) {
     return options_of(method_names[std::size_t(each.method)], each.edition, each.kernel);
 }
-std::string options_of(const CurveMethod& each) { return options_of(curve_method, each.edition, each.kernel); }
+std::string options_of(const FloatingHorizonMethod& each) {
+    return options_of(floating_horizon_method, each.edition, each.kernel);
+}
 
 void for_each_choice(auto&& use) {
     for (std::size_t edition = 0; edition < edition_names.size(); ++edition) {
-        for (const auto kernel : kernels) use(Edition(edition), kernel_named(kernel).value());
+        for (const auto& choice : kernel_choices) {
+            for (const int number : numbers_of(choice)) use(Edition(edition), NamedKernel{&choice, number});
+        }
     }
 }
 
@@ -167,10 +177,10 @@ std::vector<PolygonMethod> polygon_methods() {
     return methods;
 }
 
-std::vector<CurveMethod> curve_methods() {
-    std::vector<CurveMethod> methods;
+std::vector<FloatingHorizonMethod> floating_horizon_methods() {
+    std::vector<FloatingHorizonMethod> methods;
     for_each_choice([&](Edition edition, const NamedKernel& kernel) {
-        if (kernel.choice->runs_curves(edition)) methods.push_back({edition, kernel});
+        if (kernel.choice->runs_floating_horizon(edition)) methods.push_back({edition, kernel});
     });
     return methods;
 }
@@ -193,7 +203,7 @@ std::string result_of(RunRequest request) {
     }
     return result;
 }
-std::string result_of(CurveRequest request) {
+std::string result_of(FloatingHorizonRequest request) {
     std::uint64_t steps = 0;
     request.progress = [&] { ++steps; };
     const DrawnLines lines = run(request);
@@ -203,7 +213,7 @@ std::string result_of(CurveRequest request) {
 TraceHeader header_of(const RunRequest& request, const Scene& scene) {
     return {request.method, request.edition, request.kernel.name(), request.detail, scene};
 }
-CurveHeader header_of(const CurveRequest& request, const Surface& surface) {
+FloatingHorizonHeader header_of(const FloatingHorizonRequest& request, const Surface& surface) {
     return {request.edition, request.kernel.name(), request.detail, surface};
 }
 
@@ -211,12 +221,14 @@ std::string trace_of(const auto& request, const auto& scene, bool checked) {
     std::string text;
     TraceWriter writer(
         header_of(request, scene), [&](std::string_view part) { text += part; }, most_events);
-    write_trace(request, writer, checked);
+    checked ? write_checked_trace(request, writer) : write_trace(request, writer);
     return text;
 }
 
 State state_of(const TraceReader& reader) { return State(reader.header()); }
-CurveState state_of(const CurveTraceReader& reader) { return CurveState(reader.header()); }
+FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
+    return FloatingHorizonState(reader.header());
+}
 
 /// What `vidno replay` writes of each state.
 Hash states_of(const std::string& trace) {
@@ -252,8 +264,8 @@ std::string findings_in(const RunRequest& request) {
     const CheckReport report = check_run(request, right_picture(request.scene, request.method));
     return text_of(report) + '\n' + std::to_string(report.wrong_pixels);
 }
-std::string findings_in(const CurveRequest& request) {
-    const CurveCheckReport report = check_run(request);
+std::string findings_in(const FloatingHorizonRequest& request) {
+    const FloatingHorizonCheckReport report = check_run(request);
     return text_of(report) + '\n' + std::to_string(report.wrong_columns);
 }
 /// Nothing of a run that is too long: with few bits the printed Z-buffer may step on for very long.
@@ -261,7 +273,7 @@ std::string findings_of(auto request, const auto& scene) {
     request.detail = Detail::signs;
     TraceWriter writer(
         header_of(request, scene), [](std::string_view) {}, most_events_checked);
-    return write_trace(request, writer, false) ? findings_in(request) : "";
+    return write_trace(request, writer) ? findings_in(request) : "";
 }
 
 /// Which ways a scene is run in. By its name, so that a scene that is added changes no turn of another.
@@ -310,8 +322,8 @@ void tell(const PolygonMethod& each, const Scene& given, const Turn& turn, auto&
     if (refusal_of(method, scene)) return hear("refused", {});
     tell_in_each_way(RunRequest{method, kernel, edition, scene}, scene, turn, hear);
 }
-void tell(const CurveMethod& each, const Surface& surface, const Turn& turn, auto&& hear) {
-    tell_in_each_way(CurveRequest{each.kernel, each.edition, surface.curves}, surface, turn, hear);
+void tell(const FloatingHorizonMethod& each, const Surface& surface, const Turn& turn, auto&& hear) {
+    tell_in_each_way(FloatingHorizonRequest{each.kernel, each.edition, surface.curves}, surface, turn, hear);
 }
 
 // The table
@@ -341,7 +353,7 @@ struct Table {
 bool never_ends(const NamedScene& scene, const PolygonMethod& each) {
     return scene.name == "12-ray-crossings/far" && each.method == Method::zbuffer && each.edition == Edition::printed;
 }
-bool never_ends(const NamedScene&, const CurveMethod&) { return false; }
+bool never_ends(const NamedScene&, const FloatingHorizonMethod&) { return false; }
 
 /// The runs of a scene.
 void add_runs(const NamedScene& named, bool all, Table& table, bool print) {
@@ -365,7 +377,7 @@ void add_runs(const NamedScene& named, bool all, Table& table, bool print) {
         }
     };
     static const auto for_polygons = polygon_methods();
-    static const auto for_curves = curve_methods();
+    static const auto for_curves = floating_horizon_methods();
     const AnyScene scene = scene_in(named);
     if (const auto* polygons = std::get_if<Scene>(&scene)) {
         add(*polygons, for_polygons);

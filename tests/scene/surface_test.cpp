@@ -126,7 +126,7 @@ TEST_CASE(
         surface.tolerance = tolerance;
         const Curve curve = sampled(surface)[0];
         for (int x = 0; x <= 200; ++x) {
-            const double exactly = CGAL::to_double(HorizonReference::height(curve, x));
+            const double exactly = CGAL::to_double(FloatingHorizonReference::height(curve, x));
             CHECK(std::abs(exactly - (20 - wave(x, 0))) <= tolerance + 1e-12);
         }
         CHECK(curve.samples.size() > last);

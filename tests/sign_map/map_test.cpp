@@ -1,4 +1,4 @@
-// Sign maps: the published ones by arithmetic of their own, the other decisions, and the files of questions and maps.
+// Sign maps: the published ones by arithmetic of their own, the other decisions, and the files of decisions and of maps.
 
 #include "sign_map/map.h"
 
@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output.h"
-#include "sign_map/question_json.h"
+#include "sign_map/mapped_decision_json.h"
 #include "support/kettner.h"
 #include "support/scenes.h"
 
@@ -18,17 +18,19 @@ using namespace vidno::test;
 
 namespace {
 
-constexpr int side = Question::side;
+constexpr int side = MappedDecision::side;
 constexpr double u = 0x1p-53;
 
-Question lesson(const std::string& name) {
+MappedDecision lesson(const std::string& name) {
     const std::string file = VIDNO_ROOT "/lessons/maps/" + name + ".json";
-    return read_question(read_file(file), file);
+    return read_mapped_decision(read_file(file), file);
 }
 
 const std::array<std::string, 6> all_lessons{"kettner-2a", "kettner-2b", "kettner-2c", "surround", "clip", "depth"};
 
-SignMap map_of(const Question& question, std::string_view kernel) { return sign_map(question, *kernel_named(kernel)); }
+SignMap map_of(const MappedDecision& decision, std::string_view kernel) {
+    return sign_map(decision, *kernel_named(kernel));
+}
 
 Sign sign_of(auto value) { return Sign{int(value > 0) - int(value < 0)}; }
 
@@ -56,15 +58,15 @@ int unexpected(const SignMap& map, auto&& expected) {
 
 std::string message_for(const std::string& text) {
     try {
-        read_question(text, "f.json");
+        read_mapped_decision(text, "f.json");
         return "taken";
     } catch (const Refused& refused) {
         return refused.what();
     }
 }
 
-/// A question with these keys beside the common ones.
-std::string question_with(const std::string& more, const std::string& p = "[0.5, 0.5]",
+/// A decision with these keys beside the common ones.
+std::string decision_with(const std::string& more, const std::string& p = "[0.5, 0.5]",
                           const std::string& step = "\"0x1p-53\"") {
     return R"({"format": "vidno-question/1", "p": )" + p + R"(, "step": )" + step + (more.empty() ? "" : ", ") + more +
            "}";
@@ -118,12 +120,12 @@ TEST_CASE("Figure 2: some places are seen on the wrong side of the line") {
 }
 
 TEST_CASE("The pivot changes what is computed, not what is true") {
-    const Question question = lesson("kettner-2a");
-    const auto [q, r, pivot] = std::get<OrientationQuestion>(question.asked);
+    const MappedDecision decision = lesson("kettner-2a");
+    const auto [q, r, pivot] = std::get<MappedOrientation>(decision.asked);
     REQUIRE(pivot == 0);
-    const auto map_from = [&question](int other) {
-        Question changed = question;
-        std::get<OrientationQuestion>(changed.asked).pivot = other;
+    const auto map_from = [&decision](int other) {
+        MappedDecision changed = decision;
+        std::get<MappedOrientation>(changed.asked).pivot = other;
         return map_of(changed, "double");
     };
     const SignMap from_p = map_from(0);
@@ -132,7 +134,7 @@ TEST_CASE("The pivot changes what is computed, not what is true") {
     int as_written = 0, computed_otherwise = 0, true_otherwise = 0;
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
-            const glm::dvec2 p = question.place(i, j);
+            const glm::dvec2 p = decision.place(i, j);
             const auto &by_p = from_p.at(i, j), &by_q = from_q.at(i, j), &by_r = from_r.at(i, j);
             as_written += by_p.computed == formula(p, q, r) && by_q.computed == formula(q, r, p) &&
                           by_r.computed == formula(r, p, q);
@@ -145,13 +147,13 @@ TEST_CASE("The pivot changes what is computed, not what is true") {
     CHECK(true_otherwise == 0);
 }
 
-TEST_CASE("Every question of the lessons: double is wrong somewhere, filtered and exact nowhere") {
+TEST_CASE("Every decision of the lessons: double is wrong somewhere, filtered and exact nowhere") {
     for (std::size_t n = 0; n < all_lessons.size(); n += thinning) {
         CAPTURE(all_lessons[n]);
-        const Question question = lesson(all_lessons[n]);
-        CHECK(map_of(question, "double").differing() > 0);
-        CHECK(map_of(question, "filtered").differing() == 0);
-        CHECK(map_of(question, "exact").differing() == 0);
+        const MappedDecision decision = lesson(all_lessons[n]);
+        CHECK(map_of(decision, "double").differing() > 0);
+        CHECK(map_of(decision, "filtered").differing() == 0);
+        CHECK(map_of(decision, "exact").differing() == 0);
     }
 }
 
@@ -171,36 +173,36 @@ TEST_CASE("SurroundTest: outside of a triangle's tip, and held by double") {
     // The tip is A = (1/2 + 32 u, 1/2 + 32 u), B = (24, 12), C = (24, 24), and p = (1/2, 1/2 + 32 u). With d = 23.5 - 32 u
     // the edge from C to A has the cross product (A - C) x (p - C) = d d - 23.5 d = -32 u d < 0, the others more than 0:
     // p is outside. As doubles, 2^-43 apart here, both products are 23.5 * 23.5 - 2^-43: no side, and that edge is passed.
-    const Question question = lesson("surround");
-    const SignMap::Cell cell = map_of(question, "double").at(0, 32);
+    const MappedDecision decision = lesson("surround");
+    const SignMap::Cell cell = map_of(decision, "double").at(0, 32);
     CHECK(cell.computed == Sign::positive);
     CHECK(cell.exact == Sign::negative);
-    CHECK_FALSE(map_of(question, "filtered").at(0, 32).differs());
+    CHECK_FALSE(map_of(decision, "filtered").at(0, 32).differs());
 }
 
 TEST_CASE("Clip side: a step of p that the computed cut does not follow") {
     // p and q lie on the diagonal, as the corner does; so above it, y growing, the cut is left of the corner: outside. The
     // cut's x is a double near 12, p.x + (q.x - p.x) t; a step of 2^-53 is lost in q.x - p.x = 23.5 and in the sum, and
     // p.y does not change: the computed answer is one, and the truth is zero at the first place, negative at the next.
-    const Question question = lesson("clip");
-    const SignMap by_double = map_of(question, "double");
+    const MappedDecision decision = lesson("clip");
+    const SignMap by_double = map_of(decision, "double");
     CHECK(by_double.at(0, 0).computed == by_double.at(1, 0).computed);
-    CHECK(unexpected(map_of(question, "exact"), [](int x, int y) { return sign_of(y - x); }) == 0);
-    CHECK(unexpected(map_of(question, "filtered"), [](int x, int y) { return sign_of(y - x); }) == 0);
+    CHECK(unexpected(map_of(decision, "exact"), [](int x, int y) { return sign_of(y - x); }) == 0);
+    CHECK(unexpected(map_of(decision, "filtered"), [](int x, int y) { return sign_of(y - x); }) == 0);
 }
 
 TEST_CASE("Depth order: planes that no double tells apart") {
     // At x = 1 - 2^-5 + X u the one plane is at 1/4, the other lower by (2^-5 - X u) 2^-54: no double near 1/4 shows it.
     const double low = .25 - 0x1p-54;
-    const Question question{
+    const MappedDecision decision{
         "",
         {1 - 0x1p-5, .5},
         u,
-        DepthQuestion{{ScenePolygon{"", {}, {{0, 0, .25}, {1, 0, .25}, {1, 1, .25}, {0, 1, .25}}},
-                       ScenePolygon{"", {}, {{0, 0, low}, {1, 0, .25}, {1, 1, .25}, {0, 1, low}}}}}};
-    CHECK(unexpected(map_of(question, "exact"), [](int, int) { return Sign::positive; }) == 0);
-    CHECK(unexpected(map_of(question, "filtered"), [](int, int) { return Sign::positive; }) == 0);
-    CHECK(unexpected(map_of(question, "double"), [](int, int) { return Sign::negative; }) == 0);
+        MappedDepth{{ScenePolygon{"", {}, {{0, 0, .25}, {1, 0, .25}, {1, 1, .25}, {0, 1, .25}}},
+                     ScenePolygon{"", {}, {{0, 0, low}, {1, 0, .25}, {1, 1, .25}, {0, 1, low}}}}}};
+    CHECK(unexpected(map_of(decision, "exact"), [](int, int) { return Sign::positive; }) == 0);
+    CHECK(unexpected(map_of(decision, "filtered"), [](int, int) { return Sign::positive; }) == 0);
+    CHECK(unexpected(map_of(decision, "double"), [](int, int) { return Sign::negative; }) == 0);
 }
 
 TEST_CASE("The picture: p at the lower left, and dark where the answer is wrong, without hue as well") {
@@ -248,9 +250,9 @@ TEST_CASE("The map as JSON: every computed answer with every exact one") {
 TEST_CASE("A smaller map is the lower left part of the whole one") {
     for (std::size_t n = 0; n < all_lessons.size(); n += thinning) {
         CAPTURE(all_lessons[n]);
-        const Question question = lesson(all_lessons[n]);
-        const SignMap whole = map_of(question, "double");
-        const SignMap part = sign_map(question, *kernel_named("double"), 5);
+        const MappedDecision decision = lesson(all_lessons[n]);
+        const SignMap whole = map_of(decision, "double");
+        const SignMap part = sign_map(decision, *kernel_named("double"), 5);
         REQUIRE(part.cells.size() == 5 * 5);
         for (int j = 0; j < 5; ++j) {
             for (int i = 0; i < 5; ++i) {
@@ -261,28 +263,28 @@ TEST_CASE("A smaller map is the lower left part of the whole one") {
     }
 }
 
-TEST_CASE("The questions of the published maps are those of the paper") {
+TEST_CASE("The files of the published maps are those of the paper") {
     const std::array names{"kettner-2a", "kettner-2b", "kettner-2c"};
     for (std::size_t n = 0; n < names.size(); ++n) {
         CAPTURE(names[n]);
-        const Question question = lesson(names[n]);
-        const auto& asked = std::get<OrientationQuestion>(question.asked);
-        CHECK(question.p == glm::dvec2(kettner_maps[n].p));
+        const MappedDecision decision = lesson(names[n]);
+        const auto& asked = std::get<MappedOrientation>(decision.asked);
+        CHECK(decision.p == glm::dvec2(kettner_maps[n].p));
         CHECK(asked.q == glm::dvec2(kettner_maps[n].q));
         CHECK(asked.r == glm::dvec2(kettner_maps[n].r));
         CHECK(asked.pivot == 0);
-        CHECK(question.place(255, 1) == question.p + glm::dvec2(255 * u, u));
+        CHECK(decision.place(255, 1) == decision.p + glm::dvec2(255 * u, u));
     }
 }
 
-TEST_CASE("A question that is not one is refused with the place and the reason") {
+TEST_CASE("A file that holds no decision is refused with the place and the reason") {
     const std::string line = R"("orientation": {"q": [12, 12], "r": [24, 24], "pivot": "p"})";
     const auto clip = [](const std::string& q, int cut, int that_side) {
         return R"("clip": {"q": )" + q + R"(, "window": {"x": 12, "y": 12, "width": 4, "height": 4}, "cut": )" +
                std::to_string(cut) + R"(, "side": )" + std::to_string(that_side) + "}";
     };
-    REQUIRE(message_for(question_with(line)) == "taken");
-    REQUIRE(message_for(question_with(clip("[24, 24]", 1, 2))) == "taken");
+    REQUIRE(message_for(decision_with(line)) == "taken");
+    REQUIRE(message_for(decision_with(clip("[24, 24]", 1, 2))) == "taken");
 
     struct BadInput {
         std::string text, message;
@@ -292,28 +294,28 @@ TEST_CASE("A question that is not one is refused with the place and the reason")
         {"[]", "not an object"},
         {"{}", "\"format\" is missing"},
         {R"({"format": "vidno-scene/1", "p": [0, 0], "step": 1})", "/format: not \"vidno-question/1\""},
-        {question_with(""), "not exactly one of \"orientation\", \"surround\", \"clip\", \"depth\""},
-        {question_with(line + R"(, "surround": {"polygon": [[0, 0], [1, 0], [0, 1]]})"),
+        {decision_with(""), "not exactly one of \"orientation\", \"surround\", \"clip\", \"depth\""},
+        {decision_with(line + R"(, "surround": {"polygon": [[0, 0], [1, 0], [0, 1]]})"),
          "not exactly one of \"orientation\", \"surround\", \"clip\", \"depth\""},
-        {question_with(line + R"(, "kernel": "double")"), "/kernel: unknown key"},
-        {question_with(line, "[0.5]"), "/p: not two coordinates"},
-        {question_with(line, "[0.5, 0.5]", "0"), "/step: not positive"},
-        {question_with(line, "[12, 0.5]"), "/step: 255 steps from p on, not every place is a double"},
-        {question_with(line, "[0.5, 0.5]", "1e308"), "/step: 255 steps from p on, not every place is a double"},
-        {question_with(R"("orientation": {"q": [12, 12], "r": [24, 24]})"), "/orientation: \"pivot\" is missing"},
-        {question_with(R"("orientation": {"q": [12, 12], "r": [24, 24], "pivot": "s"})"),
+        {decision_with(line + R"(, "kernel": "double")"), "/kernel: unknown key"},
+        {decision_with(line, "[0.5]"), "/p: not two coordinates"},
+        {decision_with(line, "[0.5, 0.5]", "0"), "/step: not positive"},
+        {decision_with(line, "[12, 0.5]"), "/step: 255 steps from p on, not every place is a double"},
+        {decision_with(line, "[0.5, 0.5]", "1e308"), "/step: 255 steps from p on, not every place is a double"},
+        {decision_with(R"("orientation": {"q": [12, 12], "r": [24, 24]})"), "/orientation: \"pivot\" is missing"},
+        {decision_with(R"("orientation": {"q": [12, 12], "r": [24, 24], "pivot": "s"})"),
          "/orientation/pivot: neither \"p\" nor \"q\" nor \"r\""},
-        {question_with(R"("surround": {"polygon": [[0, 0], [1, 0]]})"), "/surround/polygon: fewer than three vertices"},
-        {question_with(R"("surround": {"polygon": [[0, 0], [4, 0], [1, 1], [0, 4]]})"),
+        {decision_with(R"("surround": {"polygon": [[0, 0], [1, 0]]})"), "/surround/polygon: fewer than three vertices"},
+        {decision_with(R"("surround": {"polygon": [[0, 0], [4, 0], [1, 1], [0, 4]]})"),
          "/surround/polygon: not convex"},
-        {question_with(R"("surround": {"polygon": [[0, 0], [1, 1], [2, 2]]})"), "/surround/polygon: seen edge-on"},
-        {question_with(R"("surround": {"polygon": [[0, 0], [1, 1], [2, "x"]]})"),
+        {decision_with(R"("surround": {"polygon": [[0, 0], [1, 1], [2, 2]]})"), "/surround/polygon: seen edge-on"},
+        {decision_with(R"("surround": {"polygon": [[0, 0], [1, 1], [2, "x"]]})"),
          "/surround/polygon/2/1: not a hexadecimal number such as \"0x1.8p-3\""},
-        {question_with(clip("[24, 24]", 4, 4)), "/clip/cut: not from 1 to 3"},
-        {question_with(clip("[24, 24]", 2, 1)), "/clip/side: not from 3 to 4"},
-        {question_with(clip("[24, 12]", 1, 2)), "/clip/cut: the edge from p to q does not cross this side"},
-        {question_with(R"("depth": {"polygons": []})"), "/depth/polygons: not two polygons"},
-        {question_with(R"("depth": {"polygons": [[[0, 0, 0], [1, 0, 0], [0, 1, 2]], []]})"),
+        {decision_with(clip("[24, 24]", 4, 4)), "/clip/cut: not from 1 to 3"},
+        {decision_with(clip("[24, 24]", 2, 1)), "/clip/side: not from 3 to 4"},
+        {decision_with(clip("[24, 12]", 1, 2)), "/clip/cut: the edge from p to q does not cross this side"},
+        {decision_with(R"("depth": {"polygons": []})"), "/depth/polygons: not two polygons"},
+        {decision_with(R"("depth": {"polygons": [[[0, 0, 0], [1, 0, 0], [0, 1, 2]], []]})"),
          "/depth/polygons/0: z outside -1 to 1"},
     };
     for (const auto& bad : table) {

@@ -39,7 +39,7 @@ inline CurveScene some_curves() {
 }
 
 /// What the rule says of each curve, and the horizons after all of them.
-class HorizonReference {
+class FloatingHorizonReference {
 public:
     using Number = CGAL::Exact_rational;
     using Cell = std::optional<Number>;
@@ -54,7 +54,7 @@ public:
         std::vector<Interval> parts;
     };
 
-    explicit HorizonReference(const CurveScene& scene)
+    explicit FloatingHorizonReference(const CurveScene& scene)
         : area_(scene.area), upper_(std::size_t(area_.width)), lower_(std::size_t(area_.width)) {
         const Curve* before = nullptr;
         for (const auto& curve : scene.curves) {

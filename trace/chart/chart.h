@@ -74,9 +74,11 @@ std::string chart_csv(const std::vector<SceneChart>& scenes);
 
 /// The words in a chart's figure.
 struct ChartWords {
-    std::array<std::string_view, 3> costs;   // by the places of cost_axes
-    std::array<std::string_view, 4> errors;  // and of error_axes
-    std::array<std::string_view, 17> series;
+    std::array<std::string_view, 3> costs;    // by the places of cost_axes
+    std::array<std::string_view, 4> errors;   // and of error_axes
+    std::array<std::string_view, 10> series;  // of the methods of the course
+    std::string_view of_family;               // before the name of a variant
+    std::string_view Bilingual::*language;
     std::string_view front, ordinary, degenerate, no_number;
 };
 extern const ChartWords chart_in_english, chart_in_russian;

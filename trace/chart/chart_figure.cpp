@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "chart/chart.h"
+#include "choice/method.h"
 
 namespace vidno {
 
@@ -11,8 +12,9 @@ const ChartWords chart_in_english{
     .errors = {"wrong pixels, %", "area that differs, %", "wrong decisions, %", "depth error, ulps"},
     .series = {"Warnock, bits of arithmetic", "Warnock, grid", "Warnock, smallest window", "Warnock",
                "Warnock, printed", "Z-buffer, bits of arithmetic", "Z-buffer, grid", "Z-buffer, bits of depth",
-               "Z-buffer", "Z-buffer, printed", "Warnock, simplest", "Warnock, three lists", "Warnock, angles",
-               "Warnock, at vertices", "Warnock, edge-on shown", "Warnock, back faces removed", "Weiler-Atherton"},
+               "Z-buffer", "Z-buffer, printed"},
+    .of_family = "Warnock, ",
+    .language = &Bilingual::english,
     .front = "nothing is cheaper and as right",
     .ordinary = "ordinary",
     .degenerate = "degenerate",
@@ -23,8 +25,9 @@ const ChartWords chart_in_russian{
     .errors = {"неверные пиксели, %", "площадь расхождения, %", "неверные решения, %", "ошибка глубины, ulp"},
     .series = {"Варнок, биты арифметики", "Варнок, сетка", "Варнок, наименьшее окно", "Варнок",
                "Варнок, как напечатано", "Z-буфер, биты арифметики", "Z-буфер, сетка", "Z-буфер, биты глубины",
-               "Z-буфер", "Z-буфер, как напечатано", "Варнок, простейший", "Варнок, три списка", "Варнок, углы",
-               "Варнок, по вершинам", "Варнок, рёбра видны", "Варнок, без нелицевых граней", "Вейлер — Азертон"},
+               "Z-буфер", "Z-буфер, как напечатано"},
+    .of_family = "Варнок, ",
+    .language = &Bilingual::russian,
     .front = "дешевле и не хуже ничего нет",
     .ordinary = "обычная",
     .degenerate = "вырожденная",
@@ -40,10 +43,11 @@ struct Series {
     std::string_view color;  // of Okabe and Ito, whom colour-blind people can read
     int point;               // gnuplot's number for a shape
 
+    bool operator==(const Series&) const = default;
     bool has(const Way& way) const { return way.method == method && way.knob == knob && way.edition == edition; }
 };
 
-constexpr std::array<Series, 17> all_series{{
+constexpr std::array<Series, 10> course_series{{
     {Method::warnock, Knob::bits, Edition::corrected, "#0072b2", 9},
     {Method::warnock, Knob::grid, Edition::corrected, "#56b4e9", 11},
     {Method::warnock, Knob::window, Edition::corrected, "#cc79a7", 13},
@@ -54,14 +58,28 @@ constexpr std::array<Series, 17> all_series{{
     {Method::zbuffer, Knob::depth, Edition::corrected, "#009e73", 12},
     {Method::zbuffer, std::nullopt, Edition::corrected, "#000000", 7},
     {Method::zbuffer, std::nullopt, Edition::printed, "#000000", 6},
-    {Method::warnock_simplest, std::nullopt, Edition::corrected, "#0072b2", 1},
-    {Method::warnock_full, std::nullopt, Edition::corrected, "#0072b2", 2},
-    {Method::warnock_angles, std::nullopt, Edition::corrected, "#0072b2", 3},
-    {Method::warnock_vertex, std::nullopt, Edition::corrected, "#cc79a7", 1},
-    {Method::warnock_edges, std::nullopt, Edition::corrected, "#cc79a7", 2},
-    {Method::warnock_bodies, std::nullopt, Edition::corrected, "#cc79a7", 3},
-    {Method::weiler_atherton, std::nullopt, Edition::corrected, "#009e73", 1},
 }};
+
+/// The other methods: each has a colour and a shape by its place.
+std::vector<Series> all_series() {
+    constexpr std::array<std::string_view, 3> colors{"#0072b2", "#cc79a7", "#009e73"};
+    constexpr int shapes = 3;
+    std::vector<Series> series(course_series.begin(), course_series.end());
+    for (std::size_t i = 0, place = 0; i < method_names.size(); ++i) {
+        if (is_of_course(Method(i))) continue;
+        const std::string_view color = colors[place / shapes % colors.size()];
+        series.push_back({Method(i), std::nullopt, Edition::corrected, color, int(place % shapes) + 1});
+        ++place;
+    }
+    return series;
+}
+
+std::string name_of(const Series& series, const ChartWords& words) {
+    const auto of_course = std::find(course_series.begin(), course_series.end(), series);
+    if (of_course != course_series.end()) return std::string(words.series[of_course - course_series.begin()]);
+    const std::string title(choice_of(series.method).title.*words.language);
+    return is_family(series.method) ? std::string(words.of_family) + title : title;
+}
 
 /// In per cent, or in ulps.
 double error_in(const SceneChart& scene, const ChartRun& run, std::size_t error) {
@@ -84,7 +102,7 @@ Plot plot_of(const SceneChart& scene, std::size_t cost, std::size_t error, const
         return found;
     };
     for (const auto& run : scene.runs) plot.errors.push_back(error_in(scene, run, error));
-    for (const auto& series : all_series) {
+    for (const auto& series : all_series()) {
         plot.marks.push_back(marks([&](const ChartRun& run) { return series.has(run.way); }));
         // The kernels of the corrected text stand by their points.
         // The variants of Warnock's algorithm lie so close that their kernels' names would cover one another.
@@ -102,9 +120,8 @@ PlotWords plot_words(std::size_t cost, std::size_t error, const ChartWords& word
                       .no_number = words.no_number,
                       .series = {},
                       .plain_costs = cost_axes[cost].name == "time"};
-    for (std::size_t i = 0; i < all_series.size(); ++i) {
-        const auto& series = all_series[i];
-        of_plot.series.push_back({std::string(words.series[i]), series.color, series.point, series.knob.has_value()});
+    for (const auto& series : all_series()) {
+        of_plot.series.push_back({name_of(series, words), series.color, series.point, series.knob.has_value()});
     }
     return of_plot;
 }

@@ -77,10 +77,10 @@ ChartRun run_of(const JsonNode& node) {
     return run;
 }
 
-CurveChartRun curve_run_of(const JsonNode& node) {
+SurfaceChartRun surface_chart_run_of(const JsonNode& node) {
     node.require_keys({"method", "kernel", "edition", "knob", "value", "seconds", "time", "operations", "samples",
                        "counts", "wrongColumns", "height", "decisions", "wrongDecisions", "front"});
-    CurveChartRun run{{kernel_in(node.at("kernel"))}, {}, {}};
+    SurfaceChartRun run{{kernel_in(node.at("kernel"))}, {}, {}};
     run.way.edition = Edition(place_of(node.at("edition"), edition_names));
     if (!node.at("knob").is_null()) {
         run.way.knob = SamplingKnob(place_of(node.at("knob"), sampling_knob_names));
@@ -92,7 +92,7 @@ CurveChartRun curve_run_of(const JsonNode& node) {
     run.found.height = node.at("height").number();
     run.found.decisions = count_of(node.at("decisions"));
     run.found.wrong_decisions = count_of(node.at("wrongDecisions"));
-    read_fronts(node.at("front"), run, curve_cost_axes, curve_error_axes);
+    read_fronts(node.at("front"), run, surface_cost_axes, surface_error_axes);
     return run;
 }
 
@@ -110,7 +110,7 @@ SceneChart scene_of(const JsonNode& node) {
 SurfaceChart surface_of(const JsonNode& node) {
     node.require_keys({"name", "curves", "columns", "runs"}, {"surface"});
     return {node.at("name").text(), count_of(node.at("curves")), count_of(node.at("columns")),
-            all_of(node.at("runs"), curve_run_of)};
+            all_of(node.at("runs"), surface_chart_run_of)};
 }
 
 }  // namespace

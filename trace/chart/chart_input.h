@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "chart/chart.h"
-#include "chart/curve_chart.h"
+#include "chart/surface_chart.h"
 
 namespace vidno {
 

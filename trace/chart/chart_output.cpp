@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "chart/chart.h"
-#include "chart/curve_chart.h"
-#include "format/curve_trace.h"
+#include "chart/surface_chart.h"
+#include "format/floating_horizon_trace.h"
 
 namespace vidno {
 
@@ -52,9 +52,9 @@ Json json_of(const ChartRun& run) {
             {"front", fronts_of(run, cost_axes, error_axes)}};
 }
 
-Json json_of(const CurveChartRun& run) {
+Json json_of(const SurfaceChartRun& run) {
     const auto& [way, cost, found, on_front] = run;
-    return {{"method", curve_method},
+    return {{"method", floating_horizon_method},
             {"kernel", way.kernel.name()},
             {"edition", edition_names[std::size_t(way.edition)]},
             {"knob", way.knob ? Json(sampling_knob_names[std::size_t(*way.knob)]) : Json()},
@@ -63,12 +63,12 @@ Json json_of(const CurveChartRun& run) {
             {"time", cost.time},
             {"operations", std::uint64_t(cost.operations)},
             {"samples", std::uint64_t(cost.samples)},
-            {"counts", counts_of(found.operations, curve_operation_names)},
+            {"counts", counts_of(found.operations, floating_horizon_operation_names)},
             {"wrongColumns", found.wrong_columns},
             {"height", found.height},
             {"decisions", found.decisions},
             {"wrongDecisions", found.wrong_decisions},
-            {"front", fronts_of(run, curve_cost_axes, curve_error_axes)}};
+            {"front", fronts_of(run, surface_cost_axes, surface_error_axes)}};
 }
 
 Json head_of(const SceneChart& scene) {

@@ -1,5 +1,6 @@
 #include "check/check.h"
 
+#include "check/judged_run.h"
 #include "choice/method.h"
 
 namespace vidno {
@@ -46,13 +47,13 @@ CheckReport check_run(const RunRequest& request, const Picture& right, const Hea
     return {report.decisions(), std::move(picture), wrong_pixels};
 }
 
-CurveCheckReport check_run(const CurveRequest& request, const HearEvent& hear) {
+FloatingHorizonCheckReport check_run(const FloatingHorizonRequest& request, const HearEvent& hear) {
     Report report(Procedure::floating_horizon, request.progress, hear);
-    CurveRequest judged = request;
+    FloatingHorizonRequest judged = request;
     judged.detail = Detail::signs;
     judged.sink = &report.sink();
-    DrawnLines lines = told_lines(judged, report.followers());
-    const CurveRequest exactly{exact_kernel(), Edition::corrected, request.scene};
+    DrawnLines lines = told_floating_horizon(judged, report.followers());
+    const FloatingHorizonRequest exactly{exact_kernel(), Edition::corrected, request.scene};
     const auto wrong =
         different_columns(columns_drawn(lines, request.scene), columns_drawn(run(exactly), request.scene));
     return {report.decisions(), std::move(lines), column_count(request.scene), wrong};

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "check/decision_count.h"
-#include "check/judged_run.h"
+#include "run/floating_horizon_run.h"
+#include "run/run.h"
 
 namespace vidno {
 
@@ -22,7 +23,7 @@ Picture right_picture(const Scene& scene, Method method = Method::zbuffer);
 CheckReport check_run(
     const RunRequest& request, const Picture& right, const HearEvent& hear = [](const auto&) {});
 
-struct CurveCheckReport : DecisionReport {
+struct FloatingHorizonCheckReport : DecisionReport {
     DrawnLines lines;
     /// The columns of all curves. In a wrong one a hidden curve is drawn, or a visible one is not.
     std::uint64_t columns = 0, wrong_columns = 0;
@@ -33,7 +34,7 @@ struct CurveCheckReport : DecisionReport {
 /// Runs the curves with every decision of Visibility, and under `float`, `double` and `bits` every comparison, held against
 /// the exact one along the path that was taken; the lines, against those of the corrected procedures in exact arithmetic.
 /// `hear` hears each event of level `signs`.
-CurveCheckReport check_run(
-    const CurveRequest& request, const HearEvent& hear = [](const auto&) {});
+FloatingHorizonCheckReport check_run(
+    const FloatingHorizonRequest& request, const HearEvent& hear = [](const auto&) {});
 
 }  // namespace vidno

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/judged_run.h"
+#include "run/write_trace.h"
+
 namespace vidno {
 
 void CheckedTrace::hear(const EventView& event) {
@@ -53,6 +56,32 @@ std::optional<Truth> CheckedTrace::truth_of(Decision decision) const {
     if (decision != Decision::columns || !first || !last) return std::nullopt;
     if (!first->answer || !last->answer) return Truth{};
     return Truth{std::pair(std::get<int>(*first->answer), std::get<int>(*last->answer) + 1)};
+}
+
+namespace {
+
+/// `run(request, followers)` makes the run.
+bool write_judged(auto request, TraceWriter& writer, auto&& run) {
+    CheckedTrace trace(request.detail, writer);
+    const Judge judge = [&](const Verdict& verdict) { trace.judge(verdict); };
+    const StageCount count = [&](FilterStage stage) { trace.count(stage); };
+    request.detail = Detail::signs;
+    request.sink = &trace;
+    return write_run(writer, [&] {
+        auto result = run(request, Followers{.judge = &judge, .count = &count});
+        trace.tell_wrong_ones();
+        return result;
+    });
+}
+
+}  // namespace
+
+bool write_checked_trace(const RunRequest& request, TraceWriter& writer) {
+    return write_judged(request, writer, judged_run);
+}
+
+bool write_checked_trace(const FloatingHorizonRequest& request, TraceWriter& writer) {
+    return write_judged(request, writer, told_floating_horizon);
 }
 
 }  // namespace vidno

@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "format/trace_writer.h"
+#include "run/floating_horizon_run.h"
+#include "run/run.h"
 
 namespace vidno {
 
@@ -34,5 +35,9 @@ private:
     std::optional<FilterStage> last_stage_;  // that was needed since
     Line at_{};
 };
+
+/// Traces a judged run to the end of its file. False if the writer's limit ended the run, so that the trace is partial.
+bool write_checked_trace(const RunRequest& request, TraceWriter& writer);
+bool write_checked_trace(const FloatingHorizonRequest& request, TraceWriter& writer);
 
 }  // namespace vidno

@@ -1,6 +1,5 @@
 #include "check/judged_run.h"
 
-#include "check/checked_trace.h"
 #include "check/decision_of.h"
 
 namespace vidno {
@@ -55,7 +54,7 @@ Picture compared_run(const RunRequest& request, const Followers& followers) {
 }
 
 /// By the signs: Weiler and Atherton's algorithm decides more than it tells.
-Picture compared_regions(const RunRequest& request, const Followers& followers) {
+Picture compared_weiler_atherton(const RunRequest& request, const Followers& followers) {
     std::vector<Sign> right;
     const HearSign keep = [&](Sign sign) { right.push_back(sign); };
     HeardBy nobody([](const EventView&) {});
@@ -70,61 +69,12 @@ Picture compared_regions(const RunRequest& request, const Followers& followers) 
     return told_run(request, {.count = followers.count, .hear_sign = &compare});
 }
 
-/// Traces a checked run. `run(sink, followers)` makes the run.
-auto traced_checked(Detail detail, TraceWriter& writer, auto&& run) {
-    CheckedTrace trace(detail, writer);
-    const Judge judge = [&](const Verdict& verdict) { trace.judge(verdict); };
-    const StageCount count = [&](FilterStage stage) { trace.count(stage); };
-    auto result = run(trace, Followers{.judge = &judge, .count = &count});
-    trace.tell_wrong_ones();
-    return result;
-}
-
-/// Whether all of it was written.
-bool to_the_end(TraceWriter& writer, auto&& write) {
-    try {
-        write();
-        return true;
-    } catch (const EventLimitReached&) {
-        writer.finish_partial();
-        return false;
-    }
-}
-
-/// The request told to a sink that hears all decisions.
-auto with_sink(auto request, EventSink& sink) {
-    request.detail = Detail::signs;
-    request.sink = &sink;
-    return request;
-}
-
 }  // namespace
 
 Picture judged_run(const RunRequest& request, const Followers& followers) {
     if (!request.kernel.is_always_right()) return told_run(request, followers);
-    return request.method == Method::weiler_atherton ? compared_regions(request, followers)
+    return request.method == Method::weiler_atherton ? compared_weiler_atherton(request, followers)
                                                      : compared_run(request, followers);
-}
-
-bool write_trace(RunRequest request, TraceWriter& writer, bool checked) {
-    request.sink = &writer;
-    return to_the_end(writer, [&] {
-        writer.finish(!checked ? told_run(request)
-                               : traced_checked(request.detail, writer, [&](EventSink& sink, const Followers& by) {
-                                     return judged_run(with_sink(request, sink), by);
-                                 }));
-    });
-}
-
-bool write_trace(CurveRequest request, TraceWriter& writer, bool checked) {
-    request.sink = &writer;
-    return to_the_end(writer, [&] {
-        const auto lines = !checked ? told_lines(request)
-                                    : traced_checked(request.detail, writer, [&](EventSink& sink, const Followers& by) {
-                                          return told_lines(with_sink(request, sink), by);
-                                      });
-        writer.finish("lines", lines_hash(lines));
-    });
 }
 
 }  // namespace vidno

@@ -24,15 +24,19 @@ Json editions_of(auto&& runs) {
     return editions;
 }
 
+Json json_of(const Bilingual& text) { return {{"en", text.english}, {"ru", text.russian}}; }
+
 Json method_json(const MethodChoice& choice, const Json& editions) {
-    return {{"does", choice.does}, {"domain", choice.rule.domain}, {"rule", choice.rule.rule}, {"editions", editions}};
+    return {{"does", choice.does},          {"title", json_of(choice.title)}, {"says", json_of(choice.says)},
+            {"domain", choice.rule.domain}, {"rule", choice.rule.rule},       {"editions", editions}};
 }
 
 Json kernel_json(const KernelChoice& choice) {
-    Json kernel{{"rule", choice.rule}, {"alwaysRight", choice.is_always_right}};
+    Json kernel{{"rule", choice.rule}, {"alwaysRight", choice.is_always_right}, {"snaps", choice.snaps}};
     if (choice.parameter) {
-        const auto [letter, least, most, if_not_said] = *choice.parameter;
-        kernel["parameter"] = {{"letter", std::string(1, letter)}, {"least", least}, {"most", most}};
+        const auto [letter, least, most, offered, if_not_said] = *choice.parameter;
+        kernel["parameter"] = {
+            {"letter", std::string(1, letter)}, {"least", least}, {"most", most}, {"offered", offered}};
     }
     return kernel;
 }
@@ -46,12 +50,13 @@ std::string choices_json() {
             method_choices[i],
             editions_of([i](const KernelChoice& kernel, Edition edition) { return kernel.runs(Method(i), edition); }));
     }
-    methods[std::string(curve_method)] = method_json(
-        curve_choice,
-        editions_of([](const KernelChoice& kernel, Edition edition) { return kernel.runs_curves(edition); }));
+    methods[std::string(floating_horizon_method)] = method_json(
+        floating_horizon_choice,
+        editions_of([](const KernelChoice& kernel, Edition edition) { return kernel.runs_floating_horizon(edition); }));
     for (const auto& choice : kernel_choices) kernels[std::string(choice.name)] = kernel_json(choice);
     for (std::size_t i = 0; i < edition_choices.size(); ++i) {
         editions[std::string(edition_names[i])] = {{"rule", edition_choices[i].rule},
+                                                   {"title", json_of(edition_choices[i].title)},
                                                    {"isMistake", is_mistake(Edition(i))}};
     }
     return Json{{"methods", methods}, {"kernels", kernels}, {"editions", editions}}.dump(2) + "\n";

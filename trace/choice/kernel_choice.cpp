@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <vector>
 
 namespace vidno {
 
@@ -29,7 +30,7 @@ std::optional<NamedKernel> kernel_named(std::string_view name) {
                                      [&](const auto& each) { return each.name == name.substr(0, colon); });
     if (choice == kernel_choices.end() || (colon != name.npos && !choice->parameter)) return std::nullopt;
     if (!choice->parameter) return NamedKernel{choice};
-    const auto [letter, least, most, if_not_said] = *choice->parameter;
+    const auto [letter, least, most, offered, if_not_said] = *choice->parameter;
     const auto parameter = colon == name.npos ? if_not_said : whole_number(name.substr(colon + 1));
     if (!parameter || *parameter < least || *parameter > most) return std::nullopt;
     return NamedKernel{choice, *parameter};
@@ -46,6 +47,19 @@ std::string kernel_names() {
             names += std::string(":") + parameter->letter + " (" + std::to_string(parameter->least) +
                      " <= " + parameter->letter + " <= " + std::to_string(parameter->most) + ")";
         }
+    }
+    return names;
+}
+
+std::string kernels_that(bool KernelChoice::*can, bool it) {
+    std::vector<std::string_view> found;
+    for (const auto& choice : kernel_choices) {
+        if (choice.*can == it) found.push_back(choice.name);
+    }
+    std::string names;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (i > 0) names += i + 1 == found.size() ? " and " : ", ";
+        names += found[i];
     }
     return names;
 }

@@ -20,6 +20,7 @@ struct KernelChoice {
     struct Parameter {
         char letter;
         int least, most;
+        std::array<int, 2> offered;  // on the page
         std::optional<int> if_not_said{};
     };
 
@@ -28,21 +29,22 @@ struct KernelChoice {
     std::string_view rule;
     /// Whether a wrong decision or pixel would be an error of the program; under `grid`, of the snapped scene.
     bool is_always_right = false;
+    bool snaps = false;  // takes a scene that was snapped
     bool runs_printed = true;
     std::optional<Parameter> parameter{};
     bool runs_warnock = true;
     bool runs_mistakes = false;
-    bool runs_family = true;   // the Warnock family
-    bool runs_regions = true;  // Weiler and Atherton's algorithm, and the floating horizon
+    bool runs_family = true;        // the Warnock family
+    bool constructs_points = true;  // for Weiler and Atherton's algorithm and the floating horizon
 
     /// The floating horizon: it takes samples as they are, and has no depths to store.
-    bool runs_curves(Edition edition) const {
-        return runs_regions && !is_mistake(edition) && (runs_printed || edition != Edition::printed);
+    constexpr bool runs_floating_horizon(Edition edition) const {
+        return constructs_points && !is_mistake(edition) && (runs_printed || edition != Edition::printed);
     }
 
     bool runs(Method method, Edition edition) const {
         const auto only = choice_of(edition).only;
-        if (method == Method::weiler_atherton) return runs_regions && edition == Edition::corrected;
+        if (method == Method::weiler_atherton) return constructs_points && edition == Edition::corrected;
         if (is_family(method) && !(runs_family && (edition == Edition::corrected || only == method))) return false;
         return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed) &&
                (runs_mistakes || !is_mistake(edition)) && (!only || *only == method);
@@ -59,14 +61,14 @@ inline constexpr std::array kernel_choices{
     KernelChoice{.kind = KernelKind::bits,
                  .name = "bits",
                  .rule = "every result rounded to P bits; decisions as they fall",
-                 .parameter = {{'P', fewest_bits, most_bits}}},
+                 .parameter = {{'P', fewest_bits, most_bits, {8, 12}}}},
     KernelChoice{.kind = KernelKind::depth,
                  .name = "depth",
                  .rule = "binary64, and a Z-buffer of B bits; zbuffer only",
-                 .parameter = {{'B', fewest_depth_bits, most_depth_bits}},
+                 .parameter = {{'B', fewest_depth_bits, most_depth_bits, {8, 16}}},
                  .runs_warnock = false,
                  .runs_family = false,
-                 .runs_regions = false},
+                 .constructs_points = false},
     KernelChoice{.kind = KernelKind::filtered,
                  .name = "filtered",
                  .rule = "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
@@ -77,9 +79,10 @@ inline constexpr std::array kernel_choices{
         .name = "grid",
         .rule = "x and y snapped to 1/2^K pixel, whole numbers from there: right for the snapped scene; corrected only",
         .is_always_right = true,
+        .snaps = true,
         .runs_printed = false,
-        .parameter = {{'K', 1, finest_grid, 8}},
-        .runs_regions = false},
+        .parameter = {{'K', 1, finest_grid, {4, 8}, 8}},
+        .constructs_points = false},
     KernelChoice{.kind = KernelKind::exact,
                  .name = "exact",
                  .rule = "exact rationals; every decision is right, the reference",
@@ -94,7 +97,7 @@ struct NamedKernel {
 
     KernelKind kind() const { return choice->kind; }
     std::string name() const;
-    bool snaps() const { return kind() == KernelKind::grid; }  // takes a scene that was snapped
+    bool snaps() const { return choice->snaps; }
     bool is_always_right() const { return choice->is_always_right; }
 };
 
@@ -106,5 +109,8 @@ NamedKernel exact_kernel();
 
 /// The names that there are: "float, double, bits:P (4 <= P <= 24), ...".
 std::string kernel_names();
+
+/// Those that can do something, or cannot: "double and exact".
+std::string kernels_that(bool KernelChoice::*can, bool it = true);
 
 }  // namespace vidno

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "choice/bilingual.h"
 #include "vidno/method.h"
 #include "vidno/scene.h"
 #include "vidno/trace.h"
@@ -23,6 +24,8 @@ inline constexpr MethodRule picture_rule{
 
 struct MethodChoice {
     std::string_view does;
+    Bilingual title;  // on the page and in charts; of a variant of Warnock's algorithm, how it differs
+    Bilingual says;   // on the page: what it takes and does
     Procedure procedure = Procedure::three_lists_warnock;  // the first one
     MethodRule rule = picture_rule;
     bool takes_closed_bodies = false;  // those of vidno/family/closed_bodies.h alone
@@ -33,36 +36,88 @@ std::optional<std::string> refuses_bodies(const Scene& scene);
 
 /// By the places of Method.
 inline constexpr std::array method_choices{
-    MethodChoice{"look at a window; paint it if it is plain, else split it", Procedure::warnock},
-    MethodChoice{"scan each polygon with an active edge list; keep the nearest depth at each pixel",
-                 Procedure::z_buffer},
-    MethodChoice{"split every window that is not empty by the polygons' boxes, down to the pixels",
-                 Procedure::simplest_warnock},
-    MethodChoice{"keep three lists of polygons; test their relation to a window, containment by ray crossings"},
-    MethodChoice{"the same, containment by the sum of angles in octants"},
-    MethodChoice{"the same, a window split at a vertex in it"},
+    MethodChoice{
+        .does = "look at a window; paint it if it is plain, else split it",
+        .title = {"Warnock", "Алгоритм Варнока"},
+        .says = {"Convex planar polygons. Looks at a window; paints it if it is plain, else splits it.",
+                 "Выпуклые плоские многоугольники. Окно рассматривается; простое закрашивается, иначе делится."},
+        .procedure = Procedure::warnock},
+    MethodChoice{
+        .does = "scan each polygon with an active edge list; keep the nearest depth at each pixel",
+        .title = {"Z-buffer", "Z-буфер"},
+        .says = {"Convex planar polygons. Scans each with an active edge list; keeps the nearest depth at each pixel.",
+                 "Выпуклые плоские многоугольники. Каждый развёртывается по строкам; в пикселе остаётся ближайшая "
+                 "глубина."},
+        .procedure = Procedure::z_buffer},
+    MethodChoice{
+        .does = "split every window that is not empty by the polygons' boxes, down to the pixels",
+        .title = {"simplest", "простейший"},
+        .says = {"Convex planar polygons. Splits every window that is not empty by the polygons’ boxes, down to the "
+                 "pixels.",
+                 "Выпуклые плоские многоугольники. Делится каждое окно, не пустое по габаритам, вплоть до "
+                 "пикселей."},
+        .procedure = Procedure::simplest_warnock},
+    MethodChoice{.does = "keep three lists of polygons; test their relation to a window, containment by ray crossings",
+                 .title = {"three lists", "три списка"},
+                 .says = {"Convex planar polygons. Keeps three lists; containment by crossings of a ray.",
+                          "Выпуклые плоские многоугольники. Три списка; охват по пересечениям с лучом."}},
+    MethodChoice{.does = "the same, containment by the sum of angles in octants",
+                 .title = {"sum of angles", "сумма углов"},
+                 .says = {"Convex planar polygons. Keeps three lists; containment by the sum of angles in octants.",
+                          "Выпуклые плоские многоугольники. Три списка; охват по сумме углов в октантах."}},
+    MethodChoice{.does = "the same, a window split at a vertex in it",
+                 .title = {"split at a vertex", "деление в вершине"},
+                 .says = {"Convex planar polygons. Keeps three lists; splits a window at a vertex in it.",
+                          "Выпуклые плоские многоугольники. Три списка; окно делится в вершине, лежащей в нём."}},
     MethodChoice{
         .does = "the same, edge-on polygons shown, their depth taken from their edges",
+        .title = {"edge-on polygons", "видимые с ребра"},
+        .says =
+            {"Convex planar polygons. Keeps three lists; a polygon seen edge-on shows as a segment, at its nearest "
+             "depth.",
+             "Выпуклые плоские многоугольники. Три списка; повёрнутый ребром виден как отрезок, с ближайшей глубиной."},
         .rule = {"convex planar polygons, edge-on ones any",
                  "the picture rule, but that an edge-on polygon is the closed segment it is projected to, at its "
                  "nearest depth"}},
-    MethodChoice{"back faces removed first, the rest as by warnock",
-                 Procedure::warnock,
-                 {"closed convex bodies, each polygon counter-clockwise as seen from outside",
-                  "the picture rule, but that of equally near faces one that looks towards the viewer comes before one "
-                  "that looks away"},
-                 true},
     MethodChoice{
-        "clip all polygons by the outline of the nearest, look at what is inside and what is outside by itself; "
-        "its visible regions are polygons",
-        Procedure::weiler_atherton},
+        .does = "back faces removed first, the rest as by warnock",
+        .title = {"closed bodies", "замкнутые тела"},
+        .says =
+            {"Closed convex bodies, each polygon counter-clockwise as seen from outside. Faces that look away are left "
+             "out; "
+             "of equally near ones the face that looks towards the viewer shows.",
+             "Замкнутые выпуклые тела, обход граней снаружи против часовой стрелки. Отвёрнутые грани не участвуют; из "
+             "одинаково близких видна обращённая к наблюдателю."},
+        .procedure = Procedure::warnock,
+        .rule = {"closed convex bodies, each polygon counter-clockwise as seen from outside",
+                 "the picture rule, but that of equally near faces one that looks towards the viewer comes before one "
+                 "that looks away"},
+        .takes_closed_bodies = true},
+    MethodChoice{
+        .does =
+            "clip all polygons by the outline of the nearest, look at what is inside and what is outside by itself; "
+            "its visible regions are polygons",
+        .title = {"Weiler–Atherton", "Вейлер — Азертон"},
+        .says = {"Convex planar polygons. Cuts them by one another’s outlines until what is visible is known as "
+                 "regions; then "
+                 "paints these.",
+                 "Выпуклые плоские многоугольники. Разрезаются границами друг друга, пока видимое не станет областями; "
+                 "затем "
+                 "области закрашиваются."},
+        .procedure = Procedure::weiler_atherton},
 };
 static_assert(method_choices.size() == method_names.size());
 
 /// The method that takes curves; those that take polygons are the values of Method.
-inline constexpr std::string_view curve_method = "floating-horizon";
-inline constexpr MethodChoice curve_choice{
+inline constexpr std::string_view floating_horizon_method = "floating-horizon";
+inline constexpr MethodChoice floating_horizon_choice{
     .does = "draw what is beyond both horizons; raise them to it",
+    .title = {"Floating horizon", "Плавающий горизонт"},
+    .says = {"Curves with samples on whole columns, the nearest first. Draws what is beyond both horizons, and raises "
+             "them to "
+             "it.",
+             "Кривые с отсчётами в целых столбцах, начиная с ближней. Рисуется то, что выходит за оба горизонта, и они "
+             "сдвигаются до него."},
     .procedure = Procedure::floating_horizon,
     .rule = {"curves with samples on whole columns, the nearest first",
              "a point is visible unless it is strictly between the horizons of the curves before it"}};

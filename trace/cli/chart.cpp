@@ -1,31 +1,23 @@
 #include "chart/chart.h"
 
 #include "chart/chart_input.h"
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/shared/chart_axes.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/scene_files.h"
 #include "output.h"
 #include "page/page.h"
 #include "page/program.h"
-#include "progress.h"
 
 namespace vidno::cli {
 
 namespace {
 
-/// The place of an axis; the first one if none is named.
-std::size_t place_of(const std::string& option, const std::optional<std::string>& name, const auto& axes) {
-    if (!name) return 0;
-    const auto names = names_of(axes);
-    const std::size_t place = place_in(names, *name);
-    if (place < names.size()) return place;
-    std::string there;
-    for (const auto& each : names) there += (there.empty() ? "" : ", ") + each;
-    throw Refused(option + " " + *name + ": this chart has " + there);
-}
-
-/// Of the cost and of the error.
-std::pair<std::size_t, std::size_t> places_of(const AxisOptions& axes, const auto& costs, const auto& errors) {
-    return {place_of("--cost", axes.cost, costs), place_of("--error", axes.error, errors)};
-}
+struct ChartOptions {
+    std::vector<std::string> scenes;
+    std::string output;
+    AxisOptions axes;  // of the figure
+};
 
 /// Refuses a wrong name, and what would be missing in the end, before the work.
 void expect_format(const ChartOptions& options, bool of_surfaces) {
@@ -33,11 +25,7 @@ void expect_format(const ChartOptions& options, bool of_surfaces) {
     if (output == "-" || output.ends_with(".json") || output.ends_with(".csv")) return;
     if (output.ends_with(".svg")) {
         output_of({"gnuplot", "--version"}, "");
-        if (of_surfaces) {
-            places_of(options.axes, curve_cost_axes, curve_error_axes);
-        } else {
-            places_of(options.axes, cost_axes, error_axes);
-        }
+        expect_axes(options.axes, of_surfaces);
     } else if (!output.ends_with(".html")) {
         throw Refused(output + ": not .json, .csv, .svg or .html");
     } else {
@@ -89,20 +77,6 @@ int chart_all(const std::vector<std::string>& texts, const ChartOptions& options
     return 0;
 }
 
-}  // namespace
-
-std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& axes, const PlotLayout& layout,
-                      bool in_russian) {
-    const auto [cost, error] = places_of(axes, cost_axes, error_axes);
-    return chart_script(scenes, cost, error, layout, in_russian ? chart_in_russian : chart_in_english);
-}
-
-std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout,
-                      bool in_russian) {
-    const auto [cost, error] = places_of(axes, curve_cost_axes, curve_error_axes);
-    return chart_script(surfaces, cost, error, layout, in_russian ? curve_chart_in_russian : curve_chart_in_english);
-}
-
 int chart(const ChartOptions& options) {
     std::vector<std::string> texts;
     for (const auto& file : options.scenes) {
@@ -113,6 +87,30 @@ int chart(const ChartOptions& options) {
     const bool of_surfaces = is_surface(texts[0]);
     expect_format(options, of_surfaces);
     return of_surfaces ? chart_all(texts, options, read_function) : chart_all(texts, options, scene_of);
+}
+
+}  // namespace
+
+void add_chart(CLI::App& program, int& status) {
+    auto& command =
+        *program.add_subcommand("chart", "Chart what accuracy costs: every method, kernel and edition, and knobs");
+    const auto options = std::make_shared<ChartOptions>();
+    command
+        .add_option("SCENE", options->scenes,
+                    "Scene files, vidno-scene/1, or surface files, vidno-surface/1, with a function")
+        ->required();
+    add_axes(command, options->axes, "What .svg has from left to right [time]");
+    command.add_option("-o", options->output, "The chart, .json, .csv, .svg (by gnuplot) or .html (a page)")
+        ->required();
+    command.footer(
+        "Knobs: bits of arithmetic, bits of the Z-buffer, bits of the grid, smallest window; of surfaces samples a\n"
+        "curve, and tolerance. Times are medians of five interleaved runs, relative to the fastest; operations repeat\n"
+        "exactly.\n"
+        "The page has all costs and errors to choose from, says which run is needed and why, and leads from each to\n"
+        "its replay.\n"
+        "Examples: vidno chart lessons/charts/*.json -o chart.html\n"
+        "          vidno chart lessons/surfaces/*.json -o surfaces.html");
+    command.callback([options, &status] { status = chart(*options); });
 }
 
 }  // namespace vidno::cli

@@ -1,34 +1,42 @@
-#include "check/check.h"
-
 #include <iomanip>
 #include <iostream>
 
-#include "commands.h"
+#include "check/check.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
+#include "cli/shared/trace_files.h"
 #include "format/trace_reader.h"
 #include "output.h"
-#include "progress.h"
-#include "run/curve_run.h"
+#include "run/floating_horizon_run.h"
 
 namespace vidno::cli {
 
 namespace {
 
+/// A scene, or a trace whose scene is run again; what is not given is the trace's own, or the default.
+struct CheckOptions {
+    std::string input;
+    std::optional<std::string> method, kernel, edition;
+};
+
 /// What a trace says of its run, or for a scene the defaults.
-using AnyHeader = std::variant<TraceHeader, CurveHeader>;
+using AnyHeader = std::variant<TraceHeader, FloatingHorizonHeader>;
 
 AnyHeader run_of(const CheckOptions& options) {
     const RunOptions defaults;
     const auto of_scene = [&]<class S>(const S& scene) -> AnyHeader {
         if constexpr (std::same_as<S, Surface>) {
-            return CurveHeader{edition_of(defaults), defaults.kernel, Detail::signs, scene};
+            return FloatingHorizonHeader{edition_of(defaults), defaults.kernel, Detail::signs, scene};
         } else {
             return TraceHeader{method_of(defaults), edition_of(defaults), defaults.kernel, Detail::signs, scene};
         }
     };
     if (!is_trace(options.input)) return std::visit(of_scene, any_scene_from(options.input, options.method));
     const AnyTraceReader opened = open_trace(LineReader(options.input), options.input);
-    const bool of_curves = std::holds_alternative<CurveTraceReader>(opened);
-    if (options.method && (options.method == curve_method) != of_curves) {
+    const bool of_curves = std::holds_alternative<FloatingHorizonTraceReader>(opened);
+    if (options.method && (options.method == floating_horizon_method) != of_curves) {
         throw Refused("--method " + *options.method + ": " + options.input + " is a trace of " +
                       (of_curves ? "curves" : "polygons"));
     }
@@ -82,16 +90,14 @@ int check_header(const CheckOptions& options, TraceHeader run) {
     return report.found_something() ? 1 : 0;
 }
 
-int check_header(const CheckOptions&, const CurveHeader& run) {
+int check_header(const CheckOptions&, const FloatingHorizonHeader& run) {
     const NamedKernel kernel = *kernel_named(run.kernel);
-    expect_curve_run(kernel, run.edition);
-    const CurveCheckReport report = checked(CurveRequest{kernel, run.edition, run.scene.curves});
+    expect_floating_horizon_run(kernel, run.edition);
+    const FloatingHorizonCheckReport report = checked(FloatingHorizonRequest{kernel, run.edition, run.scene.curves});
     print(report);
     std::cout << "wrong columns of curves: " << report.wrong_columns << " of " << report.columns << '\n';
     return report.found_something() ? 1 : 0;
 }
-
-}  // namespace
 
 int check(const CheckOptions& options) {
     AnyHeader header = run_of(options);
@@ -102,6 +108,28 @@ int check(const CheckOptions& options) {
             return check_header(options, run);
         },
         header);
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("check", "Run a scene and hold every decision against the truth");
+    const auto options = std::make_shared<CheckOptions>();
+    command.add_option("SCENE|TRACE", options->input, "A scene file, or a trace (.jsonl, .jsonl.gz) to be run again")
+        ->required();
+    command
+        .add_option("--method", options->method,
+                    "Which algorithm [warnock, of a surface floating-horizon, or the trace's]")
+        ->check(CLI::IsMember(all_methods()));
+    command.add_option("--kernel", options->kernel, "Which arithmetic decides [double, or the trace's]")
+        ->check(a_kernel());
+    command.add_option("--edition", options->edition, "Which text of the procedures [corrected, or the trace's]")
+        ->check(an_edition())
+        ->type_name("EDITION");
+    command.footer(
+        "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"
+        "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");
+    command.callback([options, &status] { status = check(*options); });
 }
 
 }  // namespace vidno::cli

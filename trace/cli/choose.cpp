@@ -5,13 +5,18 @@
 #include "chart/timing.h"
 #include "check/check.h"
 #include "choice/method.h"
-#include "commands.h"
-#include "progress.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/scene_files.h"
 #include "scene/snapped_scene.h"
 
 namespace vidno::cli {
 
 namespace {
+
+struct ChooseOptions {
+    std::string scene;
+};
 
 struct Candidate {
     Method method;
@@ -67,8 +72,6 @@ bool print_certificate(const Candidate& chosen, const Scene& scene) {
     return !certain.found_something();
 }
 
-}  // namespace
-
 int choose(const ChooseOptions& options) {
     const Scene scene = scene_from(options.scene);
     auto candidates = candidates_for(scene);
@@ -95,6 +98,17 @@ int choose(const ChooseOptions& options) {
     }
     std::cout << "choose " << name_of(chosen) << '\n';
     return print_certificate(chosen, scene) ? 0 : 1;
+}
+
+}  // namespace
+
+void add_choose(CLI::App& program, int& status) {
+    auto& command =
+        *program.add_subcommand("choose", "Find the cheapest method and kernel whose picture is certainly right");
+    const auto options = std::make_shared<ChooseOptions>();
+    command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1; - for standard input")->required();
+    command.footer("Times are medians of five interleaved runs, relative to the fastest.");
+    command.callback([options, &status] { status = choose(*options); });
 }
 
 }  // namespace vidno::cli

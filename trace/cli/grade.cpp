@@ -5,16 +5,24 @@
 #include <iostream>
 #include <map>
 
-#include "check/judged_run.h"
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/scene_files.h"
+#include "cli/shared/trace_files.h"
 #include "grade/scenes.h"
 #include "output.h"
 #include "page/page.h"
-#include "progress.h"
+#include "run/write_trace.h"
 
 namespace vidno::cli {
 
 namespace {
+
+struct GradeOptions {
+    std::string program, output;      // or a trace; the output may be empty
+    std::vector<std::string> scenes;  // none: those of the program
+    int seconds = 10;
+};
 
 /// A program that did not end so often is not waited for any more.
 constexpr int enough_endless = 2;
@@ -110,7 +118,7 @@ PageFile right_run(const TraceHeader& drawn) {
     const TraceHeader header{drawn.method, Edition::corrected, kernel.name(), Detail::signs, drawn.scene};
     std::string text;
     TraceWriter writer(header, [&](std::string_view part) { text += part; });
-    write_trace({drawn.method, kernel, Edition::corrected, drawn.scene, Detail::signs}, writer, false);
+    write_trace({drawn.method, kernel, Edition::corrected, drawn.scene, Detail::signs}, writer);
     return page_file("Right", header, text);
 }
 
@@ -175,8 +183,6 @@ const SceneGrade& telling(const std::vector<SceneGrade>& grades) {
     return *std::find_if(grades.begin(), grades.end(), [](const auto& grade) { return !grade.right(); });
 }
 
-}  // namespace
-
 int grade(const GradeOptions& options) {
     if (!options.output.empty()) {
         if (!options.output.ends_with(".html")) throw Refused(options.output + ": not .html");
@@ -214,6 +220,32 @@ int grade(const GradeOptions& options) {
     print_failure(smallest, limits);
     if (!options.output.empty()) write_page(smallest, options.output);
     return 1;
+}
+
+}  // namespace
+
+void add_grade(CLI::App& program, int& status) {
+    auto& command =
+        *program.add_subcommand("grade", "Judge a student's program, or its trace, by the meaning of each step");
+    const auto options = std::make_shared<GradeOptions>();
+    command
+        .add_option(
+            "PROGRAM|TRACE", options->program,
+            "A program that writes a trace by lessons/student/vidno_student.h, or such a trace (.jsonl, .jsonl.gz)")
+        ->required();
+    command.add_option("--scenes", options->scenes, "Scene files to run it on; without them, on a set of small ones");
+    command.add_option("--seconds", options->seconds, "How long a run may take")
+        ->check(CLI::Range(1, 3600))
+        ->capture_default_str();
+    command.add_option("-o", options->output,
+                       "A page, .html, with the wrong run on the smallest scene beside the right one");
+    command.footer(
+        "Another order, another rule for outlines, recursion and float are as right. The program is run with limits "
+        "of\n"
+        "time, memory and output, which guard against mistakes, not against malice.\n"
+        "Example: vidno grade ./warnock -o report.html\n"
+        "Exit status 1: something is wrong.");
+    command.callback([options, &status] { status = grade(*options); });
 }
 
 }  // namespace vidno::cli

@@ -2,13 +2,63 @@
 
 #include <iostream>
 
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "import/mesh_soup.h"
 #include "output.h"
-#include "progress.h"
 
 namespace vidno::cli {
 
-int import(const MeshOptions& options) {
+namespace {
+
+struct ImportedMesh {
+    std::string mesh, output;
+    ImportOptions import;
+};
+
+/// The option's three numbers, x y z, become a vector of the camera; naming any of them makes a camera.
+void add_vector(CLI::App& command, ImportOptions& import, const std::string& name, glm::dvec3 Camera::*target,
+                const std::string& help) {
+    const auto set = [&import, target](const std::vector<double>& xyz) {
+        if (!import.camera) import.camera.emplace();
+        *import.camera.*target = {xyz[0], xyz[1], xyz[2]};
+    };
+    command.add_option_function<std::vector<double>>(name, set, help)->expected(3)->type_name("X Y Z");
+}
+
+void add_length(CLI::App& command, ImportOptions& import, const std::string& name, double Camera::*target,
+                const std::string& help) {
+    const auto set = [&import, target](double value) {
+        if (!import.camera) import.camera.emplace();
+        *import.camera.*target = value;
+        if (target == &Camera::height) import.camera->projection = Projection::orthographic;
+    };
+    command.add_option_function<double>(name, set, help);
+}
+
+/// The options that place the camera.
+void add_camera_options(CLI::App& command, ImportOptions& import) {
+    command.add_option("--width", import.width, "Of the picture, in pixels")
+        ->check(CLI::Range(1, largest_side))
+        ->capture_default_str();
+    command.add_option("--height", import.height, "Of the picture, in pixels")
+        ->check(CLI::Range(1, largest_side))
+        ->capture_default_str();
+    auto& camera = *command.add_option_group("Camera", "Without --eye it shows the whole mesh, a little from above");
+    add_vector(camera, import, "--eye", &Camera::eye, "Where it stands");
+    add_vector(camera, import, "--target", &Camera::target, "What it looks at; the origin if not said");
+    add_vector(camera, import, "--up", &Camera::up, "What is up; 0 1 0 if not said");
+    add_length(camera, import, "--fov", &Camera::field_of_view,
+               "Perspective: the vertical angle; 45 degrees if not said");
+    add_length(camera, import, "--ortho", &Camera::height, "Parallel projection instead: the height that is seen");
+    add_length(camera, import, "--near", &Camera::near_distance, "What is nearer is cut off; 0.1 if not said");
+    add_length(camera, import, "--far", &Camera::far_distance, "What is farther is cut off; 100 if not said");
+    for (auto* option : camera.get_options()) {
+        if (option->get_name() != "--eye") option->needs("--eye");
+    }
+}
+
+int import_scene(const ImportedMesh& options) {
     Progress progress;
     progress.say("reading " + options.mesh);
     const auto [scene, report] = import_mesh(read_file(options.mesh), options.mesh, options.import);
@@ -18,6 +68,18 @@ int import(const MeshOptions& options) {
     file.write(scene_json(scene) + "\n");
     file.commit();
     return 0;
+}
+
+}  // namespace
+
+void add_import(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("import", "Make a scene from a mesh seen by a camera");
+    const auto options = std::make_shared<ImportedMesh>();
+    command.add_option("MESH", options->mesh, "A mesh: " + mesh_endings())->required();
+    add_camera_options(command, options->import);
+    command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
+    command.footer("Faces that are not planar or not convex are cut into triangles; what is dropped is said.");
+    command.callback([options, &status] { status = import_scene(*options); });
 }
 
 }  // namespace vidno::cli

@@ -1,11 +1,14 @@
+#include "lesson/lesson.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/shared/built_lesson.h"
+#include "cli/shared/scene_files.h"
 #include "import/import.h"
-#include "lesson/lesson.h"
+#include "import/mesh_soup.h"
 #include "lesson/new_lesson.h"
 #include "output.h"
 #include "scene/scene_json.h"
@@ -14,12 +17,12 @@ namespace vidno::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-int told(const Problems& problems) {
-    for (const auto& problem : problems) std::cerr << problem.text() << '\n';
-    return problems.empty() ? 0 : 1;
-}
+struct LessonOptions {
+    std::vector<std::string> folders;
+    std::string source, output;  // of a new one: a scene or a mesh; the folder
+    std::string run;             // of a pin: the run's name, empty for the first
+    std::uint64_t step = 0;
+};
 
 /// Of a course that was built here before.
 void remove_course(const std::filesystem::path& folder) {
@@ -29,108 +32,35 @@ void remove_course(const std::filesystem::path& folder) {
     }
 }
 
-/// The options of a figure's command. Its files are named from the folder that has the lessons' folder in it.
-FigureOptions options_of(const std::string& command, const Lesson& lesson) {
-    FigureOptions options = figure_options(command);
-    if (!options.output.ends_with(".svg")) throw Refused(options.output + ": not .svg");
-    const auto top = lesson.place.parent_path().parent_path();
-    options.input = (top / options.input).string();
-    return options;
-}
-
-Figures figures_of(const Lesson& lesson, const Story& story, const std::string& language, Problems& problems) {
-    Figures figures;
-    for (const auto& [line, command, file] : story.figures) {
-        try {
-            FigureOptions options = options_of(command, lesson);
-            options.language = language;
-            figures[file] = drawn_figure(options);
-        } catch (const Refused& refused) {
-            problems.push_back({story.file, line, refused.what()});
-        }
-    }
-    return figures;
-}
-
-/// What the index of a course says of a lesson, and the files that this names.
-struct Built {
-    Json entry;
-    std::vector<std::pair<std::string, std::string>> traces;
-    std::string story_name, story;
-};
-
-Built built(const std::string& folder, Problems& problems) {
-    const Lesson lesson = read_lesson(folder, problems);
-    check_lesson(lesson, problems);
-    std::map<std::string, std::string> texts;  // of the traces, by their runs
-    const Steps steps =
-        run_lesson(lesson, problems, [&](const LessonRun& run, std::string_view text) { texts[run.name] += text; });
-    const Figures in_english = figures_of(lesson, lesson.english, "en", problems);
-    const Figures in_russian = figures_of(lesson, lesson.russian, "ru", problems);
-
-    Built made;
-    made.story_name = lesson.id + ".lesson.json";
-    made.story = lesson_json(lesson, steps, in_english, in_russian);
-    Json traces = Json::array();
-    for (const auto& run : lesson.runs) {
-        const std::string file = run.trace_file(lesson.id);
-        made.traces.emplace_back(file, std::move(texts[run.name]));
-        Json trace{{"file", file},
-                   {"method", run.method},
-                   {"kernel", run.kernel},
-                   {"edition", edition_names[std::size_t(run.edition)]},
-                   {"detail", detail_names[std::size_t(run.detail)]}};
-        if (!run.other_scene().empty()) trace["scene"] = run.other_scene();
-        traces.push_back(std::move(trace));
-    }
-    made.entry = {{"id", lesson.id},
-                  {"title", {{"en", lesson.english.plain_title}, {"ru", lesson.russian.plain_title}}},
-                  {"traces", std::move(traces)},
-                  {"story", made.story_name}};
-    return made;
-}
-
-}  // namespace
-
-int lesson_check(const LessonOptions& options) {
+int check_lessons(const LessonOptions& options) {
     Problems problems;
     for (const auto& folder : options.folders) {
         const Lesson lesson = read_lesson(folder, problems);
         check_lesson(lesson, problems);
         if (!lesson.runs.empty()) run_lesson(lesson, problems);
-        figures_of(lesson, lesson.english, "en", problems);
-        figures_of(lesson, lesson.russian, "ru", problems);
+        check_figures(lesson, problems);
     }
-    return told(problems);
+    return status_after(problems);
 }
 
-int lesson_build(const LessonOptions& options) {
+int build_course(const LessonOptions& options) {
     const std::filesystem::path folder(options.output);
     std::filesystem::create_directories(folder);
     remove_course(folder);
     Problems problems;
-    Json index = Json::array();
+    auto index = nlohmann::ordered_json::array();
     for (const auto& name : options.folders) {
-        const Built lesson = built(name, problems);
+        const BuiltLesson lesson = built_lesson(name, problems);
         for (const auto& [file, text] : lesson.traces) write_file(folder / file, gzipped(text), Packing::done);
         write_file(folder / lesson.story_name, lesson.story + '\n');
         index.push_back(lesson.entry);
         std::cerr << "  " << name << '\n';
     }
     write_file(folder / "index.json", index.dump(1) + '\n');
-    return told(problems);
+    return status_after(problems);
 }
 
-bool add_lesson(const std::string& folder, PageContent& content) {
-    Problems problems;
-    const Built lesson = built(folder, problems);
-    for (const auto& [file, text] : lesson.traces) content.files.emplace_back(file, gzipped(text));
-    content.files.emplace_back(lesson.story_name, gzipped(lesson.story));
-    content.index.push_back(lesson.entry);
-    return told(problems) == 0;
-}
-
-int lesson_new(const LessonOptions& options) {
+int make_lesson(const LessonOptions& options) {
     const std::filesystem::path folder(options.output);
     if (std::filesystem::exists(folder)) throw Refused(options.output + ": is there already");
     const bool is_mesh = !options.source.ends_with(".json");
@@ -145,7 +75,7 @@ int lesson_new(const LessonOptions& options) {
     return 0;
 }
 
-int lesson_pin(const LessonOptions& options) {
+int print_pin(const LessonOptions& options) {
     Problems problems;
     const Lesson lesson = read_lesson(options.folders.front(), problems);
     const auto run = std::find_if(lesson.runs.begin(), lesson.runs.end(), [&](const LessonRun& each) {
@@ -154,6 +84,41 @@ int lesson_pin(const LessonOptions& options) {
     if (run == lesson.runs.end()) throw Refused("--run " + options.run + ": " + lesson.folder + " has no such run");
     std::cout << pin_of_step(scene_of(lesson, *run), *run, options.step) << '\n';
     return 0;
+}
+
+}  // namespace
+
+void add_lesson(CLI::App& program, int& status) {
+    auto& command =
+        *program.add_subcommand("lesson", "Write a lesson: its first files, its pins, a check, the built course");
+    command.require_subcommand(0, 1);  // one; but a wrong one is told before none
+    const auto options = std::make_shared<LessonOptions>();
+    const auto add_folders = [&options](CLI::App& sub) {
+        sub.add_option("FOLDER", options->folders, "Folders of lessons")->required();
+    };
+
+    auto& made = *command.add_subcommand("new", "Make the folder of a lesson from a scene or a mesh");
+    made.add_option("SCENE|MESH", options->source, "A scene or surface file, or a mesh: " + mesh_endings())->required();
+    made.add_option("-o", options->output, "The folder, which is not there yet")->required();
+    made.footer("Example: vidno lesson new scene.json -o lessons/11-my-topic");
+    made.callback([options, &status] { status = make_lesson(*options); });
+
+    auto& pin = *command.add_subcommand("pin", "Say how to pin a step, as a line for lesson.json");
+    add_folders(pin);
+    pin.add_option("--run", options->run, "Of which run [the first]");
+    pin.add_option("--step", options->step, "Which step, as the page counts them")->required();
+    pin.callback([options, &status] { status = print_pin(*options); });
+
+    auto& check = *command.add_subcommand("check", "Say what is wrong with lessons, with file and line");
+    add_folders(check);
+    check.footer("Exit status 1: something is wrong.");
+    check.callback([options, &status] { status = check_lessons(*options); });
+
+    auto& build = *command.add_subcommand("build", "Trace lessons and place their pins, for the page");
+    add_folders(build);
+    build.add_option("-o", options->output, "The folder of the course")->required();
+    build.footer("Exit status 1: something is wrong, as lesson check says it; the rest is built.");
+    build.callback([options, &status] { status = build_course(*options); });
 }
 
 }  // namespace vidno::cli

@@ -3,14 +3,20 @@
 #include <iomanip>
 #include <iostream>
 
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/shared/run_options.h"
 #include "output.h"
 #include "picture/image.h"
-#include "sign_map/question_json.h"
+#include "sign_map/mapped_decision_json.h"
 
 namespace vidno::cli {
 
 namespace {
+
+struct MapOptions {
+    std::string decision, output;  // no output: the table alone
+    std::string kernel = "double";
+};
 
 void print(const SignMap& map) {
     const auto counts = map.counts();
@@ -31,17 +37,16 @@ void print(const SignMap& map) {
     std::cout << "differ: " << map.differing() << " of " << map.cells.size() << '\n';
 }
 
-}  // namespace
-
 int map(const MapOptions& options) {
     const std::string& output = options.output;
     if (output == "-") throw Refused("-: the table goes to standard output, the map to a .png, .ppm or .json file");
     const NamedKernel kernel = *kernel_named(options.kernel);
     if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
-    const std::string text = read_file(options.question);
-    if (is_surface(text)) throw Refused(options.question + ": a surface, and no question of a map, vidno-question/1");
-    const Question question = read_question(text, options.question);
-    const SignMap drawn = sign_map(question, kernel);
+    const std::string text = read_file(options.decision);
+    if (is_surface(text))
+        throw Refused(options.decision + ": a surface, and no decision to be mapped, vidno-question/1");
+    const MappedDecision decision = read_mapped_decision(text, options.decision);
+    const SignMap drawn = sign_map(decision, kernel);
     if (!output.empty()) {
         OutputFile file(output);
         file.write(output.ends_with(".json") ? map_json(drawn) : encode_image(picture_of(drawn), output));
@@ -49,6 +54,26 @@ int map(const MapOptions& options) {
     }
     print(drawn);
     return drawn.differing() > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_map(CLI::App& program, int& status) {
+    auto& command =
+        *program.add_subcommand("map", "Ask one decision at 256 x 256 places of a point, and the truth beside it");
+    const auto options = std::make_shared<MapOptions>();
+    command.add_option("DECISION", options->decision, "A file of a decision, vidno-question/1; - for standard input")
+        ->required();
+    command.add_option("--kernel", options->kernel, "Which arithmetic decides")
+        ->check(a_kernel())
+        ->capture_default_str();
+    command.add_option("-o", options->output,
+                       "The map, .png or .ppm; or .json: how often each answer is right and wrong");
+    command.footer(
+        "In the picture orange is negative, blue positive, white or black zero; dark differs from the exact answer.\n"
+        "Example: vidno map lessons/maps/kettner-2a.json -o a.png\n"
+        "Exit status 1: at some place the answer is wrong.");
+    command.callback([options, &status] { status = map(*options); });
 }
 
 }  // namespace vidno::cli

@@ -3,8 +3,7 @@
 #include "choice/choices_json.h"
 #include "choice/kernel_choice.h"
 #include "choice/method.h"
-#include "commands.h"
-#include "format/curve_trace.h"
+#include "cli/commands.h"
 
 namespace vidno::cli {
 
@@ -17,9 +16,7 @@ void print(std::string_view name, const MethodChoice& choice) {
     std::cout << '\n';
 }
 
-}  // namespace
-
-int methods(bool as_json) {
+int print_methods(bool as_json) {
     if (as_json) {
         std::cout << choices_json();
         return 0;
@@ -27,16 +24,18 @@ int methods(bool as_json) {
     std::cout << "methods    (unless it says otherwise, domain: " << picture_rule.domain
               << ";\n    rule: " << picture_rule.rule << ")\n";
     for (std::size_t i = 0; i < method_choices.size(); ++i) print(method_names[i], method_choices[i]);
-    print(curve_method, curve_choice);
-    std::cout << "kernels    (the arithmetic; warnock-... not under depth,\n"
-                 "            weiler-atherton and floating-horizon not under depth and grid)\n";
+    print(floating_horizon_method, floating_horizon_choice);
+    std::cout << "kernels    (the arithmetic; warnock-... not under " << kernels_that(&KernelChoice::runs_family, false)
+              << ",\n            weiler-atherton and floating-horizon not under "
+              << kernels_that(&KernelChoice::constructs_points, false) << ")\n";
     for (const auto& kernel : kernel_choices) {
         std::string name(kernel.name);
         if (kernel.parameter) (name += ':') += kernel.parameter->letter;
         std::cout << "  " << name << std::string(11 - name.size(), ' ') << kernel.rule << '\n';
     }
-    std::cout << "editions    (from the third on with one usual mistake, under double and exact)\n";
-    for (const auto& [name, rule, only] : edition_choices) {
+    std::cout << "editions    (from the third on with one usual mistake, under "
+              << kernels_that(&KernelChoice::runs_mistakes) << ")\n";
+    for (const auto& [name, rule, title, only] : edition_choices) {
         std::cout << "  " << name << std::string(21 - name.size(), ' ') << rule;
         if (only) std::cout << "; " << method_names[std::size_t(*only)] << " only";
         std::cout << '\n';
@@ -46,6 +45,15 @@ int methods(bool as_json) {
                  "  polygons   relations, corner depths and clips; the active edge list and stored depths\n"
                  "  signs      every orientation test and every depth comparison\n";
     return 0;
+}
+
+}  // namespace
+
+void add_methods(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("methods", "What there is: methods, kernels, editions, levels");
+    const auto as_json = std::make_shared<bool>();
+    command.add_flag("--json", *as_json, "As JSON: also which edition of which method runs under which kernel");
+    command.callback([as_json, &status] { status = print_methods(*as_json); });
 }
 
 }  // namespace vidno::cli

@@ -2,14 +2,23 @@
 
 #include <filesystem>
 
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/shared/built_lesson.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
+#include "cli/shared/trace_files.h"
 #include "output.h"
-#include "progress.h"
 #include "scene/scene_json.h"
 
 namespace vidno::cli {
 
 namespace {
+
+struct PageOptions {
+    std::vector<std::string> files;
+    std::string output;
+};
 
 std::string base_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
@@ -18,7 +27,7 @@ std::string title_of(const auto& scene, const std::string& file) {
 }
 
 std::string_view method_for(const Scene&) { return method_names[std::size_t(method_of(RunOptions{}))]; }
-std::string_view method_for(const Surface&) { return curve_method; }
+std::string_view method_for(const Surface&) { return floating_horizon_method; }
 std::string text_of(const Scene& scene) { return scene_json(scene); }
 std::string text_of(const Surface& surface) { return surface_json(surface); }
 
@@ -33,7 +42,7 @@ PageFile scene_file(const std::string& file) {
 }
 
 std::string_view method_in(const TraceHeader& header) { return method_names[std::size_t(header.method)]; }
-std::string_view method_in(const CurveHeader&) { return curve_method; }
+std::string_view method_in(const FloatingHorizonHeader&) { return floating_horizon_method; }
 
 /// A trace, every event of which could be read.
 PageFile trace_file(const std::string& file, bool& whole) {
@@ -58,7 +67,15 @@ PageFile trace_file(const std::string& file, bool& whole) {
     return made;
 }
 
-}  // namespace
+/// False if something is wrong with the lesson, which is said.
+bool add_lesson_to(PageContent& content, const std::string& folder) {
+    Problems problems;
+    const BuiltLesson built = built_lesson(folder, problems);
+    for (const auto& [file, text] : built.traces) content.files.emplace_back(file, gzipped(text));
+    content.files.emplace_back(built.story_name, gzipped(built.story));
+    content.index.push_back(built.entry);
+    return status_after(problems) == 0;
+}
 
 int page(const PageOptions& options) {
     if (options.output != "-" && !options.output.ends_with(".html")) throw Refused(options.output + ": not .html");
@@ -68,7 +85,7 @@ int page(const PageOptions& options) {
     PageContent content;
     for (const auto& file : options.files) {
         if (std::filesystem::is_directory(file)) {
-            whole = add_lesson(file, content) && whole;
+            whole = add_lesson_to(content, file) && whole;
         } else {
             content.add(is_trace(file) ? trace_file(file, whole) : scene_file(file));
         }
@@ -76,6 +93,21 @@ int page(const PageOptions& options) {
     output.write(trace_page(content));
     output.commit();
     return whole ? 0 : 1;
+}
+
+}  // namespace
+
+void add_page(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("page", "Make one page of traces and scenes that opens from disk");
+    const auto options = std::make_shared<PageOptions>();
+    command.add_option("SCENE|TRACE", options->files,
+                       "Scene files, and traces (.jsonl, .jsonl.gz); without any, the page has the lessons");
+    command.add_option("-o", options->output, "The page, .html; - for standard output")->required();
+    command.footer(
+        "The page has all it shows in itself and opens the first one; a scene it runs itself.\n"
+        "Example: vidno page run.jsonl.gz scene.json -o lecture.html\n"
+        "Exit status 1: a trace was cut short or is partial; the page has what there is of it.");
+    command.callback([options, &status] { status = page(*options); });
 }
 
 }  // namespace vidno::cli

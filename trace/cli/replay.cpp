@@ -1,29 +1,36 @@
 #include <iostream>
 
-#include "commands.h"
-#include "figure/curve_parts.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/trace_files.h"
 #include "figure/encoded.h"
+#include "figure/floating_horizon_parts.h"
 #include "format/trace_reader.h"
 #include "output.h"
 #include "picture/image.h"
-#include "progress.h"
-#include "state/curve_state.h"
+#include "state/floating_horizon_state.h"
 #include "state/state.h"
-#include "steps.h"
 
 namespace vidno::cli {
 
 namespace {
 
+struct ReplayOptions {
+    std::string trace, output;
+    std::optional<std::uint64_t> step;
+};
+
 State state_of(const TraceReader& reader) { return State(reader.header()); }
-CurveState state_of(const CurveTraceReader& reader) { return CurveState(reader.header()); }
+FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
+    return FloatingHorizonState(reader.header());
+}
 
 std::string hash_of(const State& state) { return picture_hash(state.picture()); }
-std::string hash_of(const CurveState& state) { return lines_hash(state.lines()); }
+std::string hash_of(const FloatingHorizonState& state) { return lines_hash(state.lines()); }
 
 /// What was painted or drawn, in the format that the name says.
 std::string encoded(const State& state, const std::string& name) { return encode_image(state.picture(), name); }
-std::string encoded(const CurveState& state, const std::string& name) {
+std::string encoded(const FloatingHorizonState& state, const std::string& name) {
     const Surface& surface = state.header().scene;
     return figures::encoded(figures::drawn_lines(state.lines(), surface.curves.area), {surface.name}, name);
 }
@@ -62,60 +69,26 @@ int replay_run(const ReplayOptions& options, auto& reader) {
     return options.step ? 0 : verdict(reader, state);
 }
 
-/// A trace of which only the events count.
-struct Told {
-    AnyTraceReader reader;
-    EventText text;
-
-    explicit Told(const std::string& file)
-        : reader(open_trace(LineReader(file), file)),
-          text(std::visit([](const auto& each) { return polygon_names(each.header().scene); }, reader)) {}
-
-    /// None at the end.
-    std::optional<std::string> next_line() {
-        const auto event = std::visit([](auto& each) { return each.next(); }, reader);
-        if (!event) return std::nullopt;
-        Text line;
-        event->visit([&](const auto& e) { text.line(line, e); });
-        return line.string();
-    }
-};
-
-}  // namespace
-
-bool is_whole(const TraceFile& trace) {
-    const std::string& place = trace.place();
-    if (!trace.end()) {
-        std::cerr << place << ": cut short: " << trace.events() << " events read, the last line is missing\n";
-        return false;
-    }
-    if (trace.end()->partial) {
-        std::cerr << place << ": partial: the run was stopped after " << trace.events() << " events\n";
-        return false;
-    }
-    return true;
-}
-
 int replay(const ReplayOptions& options) {
     AnyTraceReader opened = open_trace(LineReader(options.trace), options.trace);
     return std::visit([&](auto& reader) { return replay_run(options, reader); }, opened);
 }
 
-int diff(const DiffOptions& options) {
-    Told first(options.first);
-    Told second(options.second);
-    Progress progress("steps");
-    for (std::uint64_t step = 1;; ++step) {
-        progress.show(step);
-        const auto a = first.next_line();
-        const auto b = second.next_line();
-        if (!a && !b) return 0;
-        if (a == b) continue;
-        progress.clear();
-        std::cout << "the traces part at step " << step << "\n- " << a.value_or("(the end)\n") << "+ "
-                  << b.value_or("(the end)\n");
-        return 1;
-    }
+}  // namespace
+
+void add_replay(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("replay", "Rebuild the picture from the events of a trace alone");
+    const auto options = std::make_shared<ReplayOptions>();
+    command.add_option("TRACE", options->trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
+    command.add_option("--step", options->step, "After so many events; without it, at the end");
+    command
+        .add_option(
+            "-o", options->output,
+            "The picture, .png or .ppm, of curves .svg, .pdf, .png or .tex; or .json: the whole state at that step; or "
+            ".jsonl: at every step")
+        ->required();
+    command.footer("Exit status 1: the trace was cut short, is partial, or paints another picture than it says.");
+    command.callback([options, &status] { status = replay(*options); });
 }
 
 }  // namespace vidno::cli

@@ -1,19 +1,24 @@
 #include "stability/shrink.h"
 
-#include <iomanip>
 #include <iostream>
 
 #include "check/check.h"
 #include "choice/method.h"
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
 #include "output.h"
-#include "progress.h"
 #include "scene/scene_json.h"
-#include "stability/need.h"
 
 namespace vidno::cli {
 
 namespace {
+
+struct ShrinkOptions : RunOptions {
+    std::string output, keep = "failure";
+    std::string at;  // the label of a line, for "decision"
+};
 
 /// A run of each scene that shrinking tries.
 class Trial {
@@ -65,23 +70,21 @@ Property property_of(const ShrinkOptions& options, const Trial& trial, const Sce
     if (options.keep == "decision") {
         Property reaches = [&](const Scene& smaller) { return trial.reaches(options.at, smaller); };
         if (reaches(scene)) return reaches;
-        throw Refused(options.run.scene + ": the run has no step at " + options.at);
+        throw Refused(options.scene + ": the run has no step at " + options.at);
     }
     if (trial.wrong_picture(scene)) return [&](const Scene& smaller) { return trial.wrong_picture(smaller); };
     if (const auto procedure = first_wrong(trial.check(scene))) {
         return [&, wrong = *procedure](const Scene& smaller) { return first_wrong(trial.check(smaller)) == wrong; };
     }
-    throw Refused(options.run.scene + ": nothing fails: no decision is wrong, and no pixel");
+    throw Refused(options.scene + ": nothing fails: no decision is wrong, and no pixel");
 }
-
-}  // namespace
 
 int shrink(const ShrinkOptions& options) {
     if ((options.keep == "decision") == options.at.empty()) throw Refused("--keep decision and --at go together");
-    const Trial trial(options.run);
-    const Scene scene = scene_for(kernel_of(options.run), scene_from(options.run.scene), options.run.scene);
-    expect_admitted(method_of(options.run), scene, options.run.scene);
-    OutputFile file(options.run.output);
+    const Trial trial(options);
+    const Scene scene = scene_for(kernel_of(options), scene_from(options.scene), options.scene);
+    expect_admitted(method_of(options), scene, options.scene);
+    OutputFile file(options.output);
     Progress progress("scenes tried");
     const Property keeps = property_of(options, trial, scene);
     const Scene smallest = shrunk(scene, [&, tried = 0ULL](const Scene& smaller) mutable {
@@ -91,27 +94,31 @@ int shrink(const ShrinkOptions& options) {
     file.write(scene_json(smallest) + '\n');
     file.commit();
     progress.clear();
-    std::cerr << options.run.scene << ": " << smallest.polygons.size() << " of " << scene.polygons.size()
-              << " polygons, " << vertices_of(smallest) << " of " << vertices_of(scene) << " vertices\n";
+    std::cerr << options.scene << ": " << smallest.polygons.size() << " of " << scene.polygons.size() << " polygons, "
+              << vertices_of(smallest) << " of " << vertices_of(scene) << " vertices\n";
     return 0;
 }
 
-int need(const NeedOptions& options) {
-    const Scene scene = scene_from(options.scene);
-    Progress progress("pictures");
-    const NeedReport report = needs_of(scene, [&, pictures = 0ULL]() mutable { progress.show(++pictures); });
-    progress.clear();
-    if (!options.output.empty()) {
-        OutputFile file(options.output);
-        file.write(scene_json(report.least) + '\n');
-        file.commit();
-    }
-    std::cout << std::left << std::setw(32) << "the picture needs" << std::setw(14) << ""
-              << "one less\n";
-    for (const auto& [what, amount, one_lower] : report.needs) {
-        std::cout << std::setw(32) << what << std::setw(14) << amount << (one_lower.empty() ? "-" : one_lower) << '\n';
-    }
-    return 0;
+}  // namespace
+
+void add_shrink(CLI::App& program, int& status) {
+    auto& command =
+        *program.add_subcommand("shrink", "Find the smallest scene that still fails, or does as this one does");
+    const auto options = std::make_shared<ShrinkOptions>();
+    add_run_options(command, *options, "A scene file, vidno-scene/1; - for standard input", "Which algorithm [warnock]",
+                    words(method_names));
+    auto* keep =
+        command.add_option("--keep", options->keep,
+                           "failure: a wrong pixel, or if there is none a wrong decision of the same procedure; "
+                           "picture: the picture that this run paints; decision: a step at the line --at");
+    keep->check(CLI::IsMember({"failure", "picture", "decision"}))->capture_default_str();
+    command.add_option("--at", options->at, "A line of the listing, such as PL5 or W13")
+        ->check(CLI::IsMember(words(line_names)));
+    command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
+    command.footer(
+        "What is left has no polygon, vertex or binary place of a coordinate to spare.\n"
+        "Example: vidno shrink scene.json --kernel float --keep failure -o smallest.json");
+    command.callback([options, &status] { status = shrink(*options); });
 }
 
 }  // namespace vidno::cli

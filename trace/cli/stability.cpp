@@ -9,14 +9,21 @@
 #include <sstream>
 
 #include "choice/method.h"
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/run_options.h"
 #include "output.h"
-#include "progress.h"
 #include "stability/journal.h"
 
 namespace vidno::cli {
 
 namespace {
+
+struct StabilityOptions {
+    Campaign campaign;
+    std::string shard = "1/1", output;
+    std::vector<std::string> merged;
+};
 
 /// Of so many shards the one of that number, from 1: it takes every so manieth block.
 struct Shard {
@@ -145,9 +152,8 @@ int merge(const StabilityOptions& options) {
     return 1;
 }
 
-}  // namespace
-
-std::string stability_footer() {
+/// What there is for a campaign.
+std::string footer() {
     std::ostringstream text;
     text << "Families, in an area of " << family_side << " x " << family_side << " pixels:\n";
     for (const auto& family : families) {
@@ -193,6 +199,32 @@ int stability(const StabilityOptions& options) {
     progress.clear();
     print(results);
     return verdict(results);
+}
+
+}  // namespace
+
+void add_stability(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("stability", "Run thousands of random scenes and count what is wrong");
+    const auto options = std::make_shared<StabilityOptions>();
+    auto& campaign = options->campaign;
+    command.add_option("--family", campaign.families, "Scenes of which kind [all]: see below");
+    command.add_option("--kernel", campaign.kernels, "Which arithmetic decides [float, double, filtered]")
+        ->check(a_kernel());
+    command.add_option("--method", campaign.methods, "Which algorithm [warnock, zbuffer]")
+        ->check(CLI::IsMember(words(course_method_names)));
+    command.add_option("--count", campaign.count, "Trials of each experiment in each family; fewer of dear ones")
+        ->check(CLI::Range(std::uint64_t{1}, most_trials))
+        ->capture_default_str();
+    command.add_option("--seed", campaign.seed, "Another one, other scenes")->capture_default_str();
+    command.add_option("--shard", options->shard, "K/N: of the blocks of trials only each N-th, from the K-th");
+    auto* merge = command.add_option("--merge", options->merged, "Run nothing: put these files of results together");
+    command.add_option("-o", options->output,
+                       "Keep the results, .jsonl; a run that was killed goes on where it stopped");
+    for (const char* of_run : {"--family", "--kernel", "--method", "--count", "--seed", "--shard"}) {
+        merge->excludes(of_run);
+    }
+    command.footer(footer());
+    command.callback([options, &status] { status = stability(*options); });
 }
 
 }  // namespace vidno::cli

@@ -1,13 +1,27 @@
 #include "figure/worksheet.h"
 
-#include "commands.h"
+#include "choice/method.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
+#include "cli/shared/trace_files.h"
+#include "figure/figure_words.h"
 #include "figure/writers.h"
 #include "output.h"
-#include "progress.h"
+#include "page/page.h"
+#include "page/program.h"
 
 namespace vidno::cli {
 
 namespace {
+
+struct WorksheetOptions {
+    std::vector<std::string> files;  // scenes for sheets, one trace for questions
+    std::string language = "en", output;
+    std::optional<std::string> method, key;  // of sheets
+    std::optional<int> count;                // of questions
+};
 
 using figures::Language;
 
@@ -36,7 +50,29 @@ private:
     std::vector<std::string> pages_;
 };
 
-}  // namespace
+/// What the page's own code asks about a trace, as Moodle XML.
+std::string asked_about(const std::string& trace, const WorksheetOptions& options) {
+    const std::string count = std::to_string(options.count.value_or(20));
+    const std::string bytes = read_file(trace);
+    try {
+        return output_of({"node", questions_script(), "--language", options.language, "--count", count}, bytes);
+    } catch (const Refused& refused) {
+        throw Refused(trace + ": " + refused.what());
+    }
+}
+
+/// What the run of a trace does next, as questions, by Node.
+int moodle_questions(const WorksheetOptions& options) {
+    if (options.files.size() > 1) throw Refused(options.files[1] + ": .xml has the questions of one trace");
+    if (options.method || options.key) throw Refused("--method, --key: of sheets, which are .pdf");
+    const std::string& trace = options.files[0];
+    if (!is_trace(trace)) throw Refused(trace + ": not .jsonl or .jsonl.gz");
+    TraceReader reader(LineReader(trace), trace);
+    while (reader.next()) {
+    }
+    write_file(options.output, asked_about(trace, options));
+    return is_whole(reader) ? 0 : 1;
+}
 
 int worksheet(const WorksheetOptions& options) {
     if (options.output.ends_with(".xml")) return moodle_questions(options);
@@ -60,6 +96,34 @@ int worksheet(const WorksheetOptions& options) {
     if (options.key) write_file(*options.key, key.pdf());
     write_file(options.output, blank.pdf());
     return 0;
+}
+
+}  // namespace
+
+void add_worksheet(CLI::App& program, int& status) {
+    auto& command =
+        *program.add_subcommand("worksheet", "Print scenes with tables to be filled in by hand, or ask about a run");
+    const auto options = std::make_shared<WorksheetOptions>();
+    command.add_option("SCENE|TRACE", options->files, "For .pdf scene files, vidno-scene/1; for .xml one trace")
+        ->required();
+    command.add_option("--language", options->language, "Of the words in it")
+        ->check(CLI::IsMember(words(figures::language_codes)))
+        ->capture_default_str();
+    command.add_option("--method", options->method, "Of .pdf: which algorithm is worked [warnock]")
+        ->check(CLI::IsMember(words(course_method_names)));
+    command.add_option("--key", options->key, "Of .pdf: the same sheets filled in, .pdf");
+    command
+        .add_option("--count", options->count, "Of .xml: at most so many questions, spread over the run's kinds [20]")
+        ->check(CLI::Range(1, 9999));
+    command
+        .add_option("-o", options->output,
+                    "The blank sheets, one scene after the other, .pdf; or what the run does next, as questions for "
+                    "Moodle, .xml")
+        ->required();
+    command.footer(
+        "Examples: vidno worksheet homework/*.json -o sheets.pdf --key keys.pdf\n"
+        "          vidno worksheet run.jsonl.gz --language ru -o questions.xml   (needs Node)");
+    command.callback([options, &status] { status = worksheet(*options); });
 }
 
 }  // namespace vidno::cli

@@ -1,6 +1,8 @@
 // The events of schema/trace.schema.json, and the words of its header.
 
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <stdexcept>
 
 #include "choice/kernel_choice.h"
 #include "choice/method.h"
@@ -89,6 +91,14 @@ std::string written(const Json& value, std::size_t indent, bool breaks = true) {
 
 }  // namespace
 
+std::string with_methods(const std::string& schema, bool with_floating_horizon) {
+    Json methods = method_names;
+    if (with_floating_horizon) methods.push_back(floating_horizon_method);
+    const std::regex list(R"rx("method": *\{\s*"enum": *\[[^\]]*\]\s*\})rx");
+    if (!std::regex_search(schema, list)) throw std::runtime_error("the schema has no list of methods");
+    return std::regex_replace(schema, list, "\"method\": " + written({{"enum", methods}}, 8));
+}
+
 std::string with_event_schema(const std::string& schema) {
     Json document = Json::parse(schema);
     Json lines{reference("header"), reference("end")}, events;
@@ -99,7 +109,7 @@ std::string with_event_schema(const std::string& schema) {
     document["oneOf"] = lines;
     Json& header = document["$defs"]["header"]["properties"];
     header["method"]["enum"] = method_names;
-    header["method"]["enum"].push_back(curve_method);
+    header["method"]["enum"].push_back(floating_horizon_method);
     header["edition"]["enum"] = edition_names;
     header["kernel"]["pattern"] = kernel_pattern();
     header["detail"]["enum"] = detail_names;

@@ -39,9 +39,12 @@ EventGroup group_of(std::string_view title, EventTypes<Events...>) {
 }  // namespace
 
 std::vector<EventGroup> event_table() {
-    return {group_of("Every method", EventsOfAll{}),     group_of("Warnock", WarnockEvents{}),
-            group_of("Z-buffer", ZBufferEvents{}),       group_of("The Warnock family", FamilyEvents{}),
-            group_of("Floating horizon", CurveEvents{}), group_of("Weiler and Atherton's algorithm", RegionEvents{})};
+    return {group_of("Every method", EventsOfAll{}),
+            group_of("Warnock", WarnockEvents{}),
+            group_of("Z-buffer", ZBufferEvents{}),
+            group_of("The Warnock family", FamilyEvents{}),
+            group_of("Floating horizon", FloatingHorizonEvents{}),
+            group_of("Weiler and Atherton's algorithm", WeilerAthertonEvents{})};
 }
 
 std::vector<EventDescription> all_events() {
@@ -78,6 +81,13 @@ std::vector<Shape> named_words() {
         }
     }
     return all;
+}
+
+std::vector<DerivedDocument> derived_documents() {
+    return {{"FORMAT.md", with_format_tables},
+            {"schema/trace.schema.json", with_event_schema},
+            {"schema/chart.schema.json", [](const std::string& text) { return with_methods(text, false); }},
+            {"schema/lesson.schema.json", [](const std::string& text) { return with_methods(text, true); }}};
 }
 
 std::vector<std::string_view> names_of(const LineSet& lines) {

@@ -51,12 +51,23 @@ std::vector<std::string_view> names_of(const LineSet& lines);
 /// The letters of the labels, each once: "W" of W1 to W13.
 std::vector<std::string_view> line_letters();
 
-/// FORMAT.md with its derived parts as the table has them: each is between `<!-- derived: TITLE -->` and `<!-- end -->`. Throws
-/// std::runtime_error where one is missing.
-std::string with_event_tables(std::string format);
+/// A document of which parts are derived. What lacks one of these parts is refused with std::runtime_error.
+struct DerivedDocument {
+    std::string_view file;  // below trace/
+    std::string (*derived)(const std::string& text);
+};
+
+/// FORMAT.md with its events and choices, and the schemas with what they list of these.
+std::vector<DerivedDocument> derived_documents();
+
+/// FORMAT.md with its derived parts: each is between `<!-- derived: TITLE -->` and `<!-- end -->`.
+std::string with_format_tables(const std::string& format);
 
 /// The schema of traces with its events as the table has them, and its header with the choices there are.
 std::string with_event_schema(const std::string& schema);
+
+/// Another schema with the methods there are, of polygons, and perhaps that of curves.
+std::string with_methods(const std::string& schema, bool with_floating_horizon);
 
 /// The page's table of events, as TypeScript. Which events a method tells, its listings say.
 std::string event_types(const std::string& listings);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "choice/kernel_choice.h"
+#include "choice/method.h"
 #include "event_table/event_table.h"
 #include "event_table/joined_texts.h"
 
@@ -95,6 +97,65 @@ std::string procedure_table() {
     return text;
 }
 
+/// The kernels under which each edition of a method runs: editions with the same kernels share a row.
+std::string method_rows(std::string_view method, auto&& runs) {
+    std::vector<std::vector<std::string_view>> editions, kernels;
+    for (std::size_t i = 0; i < edition_choices.size(); ++i) {
+        std::vector<std::string_view> found;
+        for (const auto& kernel : kernel_choices) {
+            if (runs(kernel, Edition(i))) found.push_back(kernel.name);
+        }
+        if (found.empty()) continue;
+        const auto same = std::find(kernels.begin(), kernels.end(), found);
+        if (same == kernels.end()) {
+            kernels.push_back(found);
+            editions.push_back({edition_names[i]});
+        } else {
+            editions[std::size_t(same - kernels.begin())].push_back(edition_names[i]);
+        }
+    }
+    std::string rows;
+    for (std::size_t i = 0; i < editions.size(); ++i) {
+        rows += "| " + in_code(method) + " | " + joined_texts(editions[i], ", ", in_code) + " | " +
+                joined_texts(kernels[i], ", ", in_code) + " |\n";
+    }
+    return rows;
+}
+
+std::string method_table() {
+    std::string text = "| method | edition | kernel |\n| --- | --- | --- |\n";
+    for (std::size_t i = 0; i < method_names.size(); ++i) {
+        text += method_rows(method_names[i],
+                            [i](const auto& kernel, Edition edition) { return kernel.runs(Method(i), edition); });
+    }
+    return text + method_rows(floating_horizon_method, [](const auto& kernel, Edition edition) {
+               return kernel.runs_floating_horizon(edition);
+           });
+}
+
+std::string edition_table() {
+    std::string text = "| edition | text |\n| --- | --- |\n";
+    for (const auto& choice : edition_choices) {
+        text += "| " + in_code(choice.name) + " | " + std::string(choice.rule) + " |\n";
+    }
+    return text;
+}
+
+std::string kernel_table() {
+    std::string text = "| kernel | arithmetic |\n| --- | --- |\n";
+    for (const auto& choice : kernel_choices) {
+        std::string name(choice.name), numbers;
+        if (choice.parameter) {
+            const std::string letter(1, choice.parameter->letter);
+            name += ":" + letter;
+            numbers = "; " + letter + " from " + std::to_string(choice.parameter->least) + " to " +
+                      std::to_string(choice.parameter->most);
+        }
+        text += "| " + in_code(name) + " | " + std::string(choice.rule) + numbers + " |\n";
+    }
+    return text;
+}
+
 void replace_part(std::string& text, std::string_view title, const std::string& derived) {
     const std::string begin = "<!-- derived: " + std::string(title) + " -->\n";
     const auto from = text.find(begin);
@@ -105,10 +166,14 @@ void replace_part(std::string& text, std::string_view title, const std::string& 
 
 }  // namespace
 
-std::string with_event_tables(std::string format) {
-    replace_part(format, "procedures", procedure_table());
-    for (const auto& group : event_table()) replace_part(format, group.title, table(group));
-    return format;
+std::string with_format_tables(const std::string& format) {
+    std::string text = format;
+    replace_part(text, "methods", method_table());
+    replace_part(text, "editions", edition_table());
+    replace_part(text, "kernels", kernel_table());
+    replace_part(text, "procedures", procedure_table());
+    for (const auto& group : event_table()) replace_part(text, group.title, table(group));
+    return text;
 }
 
 }  // namespace vidno

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "curve_parts.h"
+#include "floating_horizon_parts.h"
 #include "refused.h"
-#include "region_parts.h"
 #include "table.h"
+#include "weiler_atherton_parts.h"
 
 namespace vidno::figures {
 
@@ -64,7 +64,7 @@ Drawing Figure::plane(const Moment& moment, const std::optional<PixelHistory>& h
     return drawing;
 }
 
-Drawing Figure::plane(const CurveMoment& moment) const {
+Drawing Figure::plane(const FloatingHorizonMoment& moment) const {
     const Style& style = options_.style;
     const bool has_legend = options_.shows(Part::windows);
     const double below = has_legend ? legend_height : 0;
@@ -98,7 +98,7 @@ void Figure::add(const Moment& moment, const std::optional<PixelHistory>& histor
     add(moment.state().step(), std::move(drawn_plane), std::move(texts));
 }
 
-void Figure::add(const CurveMoment& moment) {
+void Figure::add(const FloatingHorizonMoment& moment) {
     if (options_.shows(Part::list) || options_.shows(Part::history)) {
         throw Refused("a run of curves has no list and no history of pixels: --show picture,windows,listing");
     }

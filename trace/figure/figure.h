@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "curve_moment.h"
+#include "floating_horizon_moment.h"
 #include "parts.h"
 #include "pixel_history.h"
 
@@ -33,7 +33,7 @@ public:
     /// Throws Refused if the trace does not tell a part. The history is needed if it is shown.
     void add(const Moment& moment, const std::optional<PixelHistory>& history);
     /// Of the parts, a run of curves has picture, windows (here the horizons and the curve at hand) and listing.
-    void add(const CurveMoment& moment);
+    void add(const FloatingHorizonMoment& moment);
 
     /// A drawing a moment. What is the same part of each has the same place, so that nothing jumps.
     std::vector<Drawing> panels() const;
@@ -53,7 +53,7 @@ private:
     bool is_beside() const;
     double most_plane_height() const { return options_.most_height.value_or(tallest_plane * plane_width_); }
     Drawing plane(const Moment& moment, const std::optional<PixelHistory>& history) const;
-    Drawing plane(const CurveMoment& moment) const;
+    Drawing plane(const FloatingHorizonMoment& moment) const;
     void add(std::uint64_t step, std::optional<Drawing> plane, std::vector<Drawing> texts);
     Drawing panel(std::size_t moment) const;
 

@@ -3,8 +3,8 @@
 #include "notation.h"
 #include "parts.h"
 #include "refused.h"
-#include "region_parts.h"
 #include "table.h"
+#include "weiler_atherton_parts.h"
 
 namespace vidno::figures {
 

@@ -10,7 +10,7 @@
 
 #include "notation.h"
 #include "parts.h"
-#include "region_parts.h"
+#include "weiler_atherton_parts.h"
 
 namespace vidno::figures {
 

@@ -30,7 +30,7 @@ inline constexpr std::size_t most_outlines = 40;
 void draw_outlines(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 /// Warnock: the windows visited, those on the stack dashed, the current one heavy. Z-buffer: the scanline, the active edges.
-/// Weiler-Atherton: the lists (region_parts.h).
+/// Weiler-Atherton: the lists (weiler_atherton_parts.h).
 void draw_windows(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 /// The windows visited so far, each once.

@@ -1545,14 +1545,15 @@ using ZBufferEvents =
 using FamilyEvents = EventTypes<event::Join, event::Rejoin, event::RelationFound, event::Trial, event::Meets,
                                 event::Ray, event::Crossings, event::Octants, event::Angle, event::Hiding,
                                 event::SplitVertex, event::EdgeDepth, event::BackFace>;
-using RegionEvents = EventTypes<event::CutToArea, event::Facets, event::Sorted, event::PushList, event::PopList,
-                                event::Beside, event::Clipped, event::NearerOnes, event::Show, event::Pierce,
-                                event::Split, event::GreatestDepth, event::EdgePiece, event::Entering, event::Leaving,
-                                event::Behind, event::Order, event::Paint, event::Painted>;
-using CurveEvents = EventTypes<event::Horizons, event::Curve, event::SideEdge, event::Visibility, event::Intersection,
-                               event::DrawLine, event::Horizon, event::Height, event::Raise, event::Lower, event::Step>;
-using AllEvents = decltype(EventsOfAll{} + WarnockEvents{} + ZBufferEvents{} + FamilyEvents{} + RegionEvents{} +
-                           CurveEvents{});
+using WeilerAthertonEvents = EventTypes<event::CutToArea, event::Facets, event::Sorted, event::PushList, event::PopList,
+                                        event::Beside, event::Clipped, event::NearerOnes, event::Show, event::Pierce,
+                                        event::Split, event::GreatestDepth, event::EdgePiece, event::Entering,
+                                        event::Leaving, event::Behind, event::Order, event::Paint, event::Painted>;
+using FloatingHorizonEvents =
+    EventTypes<event::Horizons, event::Curve, event::SideEdge, event::Visibility, event::Intersection, event::DrawLine,
+               event::Horizon, event::Height, event::Raise, event::Lower, event::Step>;
+using AllEvents = decltype(EventsOfAll{} + WarnockEvents{} + ZBufferEvents{} + FamilyEvents{} + WeilerAthertonEvents{} +
+                           FloatingHorizonEvents{});
 
 /// The names, each at the place of its type.
 inline constexpr auto& event_names = AllEvents::names;
@@ -1565,8 +1566,8 @@ concept EventType = event_place<E> < AllEvents::count;
 
 /// Told by runs of curves alone.
 template <class E>
-concept CurveEvent = CurveEvents::place_of<E>()
-< CurveEvents::count;
+concept FloatingHorizonEvent = FloatingHorizonEvents::place_of<E>()
+< FloatingHorizonEvents::count;
 
 class Event;
 

@@ -56,7 +56,7 @@ void read_run(const JsonNode& object, auto& header) {
 
 TraceHeader read_header(const JsonNode& object) {
     const JsonNode method = member(object, "method");
-    if (method.value() == curve_method) method.refuse("floating-horizon, which this command does not take");
+    if (method.value() == floating_horizon_method) method.refuse("floating-horizon, which this command does not take");
     TraceHeader header;
     header.method = Method(place_of_word(method, method_names));
     read_run(object, header);
@@ -64,10 +64,10 @@ TraceHeader read_header(const JsonNode& object) {
     return header;
 }
 
-CurveHeader read_curve_header(const JsonNode& object) {
-    CurveHeader header;
+FloatingHorizonHeader read_floating_horizon_header(const JsonNode& object) {
+    FloatingHorizonHeader header;
     read_run(object, header);
-    if (!kernel_named(header.kernel)->choice->runs_curves(header.edition)) {
+    if (!kernel_named(header.kernel)->choice->runs_floating_horizon(header.edition)) {
         object.at("kernel").refuse("no kernel and edition of floating-horizon");
     }
     const JsonNode scene = member(object, "scene");
@@ -105,7 +105,7 @@ TraceFile::TraceFile(TraceFile&&) noexcept = default;
 TraceFile::~TraceFile() = default;
 
 bool TraceFile::is_of_curves() const {
-    return first_line_->contains("method") && (*first_line_)["method"] == curve_method;
+    return first_line_->contains("method") && (*first_line_)["method"] == floating_horizon_method;
 }
 
 template <class Header>
@@ -123,12 +123,12 @@ Header TraceFile::header_by(Header (*read)(const JsonNode&), std::string_view re
 
 TraceReader::TraceReader(TraceFile file) : TraceFile(std::move(file)), header_(header_by(read_header, "picture")) {}
 
-CurveTraceReader::CurveTraceReader(TraceFile file)
-    : TraceFile(std::move(file)), header_(header_by(read_curve_header, "lines")) {}
+FloatingHorizonTraceReader::FloatingHorizonTraceReader(TraceFile file)
+    : TraceFile(std::move(file)), header_(header_by(read_floating_horizon_header, "lines")) {}
 
 AnyTraceReader open_trace(LineReader lines, std::string file) {
     TraceFile opened(std::move(lines), std::move(file));
-    if (opened.is_of_curves()) return CurveTraceReader(std::move(opened));
+    if (opened.is_of_curves()) return FloatingHorizonTraceReader(std::move(opened));
     return TraceReader(std::move(opened));
 }
 

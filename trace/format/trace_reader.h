@@ -1,4 +1,4 @@
-/// TraceReader: a trace file of polygons, event by event; CurveTraceReader: one of curves.
+/// TraceReader: a trace file of polygons, event by event; FloatingHorizonTraceReader: one of curves.
 #pragma once
 
 #include <memory>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <variant>
 
-#include "format/curve_trace.h"
+#include "format/floating_horizon_trace.h"
 #include "format/trace_writer.h"
 #include "output.h"
 
@@ -75,19 +75,19 @@ private:
     TraceHeader header_;
 };
 
-class CurveTraceReader : public TraceFile {
+class FloatingHorizonTraceReader : public TraceFile {
 public:
     /// Reads the header. Throws Refused.
-    explicit CurveTraceReader(TraceFile file);
+    explicit FloatingHorizonTraceReader(TraceFile file);
 
-    const CurveHeader& header() const { return header_; }
+    const FloatingHorizonHeader& header() const { return header_; }
 
 private:
-    CurveHeader header_;
+    FloatingHorizonHeader header_;
 };
 
 /// A trace of either kind, for what does the same with both: `std::visit`.
-using AnyTraceReader = std::variant<TraceReader, CurveTraceReader>;
+using AnyTraceReader = std::variant<TraceReader, FloatingHorizonTraceReader>;
 
 /// Reads the header. `file` is the name in messages. Throws Refused.
 AnyTraceReader open_trace(LineReader lines, std::string file);

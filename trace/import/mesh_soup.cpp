@@ -13,16 +13,27 @@ struct Format {
     MeshSoup (*read)(std::string_view bytes);
 };
 
-constexpr std::array<Format, 4> formats{{{"obj", read_obj}, {"off", read_off}, {"ply", read_ply}, {"stl", read_stl}}};
+constexpr std::array formats{Format{"obj", read_obj}, Format{"off", read_off}, Format{"ply", read_ply},
+                             Format{"stl", read_stl}};
 
 MeshSoup read_by_ending(std::string_view bytes, std::string_view ending) {
     for (const auto& format : formats) {
         if (format.ending == ending) return format.read(bytes);
     }
-    throw Refused("not a mesh by its name: .obj, .off, .ply or .stl");
+    throw Refused("not a mesh by its name: " + mesh_endings());
 }
 
 }  // namespace
+
+std::string mesh_endings() {
+    std::string endings;
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+        if (i > 0) endings += i + 1 == formats.size() ? " or " : ", ";
+        endings += '.';
+        endings += formats[i].ending;
+    }
+    return endings;
+}
 
 MeshSoup read_mesh_soup(std::string_view bytes, const std::string& file) {
     try {

@@ -23,6 +23,9 @@ MeshSoup read_off(std::string_view bytes);
 MeshSoup read_ply(std::string_view bytes);
 MeshSoup read_stl(std::string_view bytes);
 
+/// What the names of meshes end in: ".obj, .off, .ply or .stl".
+std::string mesh_endings();
+
 /// `bytes` are the file's, `file` its name, whose ending says the format. Throws Refused.
 MeshSoup read_mesh_soup(std::string_view bytes, const std::string& file);
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "format/curve_trace.h"
+#include "format/floating_horizon_trace.h"
 #include "pin.h"
 #include "problem.h"
 #include "run/run.h"
@@ -26,7 +26,7 @@ struct LessonRun {
     Detail detail = Detail::signs;
     bool check = false;
 
-    bool of_curves() const { return method == curve_method; }
+    bool of_curves() const { return method == floating_horizon_method; }
 
     /// The scene's name, without what its file's name ends in; empty for `scene.json`.
     std::string other_scene() const;

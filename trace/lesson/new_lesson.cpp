@@ -193,7 +193,7 @@ Files lesson_on(const Scene& scene) {
 Files lesson_on(const Surface& surface) {
     LessonRun lines;
     lines.name = "lines";
-    lines.method = curve_method;
+    lines.method = floating_horizon_method;
     lines.detail = column_count(surface.curves) > most_with_signs ? Detail::windows : Detail::signs;
     const auto count = std::uint64_t(surface.curves.curves.size());
     const Json curve{{"e", "curve"}}, line{{"e", "draw_line"}};

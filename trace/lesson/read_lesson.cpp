@@ -30,7 +30,7 @@ int line_of(std::string_view text, const std::string& place) {
 /// The methods that a lesson may speak of.
 std::vector<std::string_view> lesson_methods() {
     std::vector<std::string_view> names(method_names.begin(), method_names.end());
-    names.push_back(curve_method);
+    names.push_back(floating_horizon_method);
     return names;
 }
 
@@ -92,7 +92,7 @@ private:
         if (node.has("kernel")) run.kernel = node.at("kernel").text();
         const auto kernel = kernel_named(run.kernel);
         if (!kernel) node.at("kernel").refuse(run.kernel + " is not one of " + kernel_names());
-        const bool runs = run.of_curves() ? kernel->choice->runs_curves(run.edition)
+        const bool runs = run.of_curves() ? kernel->choice->runs_floating_horizon(run.edition)
                                           : kernel->choice->runs(method_of(run), run.edition);
         if (!runs) {
             node.refuse(run.kernel + " does not run this method in this edition");

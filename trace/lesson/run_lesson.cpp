@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "check/judged_run.h"
+#include "check/checked_trace.h"
 #include "choice/method.h"
 #include "event_lines.h"
 #include "import/import.h"
 #include "lesson.h"
 #include "output.h"
 #include "refused.h"
+#include "run/write_trace.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 
@@ -34,16 +35,20 @@ AnyScene scene_of(const Lesson& lesson, const LessonRun& run) {
 
 namespace {
 
+void write_request(const auto& request, TraceWriter& writer, const LessonRun& run) {
+    run.check ? write_checked_trace(request, writer) : write_trace(request, writer);
+}
+
 void trace_scene(const Scene& scene, const LessonRun& run, const TraceWriter::Write& write) {
     const NamedKernel kernel = *kernel_named(run.kernel);
     const Scene ran = kernel.snaps() ? snapped_scene(scene, kernel.parameter).scene : scene;
     TraceWriter writer(TraceHeader{method_of(run), run.edition, kernel.name(), run.detail, ran}, write);
-    write_trace(RunRequest{method_of(run), kernel, run.edition, ran, run.detail}, writer, run.check);
+    write_request(RunRequest{method_of(run), kernel, run.edition, ran, run.detail}, writer, run);
 }
 void trace_scene(const Surface& surface, const LessonRun& run, const TraceWriter::Write& write) {
     const NamedKernel kernel = *kernel_named(run.kernel);
-    TraceWriter writer(CurveHeader{run.edition, kernel.name(), run.detail, surface}, write);
-    write_trace(CurveRequest{kernel, run.edition, surface.curves, run.detail}, writer, run.check);
+    TraceWriter writer(FloatingHorizonHeader{run.edition, kernel.name(), run.detail, surface}, write);
+    write_request(FloatingHorizonRequest{kernel, run.edition, surface.curves, run.detail}, writer, run);
 }
 
 }  // namespace

@@ -7,7 +7,17 @@
 
 #include "run/rules.h"
 #include "vidno/family/family.h"
-#include "vidno/mistakes.h"
+#include "vidno/mistakes/boundary_outside.h"
+#include "vidno/mistakes/clip_order_reversed.h"
+#include "vidno/mistakes/depth_sign_reversed.h"
+#include "vidno/mistakes/depths_not_cleared.h"
+#include "vidno/mistakes/integer_division.h"
+#include "vidno/mistakes/line_for_edge.h"
+#include "vidno/mistakes/octants_not_split.h"
+#include "vidno/mistakes/one_list.h"
+#include "vidno/mistakes/surround_kept.h"
+#include "vidno/mistakes/vertex_counted_twice.h"
+#include "vidno/mistakes/y_flipped.h"
 #include "vidno/printed.h"
 
 namespace vidno {

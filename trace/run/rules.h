@@ -7,7 +7,7 @@
 
 namespace vidno {
 
-/// The defects of the printed text (vidno/printed.h). A usual mistake (vidno/mistakes.h) is a rule under the name of its edition.
+/// The defects of the printed text (vidno/printed.h). A usual mistake (vidno/mistakes/) is a rule under the name of its edition.
 enum class Rule : unsigned char {
     x_w1,
     x_w2,

@@ -18,7 +18,7 @@
 #include "run/followers.h"
 #include "run/run_time_number.h"
 #include "vidno/kernels/depth_bits.h"
-#include "vidno/weiler_atherton/region_kernel.h"
+#include "vidno/weiler_atherton/weiler_atherton_kernel.h"
 
 namespace vidno {
 

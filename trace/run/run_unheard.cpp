@@ -4,5 +4,6 @@
 namespace vidno {
 
 Picture untraced_run(const RunRequest& request) { return told_to_nobody(request); }
+DrawnLines untraced_run(const FloatingHorizonRequest& request) { return told_to_nobody(request); }
 
 }  // namespace vidno

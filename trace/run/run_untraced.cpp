@@ -1,33 +1,48 @@
+#include <utility>
+
 #include "run/untraced.h"
 
 namespace vidno {
 
 namespace {
 
-/// The units that run a kernel without a trace; none where it does not run these methods.
-struct Units {
+/// How a kernel runs without a trace; none where it does not run these methods.
+struct Runs {
     Picture (*course)(const RunRequest&);
-    Picture (*family)(const RunRequest&);
-    Picture (*regions)(const RunRequest&);
+    Picture (*family)(const RunRequest&) = nullptr;
+    Picture (*weiler_atherton)(const RunRequest&) = nullptr;
+    DrawnLines (*floating_horizon)(const FloatingHorizonRequest&) = nullptr;
 };
 
+template <KernelKind kind>
+constexpr Runs runs_under() {
+    constexpr const KernelChoice& choice = kernel_choices[std::size_t(kind)];
+    using Under = Untraced<kind>;
+    Runs runs{&Under::course};
+    if constexpr (choice.runs_family) runs.family = &Under::family;
+    if constexpr (choice.constructs_points) runs.weiler_atherton = &Under::weiler_atherton;
+    if constexpr (choice.runs_floating_horizon(Edition::corrected)) runs.floating_horizon = &Under::floating_horizon;
+    return runs;
+}
+
+template <std::size_t... kinds>
+constexpr std::array<Runs, sizeof...(kinds)> runs_of(std::index_sequence<kinds...>) {
+    return {runs_under<KernelKind(kinds)>()...};
+}
+
 /// By the places of KernelKind.
-constexpr std::array<Units, kernel_choices.size()> units{{
-    {untraced_float, untraced_family_float, untraced_regions_float},
-    {untraced_double, untraced_family_double, untraced_regions_double},
-    {untraced_bits, untraced_family_bits, untraced_regions_bits},
-    {untraced_depth, nullptr, nullptr},
-    {untraced_filtered, untraced_family_filtered, untraced_regions_filtered},
-    {untraced_grid, untraced_family_grid, nullptr},
-    {untraced_exact, untraced_family_exact, untraced_regions_exact},
-}};
+constexpr auto runs = runs_of(std::make_index_sequence<kernel_choices.size()>());
 
 }  // namespace
 
 Picture untraced_run(const RunRequest& request) {
-    const Units& of = units[std::size_t(request.kernel.kind())];
-    if (request.method == Method::weiler_atherton) return of.regions(request);
-    return is_family(request.method) ? of.family(request) : of.course(request);
+    const Runs& kernel = runs[std::size_t(request.kernel.kind())];
+    if (request.method == Method::weiler_atherton) return kernel.weiler_atherton(request);
+    return is_family(request.method) ? kernel.family(request) : kernel.course(request);
+}
+
+DrawnLines untraced_run(const FloatingHorizonRequest& request) {
+    return runs[std::size_t(request.kernel.kind())].floating_horizon(request);
 }
 
 }  // namespace vidno

@@ -14,6 +14,6 @@ Picture told_grid(const RunRequest&);
 Picture told_run_time(const RunRequest&, const Followers&);
 
 /// Weiler and Atherton's algorithm, under each kernel that runs it.
-Picture told_regions(const RunRequest&, const Followers&);
+Picture told_weiler_atherton(const RunRequest&, const Followers&);
 
 }  // namespace vidno

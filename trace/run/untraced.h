@@ -1,39 +1,26 @@
-/// Runs without a trace: one translation unit for a few kernels, each compiled for its own numbers.
+/// Runs without a trace: one translation unit a kernel, compiled for its own numbers.
 #pragma once
 
+#include "run/floating_horizon_run.h"
 #include "run/run.h"
 
 namespace vidno {
 
 /// The request has no sink and is no mistake's.
 Picture untraced_run(const RunRequest&);
+DrawnLines untraced_run(const FloatingHorizonRequest&);
 
 /// A told run whose events nobody hears.
 Picture told_to_nobody(RunRequest);
+DrawnLines told_to_nobody(FloatingHorizonRequest);
 
-// By the kernels, the methods of the course
-
-Picture untraced_float(const RunRequest&);
-Picture untraced_double(const RunRequest&);
-Picture untraced_bits(const RunRequest&);
-Picture untraced_depth(const RunRequest&);     // zbuffer only
-Picture untraced_filtered(const RunRequest&);  // the corrected edition only
-Picture untraced_grid(const RunRequest&);      // the corrected edition only, of a snapped scene (snapped_scene.h)
-Picture untraced_exact(const RunRequest&);
-
-/// The Warnock family (vidno/family/family.h), of a scene that the method takes; the corrected edition only.
-Picture untraced_family_float(const RunRequest&);
-Picture untraced_family_double(const RunRequest&);
-Picture untraced_family_bits(const RunRequest&);
-Picture untraced_family_filtered(const RunRequest&);
-Picture untraced_family_grid(const RunRequest&);  // of a snapped scene
-Picture untraced_family_exact(const RunRequest&);
-
-/// Weiler and Atherton's algorithm (vidno/weiler_atherton.h); the corrected edition only.
-Picture untraced_regions_float(const RunRequest&);
-Picture untraced_regions_double(const RunRequest&);
-Picture untraced_regions_bits(const RunRequest&);
-Picture untraced_regions_filtered(const RunRequest&);
-Picture untraced_regions_exact(const RunRequest&);
+/// A kernel's methods, of those that it runs: see its KernelChoice. Each is defined in `untraced_<kernel>.cpp`.
+template <KernelKind kind>
+struct Untraced {
+    static Picture course(const RunRequest&);
+    static Picture family(const RunRequest&);
+    static Picture weiler_atherton(const RunRequest&);
+    static DrawnLines floating_horizon(const FloatingHorizonRequest&);
+};
 
 }  // namespace vidno

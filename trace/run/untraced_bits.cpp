@@ -3,6 +3,10 @@
 
 namespace vidno {
 
-Picture untraced_bits(const RunRequest& request) { return untraced(request, Bits(request.kernel.parameter)); }
+template <>
+struct KernelOf<KernelKind::bits> {
+    static Bits made(int bits) { return Bits(bits); }
+};
+template struct Untraced<KernelKind::bits>;
 
 }  // namespace vidno

@@ -3,6 +3,10 @@
 
 namespace vidno {
 
-Picture untraced_depth(const RunRequest& request) { return untraced(request, DepthBits(request.kernel.parameter)); }
+template <>
+struct KernelOf<KernelKind::depth> {
+    static DepthBits made(int bits) { return DepthBits(bits); }
+};
+template Picture Untraced<KernelKind::depth>::course(const RunRequest&);
 
 }  // namespace vidno

@@ -3,6 +3,10 @@
 
 namespace vidno {
 
-Picture untraced_double(const RunRequest& request) { return untraced(request, Double{}); }
+template <>
+struct KernelOf<KernelKind::binary64> {
+    static Double made(int) { return Double{}; }
+};
+template struct Untraced<KernelKind::binary64>;
 
 }  // namespace vidno

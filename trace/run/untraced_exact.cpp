@@ -3,6 +3,10 @@
 
 namespace vidno {
 
-Picture untraced_exact(const RunRequest& request) { return untraced(request, Exact{}); }
+template <>
+struct KernelOf<KernelKind::exact> {
+    static Exact made(int) { return Exact{}; }
+};
+template struct Untraced<KernelKind::exact>;
 
 }  // namespace vidno

@@ -1,8 +1,13 @@
 #include "run/untraced_set.h"
-#include "vidno/kernels/filtered.h"
+#include "vidno/kernels/filtered_heights.h"
+#include "vidno/kernels/filtered_regions.h"
 
 namespace vidno {
 
-Picture untraced_filtered(const RunRequest& request) { return untraced(request, Filtered{}); }
+template <>
+struct KernelOf<KernelKind::filtered> {
+    static Filtered made(int) { return Filtered{}; }
+};
+template struct Untraced<KernelKind::filtered>;
 
 }  // namespace vidno

@@ -3,6 +3,10 @@
 
 namespace vidno {
 
-Picture untraced_float(const RunRequest& request) { return untraced(request, Float{}); }
+template <>
+struct KernelOf<KernelKind::binary32> {
+    static Float made(int) { return Float{}; }
+};
+template struct Untraced<KernelKind::binary32>;
 
 }  // namespace vidno

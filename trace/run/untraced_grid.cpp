@@ -3,6 +3,11 @@
 
 namespace vidno {
 
-Picture untraced_grid(const RunRequest& request) { return untraced(request, Grid(request.kernel.parameter)); }
+template <>
+struct KernelOf<KernelKind::grid> {
+    static Grid made(int bits) { return Grid(bits); }
+};
+template Picture Untraced<KernelKind::grid>::course(const RunRequest&);
+template Picture Untraced<KernelKind::grid>::family(const RunRequest&);
 
 }  // namespace vidno

@@ -1,32 +1,71 @@
-/// What the units of runs without a trace instantiate.
+/// What the units of runs without a trace instantiate: Untraced, once `KernelOf` makes their kernel.
 #pragma once
 
+#include "run/floating_horizon_lines.h"
 #include "run/untraced.h"
+#include "run/weiler_atherton_run.h"
+#include "vidno/family/family.h"
 #include "vidno/printed.h"
+#include "vidno/printed_floating_horizon.h"
 #include "vidno/vidno.h"
 
 namespace vidno {
 
-/// The visitor of a run without a trace: whoever waits for it sees that it goes on.
+/// `KernelOf<kind>::made(parameter)` is the kernel.
+template <KernelKind kind>
+struct KernelOf;
+
+/// The visitor of a run without a trace: its progress is one window, polygon, list or curve after the other.
 struct Pacer : NoTrace {
     const std::function<void()>& progress;
 
     void pop(Line, const auto&) { progress(); }
     void polygon(Line, const auto&) { progress(); }
+    void pop_list(Line, const auto& /*pieces*/) { progress(); }
+    void curve(Line, int /*curve*/) { progress(); }
 };
+
+template <KernelKind kind>
+using UntracedKernel = decltype(KernelOf<kind>::made(0));
+
+template <KernelKind kind>
+UntracedKernel<kind> kernel_for(const auto& request) {
+    return KernelOf<kind>::made(request.kernel.parameter);
+}
 
 template <class Set, Kernel K>
 Picture untraced_set(const RunRequest& request, const K& kernel) {
     return render<Set>(request.method, request.scene, kernel, Pacer{{}, request.progress}, request.smallest_window);
 }
 
-/// The methods of the course.
-template <Kernel K>
-Picture untraced(const RunRequest& request, const K& kernel) {
-    if constexpr (PrintedKernel<K>) {
+template <KernelKind kind>
+Picture Untraced<kind>::course(const RunRequest& request) {
+    const auto kernel = kernel_for<kind>(request);
+    if constexpr (PrintedKernel<UntracedKernel<kind>>) {
         if (request.edition == Edition::printed) return untraced_set<Printed>(request, kernel);
     }
     return untraced_set<Corrected>(request, kernel);
+}
+
+template <KernelKind kind>
+Picture Untraced<kind>::family(const RunRequest& request) {
+    const auto kernel = kernel_for<kind>(request);
+    return family::with_set_of(request.method, [&]<class Set>(Set) { return untraced_set<Set>(request, kernel); });
+}
+
+template <KernelKind kind>
+Picture Untraced<kind>::weiler_atherton(const RunRequest& request) {
+    return weiler_atherton_run(request, kernel_for<kind>(request), Pacer{{}, request.progress});
+}
+
+template <KernelKind kind>
+DrawnLines Untraced<kind>::floating_horizon(const FloatingHorizonRequest& request) {
+    const auto kernel = kernel_for<kind>(request);
+    const Pacer pacer{{}, request.progress};
+    if constexpr (PrintedKernel<UntracedKernel<kind>>) {
+        if (request.edition == Edition::printed) return lines_drawn<PrintedFloatingHorizon>(request, kernel, pacer);
+    }
+    return lines_drawn<CorrectedFloatingHorizon>(request, kernel, pacer);
 }
 
 }  // namespace vidno

@@ -1,4 +1,4 @@
-/// SignMap: what a kernel answers to a question at each place of p, beside the right answer.
+/// SignMap: how a kernel decides at each place of p, beside the right answer.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "run/run.h"
-#include "sign_map/question.h"
+#include "sign_map/mapped_decision.h"
 #include "vidno/picture.h"
 
 namespace vidno {
@@ -20,7 +20,7 @@ struct SignMap {
     };
     using Counts = std::array<std::array<int, 3>, 3>;
 
-    std::string name;  // of the question
+    std::string name;  // of the decision
     std::string_view decision;
     AnswerNames answers;
     std::string kernel;
@@ -34,8 +34,8 @@ struct SignMap {
     int differing() const;
 };
 
-/// Of the places 0 <= i, j < side <= Question::side. The decision is taken as the corrected procedures take it.
-SignMap sign_map(const Question& question, const NamedKernel& kernel, int side = Question::side);
+/// Of the places 0 <= i, j < side <= MappedDecision::side. The decision is taken as the corrected procedures take it.
+SignMap sign_map(const MappedDecision& decision, const NamedKernel& kernel, int side = MappedDecision::side);
 
 /// The computed answer is the hue; dark where it differs from the exact one.
 Color color_of(const SignMap::Cell& cell);

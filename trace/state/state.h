@@ -162,7 +162,7 @@ private:
     void take(const event::Order&) {}
     void take(const event::Paint&);
     void take(const event::Painted&) {}
-    void take(const CurveEvent auto&) { throw Impossible{"an event of a run of curves"}; }
+    void take(const FloatingHorizonEvent auto&) { throw Impossible{"an event of a run of curves"}; }
 
     Apl& current_apl();
     AplEntry& entry(PolygonPlace polygon);

@@ -8,7 +8,7 @@
 ///     {"method":"warnock","edition":"corrected","kernel":"double","detail":"signs","check":false,"most_events":1000}
 ///     {"format":"vidno-scene/1",...}
 ///
-/// For a map, the kernel and how many places it has in a row; and the file of a question:
+/// For a map, the kernel and how many places it has in a row; and the file of a decision:
 ///
 ///     {"kernel":"double","side":48}
 ///     {"format":"vidno-question/1",...}
@@ -16,13 +16,14 @@
 #include <string>
 #include <string_view>
 
-#include "check/judged_run.h"
+#include "check/checked_trace.h"
 #include "choice/method.h"
 #include "json/json_node.h"
+#include "run/write_trace.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "sign_map/map.h"
-#include "sign_map/question_json.h"
+#include "sign_map/mapped_decision_json.h"
 
 namespace vidno {
 namespace {
@@ -68,14 +69,14 @@ Options read_options(const JsonNode& root, Kind kind) {
     Options options;
     if (kind == Kind::polygons) {
         options.method = Method(place_of(root.at("method"), method_names));
-    } else if (root.at("method").text() != curve_method) {
+    } else if (root.at("method").text() != floating_horizon_method) {
         root.at("method").refuse("draws no surface");
     }
     options.edition = Edition(place_of(root.at("edition"), edition_names));
     options.kernel = read_kernel(root.at("kernel"));
     const KernelChoice& choice = *options.kernel.choice;
-    const bool runs =
-        kind == Kind::curves ? choice.runs_curves(options.edition) : choice.runs(options.method, options.edition);
+    const bool runs = kind == Kind::curves ? choice.runs_floating_horizon(options.edition)
+                                           : choice.runs(options.method, options.edition);
     if (!runs) root.at("kernel").refuse("does not run this method and edition");
     options.detail = Detail(place_of(root.at("detail"), detail_names));
     options.check = root.at("check").truth();
@@ -102,7 +103,7 @@ std::pair<std::string_view, std::string_view> parts(std::string_view request) {
 void write_run(Live& live, const Options& options, const auto& header, const auto& request) {
     const auto write = [&](std::string_view text) { live.made += text; };
     TraceWriter writer(header, write, options.most_events, &live.lines);
-    write_trace(request, writer, options.check);
+    options.check ? write_checked_trace(request, writer) : write_trace(request, writer);
 }
 
 void make_trace(Live& live) {
@@ -112,8 +113,8 @@ void make_trace(Live& live) {
     const auto& [method, edition, kernel, detail, check, most_events] = options;
     if (kind == Kind::curves) {
         const Surface surface = read_surface(file, "scene");
-        write_run(live, options, CurveHeader{edition, kernel.name(), detail, surface},
-                  CurveRequest{kernel, edition, surface.curves, detail});
+        write_run(live, options, FloatingHorizonHeader{edition, kernel.name(), detail, surface},
+                  FloatingHorizonRequest{kernel, edition, surface.curves, detail});
     } else {
         const Scene scene = read_scene_for(kernel, file, live.messages);
         if (const auto reason = refusal_of(method, scene)) throw Refused("scene: " + *reason);
@@ -128,9 +129,10 @@ void make_map(Live& live) {
         root.require_keys({"kernel", "side"});
         const NamedKernel named = read_kernel(root.at("kernel"));
         if (named.snaps()) root.at("kernel").refuse("the places of a map lie on no grid");
-        return std::pair(named, root.at("side").whole_number(1, Question::side));
+        return std::pair(named, root.at("side").whole_number(1, MappedDecision::side));
     });
-    for (const auto& [computed, exact] : sign_map(read_question(std::string(file), "question"), kernel, side).cells) {
+    for (const auto& [computed, exact] :
+         sign_map(read_mapped_decision(std::string(file), "decision"), kernel, side).cells) {
         live.made += char('0' + 3 * place_of(computed) + place_of(exact));
     }
 }

@@ -26,7 +26,7 @@
 ///   be hidden, though nothing is before it.
 #pragma once
 
-#include "horizon_run.h"
+#include "floating_horizon_run.h"
 
 namespace vidno {
 

@@ -4,7 +4,7 @@
 /// Gives   over each column the higher of the upper horizon and the segment, and the lower of the lower one and the segment.
 #pragma once
 
-#include "horizon_run.h"
+#include "floating_horizon_run.h"
 
 namespace vidno {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "horizon_kernel.h"
+#include "floating_horizon_kernel.h"
 
 namespace vidno {
 
@@ -20,7 +20,7 @@ constexpr VisibilityFlag side_beside(VisibilityFlag flag, VisibilityFlag neighbo
 }
 
 /// One of the two: a height over each column, or none where nothing has raised it yet.
-template <HorizonKernel K>
+template <FloatingHorizonKernel K>
 class HorizonArray {
 public:
     using Cell = std::optional<typename K::Height>;
@@ -41,7 +41,7 @@ private:
     std::vector<Cell> cells_;
 };
 
-template <HorizonKernel K>
+template <FloatingHorizonKernel K>
 struct Horizons {
     HorizonArray<K> upper, lower;
 
@@ -50,7 +50,7 @@ struct Horizons {
 };
 
 /// Is a height on the horizon or beyond it, on that side? Where there is none, everything is.
-template <HorizonKernel K>
+template <FloatingHorizonKernel K>
 bool reaches_horizon(const K& kernel, const typename K::Height& y, const typename HorizonArray<K>::Cell& horizon,
                      VisibilityFlag side) {
     return !horizon || kernel.compare(y, *horizon) != Sign{-int(side)};

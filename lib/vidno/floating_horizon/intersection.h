@@ -7,7 +7,7 @@
 ///         horizon there, or if the horizon begins or ends there; the last column if there is no such place.
 #pragma once
 
-#include "horizon_run.h"
+#include "floating_horizon_run.h"
 
 namespace vidno {
 

@@ -5,7 +5,7 @@
 /// Gives   the horizons raised along the edge, and the edge at the curve's end.
 #pragma once
 
-#include "horizon_run.h"
+#include "floating_horizon_run.h"
 
 namespace vidno {
 

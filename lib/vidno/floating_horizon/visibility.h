@@ -5,7 +5,7 @@
 ///         else hidden.
 #pragma once
 
-#include "horizon_run.h"
+#include "floating_horizon_run.h"
 
 namespace vidno {
 

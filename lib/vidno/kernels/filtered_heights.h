@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "../floating_horizon/horizon_kernel.h"
+#include "../floating_horizon/floating_horizon_kernel.h"
 #include "filtered.h"
 
 namespace vidno {

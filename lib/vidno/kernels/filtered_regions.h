@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "../weiler_atherton/region_kernel.h"
+#include "../weiler_atherton/weiler_atherton_kernel.h"
 #include "filtered.h"
 
 namespace vidno {

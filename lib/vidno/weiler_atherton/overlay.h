@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "insertion_sort.h"
-#include "region_kernel.h"
+#include "weiler_atherton_kernel.h"
 
 namespace vidno {
 
@@ -31,7 +31,7 @@ struct EdgePiece {
 };
 
 /// Does a region hold a point that is not on its outline? A ray to the right crosses this an odd number of times.
-template <RegionKernel K>
+template <WeilerAthertonKernel K>
 bool holds(const K& kernel, const Region<typename K::Number>& region, const Point<typename K::Number>& point) {
     bool inside = false;
     const auto is_above = [&](const auto& v) { return kernel.order_of_rows(v.at, point) == Sign::negative; };
@@ -46,7 +46,7 @@ bool holds(const K& kernel, const Region<typename K::Number>& region, const Poin
     return inside;
 }
 
-template <RegionKernel K>
+template <WeilerAthertonKernel K>
 bool is_on_outline(const K& kernel, const Region<typename K::Number>& region, const Point<typename K::Number>& point) {
     bool found = false;
     for (const auto& loop : region.loops) {
@@ -60,7 +60,7 @@ bool is_on_outline(const K& kernel, const Region<typename K::Number>& region, co
     return found;
 }
 
-template <RegionKernel K>
+template <WeilerAthertonKernel K>
 class Overlay {
 public:
     using Number = typename K::Number;

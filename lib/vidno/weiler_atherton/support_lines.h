@@ -8,12 +8,12 @@
 #include <optional>
 #include <utility>
 
-#include "region_kernel.h"
+#include "weiler_atherton_kernel.h"
 
 namespace vidno {
 
 /// The kernel must outlive them.
-template <RegionKernel K>
+template <WeilerAthertonKernel K>
 class SupportLines {
 public:
     using Number = typename K::Number;

@@ -38,7 +38,7 @@ struct PolygonPiece {
         : polygon(of), region(std::move(part)), is_ground(ground), box(box_around(region)) {}
 };
 
-template <class ProcedureSet, RegionKernel K, class Visitor>
+template <class ProcedureSet, WeilerAthertonKernel K, class Visitor>
 struct WeilerAthertonRun {
     using Set = ProcedureSet;
     using Arithmetic = K;

@@ -1,6 +1,6 @@
 import type { Counter } from '../compare/counters.js';
 import type { Sum } from '../compare/survey.js';
-import type { Abouts } from '../exactness/question.js';
+import type { Abouts } from '../exactness/mapped-decision.js';
 import type { Entry, Watch } from '../history/entry.js';
 import type { Reason } from '../history/why.js';
 import type { Language } from '../language/language.js';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { nextThing, sayThing, thingOf, thingsOf } from './pointed.js';
 import { textOf, traceOf } from '../testing/traces.js';
+import { nextThing, sayThing, thingOf, thingsOf } from './pointed.js';
 import { viewOf } from './view.js';
 import type { View } from './view.js';
 

@@ -34,6 +34,13 @@ describe('which run a scene needs', () => {
     expect(advice?.safe).toBe(advice?.cheapest);
   });
 
+  it('is no kernel that is right of another scene, the one that it snaps', () => {
+    const grid = runOf({ kernel: 'grid:8', time: 1 });
+    const advice = adviceOf([sceneOf([grid, safeZBuffer])], 'time');
+    expect(advice?.cheapest.run).toBe(grid);
+    expect(advice?.safe?.run).toBe(safeZBuffer);
+  });
+
   it('is none of a text with faults, and of none that a fault ended', () => {
     const printed = runOf({ edition: 'printed', time: 0.5 });
     const broken = runOf({ complete: false, time: 0.6 });

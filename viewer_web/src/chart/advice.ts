@@ -1,3 +1,4 @@
+import { isRightAsGiven } from '../trace/editions.js';
 import type { Cost, Run, Subject } from './format.js';
 import { byError } from './front.js';
 import { pointsOf } from './points.js';
@@ -10,9 +11,8 @@ import { axesOf, isSurface } from './subject.js';
 import { curveKnobs } from './surface-format.js';
 import type { CurveKnob, CurveRun } from './surface-format.js';
 
-/** Kernels that decide as exact arithmetic would: right in every scene, not in this one alone. */
-const alwaysRight: readonly string[] = ['filtered', 'exact'];
-const isSafe = ({ setting }: Point): boolean => alwaysRight.includes(setting.kernel);
+/** Right in every scene, not in this one alone. */
+const isSafe = ({ setting }: Point): boolean => isRightAsGiven(setting.kernel);
 
 /** What is right everywhere goes before what is as cheap. */
 const byCostThenSafety = (a: Point, b: Point): number =>

@@ -1,24 +1,19 @@
 import { between, bool, list, oneOf, part, text } from '../trace/check.js';
 import type { Check, Checked } from '../trace/check.js';
+import { isFamily, methodNames } from '../trace/editions.js';
+import type { MethodName } from '../trace/editions.js';
 import { count, editions, file, format, orNull, size, some } from './checks.js';
 
 /** Those of the course, and the variants that are compared with them. */
-const courseMethods = ['warnock', 'zbuffer', 'weiler-atherton'] as const;
-export const variants = [
-  'warnock-simplest',
-  'warnock-full',
-  'warnock-angles',
-  'warnock-vertex',
-  'warnock-edges',
-  'warnock-bodies',
-] as const;
-export const methods = [...courseMethods, ...variants] as const;
+export const variants = methodNames.filter(isFamily) as readonly Variant[];
+export const methods: readonly Method[] = ['warnock', 'zbuffer', 'weiler-atherton', ...variants];
 export const sceneKinds = ['ordinary', 'degenerate'] as const;
 export const sceneKnobs = ['bits', 'depth', 'grid', 'window'] as const;
 export const sceneCosts = ['time', 'operations', 'bits'] as const;
 export const sceneErrors = ['wrongPixels', 'area', 'wrongDecisions', 'depthUlps'] as const;
 
-export type Method = (typeof methods)[number];
+export type Method = Exclude<MethodName, 'floating-horizon'>;
+export type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'weiler-atherton'>;
 
 /** JSON has no infinity: a depth that was no number is written as a word. */
 const ulps: Check<number> = (value, path) => (value === 'inf' ? Infinity : size(value, path));

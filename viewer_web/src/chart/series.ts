@@ -1,6 +1,6 @@
 import type { Knob } from './format.js';
 import { methods, sceneKnobs, variants } from './scene-format.js';
-import type { Method, SceneRun } from './scene-format.js';
+import type { Method, SceneRun, Variant } from './scene-format.js';
 import { curveKernels, curveKnobs } from './surface-format.js';
 import type { CurveKernel, CurveRun } from './surface-format.js';
 
@@ -45,27 +45,26 @@ const shapeOf: Readonly<Record<Knob | 'none', Shape>> = {
   none: 'star',
 };
 
-const shapeOfVariant: Readonly<Record<Variant, Shape>> = {
-  'warnock-simplest': 'hexagon',
-  'warnock-full': 'cross',
-  'warnock-angles': 'wye',
-  'warnock-vertex': 'triangle2',
-  'warnock-edges': 'plus',
-  'warnock-bodies': 'asterisk',
-};
+/** Of a variant, by its place. */
+const shapesOfVariants = [
+  'hexagon',
+  'cross',
+  'wye',
+  'triangle2',
+  'plus',
+  'asterisk',
+  'times',
+] as const;
 
-/** On one sampling all kernels may come to one place: there their symbols lie on each other, the greatest below. */
-const scaleOf: Readonly<Record<CurveKernel, number>> = {
-  float: 1.5,
-  double: 1.2,
-  filtered: 0.9,
-  exact: 0.55,
-};
+/** Where a group stands among those of its kind, from 1: its colour and symbol go by that. */
+const placeIn = (groups: readonly Group[], group: Group): number => groups.indexOf(group) + 1;
 
 /** A variant of Warnock's algorithm: each has a symbol of its own, and no knob. */
-type Variant = (typeof variants)[number];
-export const isVariant = (group: Group): group is Variant => group in shapeOfVariant;
-export const isKernel = (group: Group): group is CurveKernel => group in scaleOf;
+export const isVariant = (group: Group): group is Variant => placeIn(variants, group) > 0;
+export const isKernel = (group: Group): group is CurveKernel => placeIn(curveKernels, group) > 0;
+
+/** On one sampling all kernels may come to one place: there their symbols lie on each other, the greatest below. */
+const scaleOf = (kernel: CurveKernel): number => 1.8 - 0.3 * placeIn(curveKernels, kernel);
 
 export const isOfCurves = (setting: Setting): setting is CurveSetting =>
   setting.method === 'floating-horizon';
@@ -112,12 +111,21 @@ export interface Look {
   readonly scale: number;
 }
 
+/** The colours of kernels and variants have numbers, others the series' names. */
+function colorOf(group: Group): string | null {
+  if (isKernel(group)) return `kernel-${placeIn(curveKernels, group)}`;
+  return isVariant(group) ? `variant-${placeIn(variants, group)}` : null;
+}
+
+const shapeOfVariant = (variant: Variant): Shape =>
+  shapesOfVariants[(placeIn(variants, variant) - 1) % shapesOfVariants.length] ?? 'hexagon';
+
 export function lookOf({ id, group, knob }: Series): Look {
   return {
-    color: `var(--${isKernel(group) ? group : id})`,
-    shape: isVariant(group) ? shapeOfVariant[group] : shapeOf[knob ?? 'none'],
+    color: `var(--${colorOf(group) ?? id})`,
+    shape: isVariant(group) ? shapeOfVariant(group) : shapeOf[knob ?? 'none'],
     isFilled: group === 'warnock' || isKernel(group),
-    scale: isKernel(group) ? scaleOf[group] : 1,
+    scale: isKernel(group) ? scaleOf(group) : 1,
   };
 }
 

@@ -1,14 +1,16 @@
 import { between, list, oneOf, part, text } from '../trace/check.js';
 import type { Check, Checked } from '../trace/check.js';
+import { plainKernels } from '../trace/editions.js';
+import type { PlainKernel } from '../trace/editions.js';
 import { count, editions, file, format, orNull, size, some } from './checks.js';
 
 /** Those that run curves: each has a colour of its own. */
-export const curveKernels = ['float', 'double', 'filtered', 'exact'] as const;
+export const curveKernels: readonly CurveKernel[] = plainKernels;
 export const curveKnobs = ['samples', 'tolerance'] as const;
 export const curveCosts = ['time', 'operations', 'samples'] as const;
 export const curveErrors = ['wrongColumns', 'height', 'wrongDecisions'] as const;
 
-export type CurveKernel = (typeof curveKernels)[number];
+export type CurveKernel = PlainKernel;
 export type CurveKnob = (typeof curveKnobs)[number];
 
 const counts = part({ visibilities: count, horizons: count, steps: count, crossings: count });

@@ -4,7 +4,7 @@ import { numberOf } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Polygon } from '../trace/header.js';
 import type { N } from '../trace/values.js';
-import type { About, Spot } from './question.js';
+import type { About, Spot } from './mapped-decision.js';
 
 type Vertices = Polygon['vertices'];
 

@@ -12,9 +12,9 @@ import type { Answer } from '../trace/values.js';
 import { askCheck } from './ask-check.js';
 import { exactnessStyle } from './exactness.style.js';
 import './lens.js';
+import { mappedDecisionOf } from './mapped-decision.js';
+import type { MappedDecision } from './mapped-decision.js';
 import { side } from './places.js';
-import { questionOf } from './question.js';
-import type { Question } from './question.js';
 import type { SignMap, SignMapSource } from './sign-map.js';
 import { verdictBy } from './truth.js';
 import type { Check } from './truth.js';
@@ -23,7 +23,7 @@ import type { Verdict } from './verdict.js';
 
 /** A map, and what it is of. */
 interface Drawn {
-  readonly question: Question;
+  readonly mapped: MappedDecision;
   readonly map: SignMap;
 }
 
@@ -46,10 +46,10 @@ export class ExactnessElement extends LitElement {
   @property({ attribute: false }) check!: Check;
   /** In a hall the map stands beside the numbers: nobody scrolls there. */
   @property({ type: Boolean, reflect: true }) bare = false;
-  /** The map that was drawn last, with its question: while another is drawn it stays. */
+  /** The map that was drawn last, with its decision: while another is drawn it stays. */
   @state() private drawn: Drawn | null = null;
   @state() private isDrawing = false;
-  private question: Question | null = null;
+  private mapped: MappedDecision | null = null;
 
   private get texts(): ExactTexts {
     return texts[this.view.language].exact;
@@ -57,12 +57,12 @@ export class ExactnessElement extends LitElement {
 
   override willUpdate(): void {
     const { trace, view } = this;
-    const question = questionOf(trace, view.step);
-    if (JSON.stringify(question) === JSON.stringify(this.question)) return;
-    this.question = question;
-    if (question === null || !isAlike(question, this.drawn)) this.drawn = null;
-    this.isDrawing = question !== null && this.maps !== null;
-    if (question !== null && this.maps !== null) void this.ask(question, this.maps);
+    const mapped = mappedDecisionOf(trace, view.step);
+    if (JSON.stringify(mapped) === JSON.stringify(this.mapped)) return;
+    this.mapped = mapped;
+    if (mapped === null || !isAlike(mapped, this.drawn)) this.drawn = null;
+    this.isDrawing = mapped !== null && this.maps !== null;
+    if (mapped !== null && this.maps !== null) void this.ask(mapped, this.maps);
   }
 
   /** To open this panel is to ask what is right. */
@@ -72,23 +72,23 @@ export class ExactnessElement extends LitElement {
     if (check.is === 'unchecked' && maps !== null && trace.complete && isShort) askCheck(this);
   }
 
-  private async ask(question: Question, maps: SignMapSource): Promise<void> {
-    const map = await maps.of(question, this.trace.header.kernel);
-    if (this.question !== question) return;
-    this.drawn = map && { question, map };
+  private async ask(mapped: MappedDecision, maps: SignMapSource): Promise<void> {
+    const map = await maps.of(mapped, this.trace.header.kernel);
+    if (this.mapped !== mapped) return;
+    this.drawn = map && { mapped, map };
     this.isDrawing = false;
   }
 
   override render(): TemplateResult {
-    const { question } = this;
+    const { mapped } = this;
     const verdict = verdictBy(this.check, this.trace, this.view.step);
-    if (verdict === null && question === null) {
+    if (verdict === null && mapped === null) {
       return html`${this.checked()}
         <section><p class="hint">${this.texts.nothing} ${this.hintOfWrong()}</p></section>`;
     }
     return html`
       ${this.checked()} ${verdict && this.decision(verdict)}
-      ${question === null ? this.noLens(this.texts.noLens) : this.lens(question, verdict)}
+      ${mapped === null ? this.noLens(this.texts.noLens) : this.lens(mapped, verdict)}
     `;
   }
 
@@ -176,7 +176,7 @@ export class ExactnessElement extends LitElement {
     return html`<p class="verdict wrong">✗ ${say.wrong} ${cause}</p>`;
   }
 
-  private lens({ at }: Question, verdict: Verdict | null): TemplateResult {
+  private lens({ at }: MappedDecision, verdict: Verdict | null): TemplateResult {
     const say = this.texts;
     const { drawn, isDrawing } = this;
     if (this.maps === null) return this.noLens(this.noLibrary);
@@ -188,9 +188,9 @@ export class ExactnessElement extends LitElement {
     </section>`;
   }
 
-  private map({ question, map }: Drawn, verdict: Verdict | null): TemplateResult {
+  private map({ mapped, map }: Drawn, verdict: Verdict | null): TemplateResult {
     const say = this.texts;
-    const { at, places, asked } = question;
+    const { at, places, asked } = mapped;
     const title = say.lens(numbersOf(this.view).point(at));
     return html`<section aria-busy=${this.isDrawing ? 'true' : 'false'}>
       <h3>${title}</h3>
@@ -221,8 +221,8 @@ export class ExactnessElement extends LitElement {
 }
 
 /** Whether a map is of the same kind of decision. */
-function isAlike({ asked }: Question, drawn: Drawn | null): boolean {
-  return drawn !== null && Object.keys(asked).join() === Object.keys(drawn.question.asked).join();
+function isAlike({ asked }: MappedDecision, drawn: Drawn | null): boolean {
+  return drawn !== null && Object.keys(asked).join() === Object.keys(drawn.mapped.asked).join();
 }
 
 /** In full, so that the last bit is seen. */

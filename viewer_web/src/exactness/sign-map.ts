@@ -1,5 +1,5 @@
+import type { MappedDecision } from './mapped-decision.js';
 import { middle, side } from './places.js';
-import type { Question } from './question.js';
 
 /** The characters of places whose computed sign is the exact one. */
 const sameTwice = /[048]/g;
@@ -37,5 +37,5 @@ const signOf = (place: number): Sign => (place - 1) as Sign;
 
 /** Where maps come from; null if there is none under this kernel, or if another was asked for meanwhile. */
 export interface SignMapSource {
-  of(question: Question, kernel: string): Promise<SignMap | null>;
+  of(question: MappedDecision, kernel: string): Promise<SignMap | null>;
 }

@@ -1,6 +1,6 @@
-import { eventNames, kinds, numberOf } from '../trace/events.js';
 import type { Trace } from '../replay/trace.js';
 import { isAlwaysRight } from '../trace/editions.js';
+import { eventNames, kinds, numberOf } from '../trace/events.js';
 
 /** In a checked run each of these says what is right. */
 const isDecision = eventNames.map((name) => 'exact' in kinds[name].fields);

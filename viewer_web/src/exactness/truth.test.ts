@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import type { Trace } from '../replay/trace.js';
 import { headerOf, pop, push, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import type { Trace } from '../replay/trace.js';
 import { toldOf } from './told.js';
 import { Truth, verdictBy } from './truth.js';
 import { isWrong } from './verdict.js';

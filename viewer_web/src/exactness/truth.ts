@@ -1,7 +1,7 @@
 import type { Timeline } from '../replay/timeline.js';
+import type { Trace } from '../replay/trace.js';
 import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
-import type { Trace } from '../replay/trace.js';
 import { toldOf } from './told.js';
 import type { Told } from './told.js';
 import { verdictOf } from './verdict.js';

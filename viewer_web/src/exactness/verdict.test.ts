@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { headerOf, textWith, traceOf } from '../testing/traces.js';
-import type { Event } from '../trace/events.js';
 import { isAlwaysRight } from '../trace/editions.js';
+import type { Event } from '../trace/events.js';
 import { isWrong, verdictOf } from './verdict.js';
 
 const orient: Event = {

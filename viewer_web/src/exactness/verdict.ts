@@ -1,6 +1,6 @@
+import type { Trace } from '../replay/trace.js';
 import { kinds } from '../trace/events.js';
 import type { Deciding, Decision, Event } from '../trace/events.js';
-import type { Trace } from '../replay/trace.js';
 import type { Answer, N } from '../trace/values.js';
 
 /** Whose sign, or which two numbers compared, a decision went by; as the listing calls them. */

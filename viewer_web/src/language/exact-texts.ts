@@ -1,6 +1,6 @@
+import type { Cell } from '../exactness/sign-map.js';
 import type { Unable } from '../exactness/truth.js';
 import type { Stage } from '../exactness/verdict.js';
-import type { Cell } from '../exactness/sign-map.js';
 import type { Decision, Event } from '../trace/events.js';
 import type { Answer } from '../trace/values.js';
 

@@ -1,9 +1,45 @@
+import {
+  editions,
+  editionTitle,
+  isFamily,
+  isMistake,
+  methodNames,
+  methodSays,
+  methodTitle,
+} from '../trace/editions.js';
+import type { Edition } from '../trace/editions.js';
 import type { Method, Procedure } from '../trace/events.js';
+import type { Language } from './language.js';
 
 type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'floating-horizon' | 'weiler-atherton'>;
 type OfVariants = 'Relation' | 'TrialFunction' | 'RayCrossings' | 'OctantAngles' | 'HidingPolygon';
 
 type Names = Readonly<Record<Variant, string>>;
+
+/** A text for each of some names. */
+const textsOf = <K extends string>(
+  names: readonly K[],
+  text: (name: K) => string,
+): Readonly<Record<K, string>> =>
+  Object.fromEntries(names.map((name) => [name, text(name)])) as Record<K, string>;
+
+/** The names of methods, of editions and of variants, as the program has them in a language. */
+export const methodTitles = (language: Language): Readonly<Record<Method, string>> =>
+  textsOf(methodNames, (method) => methodTitle(method)[language]);
+export const editionTitles = (
+  language: Language,
+  mistake: string,
+): Readonly<Record<Edition, string>> =>
+  textsOf(
+    editions,
+    (edition) => (isMistake(edition) ? mistake : '') + editionTitle(edition)[language],
+  );
+export const variantTitles = (language: Language): Names =>
+  textsOf(methodNames.filter(isFamily) as Variant[], (method) => methodTitle(method)[language]);
+
+/** What each method takes and does. */
+export const methodRules = (language: Language): Readonly<Record<Method, string>> =>
+  textsOf(methodNames, (method) => methodSays(method)[language]);
 
 /** The names of variants with that of the algorithm before them. */
 export function prefixed(before: string, names: Names): Names {

@@ -1,5 +1,5 @@
-import type { Layer } from '../picture/layers.js';
 import type { Zooming } from '../picture/frame.js';
+import type { Layer } from '../picture/layers.js';
 
 /** What is said of the picture and of what is shown of it. */
 export interface PictureTexts extends Readonly<Record<Zooming, string>> {

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { textOf, traceNames } from '../testing/traces.js';
 import { eventNames, numberOf } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import type { Block } from '../trace/store.js';
-import { textOf, traceNames } from '../testing/traces.js';
 import { writtenOf } from './block.js';
 import type { Written } from './block.js';
 

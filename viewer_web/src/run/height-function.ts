@@ -1,3 +1,4 @@
+import type { ConstantNode, FunctionNode, MathNode, OperatorNode, SymbolNode } from 'mathjs';
 import {
   addDependencies,
   create,
@@ -14,7 +15,6 @@ import {
   unaryMinusDependencies,
   unequalDependencies,
 } from 'mathjs/number';
-import type { ConstantNode, FunctionNode, MathNode, OperatorNode, SymbolNode } from 'mathjs';
 
 /** y of x and z. */
 export type HeightFunction = (x: number, z: number) => number;

@@ -1,8 +1,8 @@
 import { sha256 } from '@noble/hashes/sha2';
 import { numberOf } from '../trace/events.js';
+import type { EventName } from '../trace/events.js';
 import { FormulaRefused, heightFunction } from './height-function.js';
 import type { HeightFunction } from './height-function.js';
-import type { EventName } from '../trace/events.js';
 
 /** What vidno.wasm gives; `trace/wasm/live.cpp` documents it. */
 interface Exports {

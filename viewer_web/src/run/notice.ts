@@ -1,15 +1,15 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import { noticeStyle } from '../elements/notice.style.js';
+import { base } from '../elements/theme.js';
 import { complaint, texts, wrongLine } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import type { Shortened } from '../replay/read.js';
+import { Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
 import { whyRefused } from './refusal.js';
 import { emptySketch } from './sketch.js';
-import { Unreadable } from '../replay/trace.js';
-import { noticeStyle } from '../elements/notice.style.js';
-import { base } from '../elements/theme.js';
 
 /** What the page has to say about a file. */
 export type Notice =

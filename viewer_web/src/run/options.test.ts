@@ -1,59 +1,58 @@
 import { expect, it } from 'vitest';
-import { editions } from '../trace/editions.js';
+import { editions, isMistake } from '../trace/editions.js';
 import { methods } from '../trace/events.js';
 import { kernels, offeredNames, runnable, runs, usual } from './options.js';
 import type { Options } from './options.js';
 import { optionsOf, wordOf } from './packed.js';
 
-const count = (given: Partial<Options>): number =>
-  kernels.filter((kernel) => runs({ ...usual, ...given, kernel })).length;
+const missing = (given: Partial<Options>): readonly string[] =>
+  kernels.filter((kernel) => !runs({ ...usual, ...given, kernel }));
 
 it('leaves out the kernels that have no Z-buffer, and those that never err, of the printed text', () => {
-  expect(kernels).toHaveLength(10);
-  expect(count({ method: 'zbuffer' })).toBe(10);
-  expect(count({ method: 'warnock' })).toBe(8); // no depth:8, depth:16
-  expect(count({ method: 'warnock', edition: 'printed' })).toBe(5); // nor filtered, grid:4, grid:8
+  expect(kernels).toEqual(
+    expect.arrayContaining(['float', 'bits:12', 'depth:8', 'grid:4', 'exact']),
+  );
+  expect(missing({ method: 'zbuffer' })).toEqual([]);
+  expect(missing({ method: 'warnock' })).toEqual(['depth:8', 'depth:16']);
+  expect(missing({ method: 'warnock', edition: 'printed' })).toEqual(
+    expect.arrayContaining(['depth:8', 'depth:16', 'filtered', 'grid:4', 'grid:8']),
+  );
 });
 
-const mistakes = [
-  ['one-list', ['warnock']],
-  ['depths-not-cleared', ['zbuffer']],
-  ['clip-order-reversed', ['warnock']],
-  ['y-flipped', ['warnock', 'zbuffer']],
-  ['depth-sign-reversed', ['warnock', 'zbuffer']],
-  ['boundary-outside', ['warnock', 'zbuffer']],
-  ['integer-division', ['warnock']],
-  ['surround-kept', ['warnock']],
-  ['vertex-counted-twice', ['warnock-full']],
-  ['octants-not-split', ['warnock-angles']],
-  ['line-for-edge', ['warnock-full']],
-] as const;
-
 it('runs a usual mistake in the methods that can make it, in double and exact numbers', () => {
-  expect(['corrected', 'printed', ...mistakes.map(([edition]) => edition)]).toEqual(editions);
-  for (const [edition, expected] of mistakes) {
-    const ways = methods.flatMap((method) =>
+  const waysOf = (edition: Options['edition']): readonly (readonly string[])[] =>
+    methods.flatMap((method) =>
       kernels.filter((kernel) => runs({ method, edition, kernel })).map((each) => [method, each]),
     );
-    const numbers = ['double', 'exact'];
-    expect(ways).toEqual(expected.flatMap((method) => numbers.map((each) => [method, each])));
+  for (const edition of editions.filter(isMistake)) {
+    const ways = waysOf(edition);
+    const found = [...new Set(ways.map(([method]) => method))];
+    expect(found).not.toEqual([]);
+    expect(ways).toEqual(
+      found.flatMap((method) => ['double', 'exact'].map((each) => [method, each])),
+    );
   }
+  const methodsOf = (edition: Options['edition']): readonly unknown[] => [
+    ...new Set(waysOf(edition).map(([method]) => method)),
+  ];
+  expect(methodsOf('one-list')).toEqual(['warnock']);
+  expect(methodsOf('y-flipped')).toEqual(['warnock', 'zbuffer']);
+  expect(methodsOf('octants-not-split')).toEqual(['warnock-angles']);
 });
 
 it('offers the editions that a method has', () => {
   const names = Object.fromEntries(editions.map((edition) => [edition, edition]));
   const offered = (method: Options['method']): readonly string[] =>
     Object.keys(offeredNames(method, names as Parameters<typeof offeredNames>[1]));
-  expect(offered('warnock')).toEqual([
-    ...['corrected', 'printed', 'one-list', 'clip-order-reversed', 'y-flipped'],
-    ...['depth-sign-reversed', 'boundary-outside', 'integer-division', 'surround-kept'],
-  ]);
-  expect(offered('zbuffer')).toEqual([
-    ...['corrected', 'printed', 'depths-not-cleared', 'y-flipped'],
-    ...['depth-sign-reversed', 'boundary-outside'],
-  ]);
-  expect(offered('warnock-full')).toEqual(['corrected', 'vertex-counted-twice', 'line-for-edge']);
-  expect(offered('warnock-angles')).toEqual(['corrected', 'octants-not-split']);
+  const always = ['corrected', 'printed'];
+  expect(offered('warnock')).toEqual(expect.arrayContaining([...always, 'one-list', 'y-flipped']));
+  expect(offered('warnock')).not.toContain('depths-not-cleared');
+  expect(offered('zbuffer')).toEqual(
+    expect.arrayContaining([...always, 'depths-not-cleared', 'y-flipped']),
+  );
+  expect(offered('zbuffer')).not.toContain('one-list');
+  expect(offered('warnock-full')).toEqual(expect.arrayContaining(['corrected', 'line-for-edge']));
+  expect(offered('warnock-full')).not.toContain('printed');
   expect(offered('weiler-atherton')).toEqual(['corrected']);
   expect(offered('floating-horizon')).toEqual(['corrected', 'printed']);
 });
@@ -86,8 +85,8 @@ it('comes through an address', () => {
 });
 
 it('runs no printed text of a variant', () => {
-  expect(count({ method: 'warnock-full' })).toBe(8); // no depth:8, depth:16
-  expect(count({ method: 'warnock-full', edition: 'printed' })).toBe(0);
+  expect(missing({ method: 'warnock-full' })).toEqual(['depth:8', 'depth:16']);
+  expect(missing({ method: 'warnock-full', edition: 'printed' })).toEqual(kernels);
   const asked = { ...usual, method: 'warnock-full', edition: 'printed', check: true } as const;
   expect(runnable({ ...asked, kernel: 'exact' })).toEqual({
     ...asked,

@@ -1,4 +1,5 @@
 import { editions, kernelsOf, kindOfKernel } from '../trace/editions.js';
+export { offeredKernels as kernels } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
 import type { Detail, Method } from '../trace/events.js';
 
@@ -19,20 +20,6 @@ export const usual: Options = {
   detail: 'signs',
   check: false,
 };
-
-/** The kernels that the page offers, those with a number behind the colon at one or two of its values. */
-export const kernels = [
-  'float',
-  'double',
-  'bits:8',
-  'bits:12',
-  'depth:8',
-  'depth:16',
-  'filtered',
-  'grid:4',
-  'grid:8',
-  'exact',
-] as const;
 
 /** The editions of a method's text. */
 export const editionsOf = (method: Method): readonly Edition[] =>

@@ -1,5 +1,5 @@
-import { boundedText } from '../base/bounded-text.js';
 import { fromBase64, toBase64Url } from '../base/base64.js';
+import { boundedText } from '../base/bounded-text.js';
 import { editions } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
 import { details, eventsOf } from '../trace/events.js';

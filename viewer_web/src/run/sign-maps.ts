@@ -1,10 +1,10 @@
+import { mappedDecisionText } from '../exactness/mapped-decision.js';
+import type { MappedDecision } from '../exactness/mapped-decision.js';
 import { side } from '../exactness/places.js';
-import { questionText } from '../exactness/question.js';
-import type { Question } from '../exactness/question.js';
 import { SignMap } from '../exactness/sign-map.js';
 import { Maker } from './maker.js';
 
-/** Asks a kernel and exact arithmetic the same question at all its places, by the library that the page brings along. */
+/** Asks a kernel and exact arithmetic the same decision at all its places, by the library that the page brings along. */
 export class SignMaps {
   private readonly maker: Maker<'map'>;
   private tell: (map: SignMap | null) => void = () => undefined;
@@ -19,11 +19,11 @@ export class SignMaps {
   }
 
   /** Null if there is no map under this kernel, or if another was asked for meanwhile. */
-  of(question: Question, kernel: string): Promise<SignMap | null> {
+  of(decision: MappedDecision, kernel: string): Promise<SignMap | null> {
     this.tell(null);
     return new Promise((tell) => {
       this.tell = tell;
-      this.maker.ask(`${JSON.stringify({ kernel, side })}\n${questionText(question)}`);
+      this.maker.ask(`${JSON.stringify({ kernel, side })}\n${mappedDecisionText(decision)}`);
     });
   }
 

@@ -1,6 +1,6 @@
+import type { Area, Polygon, Scene } from '../trace/header.js';
 import { surfaceText } from './surface.js';
 import type { Formula } from './surface.js';
-import type { Area, Polygon, Scene } from '../trace/header.js';
 
 /**
  * A scene that is being drawn. Each change gives another; what did not change is shared. Curves may be given by a function:

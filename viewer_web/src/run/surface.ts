@@ -1,6 +1,6 @@
-import type { Sketch } from './sketch.js';
 import type { Curve } from '../trace/header.js';
 import type { Sample } from '../trace/values.js';
+import type { Sketch } from './sketch.js';
 
 type Pair = readonly [number, number];
 

@@ -1,5 +1,5 @@
-import type { Header } from '../trace/header.js';
 import { parseHeader } from '../trace/header.js';
+import type { Header } from '../trace/header.js';
 import { parseJson, parseLine } from '../trace/parse.js';
 import type { End } from '../trace/parse.js';
 import type { Block } from '../trace/store.js';

@@ -7,6 +7,7 @@ import type { decisions } from './event-table.js';
  * program's, trace/format/event.h.
  */
 
+export { isFamily } from './editions.js';
 export { callsFrom, corners, eventsOf } from './event-table.js';
 
 export const details = ['windows', 'polygons', 'signs'] as const;
@@ -71,8 +72,6 @@ export const hasWindows = (method: Method): boolean => tells(method, 'pop');
 export const drawsCurves = (method: Method): boolean => tells(method, 'curve');
 /** Whether the list of polygons is the third of three, of which the others hold what surrounds or is outside. */
 export const hasThreeLists = (method: Method): boolean => tells(method, 'join');
-/** A variant of Warnock's algorithm: its text is the corrected one. */
-export const isFamily = (method: Method): boolean => method.startsWith('warnock-');
 
 /** The names, each at its number: numbers are looked through faster than events. */
 export const eventNames = Object.keys(kinds) as readonly EventName[];

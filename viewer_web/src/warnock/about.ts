@@ -1,5 +1,5 @@
 import { depths, isSegment, last, spotOf, verticesOf } from '../exactness/about.js';
-import type { About, Abouts } from '../exactness/question.js';
+import type { About, Abouts } from '../exactness/mapped-decision.js';
 import { cornerOf } from '../picture/mark.js';
 import type { Trace } from '../replay/trace.js';
 import type { Event } from '../trace/events.js';

@@ -1,11 +1,11 @@
 import { polygonThing, windowThing } from '../algorithm/pointed.js';
-import { hasThreeLists } from '../trace/events.js';
-import type { Event } from '../trace/events.js';
-import type { Trace } from '../replay/trace.js';
 import { eventAt, inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { edgeNote, mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import type { Option, Question } from '../predict/question.js';
+import type { Trace } from '../replay/trace.js';
+import { hasThreeLists } from '../trace/events.js';
+import type { Event } from '../trace/events.js';
 
 /** More crossings than a convex outline has. */
 const counts = ['0', '1', '2', '3', '4'];

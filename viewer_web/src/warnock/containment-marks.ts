@@ -1,11 +1,11 @@
+import type { View } from '../algorithm/view.js';
 import { signed } from '../language/words.js';
-import type { Warnock } from './state.js';
+import { edgeOf, note, path, point } from '../picture/mark.js';
+import type { Mark, Spot } from '../picture/mark.js';
 import type { Event } from '../trace/events.js';
 import type { Polygon, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
-import type { View } from '../algorithm/view.js';
-import { edgeOf, note, path, point } from '../picture/mark.js';
-import type { Mark, Spot } from '../picture/mark.js';
+import type { Warnock } from './state.js';
 
 /** How far from a window the numbers of its octants stand, by its sides. */
 const outward = 0.4;

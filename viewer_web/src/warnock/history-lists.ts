@@ -1,5 +1,5 @@
-import type { Apl, Warnock } from './state.js';
 import type { WarnockEvents } from '../trace/events.js';
+import type { Apl, Warnock } from './state.js';
 
 /** The ids of a list of active polygons; windows that share one hold the same object. */
 interface List {

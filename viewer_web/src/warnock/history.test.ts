@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { historyIn, last, say, steps } from '../testing/histories.js';
 import { sayWhy } from '../history/say.js';
+import { historyIn, last, say, steps } from '../testing/histories.js';
 
 describe('in Warnock’s algorithm', () => {
   it('a pixel has the windows that it lies in, one in another', async () => {

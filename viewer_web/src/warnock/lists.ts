@@ -1,8 +1,8 @@
+import type { Screen } from '../replay/screen.js';
 import type { Event, WarnockEvents } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box } from '../trace/values.js';
-import type { Screen } from '../replay/screen.js';
 import type { Apl, Entry, Warnock } from './state.js';
 
 /** The windows that were divided on the way to the next one. */

@@ -2,20 +2,20 @@ import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
-import type { FamilyTexts } from '../language/family-texts.js';
-import { texts } from '../i18n/index.js';
 import { cornerThing, polygonThing, windowThing } from '../algorithm/pointed.js';
-import { emptyWarnock } from './state.js';
-import type { Entry, Joined, StackedWindow, Warnock } from './state.js';
-import { hasThreeLists } from '../trace/events.js';
-import type { Corner } from '../trace/values.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import { listValues } from './list-values.js';
 import { chipsCell, listOf, rowsOf } from '../elements/lists.js';
 import { panelsStyle } from '../elements/panels.style.js';
 import { isSet, polygonName, swatch, value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
+import { texts } from '../i18n/index.js';
+import type { FamilyTexts } from '../language/family-texts.js';
+import { hasThreeLists } from '../trace/events.js';
+import type { Corner } from '../trace/values.js';
+import { listValues } from './list-values.js';
+import { emptyWarnock } from './state.js';
+import type { Entry, Joined, StackedWindow, Warnock } from './state.js';
 
 /** The state of Warnock's algorithm: the window in hand, its list, its corners, and the stack. */
 @customElement('vidno-warnock')

@@ -1,7 +1,7 @@
+import type { View } from '../algorithm/view.js';
 import { cornerOf } from '../picture/mark.js';
 import { corners } from '../trace/events.js';
 import type { Corner, N } from '../trace/values.js';
-import type { View } from '../algorithm/view.js';
 
 /** What is known of a corner of the current window. */
 export interface CornerDepth {

@@ -1,5 +1,5 @@
 import { depths, last } from '../exactness/about.js';
-import type { About, Abouts } from '../exactness/question.js';
+import type { About, Abouts } from '../exactness/mapped-decision.js';
 import type { Trace } from '../replay/trace.js';
 import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';

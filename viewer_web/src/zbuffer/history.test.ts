@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { sayWhy } from '../history/say.js';
 import { historyIn, last, readHistory, say, steps } from '../testing/histories.js';
 import { headerOf, textWith } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { sayWhy } from '../history/say.js';
 
 describe('in the Z-buffer', () => {
   it('a pixel that both polygons take has their lines of its row', async () => {

@@ -3,15 +3,15 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { classMap } from 'lit/directives/class-map.js';
 import { edgeThing } from '../algorithm/pointed.js';
-import { emptyZBuffer } from './state.js';
-import type { ActiveEdge, ZBuffer } from './state.js';
-import type { N } from '../trace/values.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
-import './depths.js';
 import { panelsStyle } from '../elements/panels.style.js';
 import { isSet, numberCell, polygonName, value } from '../elements/parts.js';
 import { base } from '../elements/theme.js';
+import type { N } from '../trace/values.js';
+import './depths.js';
+import { emptyZBuffer } from './state.js';
+import type { ActiveEdge, ZBuffer } from './state.js';
 
 /** The state of the Z-buffer algorithm: the scanline, S, AEL, and the depths around the scanline. */
 @customElement('vidno-zbuffer')

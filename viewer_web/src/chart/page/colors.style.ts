@@ -19,16 +19,18 @@ export const colors = css`
     --zbuffer-window: #56606f;
     --zbuffer-fixed: var(--ink);
     --weiler-atherton-fixed: #c2185b;
-    --warnock-simplest-fixed: #8c5e00;
-    --warnock-full-fixed: #00608f;
-    --warnock-angles-fixed: #a3416f;
-    --warnock-vertex-fixed: #00745a;
-    --warnock-edges-fixed: #b34700;
-    --warnock-bodies-fixed: #5a3fc0;
-    --float: #0072b2;
-    --double: #d55e00;
-    --filtered: #00825f;
-    --exact: var(--ink);
+    --variant-1: #8c5e00;
+    --variant-2: #00608f;
+    --variant-3: #a3416f;
+    --variant-4: #00745a;
+    --variant-5: #b34700;
+    --variant-6: #5a3fc0;
+    --variant-7: #56606f;
+    --kernel-1: #0072b2;
+    --kernel-2: #d55e00;
+    --kernel-3: #00825f;
+    --kernel-4: var(--ink);
+    --kernel-5: #b4568c;
   }
   @media (prefers-color-scheme: dark) {
     :host {
@@ -43,15 +45,17 @@ export const colors = css`
       --zbuffer-grid: #dd8fbb;
       --zbuffer-window: #9aa5b5;
       --weiler-atherton-fixed: #ff8fb3;
-      --warnock-simplest-fixed: #e0b458;
-      --warnock-full-fixed: #6cc3f2;
-      --warnock-angles-fixed: #f0a0c8;
-      --warnock-vertex-fixed: #35d0a4;
-      --warnock-edges-fixed: #ff9a55;
-      --warnock-bodies-fixed: #b3a2ff;
-      --float: #3d9be0;
-      --double: #f07a22;
-      --filtered: #19b98c;
+      --variant-1: #e0b458;
+      --variant-2: #6cc3f2;
+      --variant-3: #f0a0c8;
+      --variant-4: #35d0a4;
+      --variant-5: #ff9a55;
+      --variant-6: #b3a2ff;
+      --variant-7: #9aa5b5;
+      --kernel-1: #3d9be0;
+      --kernel-2: #f07a22;
+      --kernel-3: #19b98c;
+      --kernel-5: #dd8fbb;
     }
   }
 `;

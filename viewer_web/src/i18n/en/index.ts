@@ -1,21 +1,4 @@
 import type { Texts } from '../../language/texts.js';
-import { bookmarks } from './bookmarks.js';
-import { curves } from './curves.js';
-import { exact } from './exact.js';
-import { compare } from './compare.js';
-import { family } from './family.js';
-import { history } from './history.js';
-import { page, places, purposes } from './page.js';
-import { picture } from './picture.js';
-import { predict } from './predict.js';
-import { reader } from './reader.js';
-import { regions } from './regions.js';
-import { reasons } from './reasons.js';
-import { scene } from './scene.js';
-import { sentences } from './sentences.js';
-import { solid } from './solid.js';
-import { strip } from './strip.js';
-import { travel } from './travel.js';
 import {
   inFull,
   joined,
@@ -27,6 +10,23 @@ import {
   whole,
   windowText,
 } from '../../language/words.js';
+import { bookmarks } from './bookmarks.js';
+import { compare } from './compare.js';
+import { curves } from './curves.js';
+import { exact } from './exact.js';
+import { family } from './family.js';
+import { history } from './history.js';
+import { page, places, purposes } from './page.js';
+import { picture } from './picture.js';
+import { predict } from './predict.js';
+import { reader } from './reader.js';
+import { reasons } from './reasons.js';
+import { regions } from './regions.js';
+import { scene } from './scene.js';
+import { sentences } from './sentences.js';
+import { solid } from './solid.js';
+import { strip } from './strip.js';
+import { travel } from './travel.js';
 
 export const texts: Texts = {
   numbers: { inFull, joined, list, point, short, shortApart, signed, whole, windowText },

@@ -1,3 +1,4 @@
+import { editionTitles, methodTitles } from '../../language/family-texts.js';
 import type { PageTexts, Texts } from '../../language/texts.js';
 import { family } from './family.js';
 
@@ -23,29 +24,9 @@ export const page: PageTexts = {
   },
   wrongLine: (line, where, reason) =>
     `Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}. You see the run up to there.`,
-  methods: {
-    warnock: 'Warnock',
-    zbuffer: 'Z-buffer',
-    ...family.methods,
-    'floating-horizon': 'Floating horizon',
-    'weiler-atherton': 'Weiler–Atherton',
-  },
+  methods: { ...methodTitles('en'), ...family.methods },
   checked: 'checked',
-  editions: {
-    corrected: 'corrected',
-    printed: 'as printed',
-    'one-list': 'mistake: one list for all parts',
-    'depths-not-cleared': 'mistake: Z not cleared',
-    'clip-order-reversed': 'mistake: clip order reversed',
-    'y-flipped': 'mistake: y flipped',
-    'depth-sign-reversed': 'mistake: sign of z reversed',
-    'boundary-outside': 'mistake: boundary outside',
-    'integer-division': 'mistake: integer division',
-    'surround-kept': 'mistake: hasSurround never reset',
-    'vertex-counted-twice': 'mistake: pierced vertex counted twice',
-    'octants-not-split': 'mistake: half angle not split',
-    'line-for-edge': 'mistake: line taken for edge',
-  },
+  editions: editionTitles('en', 'mistake: '),
   kernel: 'numbers',
   scene: (file) => file.replaceAll('-', ' '),
   detail: 'detail',

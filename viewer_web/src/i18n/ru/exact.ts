@@ -1,5 +1,5 @@
-import type { Answer } from '../../trace/values.js';
 import type { ExactTexts } from '../../language/exact-texts.js';
+import type { Answer } from '../../trace/values.js';
 
 const answer = (value: Answer): string => {
   if (typeof value === 'boolean') return value ? 'да' : 'нет';

@@ -1,3 +1,4 @@
+import { editionTitles, methodTitles } from '../../language/family-texts.js';
 import type { PageTexts, Texts } from '../../language/texts.js';
 import { family } from './family.js';
 import { sceneNames } from './scene-names.js';
@@ -25,29 +26,9 @@ export const page: PageTexts = {
   },
   wrongLine: (line, where, reason) =>
     `Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}. Показан прогон до этого места.`,
-  methods: {
-    warnock: 'Алгоритм Варнока',
-    zbuffer: 'Z-буфер',
-    ...family.methods,
-    'floating-horizon': 'Плавающий горизонт',
-    'weiler-atherton': 'Вейлер — Азертон',
-  },
+  methods: { ...methodTitles('ru'), ...family.methods },
   checked: 'с проверкой',
-  editions: {
-    corrected: 'исправленный текст',
-    printed: 'как напечатано',
-    'one-list': 'ошибка: один список на все части',
-    'depths-not-cleared': 'ошибка: Z не очищен',
-    'clip-order-reversed': 'ошибка: обратный порядок отсечения',
-    'y-flipped': 'ошибка: y перевёрнут',
-    'depth-sign-reversed': 'ошибка: обратный знак z',
-    'boundary-outside': 'ошибка: граница снаружи',
-    'integer-division': 'ошибка: деление нацело',
-    'surround-kept': 'ошибка: hasSurround не сбрасывается',
-    'vertex-counted-twice': 'ошибка: проткнутая вершина за два',
-    'octants-not-split': 'ошибка: развёрнутый угол не разбит',
-    'line-for-edge': 'ошибка: прямая вместо ребра',
-  },
+  editions: editionTitles('ru', 'ошибка: '),
   kernel: 'числа',
   scene: (file) => {
     const [, name = file, size = ''] = /^(.+?)(?:-(\d+))?$/u.exec(file) ?? [];

@@ -1,0 +1,155 @@
+/// WeilerAthertonKernel: the arithmetic of Weiler and Atherton's algorithm: lines, the points where they meet, and depths there.
+///
+/// OnRegions<K> is a kernel K that does so, each formula worked out in K's own numbers; the one for `filtered` stands in
+/// kernels/filtered_regions.h. A vertex is always made from two lines of the scene, never from vertices made before: so its
+/// coordinates do not grow longer under exact numbers, nor drift under others.
+#pragma once
+
+#include <concepts>
+#include <utility>
+
+#include "region.h"
+
+namespace vidno {
+
+template <class K>
+concept WeilerAthertonKernel = requires(const K& kernel, const typename K::Number& number,
+                                        const Point<typename K::Number>& point,
+                                        const LoopVertex<typename K::Number>& vertex,
+                                        const SupportLine<typename K::Number>& line,
+                                        const vidno::Plane<typename K::Number>& plane,
+                                        const Region<typename K::Number>& region) {
+    // From the scene and the screen.
+    { kernel.vertex(glm::dvec3{}) } -> std::same_as<Vertex<typename K::Number>>;
+    { kernel.place(0.0, 0.0) } -> std::same_as<Point<typename K::Number>>;
+
+    { kernel.line_through(point, point) } -> std::same_as<SupportLine<typename K::Number>>;
+    // Where two planes meet that are not parallel: the first is nearer on its positive side. The point is one near the scene.
+    { kernel.parallel(plane, plane) } -> std::same_as<bool>;
+    { kernel.line_of(plane, plane, point) } -> std::same_as<SupportLine<typename K::Number>>;
+
+    // On which side of a line; and on which of an edge's line, to the left of it or to the right on its row.
+    { kernel.side(line, point) } -> std::same_as<Sign>;
+    { kernel.side(line, vertex) } -> std::same_as<Sign>;
+    { kernel.left_of(point, line) } -> std::same_as<bool>;
+    // Of lines that are not parallel.
+    { kernel.meet(line, line) } -> std::same_as<Point<typename K::Number>>;
+    { kernel.middle(point, point) } -> std::same_as<Point<typename K::Number>>;
+    { kernel.mean(region) } -> std::same_as<Point<typename K::Number>>;  // of its vertices
+
+    // The x of an edge's line on the row of a point, and the pixels next to it as in kernel.h.
+    { kernel.on_row(line, point) } -> std::same_as<typename K::Number>;
+    { kernel.first_centre(number, 0, 1) } -> std::same_as<int>;
+    { kernel.last_centre(number, 0, 1) } -> std::same_as<int>;
+
+    // By x and then by y; and by y alone. Of vertices, whether they are at one place.
+    { kernel.order(point, point) } -> std::same_as<Sign>;
+    { kernel.order_of_rows(point, point) } -> std::same_as<Sign>;
+    { kernel.same_place(vertex, vertex) } -> std::same_as<bool>;
+    // (a - pivot) x (b - pivot), its sign: pivot, a, b.
+    { kernel.turn(point, point, point) } -> std::same_as<Sign>;
+
+    // Depths: positive if the first is nearer.
+    { kernel.depth(plane, point) } -> std::same_as<typename K::Number>;
+    { kernel.compare(number, number) } -> std::same_as<Sign>;
+};
+
+template <class K>
+struct OnRegions : K {
+    using Number = typename K::Number;
+    using Place = Point<Number>;
+    using Edge = SupportLine<Number>;
+    using Planes = vidno::Plane<Number>;
+    using K::number;
+
+    OnRegions() = default;
+    explicit OnRegions(K kernel) : K(std::move(kernel)) {}
+
+    Vertex<Number> vertex(const glm::dvec3& v) const { return {number(v.x), number(v.y), number(v.z)}; }
+    Place place(double x, double y) const { return {number(x), number(y)}; }
+
+    /// At both points the formula of `side` gives 0 in any numbers.
+    Edge line_through(const Place& p, const Place& q) const { return {p.y - q.y, q.x - p.x, p}; }
+
+    bool parallel(const Planes& p, const Planes& q) const {
+        const auto [a, b] = slope_over(p, q);
+        return K::sign(a) == Sign::zero && K::sign(b) == Sign::zero;
+    }
+    bool parallel(const Edge& line, const Edge& other) const { return K::sign(cross(line, other)) == Sign::zero; }
+    /// Its point is the one next to the given one.
+    Edge line_of(const Planes& p, const Planes& q, const Place& near) const {
+        const auto [a, b] = slope_over(p, q);
+        const Number t = (depth(p, near) - depth(q, near)) / (a * a + b * b);
+        return {a, b, {near.x - a * t, near.y - b * t}};
+    }
+
+    Sign side(const Edge& line, const Place& p) const { return K::sign(height_over(line, p)); }
+    Sign side(const Edge& line, const LoopVertex<Number>& v) const {
+        return v.on(line) ? Sign::zero : side(line, v.at);
+    }
+    bool left_of(const Place& p, const Edge& line) const {
+        const Sign s = side(line, p);
+        return s != Sign::zero && s == -K::sign(line.a);
+    }
+
+    Place meet(const Edge& line, const Edge& other) const {
+        const Number height = height_over(other, line.on);
+        const Number divisor = cross(line, other);
+        return {line.on.x + line.b * height / divisor, line.on.y - line.a * height / divisor};
+    }
+
+    /// Of a line that is not level.
+    Number on_row(const Edge& line, const Place& p) const { return line.on.x - line.b * (p.y - line.on.y) / line.a; }
+
+    Place middle(const Place& p, const Place& q) const {
+        const Number two = number(2);
+        return {(p.x + q.x) / two, (p.y + q.y) / two};
+    }
+
+    Place mean(const Region<Number>& region) const {
+        Place sum = place(0, 0);
+        int count = 0;
+        for (const auto& loop : region.loops) {
+            for (const auto& v : loop) {
+                sum = {sum.x + v.at.x, sum.y + v.at.y};
+                ++count;
+            }
+        }
+        return {sum.x / number(count), sum.y / number(count)};
+    }
+
+    Sign order(const Place& p, const Place& q) const {
+        const Sign by_x = compare(p.x, q.x);
+        return by_x != Sign::zero ? by_x : compare(p.y, q.y);
+    }
+    Sign order_of_rows(const Place& p, const Place& q) const { return compare(p.y, q.y); }
+
+    bool same_place(const LoopVertex<Number>& v, const LoopVertex<Number>& w) const {
+        return meet_once(*this, v, w) || order(v.at, w.at) == Sign::zero;
+    }
+
+    Sign turn(const Place& pivot, const Place& p, const Place& q) const {
+        return K::sign((p.x - pivot.x) * (q.y - pivot.y) - (p.y - pivot.y) * (q.x - pivot.x));
+    }
+
+    Number depth(const Planes& plane, const Place& p) const {
+        return -(plane.a * p.x + plane.b * p.y + plane.d) / plane.c;
+    }
+    Sign compare(const Number& v, const Number& w) const { return K::sign(v - w); }
+
+protected:
+    /// Are both where the same two lines meet, which do so once.
+    static bool meet_once(const auto& kernel, const LoopVertex<Number>& v, const LoopVertex<Number>& w) {
+        return v.before != v.after && w.on(*v.before) && w.on(*v.after) && !kernel.parallel(*v.before, *v.after);
+    }
+
+private:
+    /// Of the depth of one plane over that of another.
+    static Place slope_over(const Planes& p, const Planes& q) { return {q.a / q.c - p.a / p.c, q.b / q.c - p.b / p.c}; }
+    static Number cross(const Edge& line, const Edge& other) { return line.a * other.b - line.b * other.a; }
+    static Number height_over(const Edge& line, const Place& p) {
+        return line.a * (p.x - line.on.x) + line.b * (p.y - line.on.y);
+    }
+};
+
+}  // namespace vidno

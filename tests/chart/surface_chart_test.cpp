@@ -1,0 +1,179 @@
+// Charts of surfaces: what sampling costs and what it misses, on a surface small enough to be counted by hand.
+
+#include "chart/surface_chart.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "chart/chart_input.h"
+#include "refused.h"
+#include "run/floating_horizon_run.h"
+
+using namespace vidno;
+using nlohmann::json;
+
+namespace {
+
+/// Three level curves over 33 columns, in rows from below at 14, 10 and 6. The middle one has a peak at column 10, two columns to
+/// each side and 6 rows high. It hides the last curve where 10 - 6 + 3 |x - 10| < 6, which is over column 10 alone.
+const std::string peak = R"({"format":"vidno-surface/1","name":"Peak","window":{"x":0,"y":0,"width":33,"height":16},)"
+                         R"("function":"z == 1 ? max(0, 6 - 3 * abs(x - 10)) : 0","x":[0,32],"z":[2,0],"curves":3,)"
+                         R"("samples":9,"view":{"origin":[0,14],"across":[32,0],"back":[0,-4],"up":1}})";
+
+Function function_of(const std::string& text) { return read_function(text, "s.json"); }
+
+SurfaceChart charted(const std::string& text) {
+    return chart_of(function_of(text), [] {});
+}
+
+SurfaceChartRun run_in(const SurfaceChart& chart, const std::string& kernel, Edition edition,
+                       std::optional<SamplingKnob> knob, double value = 0) {
+    const auto found = std::find_if(chart.runs.begin(), chart.runs.end(), [&](const SurfaceChartRun& run) {
+        const SurfaceWay& way = run.way;
+        return way.kernel.name() == kernel && way.edition == edition && way.knob == knob && way.value == value;
+    });
+    REQUIRE(found != chart.runs.end());
+    return *found;
+}
+
+FloatingHorizonOperationCounts counted(std::uint64_t visibilities, std::uint64_t horizons, std::uint64_t steps,
+                                       std::uint64_t crossings) {
+    return {visibilities, horizons, steps, crossings};
+}
+
+}  // namespace
+
+TEST_CASE("Chart of a surface: each kernel in each edition that it runs, on the file's sampling and each other") {
+    const auto ways = ways_to_draw(function_of(peak).surface);
+    // 2, 3, 5, 9, 17, 33 samples; 16, 8, ..., 1/16 pixel; and as they are: under float, double, filtered, exact, and as printed
+    // under all of these but filtered.
+    CHECK(ways.size() == (6 + 9 + 1) * (4 + 3));
+    CHECK(turns_of(function_of(peak)) == ways.size() * 6);
+    std::vector<double> samples;
+    for (const auto& [kernel, edition, knob, value] : ways) {
+        if (kernel.name() == "exact" && edition == Edition::printed && knob == SamplingKnob::samples) {
+            samples.push_back(value);
+        }
+    }
+    CHECK(samples == std::vector<double>{2, 3, 5, 9, 17, 33});
+}
+
+TEST_CASE("Chart of a surface: a peak that falls between two samples") {
+    const SurfaceChart chart = charted(peak);
+    CHECK(chart.curves == 3);
+    CHECK(chart.columns == 3 * 33);
+    for (const std::string kernel : {"float", "double", "filtered", "exact"}) {
+        CAPTURE(kernel);
+        const auto missed = run_in(chart, kernel, Edition::corrected, std::nullopt);
+        CHECK(missed.cost.samples == 3 * 9);
+        CHECK(missed.found.height == 6);
+        CHECK_MESSAGE(missed.found.wrong_columns == 1, "the last curve over column 10");
+        CHECK_MESSAGE(missed.found.wrong_decisions == 0, "every decision is right for these samples");
+        // All is visible: of each curve 33 columns, and 32 steps from one to the next, of which both columns are gone along.
+        CHECK(missed.found.operations == counted(3 * 33, 3 * 32 * 2, 0, 0));
+
+        const auto found = run_in(chart, kernel, Edition::corrected, SamplingKnob::samples, 33);
+        CHECK(found.cost.samples == 3 * 33);
+        CHECK(found.found.height == 0);
+        CHECK(found.found.wrong_columns == 0);
+        // Of the last curve 30 steps are visible; on the two beside column 10 it meets the horizon: a column gone along, one
+        // looked at, a crossing.
+        CHECK(found.found.operations == counted(3 * 33, 2 * 64 + 30 * 2 + 2, 2, 2));
+        CHECK(found.cost.operations == 99 + 190 + 2 + 2);
+    }
+}
+
+TEST_CASE("Chart of a surface: a tolerance takes the samples that the function needs") {
+    const SurfaceChart chart = charted(peak);
+    // Halved while the peak is between: 0, 8, 10, 12, 16, 32. The level curves have their ends.
+    for (const double tolerance : {4., 1., 1 / 16.}) {
+        CAPTURE(tolerance);
+        const auto found = run_in(chart, "double", Edition::corrected, SamplingKnob::tolerance, tolerance);
+        CHECK(found.cost.samples == 6 + 2 + 2);
+        CHECK(found.found.height == 0);
+        CHECK(found.found.wrong_columns == 0);
+    }
+    const auto missed = run_in(chart, "double", Edition::corrected, SamplingKnob::tolerance, 8);
+    CHECK_MESSAGE(missed.cost.samples == 3 * 2, "no column is farther off than 8 pixels");
+    CHECK(missed.found.height == 6);
+}
+
+TEST_CASE("Chart of a surface: as printed, columns are looked at only where samples stand") {
+    const SurfaceChart chart = charted(peak);
+    // Of each curve 9 columns, and 8 steps of 4, each with 5 columns; both side edges of the second and third curve, a column each.
+    const auto missed = run_in(chart, "exact", Edition::printed, std::nullopt);
+    CHECK(missed.found.operations == counted(3 * 9, 3 * 8 * 5 + 4, 0, 0));
+    CHECK(missed.found.wrong_columns == 1);
+}
+
+TEST_CASE("Chart of a surface: on the front nothing is cheaper and as right, and the first of equal runs counts") {
+    const SurfaceChart chart = charted(peak);
+    std::vector<std::pair<double, double>> front;  // samples, wrong columns
+    for (const auto& run : chart.runs) {
+        if (run.on_front[2][0]) front.emplace_back(run.cost.samples, double(run.found.wrong_columns));
+    }
+    std::sort(front.begin(), front.end());
+    CHECK(front == std::vector<std::pair<double, double>>{{6, 1}, {10, 0}});
+}
+
+TEST_CASE("Chart of a surface: JSON, CSV, and JSON read again") {
+    const std::vector<SurfaceChart> charts{charted(peak)};
+    const std::string text = chart_json(charts);
+    const json told = json::parse(text);
+    CHECK(told["format"] == "vidno-chart/1");
+    const json& surface = told["surfaces"][0];
+    CHECK(surface["name"] == "Peak");
+    CHECK(surface["columns"] == 99);
+    CHECK(surface["surface"] == json::parse(peak));
+    const json& first = surface["runs"][0];
+    CHECK(first["kernel"] == "float");
+    CHECK(first["knob"].is_null());
+    CHECK(first["samples"] == 27);
+    CHECK(first["counts"]["visibilities"] == 99);
+    CHECK(first["wrongColumns"] == 1);
+    CHECK(first["height"] == 6);
+
+    std::istringstream csv(chart_csv(charts));
+    std::string head, row;
+    std::getline(csv, head);
+    CHECK(head.starts_with("surface.name,surface.curves,surface.columns,method,kernel,edition,knob,value,seconds,"));
+    std::getline(csv, row);
+    CHECK(row.starts_with("\"Peak\",3,99,\"floating-horizon\",\"float\",\"corrected\",,,"));
+
+    const AnyChart again = read_chart(text, "chart.json");
+    REQUIRE(std::holds_alternative<std::vector<SurfaceChart>>(again));
+    const auto& surfaces = std::get<std::vector<SurfaceChart>>(again);
+    CHECK_MESSAGE(chart_script(surfaces, 2, 0) == chart_script(charts, 2, 0), "all that a figure needs is read");
+}
+
+TEST_CASE("Chart of a surface: the figure has a series for each kernel, edition and knob, in both languages") {
+    const std::vector<SurfaceChart> charts{charted(peak)};
+    const std::string script = chart_script(charts, 2, 1);
+    for (const std::string title : {"'tolerance, double'", "'samples, exact, printed'", "'as given, filtered'",
+                                    "'samples'", "'height missed, pixels'"}) {
+        CHECK_MESSAGE(script.find(title) != script.npos, title);
+    }
+    const std::string russian = chart_script(charts, 2, 1, {}, surface_chart_in_russian);
+    CHECK(russian.find("'допуск, double, как напечатано'") != russian.npos);
+}
+
+TEST_CASE("Chart of a surface: samples alone have no function, and a function is finite over each column") {
+    const auto refusal = [](const std::string& text) -> std::string {
+        try {
+            function_of(text);
+        } catch (const Refused& refused) {
+            return refused.what();
+        }
+        return "taken";
+    };
+    CHECK(refusal(R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":9,"height":9},"curves":[]})") ==
+          "s.json: no function, which could be sampled in other ways");
+    // Between the samples 0, 4, 8, ...; column 5 is where x is 5.
+    std::string text = peak;
+    const std::string level = "z == 1 ? max(0, 6 - 3 * abs(x - 10)) : 0";
+    text.replace(text.find(level), level.size(), "1 / (x - 5)");
+    CHECK(refusal(text) == "s.json: /function: not finite at x = 5, z = 2");
+}

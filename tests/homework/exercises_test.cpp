@@ -1,0 +1,184 @@
+// Exercises made from a scene: as hard, and other.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "homework/exercises.h"
+#include "homework/profile.h"
+#include "output.h"
+#include "refused.h"
+#include "scene/scene_json.h"
+#include "stability/shrink.h"
+#include "support/scenes.h"
+#include "support/workplace.h"
+
+namespace vidno {
+
+namespace {
+
+struct Original {
+    const char* scene;
+    Method method;
+};
+
+const std::array originals{Original{VIDNO_ROOT "/lessons/01-four-relations/scene.json", Method::warnock},
+                           Original{VIDNO_ROOT "/lessons/03-subdivision/scene.json", Method::warnock},
+                           Original{VIDNO_ROOT "/lessons/07-z-buffer-ael/scene.json", Method::zbuffer}};
+
+Scene read(const std::string& file) { return read_scene(read_file(file), file).scene; }
+
+std::vector<Scene> some_exercises(const Scene& scene, Method method, std::uint64_t seed = 7) {
+    return exercises_of(scene, method, 6, seed, [](std::size_t) {});
+}
+
+int most_binary_places(const ScenePolygon& polygon) {
+    int most = 0;
+    for (const auto& vertex : polygon.vertices) {
+        for (int axis = 0; axis < 3; ++axis) most = std::max(most, binary_places(vertex[axis]));
+    }
+    return most;
+}
+
+/// The pixels' colours, read as if the picture were mirrored (1, 2) or turned by half (3).
+std::vector<Color> seen(const Picture& picture, int how) {
+    const Area& area = picture.area();
+    std::vector<Color> colors;
+    for (int y = 0; y < area.height; ++y) {
+        for (int x = 0; x < area.width; ++x) {
+            colors.push_back(
+                picture.at(area.x + (how & 1 ? area.width - 1 - x : x), area.y + (how & 2 ? area.height - 1 - y : y)));
+        }
+    }
+    return colors;
+}
+
+}  // namespace
+
+TEST_CASE("profile: the windows of one quad in the upper left quarter, by hand") {
+    // The quad's box is inside the whole window, and no other polygon is there: one window, one entry, W10 and W11.
+    const Scene scene = test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).build();
+    const Profile profile = profiled_run(scene, Method::warnock).profile;
+    CHECK(profile.counts == std::map<std::string, std::uint64_t>{{"entries of APLs", 1}, {"single at level 0", 1}});
+    CHECK(profile.met.contains("line W11"));
+    CHECK_FALSE(profile.met.contains("line W13"));
+    CHECK_FALSE(profile.met.contains("tie"));
+}
+
+TEST_CASE("profile: rows, changes of the AEL and pixels of a quad behind another, by hand") {
+    // Four rows, 1.5 to 4.5; two edges enter and leave, and step to each of the other three rows. The second quad has
+    // the same 16 pixels: its depth is the same, so that it loses each of them in a tie.
+    const Scene scene = test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).quad(1, 1, 5, 5, 0).build();
+    const Profile profile = profiled_run(scene, Method::zbuffer).profile;
+    CHECK(profile.counts == std::map<std::string, std::uint64_t>{{"changes of the AEL of A", 10},
+                                                                 {"changes of the AEL of B", 10},
+                                                                 {"pixels rejected of B", 16},
+                                                                 {"pixels written of A", 16},
+                                                                 {"rows of A", 4},
+                                                                 {"rows of B", 4}});
+    CHECK(profile.met.contains("tie"));
+}
+
+TEST_CASE("profile: as hard is the same but for a tenth, and a twentieth of the whole") {
+    const Profile original{{"line W13"}, {{"split at level 0", 1}, {"pixel at level 4", 40}}};
+    const auto with = [&](std::uint64_t splits, std::uint64_t pixels) {
+        Profile profile = original;
+        profile.counts = {{"split at level 0", splits}, {"pixel at level 4", pixels}};
+        return profile;
+    };
+    CHECK(is_as_hard(original, original));
+    CHECK(is_as_hard(with(1, 43), original));        // 3 of 41 are what a twentieth, 2.05, is rounded up to
+    CHECK_FALSE(is_as_hard(with(1, 44), original));  // a tenth of 40, but more than a twentieth of the whole
+    CHECK_FALSE(is_as_hard(with(3, 40), original));  // 2 more than 1
+    CHECK_FALSE(is_as_hard({{"line W12"}, original.counts}, original));
+}
+
+TEST_CASE("exercises: as hard as the lesson's scene, no finer numbers, and admitted as a file") {
+    for (const auto& [name, method] : originals) {
+        const std::string file = name;
+        CAPTURE(file);
+        const Scene original = read(file);
+        const Profile profile = profiled_run(original, method).profile;
+        const auto exercises = some_exercises(original, method);
+        REQUIRE(exercises.size() == 6);
+        for (const Scene& exercise : exercises) {
+            CHECK(read_scene(scene_json(exercise), "exercise.json").warnings.empty());
+            CHECK(read_scene(scene_json(exercise), "exercise.json").scene == exercise);
+            CHECK_NOTHROW(expect_by_hand(exercise, "exercise.json"));
+            CHECK(is_as_hard(profiled_run(exercise, method).profile, profile));
+            REQUIRE(exercise.polygons.size() == original.polygons.size());
+            for (std::size_t i = 0; i < exercise.polygons.size(); ++i) {
+                CHECK(exercise.polygons[i].id == original.polygons[i].id);
+                CHECK(exercise.polygons[i].color == original.polygons[i].color);
+                CHECK(exercise.polygons[i].vertices.size() == original.polygons[i].vertices.size());
+                CHECK(most_binary_places(exercise.polygons[i]) <= most_binary_places(original.polygons[i]));
+            }
+        }
+    }
+}
+
+TEST_CASE("exercises: no two show the same picture, mirrored or not, nor that of the original") {
+    for (const auto& [name, method] : originals) {
+        const std::string file = name;
+        CAPTURE(file);
+        auto scenes = some_exercises(read(file), method);
+        scenes.push_back(read(file));
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                const Picture one = profiled_run(scenes[i], method).picture;
+                const Picture other = profiled_run(scenes[j], method).picture;
+                for (int how = 0; how < 4; ++how) CHECK(seen(one, 0) != seen(other, how));
+            }
+        }
+    }
+}
+
+TEST_CASE("exercises: the same seed gives the same scenes, another one others") {
+    const Scene scene = read(originals[0].scene);
+    const auto exercises = some_exercises(scene, Method::warnock);
+    CHECK(some_exercises(scene, Method::warnock) == exercises);
+    CHECK(some_exercises(scene, Method::warnock, 8) != exercises);
+}
+
+TEST_CASE("homework: where nothing can be moved there are none, and fewer than wanted is exit 1") {
+    // One pixel that one polygon covers: every exercise made from it has the same picture.
+    const Workplace work;
+    const std::string scene =
+        work.write("scene.json", R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":1,"height":1},"polygons":[)"
+                                 R"({"color":"#ff0000","vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}]})");
+    const auto outcome = program("homework " + scene + " --count 3 -o " + work.file("homework"));
+    CHECK(outcome.status == 1);
+    CHECK(outcome.text.find("0 of 3 exercises") != std::string::npos);
+    CHECK(std::filesystem::is_empty(work.file("homework")));
+}
+
+TEST_CASE("homework: numbered files, the same bytes each time, by the command's earlier name, too") {
+    const Workplace work;
+    const std::string words = std::string(" ") + originals[2].scene + " --method zbuffer --count 3 --seed 5 -o ";
+    REQUIRE(program("homework" + words + work.file("a")).status == 0);
+    REQUIRE(program("variants" + words + work.file("b")).status == 0);
+    for (const std::string name : {"01.json", "02.json", "03.json"}) {
+        CHECK(work.read("a/" + name) == work.read("b/" + name));
+        CHECK(work.read("a/" + name).find("A pentagon and its active edges · " + name.substr(0, 2)) !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("exercises: a scene that nobody works by hand is refused") {
+    const auto refusal = [](const Scene& scene) {
+        try {
+            expect_by_hand(scene, "scene.json");
+        } catch (const Refused& refused) {
+            return std::string(refused.what());
+        }
+        return std::string();
+    };
+    CHECK(refusal(test::SceneBuilder(test::area_16).build()) == "scene.json: polygons: there are none");
+    // 0.1 is 3602879701896397 / 2^55.
+    CHECK(refusal(test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0.1).build()).find("55 binary places") !=
+          std::string::npos);
+    CHECK(refusal(test::SceneBuilder(test::area_16).quad(1, 1, 5, 5, 0).build()).empty());
+}
+
+}  // namespace vidno

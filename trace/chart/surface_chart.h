@@ -1,0 +1,96 @@
+/// SurfaceChart: what each sampling of a surface costs, and how far what is drawn is from the function. What Chart is to scenes.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chart/axes.h"
+#include "chart/chart_plot.h"
+#include "run/run.h"
+#include "scene/surface.h"
+
+namespace vidno {
+
+/// How a surface is sampled otherwise than its file says: evenly, so many samples a curve; or from its ends on, one more
+/// halfway as long as the curve is farther than so many pixels from the line between two.
+enum class SamplingKnob : unsigned char { samples, tolerance };
+inline constexpr std::array<std::string_view, 2> sampling_knob_names{"samples", "tolerance"};
+
+/// A way to draw a surface.
+struct SurfaceWay {
+    NamedKernel kernel;
+    Edition edition = Edition::corrected;
+    std::optional<SamplingKnob> knob{};
+    double value = 0;  // how far it is turned
+};
+
+/// The elementary steps of the listings, by columns: held against the horizons, gone along by Horizon, looked at by
+/// Intersection; and crossings computed.
+enum class FloatingHorizonOperation : unsigned char { visibilities, horizons, steps, crossings };
+inline constexpr std::array<std::string_view, 4> floating_horizon_operation_names{"visibilities", "horizons", "steps",
+                                                                                  "crossings"};
+using FloatingHorizonOperationCounts = std::array<std::uint64_t, floating_horizon_operation_names.size()>;
+
+struct SurfaceCost {
+    double seconds = 0;  // of the lines without a trace, from samples that are there
+    double time = 0;     // relative to the surface's fastest run
+    double operations = 0;
+    double samples = 0;  // of all curves together
+};
+
+struct SurfaceFindings {
+    FloatingHorizonOperationCounts operations{};
+    std::uint64_t wrong_columns = 0;  // of all curves, drawn and hidden by the function, or the other way round
+    double height = 0;                // the farthest that a curve is from the function over a column, in pixels
+    std::uint64_t decisions = 0, wrong_decisions = 0;
+};
+
+struct SurfaceChartRun {
+    SurfaceWay way;
+    SurfaceCost cost;
+    SurfaceFindings found;
+    Fronts<3, 3> on_front{};
+
+    bool is_complete() const { return true; }  // no text of the floating horizon has a fault
+};
+
+extern const CostAxes<SurfaceChartRun, 3> surface_cost_axes;
+extern const ErrorAxes<SurfaceChartRun, 3> surface_error_axes;
+
+struct SurfaceChart {
+    std::string name;
+    std::size_t curves = 0, columns = 0;  // of all curves together
+    std::vector<SurfaceChartRun> runs{};
+    std::string surface{};  // its file, as it samples it
+};
+
+/// The sampling of the file and both knobs at each place, under each kernel that runs curves, in each edition that it runs.
+std::vector<SurfaceWay> ways_to_draw(const FunctionSurface& surface);
+
+/// Of curves together; a chart takes no more.
+inline constexpr std::size_t most_charted_columns = std::size_t{1} << 16;
+
+/// How often a chart of the surface calls its `progress`.
+std::size_t turns_of(const Function& function);
+
+SurfaceChart chart_of(const Function& function, const std::function<void()>& progress);
+
+std::string chart_json(const std::vector<SurfaceChart>& surfaces);
+std::string chart_csv(const std::vector<SurfaceChart>& surfaces);
+
+/// The words in a chart's figure.
+struct SurfaceChartWords {
+    std::array<std::string_view, 3> costs, errors;  // by the places of the axes
+    std::array<std::string_view, 2> knobs;
+    std::string_view as_given, printed, front;
+};
+extern const SurfaceChartWords surface_chart_in_english, surface_chart_in_russian;
+
+/// The program by which gnuplot draws a panel a surface, as SVG. The axes are given by their places.
+std::string chart_script(const std::vector<SurfaceChart>& surfaces, std::size_t cost, std::size_t error,
+                         const PlotLayout& layout = {}, const SurfaceChartWords& words = surface_chart_in_english);
+
+}  // namespace vidno

@@ -1,0 +1,62 @@
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "format/trace_reader.h"
+
+namespace vidno::cli {
+
+namespace {
+
+struct DiffOptions {
+    std::string first, second;
+};
+
+/// A trace of which only the events count.
+struct Told {
+    AnyTraceReader reader;
+    EventText text;
+
+    explicit Told(const std::string& file)
+        : reader(open_trace(LineReader(file), file)),
+          text(std::visit([](const auto& each) { return polygon_names(each.header().scene); }, reader)) {}
+
+    /// None at the end.
+    std::optional<std::string> next_line() {
+        const auto event = std::visit([](auto& each) { return each.next(); }, reader);
+        if (!event) return std::nullopt;
+        Text line;
+        event->visit([&](const auto& e) { text.line(line, e); });
+        return line.string();
+    }
+};
+
+int diff(const DiffOptions& options) {
+    Told first(options.first);
+    Told second(options.second);
+    Progress progress("steps");
+    for (std::uint64_t step = 1;; ++step) {
+        progress.show(step);
+        const auto a = first.next_line();
+        const auto b = second.next_line();
+        if (!a && !b) return 0;
+        if (a == b) continue;
+        progress.clear();
+        std::cout << "the traces part at step " << step << "\n- " << a.value_or("(the end)\n") << "+ "
+                  << b.value_or("(the end)\n");
+        return 1;
+    }
+}
+
+}  // namespace
+
+void add_diff(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("diff", "Find the first step where two traces part");
+    const auto options = std::make_shared<DiffOptions>();
+    command.add_option("A", options->first, "A trace")->required();
+    command.add_option("B", options->second, "Another, for example of another kernel")->required();
+    command.footer("Headers are not compared. Exit status 1: the traces part.");
+    command.callback([options, &status] { status = diff(*options); });
+}
+
+}  // namespace vidno::cli

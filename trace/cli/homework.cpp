@@ -1,0 +1,77 @@
+#include "homework/exercises.h"
+
+#include <filesystem>
+#include <iostream>
+
+#include "choice/method.h"
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
+#include "output.h"
+#include "scene/scene_json.h"
+
+namespace vidno::cli {
+
+namespace {
+
+struct HomeworkOptions {
+    std::string scene, output;
+    std::string method = "warnock";
+    std::size_t count = 30;
+    std::uint64_t seed = 1;
+};
+
+/// From 01: as many digits as the last one has, so that names sort as numbers.
+std::string number_of(std::size_t place, std::size_t count) {
+    const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
+    const std::string number = std::to_string(place + 1);
+    return std::string(digits - number.size(), '0') + number;
+}
+
+int homework(const HomeworkOptions& options) {
+    const std::filesystem::path folder(options.output);
+    if (std::filesystem::exists(folder)) throw Refused(options.output + ": is there already");
+    const Scene scene = scene_from(options.scene);
+    expect_by_hand(scene, options.scene);
+    Progress progress("exercises");
+    auto found = exercises_of(scene, Method(place_in(method_names, options.method)), options.count, options.seed,
+                              [&](std::size_t so_far) { progress.show(so_far, options.count); });
+    progress.clear();
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Refused(options.output + ": cannot be made: " + error.message());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const std::string number = number_of(i, options.count);
+        found[i].name += (scene.name.empty() ? "" : " · ") + number;
+        write_file(folder / (number + ".json"), scene_json(found[i]) + '\n');
+    }
+    if (found.size() == options.count) return 0;
+    std::cerr << options.output << ": " << found.size() << " of " << options.count
+              << " exercises: no more were found (another --seed may find more)\n";
+    return 1;
+}
+
+}  // namespace
+
+void add_homework(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("homework", "Make scenes as hard as this one, with other numbers");
+    const auto options = std::make_shared<HomeworkOptions>();
+    command.alias("variants");  // as it was called before
+    command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1; - for standard input")->required();
+    command.add_option("--count", options->count, "How many")
+        ->check(CLI::Range(std::size_t{1}, most_exercises))
+        ->capture_default_str();
+    command.add_option("--seed", options->seed, "Another one, other scenes")->capture_default_str();
+    command.add_option("--method", options->method, "By which algorithm they are as hard")
+        ->check(CLI::IsMember(words(course_method_names)))
+        ->capture_default_str();
+    command.add_option("-o", options->output, "The folder, which is not there yet: 01.json and so on")->required();
+    command.footer(
+        "As hard: the same lines of the listing are reached and the same cases met, as often but for a tenth.\n"
+        "Example: vidno homework scene.json --count 30 --seed 7 -o homework\n"
+        "Exit status 1: there are fewer than wanted.");
+    command.callback([options, &status] { status = homework(*options); });
+}
+
+}  // namespace vidno::cli

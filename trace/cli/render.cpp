@@ -1,0 +1,82 @@
+#include "cli/commands.h"
+#include "cli/shared/progress.h"
+#include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
+#include "figure/encoded.h"
+#include "figure/floating_horizon_parts.h"
+#include "figure/weiler_atherton_parts.h"
+#include "output.h"
+#include "picture/image.h"
+#include "regions/region_output.h"
+
+namespace vidno::cli {
+
+namespace {
+
+struct RenderOptions : RunOptions {
+    std::string output;
+};
+
+std::string paced_by(Method method) {
+    if (method == Method::weiler_atherton) return "lists";
+    return is_warnock(method) ? "windows" : "polygons";
+}
+
+/// Visible regions are polygons: JSON, or a drawing.
+bool is_of_regions(const RenderOptions& options) {
+    const std::string& name = options.output;
+    return method_of(options) == Method::weiler_atherton &&
+           (name.ends_with(".json") || name.ends_with(".svg") || name.ends_with(".pdf") || name.ends_with(".tex"));
+}
+
+std::string encoded_regions(RunRequest request, const std::string& output) {
+    std::vector<ShownRegion> regions;
+    request.regions = &regions;
+    run(request);
+    if (output.ends_with(".json")) return regions_json(regions, request);
+    return figures::encoded(figures::drawn_regions(regions, request.scene), {request.scene.name}, output);
+}
+
+std::string rendered(const RenderOptions& options, const Scene& given) {
+    const bool of_regions = is_of_regions(options);
+    if (!of_regions) encode_image(Picture({0, 0, 1, 1}, {}), options.output);  // refuses a wrong name before the work
+    const NamedKernel kernel = kernel_of(options);
+    const Scene scene = scene_for(kernel, given, options.scene);
+    expect_admitted(method_of(options), scene, options.scene);
+    RunRequest request = request_of(options, kernel, scene);
+    Progress progress(paced_by(request.method));
+    request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
+    return of_regions ? encoded_regions(request, options.output) : encode_image(run(request), options.output);
+}
+std::string rendered(const RenderOptions& options, const Surface& surface) {
+    figures::format_of(options.output);  // refuses a wrong name before the work
+    FloatingHorizonRequest request = request_of(options, surface);
+    Progress progress("curves");
+    request.progress = [&, done = 0ULL]() mutable { progress.show(++done); };
+    return figures::encoded(figures::drawn_lines(run(request), surface.curves.area), {surface.name}, options.output);
+}
+
+int render(const RenderOptions& options) {
+    const AnyScene any = any_scene_from(options.scene, options.method);
+    OutputFile file(options.output);
+    file.write(std::visit([&](const auto& scene) { return rendered(options, scene); }, any));
+    file.commit();
+    return 0;
+}
+
+}  // namespace
+
+void add_render(CLI::App& program, int& status) {
+    auto& command = *program.add_subcommand("render", "Run a method and keep only the picture");
+    const auto options = std::make_shared<RenderOptions>();
+    add_any_run_options(command, *options);
+    command
+        .add_option("-o", options->output,
+                    "The picture, .png or .ppm, of a surface its lines, .svg, .pdf, .png or .tex, of weiler-atherton "
+                    "also its regions, .json, .svg, .pdf or .tex; - writes PPM or SVG to standard output")
+        ->required();
+    command.footer("Example: vidno render scene.json --method zbuffer --kernel exact -o picture.png");
+    command.callback([options, &status] { status = render(*options); });
+}
+
+}  // namespace vidno::cli

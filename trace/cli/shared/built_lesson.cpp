@@ -1,0 +1,81 @@
+#include "cli/shared/built_lesson.h"
+
+#include <iostream>
+#include <map>
+
+#include "cli/shared/drawn_figure.h"
+#include "refused.h"
+
+namespace vidno::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The options of a figure's command. Its files are named from the folder that has the lessons' folder in it.
+FigureOptions options_of(const std::string& command, const Lesson& lesson) {
+    FigureOptions options = figure_options(command);
+    if (!options.output.ends_with(".svg")) throw Refused(options.output + ": not .svg");
+    const auto top = lesson.place.parent_path().parent_path();
+    options.input = (top / options.input).string();
+    return options;
+}
+
+Figures figures_of(const Lesson& lesson, const Story& story, const std::string& language, Problems& problems) {
+    Figures figures;
+    for (const auto& [line, command, file] : story.figures) {
+        try {
+            FigureOptions options = options_of(command, lesson);
+            options.language = language;
+            figures[file] = drawn_figure(options);
+        } catch (const Refused& refused) {
+            problems.push_back({story.file, line, refused.what()});
+        }
+    }
+    return figures;
+}
+
+}  // namespace
+
+BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
+    const Lesson lesson = read_lesson(folder, problems);
+    check_lesson(lesson, problems);
+    std::map<std::string, std::string> texts;  // of the traces, by their runs
+    const Steps steps =
+        run_lesson(lesson, problems, [&](const LessonRun& run, std::string_view text) { texts[run.name] += text; });
+    const Figures in_english = figures_of(lesson, lesson.english, "en", problems);
+    const Figures in_russian = figures_of(lesson, lesson.russian, "ru", problems);
+
+    BuiltLesson made;
+    made.story_name = lesson.id + ".lesson.json";
+    made.story = lesson_json(lesson, steps, in_english, in_russian);
+    Json traces = Json::array();
+    for (const auto& run : lesson.runs) {
+        const std::string file = run.trace_file(lesson.id);
+        made.traces.emplace_back(file, std::move(texts[run.name]));
+        Json trace{{"file", file},
+                   {"method", run.method},
+                   {"kernel", run.kernel},
+                   {"edition", edition_names[std::size_t(run.edition)]},
+                   {"detail", detail_names[std::size_t(run.detail)]}};
+        if (!run.other_scene().empty()) trace["scene"] = run.other_scene();
+        traces.push_back(std::move(trace));
+    }
+    made.entry = {{"id", lesson.id},
+                  {"title", {{"en", lesson.english.plain_title}, {"ru", lesson.russian.plain_title}}},
+                  {"traces", std::move(traces)},
+                  {"story", made.story_name}};
+    return made;
+}
+
+void check_figures(const Lesson& lesson, Problems& problems) {
+    figures_of(lesson, lesson.english, "en", problems);
+    figures_of(lesson, lesson.russian, "ru", problems);
+}
+
+int status_after(const Problems& problems) {
+    for (const auto& problem : problems) std::cerr << problem.text() << '\n';
+    return problems.empty() ? 0 : 1;
+}
+
+}  // namespace vidno::cli

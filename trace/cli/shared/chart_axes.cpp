@@ -1,0 +1,70 @@
+#include "cli/shared/chart_axes.h"
+
+#include "chart/chart.h"
+#include "cli/shared/run_options.h"
+#include "refused.h"
+
+namespace vidno::cli {
+
+namespace {
+
+/// Of things that have one, in their order.
+std::vector<std::string> names_of(const auto& named) {
+    std::vector<std::string> names;
+    for (const auto& each : named) names.emplace_back(each.name);
+    return names;
+}
+
+/// The place of an axis; the first one if none is named.
+std::size_t place_of(const std::string& option, const std::optional<std::string>& name, const auto& axes) {
+    if (!name) return 0;
+    const auto names = names_of(axes);
+    const std::size_t place = place_in(names, *name);
+    if (place < names.size()) return place;
+    std::string there;
+    for (const auto& each : names) there += (there.empty() ? "" : ", ") + each;
+    throw Refused(option + " " + *name + ": this chart has " + there);
+}
+
+/// Of the cost and of the error.
+std::pair<std::size_t, std::size_t> places_of(const AxisOptions& axes, const auto& costs, const auto& errors) {
+    return {place_of("--cost", axes.cost, costs), place_of("--error", axes.error, errors)};
+}
+
+}  // namespace
+
+void add_axes(CLI::App& command, AxisOptions& axes, const std::string& cost) {
+    const auto all = [](auto names, const auto& more) {
+        for (const auto& name : more) {
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        }
+        return names;
+    };
+    command.add_option("--cost", axes.cost, cost)
+        ->check(CLI::IsMember(all(names_of(cost_axes), names_of(surface_cost_axes))));
+    command.add_option("--error", axes.error, "And from below [wrongPixels, of surfaces wrongColumns]")
+        ->check(CLI::IsMember(all(names_of(error_axes), names_of(surface_error_axes))));
+}
+
+void expect_axes(const AxisOptions& axes, bool of_surfaces) {
+    if (of_surfaces) {
+        places_of(axes, surface_cost_axes, surface_error_axes);
+    } else {
+        places_of(axes, cost_axes, error_axes);
+    }
+}
+
+std::string script_of(const std::vector<SceneChart>& scenes, const AxisOptions& axes, const PlotLayout& layout,
+                      bool in_russian) {
+    const auto [cost, error] = places_of(axes, cost_axes, error_axes);
+    return chart_script(scenes, cost, error, layout, in_russian ? chart_in_russian : chart_in_english);
+}
+
+std::string script_of(const std::vector<SurfaceChart>& surfaces, const AxisOptions& axes, const PlotLayout& layout,
+                      bool in_russian) {
+    const auto [cost, error] = places_of(axes, surface_cost_axes, surface_error_axes);
+    return chart_script(surfaces, cost, error, layout,
+                        in_russian ? surface_chart_in_russian : surface_chart_in_english);
+}
+
+}  // namespace vidno::cli

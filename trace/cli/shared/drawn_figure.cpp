@@ -1,0 +1,351 @@
+#include "cli/shared/drawn_figure.h"
+
+#include <filesystem>
+
+#include "chart/chart.h"
+#include "cli/shared/run_options.h"
+#include "cli/shared/trace_files.h"
+#include "event_table/joined_texts.h"
+#include "figure/encoded.h"
+#include "figure/figure.h"
+#include "figure/figure_words.h"
+#include "figure/map_figure.h"
+#include "format/trace_reader.h"
+#include "json/json_node.h"
+#include "lesson/event_lines.h"
+#include "lesson/lesson.h"
+#include "output.h"
+#include "page/program.h"
+#include "sign_map/mapped_decision_json.h"
+
+namespace vidno::cli {
+
+namespace {
+
+using figures::About;
+using figures::encoded;
+using figures::Format;
+using figures::format_of;
+using figures::Language;
+
+constexpr std::uint64_t most_panels = 200;
+constexpr double column_width = 80, page_width = 170, slide_width = 140, slide_height = 72;  // millimetres
+
+[[noreturn]] void refuse(const std::string& option, const std::string& reason) {
+    throw Refused(option + ": " + reason);
+}
+
+std::uint64_t whole_number(const std::string& text, const std::string& option) {
+    std::uint64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, number);
+    if (text.empty() || result.ec != std::errc() || result.ptr != end) refuse(option, text + " is no whole number");
+    return number;
+}
+
+std::vector<std::string> split(const std::string& text, const std::string& by) {
+    std::vector<std::string> parts;
+    std::size_t from = 0;
+    for (auto at = text.find(by); at != text.npos; at = text.find(by, from)) {
+        parts.push_back(text.substr(from, at - from));
+        from = at + by.size();
+    }
+    parts.push_back(text.substr(from));
+    return parts;
+}
+
+/// `7`, `7,9,40`, `7..40` or `7..40:3`.
+std::vector<std::uint64_t> steps_of(const std::string& text) {
+    const std::string option = "--steps " + text;
+    std::vector<std::uint64_t> steps;
+    const auto ends = split(text, "..");
+    if (ends.size() == 1) {
+        for (const auto& each : split(text, ",")) steps.push_back(whole_number(each, option));
+        if (!std::is_sorted(steps.begin(), steps.end(), std::less_equal<>())) refuse(option, "steps must rise");
+    } else {
+        const auto last = split(ends[1], ":");
+        if (ends.size() > 2 || last.size() > 2) refuse(option, "not A..B or A..B:BY");
+        const std::uint64_t first = whole_number(ends[0], option);
+        const std::uint64_t end = whole_number(last[0], option);
+        const std::uint64_t by = last.size() == 2 ? whole_number(last[1], option) : 1;
+        if (by == 0 || first > end) refuse(option, "no step lies there");
+        if ((end - first) / by >= most_panels) refuse(option, "more than " + std::to_string(most_panels) + " steps");
+        for (std::uint64_t step = first; step <= end; step += by) steps.push_back(step);
+    }
+    if (steps.size() > most_panels) refuse(option, "more than " + std::to_string(most_panels) + " steps");
+    return steps;
+}
+
+/// `80`, `80mm` or `8cm`, in millimetres.
+double length_of(const std::string& text) {
+    constexpr double least = 30, most = 1000;
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const std::string unit(error == std::errc() ? end : "?");
+    if (unit == "cm") number *= 10;
+    if (unit != "cm" && unit != "mm") refuse("--width " + text, "not a length in mm or cm");
+    if (!(number >= least && number <= most)) refuse("--width " + text, "not between 3 cm and 1 m");
+    return number;
+}
+
+figures::Pixel pixel_of(const std::string& text, const Area& area) {
+    const std::string option = "--pixel " + text;
+    const auto parts = split(text, ",");
+    figures::Pixel pixel;
+    const auto read = [&](const std::string& part, int& to) {
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), to);
+        return !part.empty() && error == std::errc() && end == part.data() + part.size();
+    };
+    if (parts.size() != 2 || !read(parts[0], pixel.x) || !read(parts[1], pixel.y)) refuse(option, "not X,Y");
+    if (!area.contains(pixel.x, pixel.y)) refuse(option, "no pixel of the area");
+    return pixel;
+}
+
+std::vector<figures::Part> parts_of(const FigureOptions& options) {
+    std::vector<figures::Part> parts;
+    for (const auto& name : split(options.show, ",")) {
+        const auto place = place_in(figures::part_names, name);
+        if (place == figures::part_names.size()) {
+            const auto names = joined_texts(figures::part_names, ", ", [](auto each) { return std::string(each); });
+            refuse("--show " + options.show, name + " is not one of " + names);
+        }
+        parts.push_back(figures::Part(place));
+    }
+    return parts;
+}
+
+figures::Style style_of(const FigureOptions& options) {
+    return {Language(place_in(figures::language_codes, options.language)), options.greyscale};
+}
+
+/// Goes through a trace and draws what is wanted on the way, told of each event. Without steps, the last one.
+void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>& steps, const std::string& file,
+                auto&& draw, auto&& hear) {
+    std::size_t next = 0;
+    const auto draw_if_wanted = [&] {
+        if (next == steps.size() || moment.state().step() != steps[next]) return;
+        draw();
+        ++next;
+    };
+    draw_if_wanted();
+    const auto take = [&](const EventView& event) { moment.take(event); };
+    while ((steps.empty() || next < steps.size()) && take_next(trace, take)) {
+        hear();
+        draw_if_wanted();
+    }
+    if (steps.empty()) draw();
+    if (next < steps.size()) refuse_step(file, steps[next], moment.state().step());
+}
+
+/// The history of the pixel that is asked about, if it is shown.
+std::optional<figures::PixelHistory> history_in(const FigureOptions& options, const figures::Options& drawing,
+                                                const Area& area) {
+    if (!drawing.shows(figures::Part::history)) {
+        if (!options.pixel.empty()) refuse("--pixel", "it needs --show history");
+        return std::nullopt;
+    }
+    if (options.pixel.empty()) refuse("--show history", "of which pixel? --pixel X,Y");
+    return figures::PixelHistory(pixel_of(options.pixel, area));
+}
+
+figures::Figure drawn(TraceReader& reader, const std::vector<std::uint64_t>& steps, const figures::Options& drawing,
+                      const FigureOptions& options) {
+    auto history = history_in(options, drawing, reader.header().scene.area);
+    figures::Figure figure(drawing);
+    figures::Moment moment(reader.header());
+    const auto draw = [&] { figure.add(moment, history); };
+    const auto hear = [&] {
+        if (history) history->take(moment);
+    };
+    go_through(reader, moment, steps, options.input, draw, hear);
+    return figure;
+}
+
+figures::Figure drawn(FloatingHorizonTraceReader& reader, const std::vector<std::uint64_t>& steps,
+                      const figures::Options& drawing, const FigureOptions& options) {
+    if (!options.pixel.empty()) refuse("--pixel", "a run of curves paints no pixels");
+    figures::Figure figure(drawing);
+    figures::FloatingHorizonMoment moment(reader.header());
+    go_through(
+        reader, moment, steps, options.input, [&] { figure.add(moment); }, [] {});
+    return figure;
+}
+
+std::string method_in(const TraceHeader& header, const figures::FigureWords& words) {
+    if (header.method == Method::weiler_atherton) return std::string(words.weiler_atherton);
+    const std::string method(is_warnock(header.method) ? words.warnock : words.z_buffer);
+    return is_family(header.method) ? method + " (" + std::string(method_names[std::size_t(header.method)]) + ")"
+                                    : method;
+}
+std::string method_in(const FloatingHorizonHeader&, const figures::FigureWords& words) {
+    return std::string(words.floating_horizon);
+}
+
+std::string title_of(const auto& header, const std::vector<std::uint64_t>& steps, const figures::FigureWords& words) {
+    std::string title = header.scene.name.empty() ? "" : header.scene.name + " · ";
+    title += method_in(header, words);
+    if (!steps.empty()) title += " · " + std::string(words.step) + " " + std::to_string(steps.front());
+    return title + (steps.size() > 1 ? "–" + std::to_string(steps.back()) : "");
+}
+
+struct ToldSteps {
+    LineReader lines;
+    std::vector<std::uint64_t> steps;
+};
+
+/// A pin is a step of its lesson's run, which is traced for it.
+ToldSteps pinned_step(const FigureOptions& options) {
+    Problems problems;
+    const Lesson lesson = read_lesson(options.input, problems);
+    const auto& pins = lesson.pins;
+    const auto pin = std::find_if(pins.begin(), pins.end(), [&](const Pin& each) { return each.name == options.pin; });
+    if (pin == pins.end()) refuse("--pin " + options.pin, options.input + " has no such pin");
+    const LessonRun& run = lesson.run(pin->run);
+    std::string text;
+    PinSearch search(*pin);
+    EventLines lines;
+    trace_run(scene_of(lesson, run), run, [&](std::string_view part) {
+        text += part;
+        lines.take(part, [&](std::uint64_t step, std::string_view line) { search.hear(step, line); });
+    });
+    if (!search.step()) refuse("--pin " + options.pin, search.objection());
+    return {LineReader::of_text(std::move(text)), {*search.step()}};
+}
+
+ToldSteps told_steps(const FigureOptions& options) {
+    const bool is_lesson = std::filesystem::is_directory(options.input);
+    if (is_lesson != !options.pin.empty()) refuse(options.input, "--pin is of a folder of a lesson, and needed there");
+    if (is_lesson) return pinned_step(options);
+    LineReader lines(options.input);
+    if (options.step) return {std::move(lines), {*options.step}};
+    if (!options.steps.empty()) return {std::move(lines), steps_of(options.steps)};
+    return {std::move(lines), {}};
+}
+
+std::string drawn_trace(const FigureOptions& options) {
+    if (options.beamer && format_of(options.output) != Format::tikz) refuse("--beamer", "it makes a .tex file");
+    auto [lines, steps] = told_steps(options);
+
+    figures::Options drawing{.show = parts_of(options), .style = style_of(options)};
+    if (format_of(options.output) == Format::tikz) drawing.style.letters = figures::letters_of_tex;
+    drawing.width = steps.size() > 1 ? page_width : column_width;
+    if (options.beamer) {
+        drawing.width = slide_width;
+        drawing.most_height = slide_height;
+    }
+    if (!options.width.empty()) drawing.width = length_of(options.width);
+
+    drawing.moments = std::max<std::size_t>(steps.size(), 1);
+    AnyTraceReader opened = open_trace(std::move(lines), options.input);
+    const auto draw = [&, &steps = steps](auto& reader) {
+        const About about{title_of(reader.header(), steps, words_of(drawing.style.language)), drawing.style.language};
+        const figures::Figure figure = drawn(reader, steps, drawing, options);
+        if (options.beamer) return beamer_of(figure.panels(), about);
+        return encoded(figure.strip(), about, options.output, options.dots_an_inch);
+    };
+    return std::visit(draw, opened);
+}
+
+/// What has no steps has no parts to be chosen either, and no TikZ.
+void expect_no_steps(const FigureOptions& options) {
+    if (options.step || !options.steps.empty()) refuse(options.input, "it has no steps: a map or a chart");
+    if (!options.pixel.empty() || options.beamer) refuse(options.input, "--pixel and --beamer are for traces");
+    if (format_of(options.output) == Format::tikz) refuse(options.output, "maps and charts are .svg, .pdf or .png");
+}
+
+std::string drawn_map(const FigureOptions& options, const std::string& text) {
+    expect_no_steps(options);
+    const NamedKernel kernel = *kernel_named(options.kernel);
+    if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
+    const SignMap map = sign_map(read_mapped_decision(text, options.input), kernel);
+    const double width = options.width.empty() ? column_width : length_of(options.width);
+    const figures::Style style = style_of(options);
+    return encoded(figures::map_figure(map, style, width), {map.name, style.language}, options.output,
+                   options.dots_an_inch);
+}
+
+/// gnuplot's drawing with a width in millimetres.
+std::string sized(std::string svg, double width) {
+    double columns = 0, rows = 0;
+    const auto at = svg.find(" width=\"");
+    if (at == svg.npos || std::sscanf(svg.c_str() + at, " width=\"%lf\" height=\"%lf\"", &columns, &rows) != 2) {
+        throw Refused("gnuplot: another SVG than expected");
+    }
+    const auto end = svg.find('"', svg.find(" height=\"", at) + 9) + 1;
+    return svg.replace(
+        at, end - at,
+        " width=\"" + figures::decimal(width) + "mm\" height=\"" + figures::decimal(width * rows / columns) + "mm\"");
+}
+
+std::string drawn_chart(const FigureOptions& options, const std::string& text) {
+    expect_no_steps(options);
+    if (options.greyscale) refuse("--greyscale", "of a chart the shapes of its points already tell");
+    const figures::Style style = style_of(options);
+    const AnyChart chart = read_chart(text, options.input);
+    const double width = options.width.empty() ? page_width : length_of(options.width);
+    constexpr double unit = 8 / 15. / figures::points_per_millimetre;  // letters of 8 points
+    const PlotLayout layout{1, int(width / unit), "Helvetica"};
+    const auto draw = [&](const auto& charts) {
+        const std::string script = script_of(charts, options.axes, layout, style.language == Language::russian);
+        const std::string svg = sized(output_of({"gnuplot"}, script), width);
+        return encoded(svg, {charts.front().name, style.language}, options.output, options.dots_an_inch);
+    };
+    return std::visit(draw, chart);
+}
+
+}  // namespace
+
+void add_figure_options(CLI::App& command, FigureOptions& options) {
+    command
+        .add_option("TRACE|LESSON|DECISION|CHART", options.input,
+                    "A trace, .jsonl or .jsonl.gz, - for standard input; the folder of a lesson; or a decision to be "
+                    "mapped or a "
+                    "chart, .json")
+        ->required();
+    auto* step = command.add_option("--step", options.step, "After so many events; without it, at the end");
+    auto* steps = command.add_option("--steps", options.steps, "A film strip: N,M,... or A..B or A..B:BY");
+    command.add_option("--pin", options.pin, "Of a lesson: the step of this pin")->excludes(step)->excludes(steps);
+    steps->excludes(step);
+    command
+        .add_option("--show", options.show,
+                    "Of picture, windows (of Z-buffer the scanline, of curves the horizons, of weiler-atherton the "
+                    "lists), list (APL or AEL, or its list), listing, history")
+        ->capture_default_str();
+    command.add_option("--pixel", options.pixel, "X,Y: whose history is shown");
+    command.add_option("--language", options.language, "Of the words in it")
+        ->check(CLI::IsMember(words(figures::language_codes)))
+        ->capture_default_str();
+    command.add_option("--width", options.width, "In cm or mm [8cm; of a film strip 17cm, of a slide 14cm]");
+    command.add_option("--kernel", options.kernel, "Of a map: which arithmetic decides")
+        ->check(a_kernel())
+        ->capture_default_str();
+    add_axes(command, options.axes, "Of a chart: what it has from left to right [time]");
+    command.add_option("--dpi", options.dots_an_inch, "Of .png")->check(CLI::Range(30, 2400))->capture_default_str();
+    command.add_flag("--greyscale", options.greyscale, "No colours, and textures that are darker");
+    command.add_flag("--beamer", options.beamer, "A slide with an overlay a step, .tex");
+    command.add_option("-o", options.output, "The figure, .svg, .pdf, .png or .tex; - writes SVG to standard output")
+        ->required();
+}
+
+FigureOptions figure_options(const std::string& command) {
+    CLI::App app("", "vidno");
+    app.require_subcommand(1);
+    FigureOptions options;
+    add_figure_options(*app.add_subcommand("figure"), options);
+    try {
+        app.parse(command, true);
+    } catch (const CLI::ParseError& error) {
+        throw Refused(error.what());
+    }
+    return options;
+}
+
+std::string drawn_figure(const FigureOptions& options) {
+    format_of(options.output);
+    if (!options.input.ends_with(".json")) return drawn_trace(options);
+    const std::string text = read_file(options.input);
+    if (is_surface(text)) throw Refused(options.input + ": a surface; vidno render draws it, and a figure its trace");
+    return (document_format(text) == "vidno-chart/1" ? drawn_chart : drawn_map)(options, text);
+}
+
+}  // namespace vidno::cli

@@ -1,0 +1,33 @@
+/// A figure as the command line asks for it, in `vidno figure` and in the stories of lessons.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "cli/shared/chart_axes.h"
+
+namespace vidno::cli {
+
+struct FigureOptions {
+    std::string input, output;
+    std::optional<std::uint64_t> step;
+    std::string steps, pin, pixel, width;  // empty: as usual
+    std::string show = "picture,windows";
+    std::string language = "en";
+    std::string kernel = "double";  // of a map
+    AxisOptions axes;               // of a chart
+    int dots_an_inch = 300;
+    bool greyscale = false, beamer = false;
+};
+
+void add_figure_options(CLI::App& command, FigureOptions& options);
+
+/// The options of a command `figure` as the shell takes it, "vidno figure ...". Throws Refused.
+FigureOptions figure_options(const std::string& command);
+
+/// The bytes of the figure, in the format that the output's name says.
+std::string drawn_figure(const FigureOptions& options);
+
+}  // namespace vidno::cli

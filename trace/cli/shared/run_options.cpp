@@ -1,0 +1,103 @@
+#include "cli/shared/run_options.h"
+
+#include "choice/method.h"
+#include "refused.h"
+
+namespace vidno::cli {
+
+std::vector<std::string> all_methods() {
+    auto methods = words(method_names);
+    methods.emplace_back(floating_horizon_method);
+    return methods;
+}
+
+CLI::Validator a_kernel() {
+    return CLI::Validator(
+        [](const std::string& name) { return kernel_named(name) ? "" : name + " is not one of " + kernel_names(); },
+        kernel_names());
+}
+
+CLI::Validator an_edition() { return CLI::IsMember(words(edition_names)).description(""); }
+
+void add_run_options(CLI::App& command, RunOptions& options, const std::string& scene, const std::string& method,
+                     const std::vector<std::string>& methods) {
+    command.add_option("SCENE", options.scene, scene)->required();
+    command.add_option("--method", options.method, method)->check(CLI::IsMember(methods));
+    command.add_option("--kernel", options.kernel, "Which arithmetic decides")
+        ->check(a_kernel())
+        ->capture_default_str();
+    command.add_option("--edition", options.edition, "Which text of the procedures: see vidno methods")
+        ->check(an_edition())
+        ->type_name("EDITION")
+        ->capture_default_str();
+}
+
+void add_any_run_options(CLI::App& command, RunOptions& options) {
+    add_run_options(command, options, "A scene file, vidno-scene/1 or vidno-surface/1; - for standard input",
+                    "Which algorithm [warnock, of a surface floating-horizon]", all_methods());
+}
+
+NamedKernel kernel_of(const RunOptions& options) {
+    const NamedKernel kernel = *kernel_named(options.kernel);
+    expect_run(kernel, method_of(options), edition_of(options));
+    return kernel;
+}
+
+RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, const Scene& scene) {
+    return {method_of(options), kernel, edition_of(options), scene, detail_of(options)};
+}
+
+FloatingHorizonRequest request_of(const RunOptions& options, const Surface& surface) {
+    const NamedKernel kernel = *kernel_named(options.kernel);
+    expect_floating_horizon_run(kernel, edition_of(options));
+    return {kernel, edition_of(options), surface.curves, detail_of(options)};
+}
+
+void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
+    const std::string named_method = "--method " + std::string(method_names[std::size_t(method)]);
+    if (is_warnock(method) && !kernel.choice->runs_warnock) {
+        throw Refused(named_method + ": not under --kernel " + kernel.name() + ", for it has no Z-buffer");
+    }
+    const auto only = choice_of(edition).only;
+    if (is_family(method) && edition != Edition::corrected && !only) {
+        throw Refused(named_method + ": only --edition corrected, and mistakes of this method alone");
+    }
+    if (method == Method::weiler_atherton && edition != Edition::corrected) {
+        throw Refused(named_method + ": only --edition corrected");
+    }
+    if (!is_of_course(method) && !kernel.choice->runs(method, Edition::corrected)) {
+        throw Refused(named_method + ": not under --kernel " + kernel.name());
+    }
+    if (edition == Edition::printed && !kernel.choice->runs_printed) {
+        throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
+    }
+    const std::string named = "--edition " + std::string(choice_of(edition).name);
+    if (is_mistake(edition) && !kernel.choice->runs_mistakes) {
+        throw Refused(named + ": not under --kernel " + kernel.name() + ", but under " +
+                      kernels_that(&KernelChoice::runs_mistakes));
+    }
+    if (only && *only != method) {
+        throw Refused(named + ": a mistake of --method " + std::string(method_names[std::size_t(*only)]) + " alone");
+    }
+}
+
+void expect_floating_horizon_run(const NamedKernel& kernel, Edition edition) {
+    if (kernel.choice->runs_floating_horizon(edition)) return;
+    const std::string edition_name(choice_of(edition).name);
+    if (is_mistake(edition)) {
+        throw Refused("--edition " + edition_name + ": a mistake of methods that paint polygons");
+    }
+    if (kernel.choice->runs_floating_horizon(Edition::corrected)) {
+        throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
+    }
+    throw Refused("--kernel " + kernel.name() + ": for polygons alone");
+}
+
+void expect_admitted(Method method, const Scene& scene, const std::string& file) {
+    const auto reason = refusal_of(method, scene);
+    if (!reason) return;
+    throw Refused(file + ": --method " + std::string(method_names[std::size_t(method)]) + " takes " +
+                  std::string(choice_of(method).rule.domain) + ": " + *reason);
+}
+
+}  // namespace vidno::cli

@@ -1,0 +1,20 @@
+#include "cli/shared/trace_files.h"
+
+#include <iostream>
+
+namespace vidno::cli {
+
+bool is_whole(const TraceFile& trace) {
+    const std::string& place = trace.place();
+    if (!trace.end()) {
+        std::cerr << place << ": cut short: " << trace.events() << " events read, the last line is missing\n";
+        return false;
+    }
+    if (trace.end()->partial) {
+        std::cerr << place << ": partial: the run was stopped after " << trace.events() << " events\n";
+        return false;
+    }
+    return true;
+}
+
+}  // namespace vidno::cli

@@ -1,0 +1,154 @@
+#include "floating_horizon_parts.h"
+
+#include "notation.h"
+#include "table.h"
+
+namespace vidno::figures {
+
+namespace {
+
+constexpr double column_width = 80;  // millimetres
+constexpr Color upper_color{0x00, 0x72, 0xb2}, lower_color{0xd5, 0x5e, 0x00};
+
+Stroke upper_stroke(const Style& style) { return {deep(upper_color, style.greyscale), 1, {4, 1.5}}; }
+Stroke lower_stroke(const Style& style) { return {deep(lower_color, style.greyscale), 1, {1.5, 1.5}}; }
+
+Point place_of(const vidno::Point<Value>& point, const Plane& plane) {
+    return plane.at(number_of(point.x), number_of(point.y));
+}
+
+/// What of lines lies in the part of the plane that is shown.
+void add_lines(Drawing& to, const std::vector<Polyline>& lines, const Stroke& stroke, const Plane& plane) {
+    Path path{{}, false, {}, stroke};
+    for (const auto& line : lines) {
+        for (auto& piece : clipped(line, false, plane.shown)) path.lines.push_back(std::move(piece));
+    }
+    to.add(std::move(path));
+}
+
+/// Neighbours that meet become one line.
+std::vector<Polyline> joined(const DrawnLines& lines, const Plane& plane) {
+    std::vector<Polyline> found;
+    int curve = -1;
+    for (const auto& line : lines) {
+        const Point from = place_of(line.from.point, plane), to = place_of(line.to.point, plane);
+        if (line.segment.curve != curve || !(found.back().back() == from)) found.push_back({from});
+        found.back().push_back(to);
+        curve = line.segment.curve;
+    }
+    return found;
+}
+
+/// From column to column where the horizon is; over a column alone, a point.
+std::vector<Polyline> horizon_lines(const FloatingHorizonState::Heights& heights, const Plane& plane) {
+    std::vector<Polyline> lines;
+    bool goes_on = false;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        if (heights[i]) {
+            if (!goes_on) lines.emplace_back();
+            lines.back().push_back(plane.at(plane.area.x + int(i), number_of(*heights[i])));
+        }
+        goes_on = heights[i].has_value();
+    }
+    return lines;
+}
+
+void add_dot(Drawing& to, Point at, double reach, const Plane& plane, const Color& color) {
+    const Box box{at.x - reach, at.y - reach, 2 * reach, 2 * reach};
+    if (plane.shown.holds(box)) to.add(rectangle(box, color));
+}
+
+/// What the step itself is about.
+struct Marks {
+    Drawing& to;
+    const Plane& plane;
+
+    void operator()(const event::Height& e) const { dot(e.x, e.y); }
+    void operator()(const event::Raise& e) const { dot(e.x, e.y); }
+    void operator()(const event::Lower& e) const { dot(e.x, e.y); }
+    void operator()(const event::Intersection& e) const {
+        add_dot(to, plane.at(number_of(e.point.x), number_of(e.point.y)), 0.7, plane, ink);
+    }
+    void operator()(const event::DrawLine& e) const {
+        const Point from = plane.at(number_of(e.from.x), number_of(e.from.y));
+        const Point end = plane.at(number_of(e.to.x), number_of(e.to.y));
+        add_lines(to, {{from, end}}, {ink, 2.5}, plane);
+    }
+    void operator()(const auto&) const {}
+
+    void dot(int x, const Value& y) const { add_dot(to, plane.at(x, number_of(y)), 0.7, plane, ink); }
+};
+
+std::string flag_text(const std::string& x, const std::string& flag,
+                      const std::optional<FloatingHorizonState::Looked>& looked) {
+    if (!looked) return "";
+    return x + " = " + in_full(looked->x) + ", " + flag + " = " + in_full(int(looked->flag));
+}
+
+}  // namespace
+
+Drawing drawn_lines(const DrawnLines& lines, const Area& area) {
+    const double scale = column_width / area.width;
+    const Plane plane{area, scale, {-scale * area.x, -scale * area.y}, {0, 0, column_width, scale * area.height}};
+    Drawing drawing{column_width, plane.shown.height};
+    add_lines(drawing, joined(lines, plane), {ink, 0.5}, plane);
+    return drawing;
+}
+
+void draw_lines(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane) {
+    add_lines(to, joined(moment.state().lines(), plane), {ink, 0.5}, plane);
+}
+
+void draw_horizons(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style) {
+    add_lines(to, horizon_lines(moment.state().upper(), plane), upper_stroke(style), plane);
+    add_lines(to, horizon_lines(moment.state().lower(), plane), lower_stroke(style), plane);
+}
+
+void draw_curve_at_hand(Drawing& to, const FloatingHorizonMoment& moment, const Plane& plane, const Style& style) {
+    constexpr double dots_from = 1.5;  // millimetres between samples
+    const FloatingHorizonState& state = moment.state();
+    if (!state.curve()) return;
+    const auto& samples = moment.scene().curves[std::size_t(*state.curve())].samples;
+    Polyline curve, segment;
+    for (const auto& [x, y] : samples) {
+        curve.push_back(plane.at(x, y));
+        const bool at_hand = state.segment() && (x == state.segment()->first || x == state.segment()->second);
+        if (at_hand) segment.push_back(plane.at(x, y));
+    }
+    add_lines(to, {curve}, {faint, 0.5}, plane);
+    const bool far_apart = curve.back().x - curve.front().x >= dots_from * double(curve.size() - 1);
+    if (far_apart) {
+        for (const Point& at : curve) add_dot(to, at, 0.35, plane, faint);
+    }
+    if (!segment.empty()) add_lines(to, {segment}, {deep(faint, style.greyscale), 1.5}, plane);
+    if (const auto& looked = state.current() ? state.current() : state.previous()) {
+        const Box area = plane.box(whole_area(plane.area));
+        const double x = plane.at(looked->x, 0).x;
+        add_lines(to, {{{x, area.y}, {x, area.bottom()}}}, {faint, 0.25, {2, 2}}, plane);
+    }
+    if (moment.event()) moment.event()->visit(Marks{to, plane});
+}
+
+Drawing curve_legend(const FloatingHorizonMoment& moment, const Style& style, double width) {
+    constexpr double sample = 7, gap = 1.2, base = 3;
+    Drawing drawing{width, legend_height};
+    double x = 0;
+    const auto put = [&](std::string_view text, const Stroke& stroke) {
+        constexpr double middle = base - 0.9;
+        drawing.add(Path{{{{x, middle}, {x + sample, middle}}}, false, {}, stroke});
+        x += sample + gap;
+        drawing.add(Label{std::string(text), {x, base}, small_size, Anchor::start, false, ink});
+        x += width_of(text, small_size) * style.letters + 2 * gap;
+    };
+    put("upper", upper_stroke(style));
+    put("lower", lower_stroke(style));
+    const std::string before = flag_text("x", "Pflag", moment.state().previous());
+    const std::string now = flag_text("x′", "Tflag", moment.state().current());
+    const std::string text = before + (now.empty() ? "" : "; ") + now;
+    if (x + width_of(text, small_size) * style.letters <= width) {
+        drawing.add(Label{text, {width, base}, small_size, Anchor::end, false, ink});
+    }
+    return drawing;
+}
+
+}  // namespace vidno::figures

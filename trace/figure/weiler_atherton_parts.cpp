@@ -1,0 +1,105 @@
+#include "weiler_atherton_parts.h"
+
+#include <cmath>
+
+#include "notation.h"
+#include "table.h"
+
+namespace vidno::figures {
+
+namespace {
+
+constexpr double column_width = 80;  // millimetres
+
+const ScenePolygon& polygon_of(const Scene& scene, PolygonPlace place) {
+    return scene.polygons[std::size_t(place.index)];
+}
+
+Path filled(const RegionLoops& region, const Color& color, const Plane& plane, const Style& style) {
+    return {loops_of(region, plane), true, tinted(color, style.greyscale), Stroke{ink}};
+}
+
+std::string names_of(const std::vector<PolygonPart>& parts, const Scene& scene) {
+    std::string names;
+    for (const auto& part : parts) names += (names.empty() ? "" : ", ") + polygon_of(scene, part.polygon).id;
+    return names.empty() ? "∅" : names;
+}
+
+}  // namespace
+
+std::vector<Polyline> loops_of(const RegionLoops& region, const Plane& plane) {
+    std::vector<Polyline> lines;
+    for (const auto& loop : region) {
+        auto& line = lines.emplace_back();
+        for (const auto& [x, y] : loop) {
+            const Point at = plane.at(number_of(x), number_of(y));
+            if (!std::isfinite(at.x) || !std::isfinite(at.y)) return {};
+            line.push_back(at);
+        }
+    }
+    return lines;
+}
+
+Drawing drawn_regions(const std::vector<ShownRegion>& regions, const Scene& scene) {
+    const Area& area = scene.area;
+    const double scale = column_width / area.width;
+    const Plane plane{area, scale, {-scale * area.x, -scale * area.y}, {0, 0, column_width, scale * area.height}};
+    Drawing drawing{column_width, plane.shown.height};
+    drawing.add(rectangle(plane.shown, scene.background));
+    for (const auto& [polygon, loops, region_area] : regions) {
+        drawing.add(Path{loops_of(loops, plane), true, polygon_of(scene, polygon).color, Stroke{ink}});
+    }
+    return drawing;
+}
+
+void draw_visible(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
+    for (const auto& [polygon, region, ground] : moment.state().visible()) {
+        to.add(filled(region, polygon_of(moment.scene(), polygon).color, plane, style));
+    }
+}
+
+void draw_lists(Drawing& to, const Moment& moment, const Plane& plane, const Style& style) {
+    const State& state = moment.state();
+    const auto outline = [&](const PolygonPart& part, double width, std::vector<double> dashes) {
+        const Color color = deep(polygon_of(moment.scene(), part.polygon).color, style.greyscale);
+        to.add(Path{loops_of(part.region, plane), true, {}, Stroke{color, width, std::move(dashes)}});
+    };
+    for (const auto& list : state.lists()) {
+        for (const auto& part : list) outline(part, 0.4, {0.8, 1.4});
+    }
+    const auto& in_hand = state.list_in_hand();
+    if (!in_hand) return;
+    for (const auto& part : in_hand->outside) outline(part, 0.8, {3, 1.5});
+    for (const auto& part : in_hand->inside) outline(part, 0.8, {});
+    add_rimmed(to, Path{loops_of(in_hand->pieces.front().region, plane), true, {}, Stroke{ink, 1}});
+}
+
+Drawing region_list(const Moment& moment, const Style& style, double width) {
+    const auto& words = words_of(style.language);
+    const State& state = moment.state();
+    Table table{.title = std::string(words.list_in_hand),
+                .columns = {{"P", 0.4},
+                            {std::string(words.vertices), 0.3, Anchor::end},
+                            {std::string(words.behind_all), 0.3, Anchor::end}}};
+    const std::string stack = std::string(words.stack) + ": " + std::to_string(state.lists().size());
+    const auto& in_hand = state.list_in_hand();
+    if (!in_hand) {
+        table.below = {std::string(words.empty), stack};
+        return drawn(table, width, style.letters);
+    }
+    for (const auto& [polygon, region, ground] : in_hand->pieces) {
+        std::size_t vertices = 0;
+        for (const auto& loop : region) vertices += loop.size();
+        const auto& source = polygon_of(moment.scene(), polygon);
+        table.rows.push_back({{source.id, tinted(source.color, style.greyscale)},
+                              {std::to_string(vertices)},
+                              {std::string(ground ? words.yes : words.no)}});
+    }
+    table.current = 0;  // the clip polygon
+    table.below = {std::string(words.inside) + ": " + names_of(in_hand->inside, moment.scene()),
+                   std::string(words.outside) + ": " + names_of(in_hand->outside, moment.scene()), stack};
+    shorten(table, words);
+    return drawn(table, width, style.letters);
+}
+
+}  // namespace vidno::figures

@@ -1,0 +1,46 @@
+#include "run/floating_horizon_run.h"
+
+#include <stdexcept>
+
+#include "run/untraced.h"
+
+namespace vidno {
+
+DrawnLines told_to_nobody(FloatingHorizonRequest request) {
+    HeardBy sink([progress = request.progress](const EventView& event) {
+        if (event.get_if<event::Curve>()) progress();
+    });
+    request.detail = Detail::windows;
+    request.sink = &sink;
+    return told_floating_horizon(request);
+}
+
+DrawnLines run(const FloatingHorizonRequest& request) {
+    if (!request.kernel.choice->runs_floating_horizon(request.edition)) {
+        throw std::invalid_argument(request.kernel.name() + " draws no curves in this edition");
+    }
+    return request.sink ? told_floating_horizon(request) : untraced_run(request);
+}
+
+ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene) {
+    ColumnsDrawn drawn;
+    for (const auto& [samples] : scene.curves) {
+        drawn.emplace_back(std::size_t(samples.back().x - samples.front().x + 1), false);
+    }
+    for (const auto& [segment, from, to] : lines) {
+        const auto curve = std::size_t(segment.curve);
+        const int first = scene.curves[curve].samples.front().x;
+        for (int x = from.right; x <= to.left; ++x) drawn[curve][std::size_t(x - first)] = true;
+    }
+    return drawn;
+}
+
+std::uint64_t different_columns(const ColumnsDrawn& one, const ColumnsDrawn& other) {
+    std::uint64_t different = 0;
+    for (std::size_t curve = 0; curve < one.size(); ++curve) {
+        for (std::size_t i = 0; i < one[curve].size(); ++i) different += one[curve][i] == other[curve][i] ? 0 : 1;
+    }
+    return different;
+}
+
+}  // namespace vidno

@@ -1,0 +1,52 @@
+#include "run/recorder.h"
+#include "run/run_time_kernel.h"
+#include "run/told.h"
+#include "run/weiler_atherton_run.h"
+#include "vidno/kernels/filtered_regions.h"
+
+namespace vidno {
+
+namespace {
+
+/// A kernel that is always right, and reports each sign, so that another run can be compared with it.
+struct TellingSigns : FilteredBy<StageTally> {
+    const HearSign* hear_sign;
+
+    explicit TellingSigns(const Followers& followers)
+        : FilteredBy<StageTally>(StageTally{followers.count}), hear_sign(followers.hear_sign) {}
+};
+
+struct NumbersTellingSigns : ConstructedNumbers<StageTally> {
+    const HearSign* hear_sign;
+
+    explicit NumbersTellingSigns(const TellingSigns& kernel)
+        : ConstructedNumbers<StageTally>(kernel), hear_sign(kernel.hear_sign) {}
+
+    Sign sign(const Constructed& value) const {
+        const Sign taken = ConstructedNumbers<StageTally>::sign(value);
+        if (hear_sign) (*hear_sign)(taken);
+        return taken;
+    }
+};
+
+template <Kernel K>
+Picture told_with(const RunRequest& request, const K& kernel) {
+    Recording recording{request.detail, *request.sink};
+    return weiler_atherton_run(request, kernel, Recorder<K>(recording));
+}
+
+}  // namespace
+
+template <>
+struct OnRegions<TellingSigns> : OnRegions<NumbersTellingSigns> {
+    explicit OnRegions(const TellingSigns& kernel) : OnRegions<NumbersTellingSigns>(NumbersTellingSigns(kernel)) {}
+};
+
+Picture told_weiler_atherton(const RunRequest& request, const Followers& followers) {
+    const KernelKind kind = request.kernel.kind();
+    if (kind == KernelKind::filtered) return told_with(request, TellingSigns(followers));
+    if (kind == KernelKind::binary64 && !followers.judge) return told_with(request, Double{});
+    return told_with(request, RunTimeKernel(request.kernel, followers));
+}
+
+}  // namespace vidno

@@ -1,0 +1,28 @@
+/// Runs traced to the end of a file.
+#pragma once
+
+#include "run/floating_horizon_run.h"
+#include "run/run.h"
+
+namespace vidno {
+
+/// Traces a run to the end of its file. False if the writer's limit ended the run, so that the trace is partial.
+bool write_trace(RunRequest request, TraceWriter& writer);
+bool write_trace(FloatingHorizonRequest request, TraceWriter& writer);
+
+// The last line of a trace says what came out of its run.
+inline void finish(TraceWriter& writer, const Picture& picture) { writer.finish(picture); }
+inline void finish(TraceWriter& writer, const DrawnLines& lines) { writer.finish("lines", lines_hash(lines)); }
+
+/// The same with `run()`, which tells the writer.
+bool write_run(TraceWriter& writer, auto&& run) {
+    try {
+        finish(writer, run());
+        return true;
+    } catch (const EventLimitReached&) {
+        writer.finish_partial();
+        return false;
+    }
+}
+
+}  // namespace vidno
