@@ -246,6 +246,8 @@ TEST_CASE(
     for (const Edition mistake : all_mistakes()) {
         const std::string_view name = choice_of(mistake).name;
         CAPTURE(name);
+        const auto& only = choice_of(mistake).only;
+        CHECK_MESSAGE(choice_of(mistake).advice.empty() == (only && is_family(*only)), "students write no variant");
         const auto entry = entry_of(name);
         const Scene scene = witness(name);
         const Picture right = Reference(scene).picture();

@@ -204,8 +204,8 @@ int grade(const GradeOptions& options) {
     std::cout << "\nWrong on " << wrong << " of " << grades.size() << ", first on " << quoted(first.scene) << ":\n";
     print_failure(first, limits);
     if (const auto mistake = usual_mistake(grades)) {
-        std::cout << "\nIt behaves like a usual mistake, " << choice_of(*mistake).name << ": " << advice_on(*mistake)
-                  << ".\n";
+        const EditionChoice& choice = choice_of(*mistake);
+        std::cout << "\nIt behaves like a usual mistake, " << choice.name << ": " << choice.advice << ".\n";
     }
     if (is_trace(options.program) || !first.run.header) {
         if (!options.output.empty()) write_page(first, options.output);

@@ -35,7 +35,7 @@ int print_methods(bool as_json) {
     }
     std::cout << "editions    (from the third on with one usual mistake, under "
               << kernels_that(&KernelChoice::runs_mistakes) << ")\n";
-    for (const auto& [name, rule, title, only] : edition_choices) {
+    for (const auto& [name, rule, title, only, advice] : edition_choices) {
         std::cout << "  " << name << std::string(21 - name.size(), ' ') << rule;
         if (only) std::cout << "; " << method_names[std::size_t(*only)] << " only";
         std::cout << '\n';

@@ -82,41 +82,6 @@ std::optional<Edition> by_steps(const std::vector<Observation>& observed) {
 
 }  // namespace
 
-std::string_view advice_on(Edition mistake) {
-    switch (mistake) {
-        case Edition::one_list:
-            return "one APL is shared by all parts of a window: what leaves it in one part is gone in the others. Give "
-                   "each "
-                   "part a copy";
-        case Edition::depths_not_cleared:
-            return "the depths are not cleared: they start at 0, and what lies behind that never shows. Start below "
-                   "all depths";
-        case Edition::clip_order_reversed:
-            return "the sides of the window are gone round the other way when clipping, so that inside and outside are "
-                   "exchanged. Turn the order of its corners or the sign round";
-        case Edition::y_flipped: return "the picture is upside down: y grows downward, row 0 is the uppermost";
-        case Edition::depth_sign_reversed: return "the sign of z is reversed: the greater z is the nearer";
-        case Edition::boundary_outside:
-            return "points on an outline count as outside of both polygons that share it: pixels there belong to "
-                   "nobody. Let a "
-                   "product of 0 count as inside, or give such points to one of the two";
-        case Edition::integer_division:
-            return "a window is halved in whole numbers: of an odd number of pixels one is lost. Begin with a square "
-                   "of 2^m "
-                   "pixels a side that covers the area";
-        case Edition::surround_kept:
-            return "hasSurround is never reset: a polygon that lies before the surrounding one in a part of the window "
-                   "is "
-                   "overlooked. Set it to false wherever a nearer polygon is found";
-        case Edition::vertex_counted_twice:  // of methods that students do not write
-        case Edition::octants_not_split:
-        case Edition::line_for_edge:
-        case Edition::corrected:
-        case Edition::printed: break;
-    }
-    return "";
-}
-
 std::optional<Edition> usual_mistake(const std::vector<Observation>& observed) {
     const auto mistake = by_pictures(observed);
     return mistake ? mistake : by_steps(observed);

@@ -5,9 +5,6 @@
 
 namespace vidno {
 
-/// What went wrong and what to do about it, to the student. Of an edition with a usual mistake.
-std::string_view advice_on(Edition mistake);
-
 /// What a program did on a scene.
 struct Observation {
     const TraceHeader* header;
