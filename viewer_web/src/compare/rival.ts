@@ -3,6 +3,7 @@ import type { Notice } from '../components/notice.js';
 import { embeddedFile, embeddedLessons, idOf } from '../lessons.js';
 import type { LessonTrace } from '../lessons.js';
 import type { Options } from '../live/options.js';
+import { moduleOf } from '../live/maker.js';
 import { optionsOf, wordOf } from '../live/packed.js';
 import { sceneText } from '../live/sketch.js';
 import { Tracer } from '../live/tracer.js';
@@ -41,7 +42,7 @@ export class Rival {
   private stopReading = (): void => undefined;
 
   constructor(
-    library: Blob | null,
+    private readonly library: Blob | null,
     private readonly changed: () => void,
   ) {
     const take = (trace: Trace | null, messages: string): void => {
@@ -81,6 +82,14 @@ export class Rival {
     this.changed();
   }
 
+  /** Reads no more of the file: what is there of it stays. */
+  stop(): void {
+    this.stopReading();
+    this.trace?.stop();
+    if (this.trace === null) this.choose(null);
+    else this.show(this.trace);
+  }
+
   /** The scene that is open, run otherwise, is run again when it has changed. */
   follow(scene: Scene): void {
     this.scene = scene;
@@ -98,14 +107,17 @@ export class Rival {
 
   private open(file: Blob, name: string): void {
     this.notice = { kind: 'reading', name };
-    this.stopReading = openTrace(file, {
-      grown: (trace) => this.show(trace),
-      failed: (error) => {
-        this.chosen = null;
-        this.trace = null;
-        this.say({ kind: 'failed', name, error });
-      },
-    });
+    const failed = (error: unknown): void => {
+      this.chosen = null;
+      this.trace = null;
+      this.say({ kind: 'failed', name, error });
+    };
+    const { library } = this;
+    this.stopReading = openTrace(
+      file,
+      { grown: (trace) => this.show(trace), failed },
+      () => library && moduleOf(library),
+    );
   }
 
   private show(trace: Trace): void {

@@ -16,7 +16,7 @@ import type { Detail, Event, EventName, Method, Procedure } from '../trace/event
 import type { Header } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import { ListInHand } from './list-in-hand.js';
-import { Screen, keepsDepths } from './screen.js';
+import { Screen, isCut, keepsDepths } from './screen.js';
 import type { SavedScreen } from './screen.js';
 import type { Stretch } from './stretch.js';
 import { afterWarnock, emptyWarnock } from './warnock.js';
@@ -81,7 +81,7 @@ export class State {
   readonly screen: Screen;
   /** Null of a run of polygons. */
   readonly columns: Columns | null;
-  private step = 0;
+  private taken = 0;
   private calls: readonly Frame[];
   private warnock: Warnock | null;
   private readonly list = new ListInHand();
@@ -89,15 +89,23 @@ export class State {
   private horizon: FloatingHorizon | null;
   private regions: Regions | null;
 
-  constructor(private readonly header: Header) {
+  constructor(
+    private readonly header: Header,
+    screen?: Screen,
+  ) {
     const { method, scene } = header;
-    this.screen = new Screen(scene, keepsDepths(header), method === 'warnock-vertex');
+    this.screen = screen ?? new Screen(scene, keepsDepths(header), isCut(header));
     this.columns = scene.curves === null ? null : new Columns(scene);
     this.calls = [{ of: bottomOf(method), at: null }];
     this.warnock = hasWindows(method) ? emptyWarnock : null;
     this.zbuffer = method === 'zbuffer' ? emptyZBuffer : null;
     this.horizon = method === 'floating-horizon' ? emptyFloatingHorizon : null;
     this.regions = method === 'weiler-atherton' ? emptyRegions : null;
+  }
+
+  /** How many events were taken. */
+  get step(): number {
+    return this.taken;
   }
 
   get values(): Values {
@@ -107,11 +115,18 @@ export class State {
   }
 
   /** The event of a step, at least the next that changes anything; one that cannot happen here is refused. */
-  apply(event: Event, step = this.step + 1): void {
+  apply(event: Event, step = this.taken + 1): void {
     this.change(event);
     this.pass(event.e);
     this.calls = movedBy(event, this.calls);
-    this.step = step;
+    this.taken = step;
+  }
+
+  /** The same of a state of which only what refuses events is ever looked at. */
+  check(event: Event): void {
+    this.change(event);
+    if (event.e === 'call') this.calls = movedBy(event, this.calls);
+    else this.pass(event.e);
   }
 
   /** Past an event that only ends a procedure, or changes nothing at all: the next one that is applied sets the line. */
@@ -129,7 +144,7 @@ export class State {
     this.calls = this.calls.slice(0, this.calls.length - closed);
     const last = opened.at(-1) === end ? [] : [end];
     for (const step of [...opened, ...last]) this.calls = movedBy(eventOf(step), this.calls);
-    this.step = end;
+    this.taken = end;
   }
 
   save(): Keyframe {
@@ -139,7 +154,7 @@ export class State {
 
   load({ values, screen, columns }: Keyframe): void {
     this.list.forget();
-    ({ step: this.step, calls: this.calls } = values);
+    ({ step: this.taken, calls: this.calls } = values);
     ({ warnock: this.warnock, zbuffer: this.zbuffer } = values);
     ({ horizon: this.horizon, regions: this.regions } = values);
     this.screen.load(screen);

@@ -28,6 +28,8 @@ export interface Use {
   readonly changes?: readonly Field[];
   /** Is looked at besides. */
   readonly reads?: readonly Field[];
+  /** It cannot always happen, and this decides besides its own values; else it can. */
+  readonly needs?: readonly Field[];
 }
 
 const ofWindow: readonly Field[] = ['corners', 'k', 'count', 'hasSurround', 'color', 'insider'];
@@ -35,9 +37,10 @@ const ofWindow: readonly Field[] = ['corners', 'k', 'count', 'hasSurround', 'col
 const kept: readonly Field[] = ['last'];
 
 /** A list of active polygons may be that of windows on the stack too. */
-const list: Use = { changes: ['apl', 'stack'] };
-const joining: Use = { changes: ['apl', 'stack', 'joined'] };
-const vertex: Use = { changes: ['clip'] };
+const list: Use = { changes: ['apl', 'stack'], needs: ['apl'] };
+const joining: Use = { changes: ['apl', 'stack', 'joined'], needs: ['apl', 'joined'] };
+const vertex: Use = { changes: ['clip'], needs: ['clip'] };
+const painting: Use = { changes: ['picture'], needs: [] };
 const none: Use = {};
 
 export const uses: Readonly<Record<EventName, Use>> = {
@@ -47,19 +50,25 @@ export const uses: Readonly<Record<EventName, Use>> = {
   fault: none,
   disagree: none,
 
-  push: { changes: ['stack', 'root', 'division'], reads: ['apl'] },
+  push: { changes: ['stack', 'root', 'division'], reads: ['apl'], needs: ['apl'] },
   skip: none,
   pop: {
     changes: ['stack', 'way'],
     sets: ['window', 'apl', 'nearest', 'covering', ...ofWindow],
     reads: ['window'],
+    needs: ['stack'],
   },
   corners: { sets: [...ofWindow, 'covering', 'depths', 'last'] },
   box: none,
   discard: list,
   count: { sets: ['count', 'depths'], changes: kept },
   compare: none,
-  nearer: { changes: ['corners', ...kept], sets: ['k'], reads: ['depths'] },
+  nearer: {
+    changes: ['corners', ...kept],
+    sets: ['k'],
+    reads: ['depths'],
+    needs: ['corners', 'depths'],
+  },
   uncover: { sets: ['hasSurround', 'covering'], changes: kept },
   surround: none,
   mark: list,
@@ -67,7 +76,7 @@ export const uses: Readonly<Record<EventName, Use>> = {
   insider: { sets: ['insider'], changes: kept },
   summary: { sets: ['count', 'hasSurround', 'color', 'insider'], changes: kept },
   decide: none,
-  fill: { changes: ['picture'] },
+  fill: painting,
   nearest: { sets: ['nearest'] },
   color: { sets: ['color'], changes: kept },
   orient: none,
@@ -80,7 +89,7 @@ export const uses: Readonly<Record<EventName, Use>> = {
   clip_list: vertex,
   clip_result: { sets: ['clip'] },
   row: none,
-  draw: { changes: ['picture'] },
+  draw: painting,
 
   back_face: none,
   rejoin: joining,
@@ -101,29 +110,29 @@ export const uses: Readonly<Record<EventName, Use>> = {
   edge: { changes: ['edges'] },
   extent: none,
   scanline: { sets: ['y', 'row'], changes: kept },
-  ael_add: { changes: ['ael'] },
+  ael_add: { changes: ['ael'], needs: ['ael'] },
   horizontal: none,
-  leave: { changes: ['edges', ...kept], sets: ['nextS'] },
-  ael_sort: { changes: ['ael', ...kept], sets: ['nextAel'] },
+  leave: { changes: ['edges', ...kept], sets: ['nextS'], needs: ['edges'] },
+  ael_sort: { changes: ['ael', ...kept], sets: ['nextAel'], needs: ['ael'] },
   line: none,
   miss: none,
   slope: none,
   columns: none,
   pixel: none,
-  span: { changes: ['picture', 'z'], reads: ['polygon'] },
-  ael_drop: { changes: ['ael', ...kept], sets: ['nextAel'] },
-  ael_step: { changes: ['ael'] },
+  span: { changes: ['picture', 'z'], reads: ['polygon'], needs: ['polygon'] },
+  ael_drop: { changes: ['ael', ...kept], sets: ['nextAel'], needs: ['ael'] },
+  ael_step: { changes: ['ael'], needs: ['ael'] },
 
   horizons: { sets: ['horizons'] },
-  curve: { sets: ['curve', 'place', 'told', 'flags', 'before'], reads: ['horizons'] },
+  curve: { sets: ['curve', 'place', 'told', 'flags', 'before'], reads: ['horizons'], needs: [] },
   side_edge: { changes: ['edges'] },
-  visibility: { changes: ['place', 'flags', 'before'], reads: ['horizons'] },
+  visibility: { changes: ['place', 'flags', 'before'], reads: ['horizons'], needs: [] },
   intersection: none,
-  draw_line: { changes: ['place'], reads: ['curve'] },
-  horizon: { changes: ['horizons'] },
+  draw_line: { changes: ['place'], reads: ['curve'], needs: ['curve'] },
+  horizon: { changes: ['horizons'], needs: [] },
   height: { sets: ['told'] },
-  raise: { changes: ['horizons'] },
-  lower: { changes: ['horizons'] },
+  raise: { changes: ['horizons'], needs: [] },
+  lower: { changes: ['horizons'], needs: [] },
   step: none,
 
   cut_to_area: { changes: ['facets'], sets: ['crossings'] },
@@ -133,17 +142,17 @@ export const uses: Readonly<Record<EventName, Use>> = {
   greatest_depth: none,
   sorted: none,
   push_list: { changes: ['lists'] },
-  pop_list: { changes: ['lists'], sets: ['inHand'] },
-  beside: { changes: ['inHand'] },
-  clipped: { changes: ['inHand'], sets: ['piercing', 'crossings'] },
+  pop_list: { changes: ['lists'], sets: ['inHand'], needs: ['lists'] },
+  beside: { changes: ['inHand'], needs: ['inHand'] },
+  clipped: { changes: ['inHand'], sets: ['piercing', 'crossings'], needs: ['inHand'] },
   edge_piece: none,
   entering: { changes: ['crossings'] },
   leaving: { changes: ['crossings'] },
-  behind: { changes: ['inHand'] },
-  nearer_ones: { changes: ['inHand'] },
+  behind: { changes: ['inHand'], needs: ['inHand'] },
+  nearer_ones: { changes: ['inHand'], needs: ['inHand'] },
   show: { changes: ['visible'] },
   order: none,
-  paint: { changes: ['picture'] },
+  paint: painting,
   painted: none,
 };
 
@@ -185,3 +194,18 @@ export const everything: Fields = bits(all);
 export const written = eventNames.map((name) => bits(uses[name].sets) | bits(uses[name].changes));
 export const set = eventNames.map((name) => bits(uses[name].sets));
 export const needed = eventNames.map((name) => bits(uses[name].changes) | bits(uses[name].reads));
+
+/** For each number whether the event may be impossible, or decides in any way whether a later one is possible. */
+export const decisive: readonly boolean[] = decisiveNames();
+
+function decisiveNames(): readonly boolean[] {
+  const wanted = new Set(eventNames.flatMap((name) => uses[name].needs ?? []));
+  const writes = ({ sets = [], changes = [] }: Use): boolean =>
+    [...sets, ...changes].some((field) => wanted.has(field));
+  for (let before = -1; before !== wanted.size;) {
+    before = wanted.size;
+    const read = Object.values(uses).filter(writes);
+    for (const field of read.flatMap(({ reads = [] }) => reads)) wanted.add(field);
+  }
+  return eventNames.map((name) => uses[name].needs !== undefined || writes(uses[name]));
+}

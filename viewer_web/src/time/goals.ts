@@ -43,10 +43,12 @@ export function changesAel(event: Event | null): boolean {
 /** What follows the decision to split. */
 const splits: Wanted = only('push', 'skip', 'split_vertex');
 
+const adding = numberOf.get('ael_add');
+
 /** Most goals are known by their names, or by the next one: a long run is gone through without its events. */
 const isGoal: Readonly<Record<SearchedName, (timeline: Timeline, step: number) => boolean>> = {
   split: ({ names }, step) => splits[names[step] ?? -1] === true,
-  ael: (timeline, step) => changesAel(timeline.event(step)),
+  ael: (timeline, step) => timeline.names[step - 1] === adding || changesAel(timeline.event(step)),
   curve: () => true,
   crossing: () => true,
   list: () => true,

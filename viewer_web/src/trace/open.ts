@@ -3,6 +3,7 @@ import type { Trace } from './trace.js';
 import { read } from './read.js';
 import type { News } from './read.js';
 import { starterOf } from './start-worker.js';
+import type { Order } from './worker.js';
 import code from './worker.js?code';
 
 const startWorker = starterOf(code);
@@ -18,8 +19,18 @@ export interface Readers {
   failed(error: unknown): void;
 }
 
-/** Reads a file in a worker, or here where the policy of another page allows none. Gives the way to stop that. */
-export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
+/** A smaller file is read before the library would be there. */
+const small = 2 ** 16;
+
+/**
+ * Reads a file in a worker, or here where the policy of another page allows none; by the library, where there is one and it pays.
+ * Gives the way to stop that.
+ */
+export function openTrace(
+  file: Blob,
+  { grown, failed }: Readers,
+  library: () => Promise<WebAssembly.Module> | null = () => null,
+): () => void {
   const worker = startWorker();
   let isOver = false;
   const stop = (): void => {
@@ -60,6 +71,11 @@ export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
     else fail(event);
   });
   worker.addEventListener('messageerror', fail);
-  worker.postMessage(file);
+  const start = async (): Promise<void> => {
+    // Without it everything is read as well, only slower.
+    const module = file.size < small ? null : await library()?.catch(() => null);
+    if (!isOver) worker.postMessage({ file, library: module ?? null } satisfies Order);
+  };
+  void start();
   return stop;
 }

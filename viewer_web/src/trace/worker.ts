@@ -1,9 +1,15 @@
 import { read } from './read.js';
 import type { News } from './read.js';
 
+/** What is to be read, and the library where it shall be quick. */
+export interface Order {
+  readonly file: Blob;
+  readonly library: WebAssembly.Module | null;
+}
+
 /** What of the global scope a worker has and a page has not. */
 interface Scope {
-  onmessage: ((message: MessageEvent<Blob>) => void) | null;
+  onmessage: ((message: MessageEvent<Order>) => void) | null;
   postMessage(news: News, transfer: readonly Transferable[]): void;
 }
 const scope = globalThis as unknown as Scope;
@@ -15,8 +21,8 @@ function given(news: News): readonly Transferable[] {
   return [bytes.buffer, starts.buffer, names.buffer];
 }
 
-async function tell(file: Blob): Promise<void> {
-  for await (const news of read(file)) scope.postMessage(news, given(news));
+async function tell({ file, library }: Order): Promise<void> {
+  for await (const news of read(file, { library })) scope.postMessage(news, given(news));
 }
 
 scope.onmessage = ({ data }) => void tell(data).catch(reportError);
