@@ -43,6 +43,7 @@ export function alone(page: Shown): TemplateResult {
     <vidno-player
       .trace=${trace}
       .length=${session.steps}
+      ?complete=${trace?.complete === true}
       .step=${place.step}
       .lang=${language}
       ?hidden=${trace === null}

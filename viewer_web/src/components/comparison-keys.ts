@@ -16,6 +16,7 @@ export interface SteeredPair extends Timed {
   point(by: 1 | -1): void;
   toggle(name: 'mark'): void;
   bookmark(): void;
+  stay(): void;
   goToParting(what: 'text' | 'deed'): void;
 }
 
@@ -28,6 +29,7 @@ export function pairActions(pair: SteeredPair, { shiftKey }: KeyboardEvent): Act
   const usual: Actions = {
     ...showKeys,
     ...timeActions(pair, shiftKey),
+    Escape: () => pair.stay(),
     KeyB: () => pair.bookmark(),
     KeyC: () => {
       for (const run of pair.runs) run.toggleSource();
