@@ -229,6 +229,9 @@ TEST_CASE("Curves: an event that cannot follow") {
     CHECK(impossible({event::Curve{Line::FH2, 1}, line}) == "no segment of the curve");
     CHECK(impossible({event::Curve{Line::FH2, 0}, line}) == "possible");
     CHECK(impossible({event::Raise{Line::H2, 12, 0}}) == "a column outside the area");
+    event::Visibility looked;
+    looked.x = 12;
+    CHECK(impossible({event::Call{Line::FH4, Procedure::visibility}, looked}) == "a column outside the area");
     CHECK(impossible({event::Horizon{}}) == "a result of a procedure that is not running");
 }
 

@@ -290,3 +290,61 @@ TEST_CASE("A limit keeps what was told and says that it is partial") {
     REQUIRE(reader.end().has_value());
     CHECK(reader.end()->partial);
 }
+
+TEST_CASE("A state refuses what cannot follow") {
+    const Scene scene = SceneBuilder(area_16).polygon(far_quad).build();
+    const auto impossible = [&](Method method, const std::vector<Event>& events) -> std::string {
+        const TraceHeader header = header_of(scene, {method, Edition::corrected, "double"}, Detail::windows);
+        State state(header);
+        try {
+            for (const auto& event : events) state.apply(event);
+        } catch (const Impossible& reason) {
+            return reason.reason;
+        }
+        return "possible";
+    };
+    const auto push = [](Line at, Window window, std::optional<std::vector<AplEntry>> list) {
+        event::Push push;
+        push.at = at;
+        push.window = window;
+        push.apl = std::move(list);
+        return push;
+    };
+    const Window whole{0, 0, 16, 16};
+    const std::vector<AplEntry> none;
+    event::Pop pop;
+    pop.window = whole;
+
+    CHECK(impossible(Method::warnock, {push(Line::W3, whole, std::nullopt)}) ==
+          "the first window has a list, and no other");
+    CHECK(impossible(Method::warnock, {push(Line::W3, whole, none), pop, push(Line::W13, {0, 0, 8, 8}, none)}) ==
+          "the first window has a list, and no other");
+    CHECK(impossible(Method::warnock_vertex, {push(Line::WF1, {0, 0, 17, 16}, none)}) == "a window outside the area");
+    CHECK(impossible(Method::warnock_vertex, {push(Line::WF1, {0, .5, 16, 8}, none)}) == "a window outside the area");
+    CHECK(impossible(Method::warnock_vertex, {push(Line::WF1, whole, none)}) == "possible");
+
+    const event::Depth depth{.at = Line::PW5};
+    const std::vector<Event> found{event::Corners{}, depth, depth, depth, depth};
+    std::vector<Event> window{push(Line::W3, whole, none), push(Line::W3, whole, none), pop};
+    window.insert(window.end(), found.begin(), found.end());
+    window.push_back(event::Nearer{});
+    CHECK(impossible(Method::warnock, window) == "possible");
+    // The depths at the corners are those of the window before.
+    window.back() = pop;
+    window.insert(window.end(), found.begin() + 1, found.end());
+    window.push_back(event::Nearer{});
+    CHECK(impossible(Method::warnock, window) == "not four depths before");
+
+    event::AelSort twice;
+    twice.edges = {1, 1};
+    event::AelAdd one, two;
+    one.edge = 1;
+    two.edge = 2;
+    event::Leave leave;
+    leave.edges = {1};
+    CHECK(impossible(Method::zbuffer, {one, two, one}) == "an edge that is in AEL");
+    CHECK(impossible(Method::zbuffer, {one, two, twice}) == "an order of other entries than AEL has");
+    CHECK(impossible(Method::zbuffer, {leave}) == "an edge that is not in S");
+    CHECK(impossible(Method::zbuffer, {event::Span{}}) == "a span of no polygon");
+    CHECK(impossible(Method::weiler_atherton, {event::Behind{}}) == "no list in hand");
+}

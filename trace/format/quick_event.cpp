@@ -108,7 +108,12 @@ private:
     }
 
     bool value(std::string& target) { return string(target); }
-    bool value(Color& target) { return color(target); }
+    /// The program writes small letters.
+    bool value(Color& target) {
+        const auto text = string();
+        if (!text || std::any_of(text->begin(), text->end(), [](char c) { return 'A' <= c && c <= 'F'; })) return false;
+        return take(target, color_of_hex(*text));
+    }
 
     bool value(PolygonPlace& target) { return take(target, context_.polygons.find(written_string().value_or(""))); }
 

@@ -1,8 +1,7 @@
 #include "format/trace_reader.h"
 
-#include "choice/kernel_choice.h"
 #include "format/quick_event.h"
-#include "scene/scene_json.h"
+#include "format/trace_header.h"
 
 namespace vidno {
 
@@ -13,12 +12,6 @@ nlohmann::json parse_line(const std::string& line) {
         return parse_json(line);
     } catch (const NotJson&) {
         throw Refused("not JSON");
-    }
-}
-
-void expect_keys(const JsonNode& object, std::initializer_list<std::string_view> keys) {
-    for (const auto& key : object.keys()) {
-        if (std::find(keys.begin(), keys.end(), key) == keys.end()) object.refuse("unknown key " + key);
     }
 }
 
@@ -39,41 +32,6 @@ TraceEnd read_end(const JsonNode& object, std::string_view result) {
     if (!hash.is_text()) hash.refuse("not a text");
     found.hash = hash.text();
     return found;
-}
-
-std::string read_kernel(const JsonNode& node) {
-    if (!node.is_text() || !kernel_named(node.text())) node.refuse("not one of " + kernel_names());
-    return node.text();
-}
-
-/// What headers of both kinds have.
-void read_run(const JsonNode& object, auto& header) {
-    expect_keys(object, {"format", "method", "edition", "kernel", "detail", "scene"});
-    header.edition = Edition(place_of_word(member(object, "edition"), edition_names));
-    header.kernel = read_kernel(member(object, "kernel"));
-    header.detail = Detail(place_of_word(member(object, "detail"), detail_names));
-}
-
-TraceHeader read_header(const JsonNode& object) {
-    const JsonNode method = member(object, "method");
-    if (method.value() == floating_horizon_method) method.refuse("floating-horizon, which this command does not take");
-    TraceHeader header;
-    header.method = Method(place_of_word(method, method_names));
-    read_run(object, header);
-    header.scene = read_scene(member(object, "scene"));
-    return header;
-}
-
-FloatingHorizonHeader read_floating_horizon_header(const JsonNode& object) {
-    FloatingHorizonHeader header;
-    read_run(object, header);
-    if (!kernel_named(header.kernel)->choice->runs_floating_horizon(header.edition)) {
-        object.at("kernel").refuse("no kernel and edition of floating-horizon");
-    }
-    const JsonNode scene = member(object, "scene");
-    if (scene.has("function")) scene.at("function").refuse("a trace has the samples");
-    header.scene = read_surface(scene);
-    return header;
 }
 
 }  // namespace
@@ -121,7 +79,8 @@ Header TraceFile::header_by(Header (*read)(const JsonNode&), std::string_view re
     }
 }
 
-TraceReader::TraceReader(TraceFile file) : TraceFile(std::move(file)), header_(header_by(read_header, "picture")) {}
+TraceReader::TraceReader(TraceFile file)
+    : TraceFile(std::move(file)), header_(header_by(read_trace_header, "picture")) {}
 
 FloatingHorizonTraceReader::FloatingHorizonTraceReader(TraceFile file)
     : TraceFile(std::move(file)), header_(header_by(read_floating_horizon_header, "lines")) {}

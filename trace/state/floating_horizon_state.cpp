@@ -34,7 +34,14 @@ void FloatingHorizonState::take(const event::Curve& e) {
 
 void FloatingHorizonState::take(const event::SideEdge& e) { (e.at == Line::FH3 ? left_edge_ : right_edge_) = e.sample; }
 
+std::size_t FloatingHorizonState::column(int x) const {
+    const Area& area = header_->scene.curves.area;
+    if (x < area.x || x >= area.right()) throw Impossible{"a column outside the area"};
+    return std::size_t(x - area.x);
+}
+
 void FloatingHorizonState::take(const event::Visibility& e) {
+    column(e.x);
     segment_ = e.segment;
     if (e.at == Line::FH4) {
         previous_ = {e.x, e.flag};
@@ -69,10 +76,6 @@ void FloatingHorizonState::take(const event::Horizon& e) {
     for (const auto& [x, y] : e.lower) set(lower_, x, y);
 }
 
-void FloatingHorizonState::set(Heights& horizon, int x, const Value& y) const {
-    const Area& area = header_->scene.curves.area;
-    if (x < area.x || x >= area.right()) throw Impossible{"a column outside the area"};
-    horizon[std::size_t(x - area.x)] = y;
-}
+void FloatingHorizonState::set(Heights& horizon, int x, const Value& y) const { horizon[column(x)] = y; }
 
 }  // namespace vidno

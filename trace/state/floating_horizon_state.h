@@ -56,6 +56,8 @@ private:
         throw Impossible{"an event of a run of polygons"};
     }
 
+    /// The place of a column of the area.
+    std::size_t column(int x) const;
     void set(Heights& horizon, int x, const Value& y) const;
     Segment segment_on(const SegmentColumns& columns) const;
     LineEnd<Value> end_of(const ValuePoint& point, const std::pair<int, int>& columns) const;

@@ -1,12 +1,20 @@
 #include "state/state.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "choice/method.h"
 
 namespace vidno {
 
 namespace {
+
+bool fits(const auto& rectangle, const Area& area) {
+    const auto& [x, y, width, height] = rectangle;
+    return width >= 0 && height >= 0 && x >= area.x && y >= area.y && x <= area.right() && y <= area.bottom() &&
+           width <= area.right() - x && height <= area.bottom() - y;
+}
 
 std::int64_t cell(const Area& area, int x, int y) { return std::int64_t(y - area.y) * area.width + (x - area.x); }
 
@@ -30,6 +38,9 @@ void State::take(const event::Depth& e) {
 }
 
 void State::take(const event::Push& e) {
+    const bool is_first = e.at == Line::W3 || e.at == Line::WS1 || e.at == Line::WF1;
+    if (is_first != e.apl.has_value()) throw Impossible{"the first window has a list, and no other"};
+    if (header_->method == Method::warnock_vertex) expect_in_area(e.window);
     std::shared_ptr<Apl> apl;
     if (e.apl) {
         apl = std::make_shared<Apl>(*e.apl);
@@ -46,18 +57,23 @@ void State::take(const event::Pop& e) {
     if (!(stack_.back().window == e.window)) throw Impossible{"not the window on top of AW"};
     current_ = std::move(stack_.back());
     stack_.pop_back();
+    has_corners_ = false;
+}
+
+/// Of windows that are cut anywhere each has whole pixels.
+void State::expect_in_area(const Window& window) const {
+    const auto is_whole = [](double x) { return x == std::floor(x); };
+    const bool whole = is_whole(window.x) && is_whole(window.y) && is_whole(window.width) && is_whole(window.height);
+    if (!whole || !fits(window, picture_.area())) throw Impossible{"a window outside the area"};
 }
 
 void State::take(const event::Fill& e) {
-    const auto& [x, y, width, height] = e.rect;
-    const Area& area = picture_.area();
-    const bool fits = width >= 0 && height >= 0 && x >= area.x && y >= area.y && x <= area.right() &&
-                      y <= area.bottom() && width <= area.right() - x && height <= area.bottom() - y;
-    if (!fits) throw Impossible{"a rectangle outside the area"};
+    if (!fits(e.rect, picture_.area())) throw Impossible{"a rectangle outside the area"};
     picture_.paint(e.rect, e.color);
 }
 
 void State::take(const event::Corners& e) {
+    has_corners_ = true;
     corners_.emplace();
     corners_->fill(e.z);
     k_.reset();
@@ -112,7 +128,7 @@ void State::take(const event::Count& e) {
 }
 
 void State::take(const event::Nearer& e) {
-    if (!corners_ || depths_.size() != 4) throw Impossible{"not four depths before"};
+    if (!has_corners_ || depths_.size() != 4) throw Impossible{"not four depths before"};
     for (const Corner corner : e.corners) (*corners_)[std::size_t(corner)] = depths_[std::size_t(corner)];
     k_ = e.k;
     depths_.clear();
@@ -209,6 +225,11 @@ void State::take(const event::Clipped& e) {
     if (!e.outside.empty()) outside.push_back({e.polygon, e.outside, ground});
 }
 
+void State::take(const event::Behind& e) {
+    if (!list_in_hand_) throw Impossible{"no list in hand"};
+    behind_.push_back(e.behind);
+}
+
 void State::take(const event::NearerOnes&) {
     if (!list_in_hand_) throw Impossible{"no list in hand"};
     auto& inside = list_in_hand_->inside;
@@ -237,7 +258,17 @@ void State::take(const event::Scanline& e) {
     row_ = e.row;
 }
 
+void State::take(const event::AelAdd& e) {
+    const bool is_there =
+        std::any_of(ael_.begin(), ael_.end(), [&](const auto& entry) { return entry.edge == e.edge; });
+    if (is_there) throw Impossible{"an edge that is in AEL"};
+    ael_.push_back({e.edge, e.x, e.z, e.until, e.dx, e.dz});
+}
+
 void State::take(const event::Leave& e) {
+    for (const int edge : e.edges) {
+        if (std::find(edges_.begin(), edges_.end(), edge) == edges_.end()) throw Impossible{"an edge that is not in S"};
+    }
     std::erase_if(edges_, [&](int edge) { return std::find(e.edges.begin(), e.edges.end(), edge) != e.edges.end(); });
     next_start_ = e.next;
 }
@@ -251,7 +282,10 @@ State::AelEntry& State::active_edge(int edge) {
 void State::take(const event::AelSort& e) {
     std::vector<AelEntry> sorted;
     for (const int edge : e.edges) sorted.push_back(active_edge(edge));
-    if (sorted.size() != ael_.size()) throw Impossible{"an order of other entries than AEL has"};
+    const std::set<int> edges(e.edges.begin(), e.edges.end());
+    if (edges.size() != ael_.size() || sorted.size() != ael_.size()) {
+        throw Impossible{"an order of other entries than AEL has"};
+    }
     ael_ = std::move(sorted);
     next_end_ = e.next;
 }
@@ -268,7 +302,6 @@ void State::take(const event::AelStep& e) {
 }
 
 void State::take(const event::Span& e) {
-    if (e.runs.empty()) return;
     if (!polygon_) throw Impossible{"a span of no polygon"};
     std::size_t pixels = 0;
     for (const auto& [first, end] : e.runs) {

@@ -118,7 +118,7 @@ private:
     void take(const event::Edge& e) { edges_.push_back(e.edge); }
     void take(const event::Extent&) {}
     void take(const event::Scanline&);
-    void take(const event::AelAdd& e) { ael_.push_back({e.edge, e.x, e.z, e.until, e.dx, e.dz}); }
+    void take(const event::AelAdd&);
     void take(const event::Horizontal&) {}
     void take(const event::Leave&);
     void take(const event::AelSort&);
@@ -158,7 +158,7 @@ private:
     void take(const event::EdgePiece&) {}
     void take(const event::Entering&) {}
     void take(const event::Leaving&) {}
-    void take(const event::Behind& e) { behind_.push_back(e.behind); }
+    void take(const event::Behind&);
     void take(const event::Order&) {}
     void take(const event::Paint&);
     void take(const event::Painted&) {}
@@ -172,6 +172,7 @@ private:
     ListInHand& list_in_hand(PolygonPlace polygon);
     void paint(const std::vector<PixelRun>& runs, const Color& color);
     AelEntry& active_edge(int edge);
+    void expect_in_area(const Window& window) const;
     void expect_in_area(int row, int first, int end) const;
 
     const TraceHeader* header_;
@@ -183,6 +184,7 @@ private:
     std::optional<StackedWindow> current_;
     std::vector<Value> depths_;  // at PW5, of the polygon at hand
     std::optional<std::array<Value, 4>> corners_;
+    bool has_corners_ = false;  // those are of the current window
     std::optional<int> k_;
     int count_ = 0;
     bool has_surround_ = false;

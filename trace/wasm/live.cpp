@@ -1,5 +1,5 @@
-/// The library in a page: WebAssembly that makes a trace of a scene, the same bytes as `vidno trace`, and sign maps. Of a
-/// surface given as a function the page's own numbers are taken: see height_function.cpp.
+/// The library in a page: WebAssembly that makes a trace of a scene, the same bytes as `vidno trace`, and sign maps, and that reads
+/// traces. Of a surface given as a function the page's own numbers are taken: see height_function.cpp.
 ///
 /// A caller takes room for a request, writes it there, asks for what it wants, and reads the bytes where they are. A
 /// request is a line of JSON, then a file. For a trace, the fields of its header but for the scene, and two more; and the
@@ -12,7 +12,10 @@
 ///
 ///     {"kernel":"double","side":48}
 ///     {"format":"vidno-question/1",...}
+///
+/// To read a trace, its first line; then block after block of whole lines. README.md says why and how fast.
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -24,6 +27,7 @@
 #include "scene/snapped_scene.h"
 #include "sign_map/map.h"
 #include "sign_map/mapped_decision_json.h"
+#include "wasm/reading.h"
 
 namespace vidno {
 namespace {
@@ -32,7 +36,8 @@ namespace {
 struct Live {
     std::string request, messages;
     Text made;
-    LineIndex lines;  // of a trace
+    LineIndex lines;  // of a trace, or of the block that was read last
+    std::unique_ptr<Reading> reading;
 };
 
 Live& live() {
@@ -137,6 +142,13 @@ void make_map(Live& live) {
     }
 }
 
+void open_trace(Live& live) { live.reading = std::make_unique<Reading>(live.request); }
+
+void read_block(Live& live) {
+    if (!live.reading) throw Refused("no trace is open");
+    live.reading->take(live.request, live.lines);
+}
+
 /// Whether it was made; else the messages say why not.
 bool make(void (*what)(Live&)) {
     Live& live = vidno::live();
@@ -172,12 +184,19 @@ extern "C" {
 /// times the computed sign and once the exact one, of which each is 0, negative, 1, zero, or 2, positive.
 [[clang::export_name("map")]] bool vidno_map() { return vidno::make(vidno::make_map); }
 
+/// Begins to read the trace of which the request is the first line. False if it was refused.
+[[clang::export_name("open")]] bool vidno_open() { return vidno::make(vidno::open_trace); }
+
+/// Reads a block of lines, each with its line feed, up to the first that is not an event as a run writes it, or one that cannot happen:
+/// a page has another reader for those.
+[[clang::export_name("read")]] bool vidno_read() { return vidno::make(vidno::read_block); }
+
 /// The bytes of what was made.
 [[clang::export_name("made")]] const char* vidno_made() { return vidno::live().made.view().data(); }
 [[clang::export_name("made_size")]] std::size_t vidno_made_size() { return vidno::live().made.size(); }
 
-/// Of a trace: how many events it has; where in its bytes each event's line begins, and then its last line, 32 bits each;
-/// and the number of each event's name, 8 bits.
+/// Of a trace, or of the block that was read last: how many events it has; where in its bytes each event's line begins, and then the
+/// line after them, 32 bits each; and the number of each event's name, 8 bits.
 [[clang::export_name("events")]] std::size_t vidno_events() { return vidno::live().lines.names.size(); }
 [[clang::export_name("starts")]] const std::uint32_t* vidno_starts() { return vidno::live().lines.starts.data(); }
 [[clang::export_name("names")]] const std::uint8_t* vidno_names() { return vidno::live().lines.names.data(); }

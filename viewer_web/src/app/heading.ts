@@ -1,9 +1,9 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import '../run/notice.js';
-import type { Notice } from '../run/notice.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
+import '../run/notice.js';
+import type { Notice } from '../run/notice.js';
 import type { Session } from './session.js';
 
 /** What is open, and what there is to say of it and of the run beside it. */
@@ -11,8 +11,9 @@ export function heading(session: Session, name: string, language: Language): Tem
   const { trace, notice, rival } = session;
   return html`<div class="title">
     <h2>${trace ? name : ''}</h2>
-    ${session.isCompared ? nothing : runOf(session, language)} ${noticeOf(notice, language)}
-    ${rival.notice === null ? nothing : noticeOf(rival.notice, language)}
+    ${session.isCompared ? nothing : runOf(session, language)}
+    ${noticeOf(notice, language, () => session.stop())}
+    ${rival.notice === null ? nothing : noticeOf(rival.notice, language, () => rival.stop())}
   </div>`;
 }
 
@@ -32,10 +33,11 @@ function runOf({ trace }: Session, language: Language): TemplateResult | typeof 
   </p>`;
 }
 
-function noticeOf(notice: Notice | null, language: Language): TemplateResult {
+function noticeOf(notice: Notice | null, language: Language, stop: () => void): TemplateResult {
   return html`<vidno-notice
     class=${notice?.kind ?? nothing}
     .notice=${notice}
     .language=${language}
+    @stop=${stop}
   ></vidno-notice>`;
 }

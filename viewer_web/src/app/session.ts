@@ -1,25 +1,26 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import type { Address } from '../reader/address.js';
+import { textOf } from '../base/text-file.js';
 import { Rival } from '../compare/rival.js';
-import { noticeOf } from '../run/notice.js';
-import type { Notice } from '../run/notice.js';
-import { firstSurface, isSurface, surfaceText } from '../run/surface.js';
-import { embeddedFile, idOf } from '../lessons/lessons.js';
-import type { LessonTrace } from '../lessons/lessons.js';
-import { Checks } from '../run/checks.js';
-import { ExactPicture } from '../run/exact.js';
 import { Live } from '../editor/live.js';
 import type { Carried } from '../editor/live.js';
+import { embeddedFile, idOf } from '../lessons/lessons.js';
+import type { LessonTrace } from '../lessons/lessons.js';
+import type { Address } from '../reader/address.js';
+import { openTrace } from '../replay/open.js';
+import type { Readers } from '../replay/open.js';
+import type { Trace } from '../replay/trace.js';
+import { Checks } from '../run/checks.js';
+import { ExactPicture } from '../run/exact.js';
+import { embeddedLibrary, moduleOf } from '../run/maker.js';
+import { noticeOf } from '../run/notice.js';
+import type { Notice } from '../run/notice.js';
 import { usual } from '../run/options.js';
 import type { Options } from '../run/options.js';
 import { optionsOf, unpacked } from '../run/packed.js';
 import { isScene } from '../run/scene-file.js';
-import { embeddedLibrary } from '../run/maker.js';
 import { SignMaps } from '../run/sign-maps.js';
-import { textOf } from '../base/text-file.js';
+import { firstSurface, isSurface, surfaceText } from '../run/surface.js';
 import { ownStep } from '../time/own-step.js';
-import { openTrace } from '../replay/open.js';
-import type { Trace } from '../replay/trace.js';
 
 /** Where in a trace the page is, and what is marked in it. */
 export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };
@@ -53,9 +54,11 @@ export class Session implements ReactiveController {
   constructor(
     host: ReactiveControllerHost,
     private readonly changed: () => void,
+    private readonly library = embeddedLibrary(document),
   ) {
     host.addController(this);
-    const library = embeddedLibrary(document);
+    // Before it is needed: a long trace is then read at once.
+    if (library !== null) requestIdleCallback(() => void moduleOf(library).catch(() => undefined));
     this.maps = library && new SignMaps(library);
     this.checks = library && new Checks(library, changed);
     this.exact = new ExactPicture(library, changed);
@@ -138,6 +141,19 @@ export class Session implements ReactiveController {
     this.say({ kind: 'unknown', name });
   }
 
+  /** Reads no more of the file: what is there of it stays. */
+  stop(): void {
+    this.stopReading();
+    const { trace, notice } = this;
+    if (trace === null || notice?.kind !== 'growing') {
+      this.say(null);
+      return;
+    }
+    trace.stop();
+    this.steps = trace.timeline.length;
+    this.say(noticeOf(trace));
+  }
+
   move(change: Partial<Place>): void {
     this.place = { ...this.place, ...change };
     this.changed();
@@ -169,7 +185,7 @@ export class Session implements ReactiveController {
     this.goal = null;
     this.earlier = null;
     this.say({ kind: 'reading', name });
-    this.stopReading = openTrace(file, {
+    const readers: Readers = {
       grown: (trace) => {
         const { length } = trace.timeline;
         if (this.trace === trace) this.steps = length;
@@ -184,7 +200,9 @@ export class Session implements ReactiveController {
         if (this.trace?.complete === false) this.trace = null;
         this.fail(name, error);
       },
-    });
+    };
+    const { library } = this;
+    this.stopReading = openTrace(file, readers, () => library && moduleOf(library));
   }
 
   private show(trace: Trace, name: string, lesson: string | null, place: Place): void {

@@ -1,18 +1,18 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import type { Setup } from '../reader/address.js';
+import type { Way } from '../base/setting.js';
 import '../compare/comparison-element.js';
-import '../player/player.js';
+import type { Act } from '../editor/editor.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import type { Act } from '../editor/editor.js';
-import type { Navigation } from './navigation.js';
 import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
-import type { Session } from './session.js';
-import type { Way } from '../base/setting.js';
+import '../player/player.js';
+import type { Setup } from '../reader/address.js';
 import type { Bookmarks } from '../time/bookmarks.js';
+import type { Navigation } from './navigation.js';
+import type { Session } from './session.js';
 
 /** What is shown, how, and what may be asked for besides. */
 export interface Shown {
@@ -43,6 +43,7 @@ export function alone(page: Shown): TemplateResult {
     <vidno-player
       .trace=${trace}
       .length=${session.steps}
+      ?complete=${trace?.complete === true}
       .step=${place.step}
       .lang=${language}
       ?hidden=${trace === null}

@@ -1,10 +1,10 @@
 import { read } from '../replay/read.js';
-import type { News } from '../replay/read.js';
+import type { News, Order } from '../replay/read.js';
 import './models.js';
 
 /** What of the global scope a worker has and a page has not. */
 interface Scope {
-  onmessage: ((message: MessageEvent<Blob>) => void) | null;
+  onmessage: ((message: MessageEvent<Order>) => void) | null;
   postMessage(news: News, transfer: readonly Transferable[]): void;
 }
 const scope = globalThis as unknown as Scope;
@@ -16,8 +16,8 @@ function given(news: News): readonly Transferable[] {
   return [bytes.buffer, starts.buffer, names.buffer];
 }
 
-async function tell(file: Blob): Promise<void> {
-  for await (const news of read(file)) scope.postMessage(news, given(news));
+async function tell({ file, library }: Order): Promise<void> {
+  for await (const news of read(file, { library })) scope.postMessage(news, given(news));
 }
 
 scope.onmessage = ({ data }) => void tell(data).catch(reportError);

@@ -1,38 +1,40 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, queryAll, state } from 'lit/decorators.js';
-import { Comparison } from './comparison.js';
-import { differenceAt, pictureAt } from './difference.js';
-import type { Steps } from './parting.js';
-import type { Line } from '../replay/lines.js';
-import { historyOf } from '../history/history.js';
-import type { History } from '../history/history.js';
-import type { Editing } from '../editor/editor.js';
-import type { Layer } from '../picture/layers.js';
-import { isOther } from '../picture/pixel.js';
-import type { Pixel } from '../picture/pixel.js';
-import type { Grid } from '../replay/grid.js';
-import { marked } from '../time/bookmarks.js';
-import type { Bookmarks } from '../time/bookmarks.js';
-import type { Trace } from '../replay/trace.js';
 import { viewOf } from '../algorithm/view.js';
 import type { Choice, View } from '../algorithm/view.js';
+import type { Editing } from '../editor/editor.js';
 import { announcerStyle } from '../elements/announcer.style.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import type { Actions } from '../elements/keyboard.js';
+import { ReadOn } from '../elements/read-on.js';
+import { base, tokens } from '../elements/theme.js';
+import { historyOf } from '../history/history.js';
+import type { History } from '../history/history.js';
+import type { Layer } from '../picture/layers.js';
+import { askForLayer } from '../picture/layers-element.js';
+import { isOther } from '../picture/pixel.js';
+import type { Pixel } from '../picture/pixel.js';
+import { Pilot } from '../player/pilot.js';
+import { Pointing } from '../player/pointing.js';
+import { presenterStyle } from '../player/presenter.style.js';
+import { Ripening } from '../player/ripening.js';
+import { StageElement } from '../player/stage-element.js';
+import type { Grid } from '../replay/grid.js';
+import type { Line } from '../replay/lines.js';
+import type { Trace } from '../replay/trace.js';
+import { marked } from '../time/bookmarks.js';
+import type { Bookmarks } from '../time/bookmarks.js';
+import type { TravelElement } from '../time/travel.js';
 import './compared-run.js';
 import type { ComparedRunElement } from './compared-run.js';
+import { Comparison } from './comparison.js';
 import './comparison-facts.js';
 import type { Switch } from './comparison-facts.js';
 import { pairActions } from './comparison-keys.js';
 import { comparisonStyle } from './comparison.style.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
-import type { Actions } from '../elements/keyboard.js';
-import { askForLayer } from '../picture/layers-element.js';
-import { Pointing } from '../player/pointing.js';
-import { presenterStyle } from '../player/presenter.style.js';
-import { ReadOn } from '../elements/read-on.js';
-import { StageElement } from '../player/stage-element.js';
-import { base, tokens } from '../elements/theme.js';
-import type { TravelElement } from '../time/travel.js';
+import { differenceAt, pictureAt } from './difference.js';
+import type { Steps } from './parting.js';
 
 const mostPerFrame = 8;
 
@@ -69,8 +71,6 @@ export class ComparisonElement extends StageElement {
   /** The other run, and how many of its steps are there. */
   @property({ attribute: false }) rival: Trace | null = null;
   @property({ attribute: false }) rivalLength = 0;
-  /** Whether both were read to their end. */
-  @property({ type: Boolean }) complete = false;
   /** What the other run is, if its header does not say so. */
   @property({ attribute: false }) rivalNote = '';
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
@@ -89,6 +89,8 @@ export class ComparisonElement extends StageElement {
   private differs: number | null = null;
   private readonly pointing = new Pointing(this);
   private readonly reader = new ReadOn(this, mostPerFrame);
+  private readonly otherPilot = new Pilot(this, (step) => (this.otherStep = step));
+  private readonly otherRipening = new Ripening(this);
 
   override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
@@ -99,6 +101,7 @@ export class ComparisonElement extends StageElement {
     }
     if (changed.has('trace') || changed.has('pixel')) this.history = historyOf(trace, this.pixel);
     this.reader.read(this);
+    this.otherRipening.follow(rival);
     this.pair(this.comparison, rival);
     this.halves = this.look(trace, rival);
   }
@@ -119,7 +122,9 @@ export class ComparisonElement extends StageElement {
   }
 
   private look(trace: Trace, rival: Trace): readonly [Half, Half] {
-    const { step, otherStep, pixel, language } = this;
+    const { pixel, language } = this;
+    const step = this.pilot.follow(trace, this.step);
+    const otherStep = this.otherPilot.follow(rival, this.otherStep);
     const choice: Choice = { language, pixel, pointed: this.pointing.at };
     this.differs = differenceAt(trace, step, rival, otherStep);
     const against = this.beside(rival, otherStep);
@@ -146,11 +151,11 @@ export class ComparisonElement extends StageElement {
   }
 
   override render(): TemplateResult | typeof nothing {
-    const { comparison, halves, otherStep } = this;
+    const { comparison, halves } = this;
     if (comparison === null || halves === null) return nothing;
-    const [{ view, trace }] = halves;
+    const [{ view, trace }, other] = halves;
     const check = this.checkOf(trace);
-    const steps: Steps = [view.step, otherStep];
+    const steps: Steps = [view.step, other.view.step];
     return html`
       <div class="runs" @pointerover=${this.pointing.onOver} @pointerleave=${this.pointing.onLeave}>
         ${halves.map((half) => this.half(half))}
@@ -166,7 +171,8 @@ export class ComparisonElement extends StageElement {
         ></vidno-comparison-facts>
       </div>
       <div class="dock">
-        ${this.announcer.render()} ${this.playControls(view, check, this.history)}
+        ${this.announcer.render()} ${this.pilot.render(view.language)}
+        ${this.otherPilot.render(view.language)} ${this.playControls(view, check, this.history)}
         ${this.presenter.corner(view)}
       </div>
       ${this.presenter.curtain()}
@@ -206,6 +212,13 @@ export class ComparisonElement extends StageElement {
     if (name === 'together') this.linked = !this.linked;
     else if (name === 'edit') this.isEdited = !this.isEdited;
     else askForLayer(this, this.isMarked ? 'picture' : 'difference');
+  }
+
+  /** Goes no farther on a long way. */
+  stay(): void {
+    for (const pilot of [this.pilot, this.otherPilot]) {
+      if (pilot.isUnderWay) pilot.cancel();
+    }
   }
 
   /** Points at the next thing of the first run's step, or the one before. */

@@ -1,9 +1,9 @@
-import type { ComparedRunElement } from './compared-run.js';
 import type { Actions } from '../elements/keyboard.js';
 import type { KeysElement } from '../elements/keys.js';
 import { timeActions } from '../player/player-keys.js';
 import type { Timed } from '../player/player-keys.js';
 import type { Presenter } from '../player/presenter.js';
+import type { ComparedRunElement } from './compared-run.js';
 
 /** What of a comparison keys reach. */
 export interface SteeredPair extends Timed {
@@ -16,6 +16,7 @@ export interface SteeredPair extends Timed {
   point(by: 1 | -1): void;
   toggle(name: 'mark'): void;
   bookmark(): void;
+  stay(): void;
   goToParting(what: 'text' | 'deed'): void;
 }
 
@@ -28,6 +29,7 @@ export function pairActions(pair: SteeredPair, { shiftKey }: KeyboardEvent): Act
   const usual: Actions = {
     ...showKeys,
     ...timeActions(pair, shiftKey),
+    Escape: () => pair.stay(),
     KeyB: () => pair.bookmark(),
     KeyC: () => {
       for (const run of pair.runs) run.toggleSource();

@@ -1,15 +1,16 @@
-import { noticeOf } from '../run/notice.js';
-import type { Notice } from '../run/notice.js';
 import { embeddedFile, embeddedLessons, idOf } from '../lessons/lessons.js';
 import type { LessonTrace } from '../lessons/lessons.js';
+import { openTrace } from '../replay/open.js';
+import type { Trace } from '../replay/trace.js';
+import { moduleOf } from '../run/maker.js';
+import { noticeOf } from '../run/notice.js';
+import type { Notice } from '../run/notice.js';
 import type { Options } from '../run/options.js';
 import { optionsOf, wordOf } from '../run/packed.js';
 import { sceneText } from '../run/sketch.js';
 import { Tracer } from '../run/tracer.js';
 import { eventsOf } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
-import { openTrace } from '../replay/open.js';
-import type { Trace } from '../replay/trace.js';
 
 /** What to hold a run against: its scene run otherwise, as it was before the last change, a lesson's trace, or a file. */
 export type With =
@@ -41,7 +42,7 @@ export class Rival {
   private stopReading = (): void => undefined;
 
   constructor(
-    library: Blob | null,
+    private readonly library: Blob | null,
     private readonly changed: () => void,
   ) {
     const take = (trace: Trace | null, messages: string): void => {
@@ -81,6 +82,14 @@ export class Rival {
     this.changed();
   }
 
+  /** Reads no more of the file: what is there of it stays. */
+  stop(): void {
+    this.stopReading();
+    this.trace?.stop();
+    if (this.trace === null) this.choose(null);
+    else this.show(this.trace);
+  }
+
   /** The scene that is open, run otherwise, is run again when it has changed. */
   follow(scene: Scene): void {
     this.scene = scene;
@@ -98,14 +107,17 @@ export class Rival {
 
   private open(file: Blob, name: string): void {
     this.notice = { kind: 'reading', name };
-    this.stopReading = openTrace(file, {
-      grown: (trace) => this.show(trace),
-      failed: (error) => {
-        this.chosen = null;
-        this.trace = null;
-        this.say({ kind: 'failed', name, error });
-      },
-    });
+    const failed = (error: unknown): void => {
+      this.chosen = null;
+      this.trace = null;
+      this.say({ kind: 'failed', name, error });
+    };
+    const { library } = this;
+    this.stopReading = openTrace(
+      file,
+      { grown: (trace) => this.show(trace), failed },
+      () => library && moduleOf(library),
+    );
   }
 
   private show(trace: Trace): void {

@@ -2,7 +2,8 @@ import { css } from 'lit';
 
 /** Over what is shown, for long enough to be read; nothing moves for it. */
 export const announcerStyle = css`
-  .news {
+  .news,
+  .on-the-way {
     position: absolute;
     z-index: 4;
     bottom: 100%;
@@ -10,15 +11,29 @@ export const announcerStyle = css`
     width: max-content;
     max-width: min(36rem, 100%);
     transform: translate(-50%, -0.5rem);
+  }
+  .news {
     pointer-events: none;
   }
-  .news span:not(.heard, :empty) {
+  .news span:not(.heard, :empty),
+  .on-the-way {
     display: block;
     padding: 0.5rem 0.9rem;
     border-radius: 6px;
     background: var(--ink);
     color: var(--panel);
+  }
+  .news span:not(.heard, :empty) {
     animation: gone 0.3s 7s forwards;
+  }
+  .on-the-way {
+    display: flex;
+    gap: 0.75rem;
+    align-items: center;
+    font-variant-numeric: tabular-nums;
+  }
+  .on-the-way progress {
+    width: 8rem;
   }
   @keyframes gone {
     to {

@@ -10,6 +10,15 @@ export const noticeStyle = css`
     font-size: 0.875rem;
     overflow-wrap: anywhere;
   }
+  p:is(.reading, .growing) {
+    display: inline-block;
+    margin-right: 0.4rem;
+  }
+  button {
+    min-height: 1.5rem;
+    padding: 0 0.5rem;
+    font-size: 0.8125rem;
+  }
   p.growing {
     color: var(--soft);
     font-size: 0.8125rem;

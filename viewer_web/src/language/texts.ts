@@ -160,6 +160,10 @@ export interface PageTexts extends FileTexts {
   readonly noLessons: string;
   readonly reading: (name: string) => string;
   readonly growing: (steps: string, percent: number) => string;
+  readonly stopReading: string;
+  /** To a step that takes a while to be reached. */
+  readonly onTheWay: (step: string) => string;
+  readonly cancel: string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
   readonly unknown: (name: string) => string;
   readonly broken: (name: string) => string;

@@ -1,12 +1,12 @@
 import type { Clock } from '../elements/clock.js';
 import type { Actions } from '../elements/keyboard.js';
 import type { KeysElement } from '../elements/keys.js';
-import type { ListingElement } from '../listing/listing-element.js';
-import type { PicturePanelElement } from './picture-panel.js';
-import type { Predictor } from '../predict/predictor.js';
-import type { Presenter } from './presenter.js';
 import type { Side } from '../history/side-name.js';
+import type { ListingElement } from '../listing/listing-element.js';
+import type { Predictor } from '../predict/predictor.js';
 import type { TravelElement } from '../time/travel.js';
+import type { PicturePanelElement } from './picture-panel.js';
+import type { Presenter } from './presenter.js';
 
 /** What goes through time. */
 export interface Timed {

@@ -99,9 +99,10 @@ export class PlayerElement extends StageElement {
     this.chosen.follow(changed);
     if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
     this.toggleAttribute('asking', this.side === 'predict');
-    const { language, trace, step } = this;
+    const { language, trace } = this;
     const pixel = this.chosen.history?.pixel ?? null;
     const { things: asked } = this.predictor;
+    const step = trace === null ? 0 : this.pilot.follow(trace, this.step);
     this.view = trace && viewOf(trace, step, { language, pixel, pointed: this.pointing.at, asked });
   }
 
@@ -131,8 +132,12 @@ export class PlayerElement extends StageElement {
     }
   }
 
-  /** Leaves the questions, unless the run waits for an answer. */
+  /** Stays where one is on a long way; else leaves the questions, unless the run waits for an answer. */
   escape(): void {
+    if (this.pilot.isUnderWay) {
+      this.pilot.cancel();
+      return;
+    }
     if (this.side !== 'predict') return;
     if (this.predictor.leave()) this.toggleSide('predict');
     else this.refuse('answerFirst');
@@ -166,7 +171,7 @@ export class PlayerElement extends StageElement {
     return html`
       ${this.source.remark(this.language)}
       <div class="dock">
-        ${this.announcer.render()}
+        ${this.announcer.render()} ${this.pilot.render(this.language)}
         <div class="said">
           <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
             <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>

@@ -148,9 +148,14 @@ export class SideElement extends LitElement {
       ${this.bookmarks.length}`;
   }
 
+  /** The panel that is open: one that the run does not have gives way to the state. */
+  private get shown(): Side {
+    return this.side === 'solid' && !hasSolid(this.view) ? 'state' : this.side;
+  }
+
   private panel(): TemplateResult {
-    const { view, history, side, editing } = this;
-    switch (side) {
+    const { view, history, editing } = this;
+    switch (this.shown) {
       case 'pixel':
         return html`<vidno-history
           .view=${view}
@@ -182,9 +187,7 @@ export class SideElement extends LitElement {
       case 'scene':
         return editing === null ? this.state() : this.scene(editing);
       case 'solid':
-        return hasSolid(view)
-          ? html`<vidno-solid .view=${view} ?bare=${this.bare}></vidno-solid>`
-          : this.state();
+        return html`<vidno-solid .view=${view} ?bare=${this.bare}></vidno-solid>`;
       case 'state':
         return this.state();
     }
@@ -211,7 +214,7 @@ export class SideElement extends LitElement {
     const key = keys[side];
     return html`<button
       class=${side}
-      aria-pressed=${side === this.side ? 'true' : 'false'}
+      aria-pressed=${side === this.shown ? 'true' : 'false'}
       aria-label=${label === shown ? nothing : label}
       title=${key === undefined ? label : withKey(label, key)}
       @click=${() => this.dispatchEvent(new CustomEvent('side', { detail: side }))}

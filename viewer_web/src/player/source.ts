@@ -66,7 +66,21 @@ export class Source implements ReactiveController {
   /** What there is to say instead of a trace, or of one that is not whole. */
   remark(language: Language): TemplateResult | typeof nothing {
     if (this.notice === null) return nothing;
-    return html`<vidno-notice .notice=${this.notice} .language=${language}></vidno-notice>`;
+    return html`<vidno-notice
+      .notice=${this.notice}
+      .language=${language}
+      @stop=${() => this.stop()}
+    ></vidno-notice>`;
+  }
+
+  /** Reads no more: what is there stays. */
+  private stop(): void {
+    this.stopReading();
+    const { host } = this;
+    host.trace?.stop();
+    host.length = host.trace?.timeline.length ?? 0;
+    this.notice = host.trace && noticeOf(host.trace);
+    host.requestUpdate();
   }
 
   private async open(src: string): Promise<void> {

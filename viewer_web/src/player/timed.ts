@@ -6,12 +6,16 @@ import { Clock } from '../elements/clock.js';
 import { canonical } from '../replay/canonical.js';
 import type { Trace } from '../replay/trace.js';
 import type { Command } from '../time/command.js';
+import { Pilot } from './pilot.js';
+import { Ripening } from './ripening.js';
 
 /** What stands at a step of a trace, and may play from there. Each step that is shown is told by an event `vidno-step`. */
 export class TimedElement extends LitElement {
   @property({ attribute: false }) trace: Trace | null = null;
   /** How many steps of the trace are there: more and more while it is read. */
   @property({ attribute: false }) length = 0;
+  /** Whether there will be no more of them; of two runs, in both. */
+  @property({ type: Boolean }) complete = false;
   @property({ type: Number }) step = 0;
   /** The first and the last step that can be reached; null: the last one of the trace. */
   @property({ type: Number }) from = 0;
@@ -21,6 +25,8 @@ export class TimedElement extends LitElement {
   /** Whether the first trace plays as soon as it is there, unless the reader wants no motion. */
   @property({ type: Boolean }) play = false;
   readonly clock = new Clock(this, (steps) => this.advance(steps));
+  protected readonly pilot = new Pilot(this, (step) => this.moveTo(step));
+  protected readonly ripening = new Ripening(this);
 
   /** The state that is shown, in the form in which readers of a trace are compared. */
   canonicalState(): unknown {
@@ -63,6 +69,14 @@ export class TimedElement extends LitElement {
     else if (command.do === 'seek') this.moveTo(command.step);
   }
 
+  /** What is shown is there only at the end of the way. */
+  protected override async getUpdateComplete(): Promise<boolean> {
+    const isComplete = await super.getUpdateComplete();
+    if (!this.pilot.isUnderWay) return isComplete;
+    await this.pilot.arrival;
+    return this.getUpdateComplete();
+  }
+
   moveTo(step: number): void {
     this.clock.stop();
     this.step = this.clamped(step);
@@ -84,6 +98,7 @@ export class TimedElement extends LitElement {
     if (this.trace === null) return;
     this.step = this.clamped(this.step);
     if (this.play) this.begin();
+    this.ripening.follow(this.trace);
   }
 
   private begin(): void {

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf, pop, push, textWith, traceOf } from '../testing/traces.js';
 import { samples } from '../testing/samples.js';
+import { headerOf, pop, push, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import type { Trace } from './trace.js';
-import { canonical } from './canonical.js';
 import { emptyWarnock } from '../warnock/state.js';
 import type { Warnock } from '../warnock/state.js';
 import { emptyZBuffer } from '../zbuffer/state.js';
+import { canonical } from './canonical.js';
+import type { Trace } from './trace.js';
 
 const stateAt = ({ header, timeline }: Trace, step: number): unknown =>
   canonical(timeline.seek(step), header, []);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { textOf, traceNames, traceOf } from '../testing/traces.js';
-import type { CurveEvents, Event } from '../trace/events.js';
 import { numberOf } from '../trace/events.js';
+import type { CurveEvents, Event } from '../trace/events.js';
 import { Lines } from './lines.js';
 
 type Drawn = CurveEvents['draw_line'];

@@ -1,6 +1,6 @@
 import code from '../app/worker.js?code';
 import { read } from './read.js';
-import type { News } from './read.js';
+import type { News, Order } from './read.js';
 import { starterOf } from './start-worker.js';
 import { keep } from './trace.js';
 import type { Trace } from './trace.js';
@@ -18,8 +18,18 @@ export interface Readers {
   failed(error: unknown): void;
 }
 
-/** Reads a file in a worker, or here where the policy of another page allows none. Gives the way to stop that. */
-export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
+/** A smaller file is read before the library would be there. */
+const small = 2 ** 16;
+
+/**
+ * Reads a file in a worker, or here where the policy of another page allows none; by the library, where there is one and it pays.
+ * Gives the way to stop that.
+ */
+export function openTrace(
+  file: Blob,
+  { grown, failed }: Readers,
+  library: () => Promise<WebAssembly.Module> | null = () => null,
+): () => void {
   const worker = startWorker();
   let isOver = false;
   const stop = (): void => {
@@ -30,12 +40,15 @@ export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
   let trace: Trace | null = null;
   let told = -Infinity;
   const take = (news: News): void => {
+    // Told before the newest part is added: so the end of a trace always brings new steps, by which those who show it know.
+    if (trace !== null && trace.timeline.length > 0 && performance.now() >= told + pause) {
+      if (news.is === 'part') grown(trace);
+      told = performance.now();
+    }
     trace = keep(trace, news);
-    if (trace === null || news.is === 'header') return;
-    if (trace.complete) stop();
-    else if (performance.now() < told + pause) return;
+    if (trace?.complete !== true) return;
+    stop();
     grown(trace);
-    told = performance.now();
   };
   const fail = (error: unknown): void => {
     stop();
@@ -60,6 +73,11 @@ export function openTrace(file: Blob, { grown, failed }: Readers): () => void {
     else fail(event);
   });
   worker.addEventListener('messageerror', fail);
-  worker.postMessage(file);
+  const start = async (): Promise<void> => {
+    // Without it everything is read as well, only slower.
+    const module = file.size < small ? null : await library()?.catch(() => null);
+    if (!isOver) worker.postMessage({ file, library: module ?? null } satisfies Order);
+  };
+  void start();
   return stop;
 }

@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { headerOf, textOf, textWith, traceNames, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import type { Area } from '../trace/header.js';
-import type { Trace } from './trace.js';
 import type { Box } from '../trace/values.js';
 import { levelOf } from './quadtree.js';
+import type { Trace } from './trace.js';
 
 const words = (boxes: readonly Box[]): readonly string[] =>
   boxes.map((box) => box.join(' ')).sort();

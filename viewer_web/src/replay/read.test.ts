@@ -10,8 +10,8 @@ import {
   traceNames,
   traceOf,
 } from '../testing/traces.js';
-import { Unreadable } from './trace.js';
 import type { Reason } from '../trace/refusal.js';
+import { Unreadable } from './trace.js';
 
 const header = headerOf('warnock');
 const push = samples.push[0];

@@ -1,13 +1,19 @@
-import type { Keyframe } from './state.js';
 import { parseHeader } from '../trace/header.js';
 import type { Header } from '../trace/header.js';
 import { Lines } from '../trace/lines.js';
-import { parseJson } from '../trace/parse.js';
+import { parseJson, parseLine } from '../trace/parse.js';
 import type { End } from '../trace/parse.js';
 import { Refusal, isRefusal } from '../trace/refusal.js';
-import { Run } from './run.js';
 import { BlockText } from '../trace/store.js';
 import type { Block } from '../trace/store.js';
+import { QuickRun } from './quick-run.js';
+import { Run } from './run.js';
+
+/** What a worker is to read, and the library where it shall be quick. */
+export interface Order {
+  readonly file: Blob;
+  readonly library: WebAssembly.Module | null;
+}
 
 /** What is wrong with a file that is no trace, or no longer one: the line, from 1, and the reason. */
 export interface Complaint {
@@ -15,20 +21,19 @@ export interface Complaint {
   readonly refusal: Pick<Refusal, 'path' | 'reason' | 'details'>;
 }
 
-/** The file broke off, the run was stopped, or it is too long for a page. */
+/** The file broke off, the run was stopped, it is too long for a page, or the reader wanted no more of it. */
 export interface Ended {
-  readonly why: 'cut' | 'partial' | 'limit';
+  readonly why: 'cut' | 'partial' | 'limit' | 'stopped';
   readonly line: number;
 }
 
 /** The trace is shorter than the run, or than its file, of which a line is wrong. */
 export type Shortened = Ended | ({ readonly why: 'wrong' } & Complaint);
 
-/** Further events, each of them checked and applied once, and the keyframes among them. */
+/** Further events, each of them checked: it can happen where it stands. */
 export interface Part {
   readonly is: 'part';
   readonly block: Block;
-  readonly keyframes: readonly Keyframe[];
   /** How much of the file was read, from 0 to 1. */
   readonly read: number;
 }
@@ -48,15 +53,19 @@ export type News =
 
 const mostBytes = 2 ** 30;
 const newline = 10;
+const ending = '{"end":';
 
-function lineStarts(bytes: Uint8Array): Uint32Array<ArrayBuffer> {
-  const starts = [0];
-  for (let at = bytes.indexOf(newline); at >= 0; at = bytes.indexOf(newline, at + 1)) {
+function lineStarts(bytes: Uint8Array, from: number): Uint32Array<ArrayBuffer> {
+  const starts = [from];
+  for (let at = bytes.indexOf(newline, from); at >= 0; at = bytes.indexOf(newline, at + 1)) {
     starts.push(at + 1);
   }
   if (starts.at(-1) !== bytes.length) starts.push(bytes.length);
   return Uint32Array.from(starts);
 }
+
+/** A line that the library leaves to `Run`, which must have seen all lines before it. */
+class NotQuick extends Error {}
 
 class Reader {
   line = 0;
@@ -64,35 +73,22 @@ class Reader {
   shortened: Ended | null = null;
   /** Why a line is none of a trace; the lines before it stand. */
   refusal: Refusal | null = null;
-  private run: Run | null = null;
+  private events = 0;
+  private run: Run | QuickRun | null = null;
   private end: End | null = null;
 
+  constructor(private readonly library: WebAssembly.Module | null) {}
+
   /** The events of a block of lines; only the last may lack its newline, as it may be cut in two. */
-  take(bytes: Uint8Array<ArrayBuffer>): Omit<Part, 'is' | 'read'> {
-    const starts = lineStarts(bytes);
-    const text = new BlockText(bytes, starts);
-    const first = this.header === null ? 1 : 0;
-    const names = new Uint8Array(starts.length - 1);
-    let count = 0;
-    for (let i = 0; i < starts.length - 1; i++) {
-      this.line++;
-      const isCut = bytes[(starts[i + 1] ?? 0) - 1] !== newline && !isJson(text, i);
-      if (isCut && this.header !== null) {
-        this.shorten('cut');
-        break;
-      }
-      const name = this.tryLine(text, i);
-      if (this.refusal !== null) break;
-      if (name !== null) names[count++] = name;
-    }
-    return {
-      block: {
-        bytes,
-        starts: starts.slice(first, first + count + 1),
-        names: names.slice(0, count),
-      },
-      keyframes: this.run?.takeKeyframes() ?? [],
-    };
+  take(bytes: Uint8Array<ArrayBuffer>): Block {
+    const from = this.header === null ? this.takeFirst(bytes) : 0;
+    if (!(this.run instanceof QuickRun)) return this.takeLines(bytes, from);
+    const { starts, names } = this.run.take(bytes.subarray(from));
+    this.line += names.length;
+    this.events += names.length;
+    const rest = from + (starts.at(-1) ?? 0);
+    if (rest < bytes.length) this.takeLines(bytes, rest);
+    return { bytes, starts: from === 0 ? starts : starts.map((start) => from + start), names };
   }
 
   shorten(why: Ended['why']): void {
@@ -105,6 +101,36 @@ class Reader {
     return { is: 'end', end: this.end, shortened: this.shortened };
   }
 
+  /** Where the line after the first begins. */
+  private takeFirst(bytes: Uint8Array): number {
+    this.line++;
+    const end = bytes.indexOf(newline) + 1 || bytes.length;
+    const text = new BlockText(bytes, Uint32Array.of(0, end));
+    this.header = parseHeader(parseJson(text.line(0), 'emptyLine'));
+    const { library, header } = this;
+    const quick = library && QuickRun.of(library, bytes.subarray(0, end), header);
+    this.run = quick ?? new Run(header);
+    return end;
+  }
+
+  private takeLines(bytes: Uint8Array<ArrayBuffer>, from: number): Block {
+    const starts = lineStarts(bytes, from);
+    const text = new BlockText(bytes, starts);
+    const names = new Uint8Array(starts.length - 1);
+    let count = 0;
+    for (let i = 0; i < starts.length - 1; i++) {
+      this.line++;
+      if (bytes[(starts[i + 1] ?? 0) - 1] !== newline && !isJson(text, i)) {
+        this.shorten('cut');
+        break;
+      }
+      const name = this.tryLine(text, i);
+      if (this.refusal !== null) break;
+      if (name !== null) names[count++] = name;
+    }
+    return { bytes, starts: starts.slice(0, count + 1), names: names.slice(0, count) };
+  }
+
   private tryLine(text: BlockText, i: number): number | null {
     try {
       return this.takeLine(text, i);
@@ -115,21 +141,28 @@ class Reader {
     }
   }
 
-  /** The number of the event's name, or null for the first line and the last. */
+  /** The number of the event's name, or null for the last line. */
   private takeLine(text: BlockText, i: number): number | null {
-    if (this.run === null) {
-      this.header = parseHeader(parseJson(text.line(i), 'emptyLine'));
-      this.run = new Run(this.header);
+    if (this.end !== null) throw new Refusal('', 'afterEnd');
+    const found = this.run instanceof Run ? this.run.take(text, i) : this.endOn(text.line(i));
+    if (typeof found !== 'number') {
+      this.finish(found);
       return null;
     }
-    if (this.end !== null) throw new Refusal('', 'afterEnd');
-    const found = this.run.take(text, i);
-    if (typeof found === 'number') return found;
-    this.finish(found, this.run.length);
-    return null;
+    this.events++;
+    return found;
   }
 
-  private finish(end: End, events: number): void {
+  /** What the last line says; of another line the library knows no more. */
+  private endOn(text: string): End {
+    if (this.header === null || !text.startsWith(ending)) throw new NotQuick();
+    const found = parseLine(text, this.header);
+    if (!('end' in found)) throw new NotQuick();
+    return found.end;
+  }
+
+  private finish(end: End): void {
+    const { events } = this;
     if (end.events !== events) {
       throw new Refusal('end.events', 'eventCount', String(end.events), String(events));
     }
@@ -162,23 +195,48 @@ async function* readInto(reader: Reader, file: Blob, most: number): AsyncGenerat
       break;
     }
     const known = reader.header !== null;
-    const part = reader.take(text);
+    const block = reader.take(text);
     if (!known && reader.header !== null) yield { is: 'header', header: reader.header };
-    if (reader.header !== null) yield { is: 'part', ...part, read: lines.read / file.size };
+    if (reader.header !== null) yield { is: 'part', block, read: lines.read / file.size };
     if (reader.refusal !== null) throw reader.refusal;
   }
   refuseBreak(lines, reader);
   yield reader.ending();
 }
 
-/** Reads a trace, plain or gzip, of at most so many bytes when unpacked. */
-export async function* read(file: Blob, most = mostBytes): AsyncGenerator<News> {
-  const reader = new Reader();
+/** Tells what a reader finds, complaints too. */
+async function* readBy(reader: Reader, file: Blob, most: number): AsyncGenerator<News> {
   try {
     yield* readInto(reader, file, most);
   } catch (error) {
     if (!isRefusal(error)) throw error;
     const { path, reason, details } = error;
     yield { is: 'complaint', line: Math.max(1, reader.line), refusal: { path, reason, details } };
+  }
+}
+
+/** How to read: of at most so many bytes when unpacked, and by the library, where there is one. */
+export interface Way {
+  readonly most?: number | undefined;
+  readonly library?: WebAssembly.Module | null;
+}
+
+/** Reads a trace, plain or gzip. Where the library leaves a line to `Run` the file is read again, and what is new is told. */
+export async function* read(
+  file: Blob,
+  { most = mostBytes, library = null }: Way = {},
+): AsyncGenerator<News> {
+  let told = 0;
+  try {
+    for await (const news of readBy(new Reader(library), file, most)) {
+      told++;
+      yield news;
+    }
+    return;
+  } catch (error) {
+    if (!(error instanceof NotQuick)) throw error;
+  }
+  for await (const news of readBy(new Reader(null), file, most)) {
+    if (told-- <= 0) yield news;
   }
 }

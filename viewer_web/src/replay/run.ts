@@ -7,35 +7,33 @@ import { parseLine } from '../trace/parse.js';
 import type { End } from '../trace/parse.js';
 import type { BlockText } from '../trace/store.js';
 import { modelOf } from './model.js';
+import { Bounds } from './screen.js';
 import { State } from './state.js';
-import type { Keyframe } from './state.js';
-import { hasKeyframe } from './timeline.js';
 
 /** On a longer text a regular expression may run out of space. */
 const longestPlain = 2 ** 13;
 const opening = '{"e":"';
 
 /**
- * A run as it is read: checks each line, applies its event, and keeps keyframes until they are taken. Lines as a
- * run writes them are known by their plain form; of these, events that change nothing are not parsed.
+ * A run as it is read: checks each line, and that its event can happen there. Lines as a run writes them are known by their
+ * plain form; of these, events on which nothing depends that could be refused are not parsed.
  */
 export class Run {
   length = 0;
-  private keyframes: Keyframe[] = [];
   private readonly state: State;
   private readonly kinds: ReadonlyMap<string, LineKind>;
   private readonly ids: ReadonlySet<string>;
-  private readonly changes: readonly boolean[];
+  private readonly decisive: readonly boolean[];
 
   constructor(private readonly header: Header) {
     const { method, detail, scene } = header;
     const level = details.indexOf(detail);
     const kinds = [...kindsOf[method]].filter(([, { from }]) => details.indexOf(from) <= level);
-    this.state = new State(header);
+    this.state = new State(header, new Bounds(header));
     this.kinds = new Map(kinds);
     this.ids = new Set(scene.polygons.map(({ id }) => JSON.stringify(id)));
-    const { written } = modelOf(header).uses;
-    this.changes = eventNames.map((name, i) => written[i] !== 0 || name === 'call');
+    const { decisive } = modelOf(header).uses;
+    this.decisive = eventNames.map((name, i) => decisive[i] === true || name === 'call');
   }
 
   /** The number of the name of the event on a line of the block, or the last line. */
@@ -43,18 +41,10 @@ export class Run {
     const kind = this.plainKind(block, line);
     if (kind === null) return this.takeParsed(block.line(line));
     this.length++;
-    const due = this.isDue();
-    if (due || this.changes[kind.number] === true) {
-      this.state.apply(JSON.parse(block.line(line)) as Event, this.length);
+    if (this.decisive[kind.number] === true) {
+      this.state.check(JSON.parse(block.line(line)) as Event);
     } else this.state.pass(kind.name);
-    if (due) this.keyframes.push(this.state.save());
     return kind.number;
-  }
-
-  takeKeyframes(): readonly Keyframe[] {
-    const { keyframes } = this;
-    this.keyframes = [];
-    return keyframes;
   }
 
   /** The kind of a line that is certainly one of its kind, and names a polygon of the scene if it names any. */
@@ -74,12 +64,7 @@ export class Run {
     const found = parseLine(text, this.header);
     if ('end' in found) return found.end;
     this.length++;
-    this.state.apply(found.event, this.length);
-    if (this.isDue()) this.keyframes.push(this.state.save());
+    this.state.check(found.event);
     return this.kinds.get(found.event.e)?.number ?? 0;
-  }
-
-  private isDue(): boolean {
-    return hasKeyframe(this.length, this.header.scene.area);
   }
 }

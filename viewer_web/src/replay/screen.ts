@@ -4,6 +4,7 @@ import type { Box, N } from '../trace/values.js';
 import { cut, pieces } from './cuts.js';
 import { Grid, toGround, toPixel } from './grid.js';
 import type { Row } from './grid.js';
+import { modelOf } from './model.js';
 import { halve, leaves } from './quadtree.js';
 import type { Sight } from './quadtree.js';
 
@@ -16,6 +17,10 @@ export const hasRoomForDepths = ({ area: { width, height } }: Scene): boolean =>
 /** Whether the state has the depths that a trace tells. */
 export const keepsDepths = ({ detail, scene }: Pick<Header, 'detail' | 'scene'>): boolean =>
   detail !== 'windows' && hasRoomForDepths(scene);
+
+/** Whether windows are cut anywhere, and not halved. */
+export const isCut = (header: Pick<Header, 'method'>): boolean =>
+  modelOf(header).cutsAnywhere?.(header.method) ?? false;
 
 /**
  * What the handlers of events write to: the picture, how the area is divided into windows and, where the trace carries
@@ -57,6 +62,12 @@ export class Screen {
 
   /** Pixels of the plane take a colour; they must lie in the area. */
   paint(x: number, y: number, width: number, height: number, color: string): void {
+    this.expectInside(x, y, width, height);
+    const { area } = this.scene;
+    this.picture.fill(x - area.x, y - area.y, width, height, toPixel(color));
+  }
+
+  protected expectInside(x: number, y: number, width: number, height: number): void {
     const { area } = this.scene;
     const i = x - area.x;
     const j = y - area.y;
@@ -64,14 +75,22 @@ export class Screen {
     if (!inside || i + width > area.width || j + height > area.height) {
       throw new Refusal('', 'outsideArea');
     }
-    this.picture.fill(i, j, width, height, toPixel(color));
   }
 
   /** The pixels whose centres lie in a window, a part of the first one, are in no smaller one. */
   divide(window: Box, root: Box): void {
     const { area } = this.scene;
-    if (this.isCut) cut(this.division, area, window);
-    else halve(this.division, area, window, root);
+    if (!this.isCut) halve(this.division, area, window, root);
+    else {
+      this.expectCut(window);
+      cut(this.division, area, window);
+    }
+  }
+
+  /** A window that is cut anywhere has whole pixels. */
+  protected expectCut([x, y, width, height]: Box): void {
+    if (![x, y, width, height].every(Number.isInteger)) throw new Refusal('window', 'outsideArea');
+    this.expectInside(x, y, width, height);
   }
 
   /** The windows that the area is divided into, as far as they can be told apart. */
@@ -103,6 +122,25 @@ export class Screen {
   private depths(z: N): Grid<N> {
     const { width, height } = this.scene.area;
     return new Grid<N>(width, height, z, (n) => new Array<N>(n).fill(z));
+  }
+}
+
+/** What only says whether something can be painted. */
+export class Bounds extends Screen {
+  constructor(header: Header) {
+    super(header.scene, false, isCut(header));
+  }
+
+  override paint(x: number, y: number, width: number, height: number): void {
+    this.expectInside(x, y, width, height);
+  }
+
+  override divide(window: Box): void {
+    if (this.isCut) this.expectCut(window);
+  }
+
+  override clear(): void {
+    // Nothing is painted.
   }
 }
 

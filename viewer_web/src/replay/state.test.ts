@@ -1,13 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { headerOf, textOf, textWith, traceNames, traceOf, pop, push } from '../testing/traces.js';
 import { samples } from '../testing/samples.js';
+import { headerOf, textOf, textWith, traceNames, traceOf, pop, push } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
-import { Unreadable } from './trace.js';
-import type { Trace } from './trace.js';
-import { Lines } from './lines.js';
 import type { Reason } from '../trace/refusal.js';
 import { canonical } from './canonical.js';
+import { Lines } from './lines.js';
 import { State } from './state.js';
+import { Unreadable } from './trace.js';
+import type { Trace } from './trace.js';
 
 const stateAt = ({ header, timeline }: Trace, step: number): unknown =>
   structuredClone(canonical(timeline.seek(step), header, timeline.lines.at(step)));

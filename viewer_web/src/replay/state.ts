@@ -6,7 +6,7 @@ import { Columns } from './columns.js';
 import type { SavedColumns } from './columns.js';
 import { modelOf } from './model.js';
 import type { Hand, Held } from './model.js';
-import { Screen, keepsDepths } from './screen.js';
+import { Screen, isCut, keepsDepths } from './screen.js';
 import type { SavedScreen } from './screen.js';
 import type { Stretch } from './stretch.js';
 
@@ -47,17 +47,25 @@ export class State {
   readonly screen: Screen;
   /** Null of a run of polygons. */
   readonly columns: Columns | null;
-  private step = 0;
+  private taken = 0;
   private calls: readonly Frame[];
   private readonly hand: Hand;
 
-  constructor(private readonly header: Header) {
+  constructor(
+    private readonly header: Header,
+    screen?: Screen,
+  ) {
     const { method, scene } = header;
     const model = modelOf(header);
-    this.screen = new Screen(scene, keepsDepths(header), model.cutsAnywhere?.(method));
+    this.screen = screen ?? new Screen(scene, keepsDepths(header), isCut(header));
     this.columns = scene.curves === null ? null : new Columns(scene);
     this.calls = [{ of: model.bottomOf(method), at: null }];
     this.hand = model.begin(header);
+  }
+
+  /** How many events were taken. */
+  get step(): number {
+    return this.taken;
   }
 
   get values(): Values {
@@ -66,11 +74,18 @@ export class State {
   }
 
   /** The event of a step, at least the next that changes anything; one that cannot happen here is refused. */
-  apply(event: Event, step = this.step + 1): void {
+  apply(event: Event, step = this.taken + 1): void {
     this.change(event);
     this.pass(event.e);
     this.calls = movedBy(event, this.calls);
-    this.step = step;
+    this.taken = step;
+  }
+
+  /** The same of a state of which only what refuses events is ever looked at. */
+  check(event: Event): void {
+    this.change(event);
+    if (event.e === 'call') this.calls = movedBy(event, this.calls);
+    else this.pass(event.e);
   }
 
   /** Past an event that only ends a procedure, or changes nothing at all: the next one that is applied sets the line. */
@@ -88,7 +103,7 @@ export class State {
     this.calls = this.calls.slice(0, this.calls.length - closed);
     const last = opened.at(-1) === end ? [] : [end];
     for (const step of [...opened, ...last]) this.calls = movedBy(eventOf(step), this.calls);
-    this.step = end;
+    this.taken = end;
   }
 
   save(): Keyframe {
@@ -97,7 +112,7 @@ export class State {
   }
 
   load({ values, screen, columns }: Keyframe): void {
-    ({ step: this.step, calls: this.calls } = values);
+    ({ step: this.taken, calls: this.calls } = values);
     this.hand.load(values);
     this.screen.load(screen);
     if (columns !== null) this.columns?.load(columns);

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { chance } from '../testing/chance.js';
 import { samples } from '../testing/samples.js';
 import { bareTimelineOf, headerOf, textOf, textWith, traceNames } from '../testing/traces.js';
 import { eventsOf } from '../trace/events.js';
@@ -46,15 +47,6 @@ describe('without keyframes, what matters of a stretch gives the state of all it
     expectStates(timeline, statesInTurn(header, events), [0, 20, 77, 110]);
   });
 });
-
-/** Numbers below `n` that look like chance, by the generator of Park and Miller. */
-function chance(seed: number): (n: number) => number {
-  let now = seed;
-  return (n) => {
-    now = (now * 48_271) % 2_147_483_647;
-    return now % n;
-  };
-}
 
 /** So many events that may follow one another, though no run would write them. */
 function anyEvents(method: Method, length: number, seed: number): readonly Event[] {

@@ -1,7 +1,10 @@
-import { describe, expect, it } from 'vitest';
-import { headerOf, textWith, traceOf } from '../testing/traces.js';
+import { describe, expect, it, vi } from 'vitest';
+import { bareTimelineOf, headerOf, textWith, traceOf } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
+import { Store } from '../trace/store.js';
 import { canonical } from './canonical.js';
+import { toPixel } from './grid.js';
+import type { Timeline } from './timeline.js';
 
 const length = 100_000;
 
@@ -9,6 +12,61 @@ const length = 100_000;
 const fills = Array.from({ length }, (_, i): Event => {
   const rect = [i % 8, Math.floor(i / 8) % 8, 1, 1] as const;
   return { e: 'fill', at: 'W8', rect, color: `#${i.toString(16).padStart(6, '0')}` };
+});
+
+/** The pixel that the last step painted, as it is after that step. */
+const isPainted = (timeline: Timeline, step: number): boolean =>
+  timeline.seek(step).screen.picture.at((step - 1) % 8, ((step - 1) >> 3) % 8) ===
+  toPixel(`#${(step - 1).toString(16).padStart(6, '0')}`);
+
+/** How many events are looked at for a seek. */
+function looksOf(timeline: Timeline, step: number): number {
+  const look = vi.spyOn(Store.prototype, 'event');
+  timeline.seek(step);
+  const { length } = look.mock.calls;
+  look.mockRestore();
+  return length;
+}
+
+describe('a long way', () => {
+  const text = textWith(headerOf('warnock', 'windows'), fills);
+  const fresh = (): Promise<Timeline> => bareTimelineOf(text);
+
+  it('is gone in parts, while the state stays where it is', async () => {
+    const timeline = await fresh();
+    const { values, screen } = timeline.seek(5);
+    const before = screen.picture.row(0).slice();
+    const lefts = [timeline.approach(length, 0)];
+    while (lefts.at(-1) !== 0 && lefts.length < length) lefts.push(timeline.approach(length, 0.01));
+    expect(lefts.length).toBeGreaterThan(10);
+    expect(lefts).toEqual([...new Set(lefts)].sort((a, b) => b - a));
+    expect(screen.picture.row(0)).toEqual(before);
+    expect(values.step).toBe(5);
+    expect(looksOf(timeline, length)).toBeLessThan(4000);
+    expect(isPainted(timeline, length)).toBe(true);
+    // A little back is near, too.
+    expect(looksOf(timeline, length - 1)).toBeLessThan(4000);
+  });
+
+  it('may lead elsewhere before its end', async () => {
+    const timeline = await fresh();
+    expect(timeline.approach(length, 0)).toBeGreaterThan(0);
+    expect(timeline.approach(100, 0)).toBe(0);
+    for (const step of [100, 70_000, 60_001, length]) expect(isPainted(timeline, step)).toBe(true);
+  });
+
+  it('is not needed once the run was gone through', async () => {
+    const timeline = await fresh();
+    expect(timeline.ripen(0)).toBe(false);
+    expect(timeline.ripen()).toBe(true);
+    for (let i = 1; i <= 50; i++) {
+      const step = 1 + ((i * 48_611) % length);
+      expect(timeline.approach(step, 0)).toBe(0);
+      // 100 000 steps have keyframes that are 256 apart.
+      expect(looksOf(timeline, step)).toBeLessThanOrEqual(256 + 1);
+      expect(isPainted(timeline, step)).toBe(true);
+    }
+  });
 });
 
 describe('a long run', async () => {

@@ -1,5 +1,5 @@
 import type { Event } from '../trace/events.js';
-import type { Area, Header } from '../trace/header.js';
+import type { Header, Scene } from '../trace/header.js';
 import { Store } from '../trace/store.js';
 import type { Block } from '../trace/store.js';
 import { Lines } from './lines.js';
@@ -13,23 +13,24 @@ import type { Uses } from './uses.js';
 const mostKeyframes = 512;
 const mostCells = 2 ** 25;
 const least = 64;
-/** Where a way was longer than twice this, its state so many steps before the goal is kept: one often goes back a little. */
-const near = 2048;
+/** Entries of a list that a keyframe may have for each step that it saves. */
+const mostListed = 16;
+/** Steps that are gone through without a look at the clock. */
+const stride = 2048;
+/** Bytes of lines on a way that takes so long that it is gone in strides. */
+const far = 2 ** 22;
+/** The state so many bytes before a goal is kept where the way was twice as long: one often goes back a little. */
+const near = 2 ** 17;
 
 /**
- * How many steps lie between the keyframes of a run: every other one goes when there are too many, or, since
- * each may have its own copy of the picture, too large ones.
+ * How many steps lie between the keyframes of a run: every other one goes when there are too many, or, since each may have its
+ * own copy of the picture and of a list of all polygons, too large ones.
  */
-function spacing(length: number, { width, height }: Area): number {
+function spacing(length: number, { area: { width, height }, polygons }: Scene): number {
   const most = Math.max(1, Math.min(mostKeyframes, Math.floor(mostCells / (width * height))));
   let every = least;
-  while (length >= every * most) every *= 2;
+  while (length >= every * most || polygons.length > every * mostListed) every *= 2;
   return every;
-}
-
-/** Whether a run that ends with this step has a keyframe there; all that a longer run has were such steps. */
-export function hasKeyframe(step: number, area: Area): boolean {
-  return step % least === 0 && step % spacing(step, area) === 0;
 }
 
 /**
@@ -43,10 +44,13 @@ export class Timeline {
   readonly lines = new Lines(this.store);
   private readonly depthChanges: readonly number[];
   private readonly uses: Uses;
-  private keyframes: readonly Keyframe[];
+  /** Those of the steps that the spacing divides, from 0 on, as far as anything has come yet. */
+  private keyframes: Keyframe[];
   private every = least;
-  /** Before the goal of the last long way, in a run that has few keyframes. */
+  /** Before the goal of the last long way. */
   private mark: Keyframe | null = null;
+  /** Goes long ways, while the state stays where it is. */
+  private scout: State | null = null;
 
   constructor(private readonly header: Header) {
     this.state = new State(header);
@@ -73,42 +77,100 @@ export class Timeline {
     return this.store.line(step);
   }
 
-  /** The next lines of the trace, and keyframes among these: all whose step the spacing divides, or none at all. */
-  append(block: Block, keyframes: readonly Keyframe[] = []): void {
+  /** The next lines of the trace. */
+  append(block: Block): void {
     this.store.append(block);
-    const every = spacing(this.length, this.header.scene.area);
+    const every = spacing(this.length, this.header.scene);
+    if (every === this.every) return;
     this.every = every;
-    this.keyframes = [...this.keyframes, ...keyframes].filter(
-      ({ values: { step } }) => step % every === 0,
-    );
+    this.keyframes = this.keyframes.filter(({ values: { step } }) => step % every === 0);
   }
 
   /** The state after the first `step` events. */
   seek(step: number): State {
-    const now = this.state.values.step;
+    this.approach(step);
+    const { state } = this;
     const start = this.startOf(step);
-    if (start !== undefined && (step < now || start.values.step > now)) this.state.load(start);
-    if (step - this.state.values.step > 2 * near) {
-      this.leap(step - near);
-      this.mark = this.state.save();
+    if (start !== null) state.load(start);
+    this.leap(state, step);
+    return state;
+  }
+
+  /**
+   * Goes a part of the way to a step, for about so long, and says how many steps are left: after none a seek is quick. On the
+   * way keyframes are kept.
+   */
+  approach(step: number, milliseconds = Infinity): number {
+    const start = this.startOf(step);
+    const { store } = this;
+    const begin = (start?.values ?? this.state.values).step;
+    const bytes = store.bytesBefore(step) - store.bytesBefore(begin);
+    if (bytes <= 2 * near) return 0;
+    const goal = store.stepAt(store.bytesBefore(step) - near);
+    const scout = this.scoutAt(begin, goal, () => start ?? this.state.save());
+    const end = performance.now() + milliseconds;
+    // In one leap most of what happened on a way is forgotten.
+    if (bytes <= far) this.leap(scout, goal);
+    while (scout.step < goal) {
+      if (performance.now() >= end) return goal - scout.step;
+      this.stride(scout, goal);
     }
-    this.leap(step);
-    return this.state;
+    this.mark = scout.save();
+    return 0;
   }
 
-  /** What is kept of the steps up to a goal, as near to it as there is. */
-  private startOf(step: number): Keyframe | undefined {
-    const { keyframes, mark } = this;
-    const keyframe = keyframes[Math.floor(step / this.every)] ?? keyframes.at(-1);
-    const at = mark?.values.step ?? Infinity;
-    return mark !== null && at <= step && at > (keyframe?.values.step ?? 0) ? mark : keyframe;
+  /** Keeps further keyframes, for about so long, and says whether there are all: then a seek is quick to any step. */
+  ripen(milliseconds = Infinity): boolean {
+    const end = performance.now() + milliseconds;
+    while (this.next <= this.length) {
+      if (performance.now() >= end) return false;
+      const last = this.keyframes.at(-1);
+      if (last === undefined) throw new Error('no keyframe of the beginning');
+      this.stride(
+        this.scoutAt(last.values.step, this.next - 1, () => last),
+        this.next,
+      );
+    }
+    return true;
   }
 
-  private leap(step: number): void {
-    const { step: begin } = this.state.values;
-    if (step <= begin) return;
-    const way = stretch(this.names, begin, step, this.depthChanges, this.uses);
-    this.state.leap(way, (each) => this.existing(each));
+  /** The step of the next keyframe to be kept. */
+  private get next(): number {
+    return this.keyframes.length * this.every;
+  }
+
+  /** What goes ahead, anywhere between two steps, else at a keyframe. */
+  private scoutAt(begin: number, end: number, start: () => Keyframe): State {
+    this.scout ??= new State(this.header);
+    const { step } = this.scout;
+    if (step < begin || step > end) this.scout.load(start());
+    return this.scout;
+  }
+
+  private stride(scout: State, goal: number): void {
+    const { step } = scout;
+    const { next } = this;
+    const stop = step < next ? Math.min(goal, next) : goal;
+    this.leap(scout, Math.min(stop, step + stride, this.store.endOfBlock(step + 1)));
+    if (scout.step === next) this.keyframes.push(scout.save());
+  }
+
+  /** What is kept of the steps up to a goal, as near to it as there is; null if the state itself is nearer. */
+  private startOf(step: number): Keyframe | null {
+    const { keyframes, mark, state } = this;
+    const keyframe = keyframes[Math.min(Math.floor(step / this.every), keyframes.length - 1)];
+    const stepOf = (kept: Keyframe | null | undefined): number => {
+      const at = kept?.values.step ?? Infinity;
+      return at <= step ? at : -1;
+    };
+    const nearest = stepOf(mark) > stepOf(keyframe) ? mark : (keyframe ?? null);
+    return state.step <= step && state.step >= stepOf(nearest) ? null : nearest;
+  }
+
+  private leap(state: State, step: number): void {
+    if (step <= state.step) return;
+    const way = stretch(this.names, state.step, step, this.depthChanges, this.uses);
+    state.leap(way, (each) => this.existing(each));
   }
 
   private existing(step: number): Event {

@@ -1,6 +1,6 @@
-import { Timeline } from './timeline.js';
 import type { Header } from '../trace/header.js';
 import type { Complaint, Ending, News, Part, Shortened } from './read.js';
+import { Timeline } from './timeline.js';
 
 /** A file that is no trace. */
 export class Unreadable extends Error implements Complaint {
@@ -28,12 +28,18 @@ export class Trace {
 
   add(news: Part | Ending): void {
     if (news.is === 'part') {
-      this.timeline.append(news.block, news.keyframes);
+      this.timeline.append(news.block);
       this.read = news.read;
     } else {
       this.shortened = news.shortened;
       this.complete = true;
     }
+  }
+
+  /** Nobody waits for the rest. */
+  stop(): void {
+    this.shortened = { why: 'stopped', line: this.timeline.length + 1 };
+    this.complete = true;
   }
 
   /** A line is wrong: the run ends before it. */

@@ -12,6 +12,8 @@ export interface Use {
   readonly changes?: readonly string[];
   /** Is looked at besides. */
   readonly reads?: readonly string[];
+  /** It cannot always happen, and this decides besides its own values; else it can. */
+  readonly needs?: readonly string[];
 }
 
 export const nothing: Use = {};
@@ -36,6 +38,8 @@ export class Uses {
   /** What must be right before the event. */
   readonly needed: readonly Fields[];
   readonly everything: Fields;
+  /** Whether the event may be impossible, or decides in any way whether a later one is possible. */
+  readonly decisive: readonly boolean[];
 
   constructor(private readonly table: Readonly<Partial<Record<EventName, Use>>>) {
     const fields = [...new Set(eventNames.flatMap((name) => this.fieldsOf(name)))];
@@ -48,6 +52,22 @@ export class Uses {
     this.written = each(({ sets, changes }) => bits(sets) | bits(changes));
     this.needed = each(({ changes, reads }) => bits(changes) | bits(reads));
     this.everything = bits(fields);
+    this.decisive = this.decisiveNames();
+  }
+
+  private decisiveNames(): readonly boolean[] {
+    const all = Object.values(this.table);
+    const wanted = new Set(all.flatMap(({ needs = [] }) => needs));
+    const writes = ({ sets = [], changes = [] }: Use): boolean =>
+      [...sets, ...changes].some((field) => wanted.has(field));
+    for (let before = -1; before !== wanted.size;) {
+      before = wanted.size;
+      for (const field of all.filter(writes).flatMap(({ reads = [] }) => reads)) wanted.add(field);
+    }
+    return eventNames.map((name) => {
+      const use = this.table[name] ?? nothing;
+      return use.needs !== undefined || writes(use);
+    });
   }
 
   /** All that an event has to do with. */

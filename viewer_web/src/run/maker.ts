@@ -21,8 +21,8 @@ async function compiled(packed: Blob): Promise<WebAssembly.Module> {
 
 const modules = new WeakMap<Blob, Promise<WebAssembly.Module>>();
 
-/** The same for all who make something with the library: to compile it takes a while. */
-function moduleOf(library: Blob): Promise<WebAssembly.Module> {
+/** The same for all who use the library: to compile it takes a while. */
+export function moduleOf(library: Blob): Promise<WebAssembly.Module> {
   const module = modules.get(library) ?? compiled(library);
   modules.set(library, module);
   return module;

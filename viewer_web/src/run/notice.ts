@@ -36,7 +36,7 @@ const roles = {
   shortened: 'status',
 } as const;
 
-/** One line about the file that is being read, was refused, or is not whole. */
+/** One line about the file that is being read, was refused, or is not whole. An event `stop` asks to read no more of it. */
 @customElement('vidno-notice')
 export class NoticeElement extends LitElement {
   static override styles = [base, noticeStyle];
@@ -47,7 +47,15 @@ export class NoticeElement extends LitElement {
   override render(): TemplateResult | typeof nothing {
     const { notice } = this;
     if (notice === null) return nothing;
-    return html`<p class=${notice.kind} role=${roles[notice.kind]}>${this.say(notice)}</p>`;
+    return html`<p class=${notice.kind} role=${roles[notice.kind]}>${this.say(notice)}</p>
+      ${this.stopOf(notice)}`;
+  }
+
+  private stopOf({ kind }: Notice): TemplateResult | typeof nothing {
+    if (kind !== 'reading' && kind !== 'growing') return nothing;
+    return html`<button @click=${() => this.dispatchEvent(new CustomEvent('stop'))}>
+      ${texts[this.language].page.stopReading}
+    </button>`;
   }
 
   private say(notice: Notice): string {

@@ -41,7 +41,7 @@ export class Tracer {
 
 function traceOf({ header, blocks, end }: Makes['trace']): Trace {
   const trace = new Trace(header);
-  for (const block of blocks) trace.add({ is: 'part', block, keyframes: [], read: 1 });
+  for (const block of blocks) trace.add({ is: 'part', block, read: 1 });
   const isPartial = end.partial === true;
   const shortened = isPartial ? { why: 'partial' as const, line: end.events + 1 } : null;
   trace.add({ is: 'end', end, shortened });

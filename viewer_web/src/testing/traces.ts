@@ -1,11 +1,11 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { Timeline } from '../replay/timeline.js';
-import { methods, tells } from '../trace/events.js';
-import type { Detail, Event, EventName, Method } from '../trace/events.js';
 import { read } from '../replay/read.js';
+import { Timeline } from '../replay/timeline.js';
 import { follow, keep } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
+import { methods, tells } from '../trace/events.js';
+import type { Detail, Event, EventName, Method } from '../trace/events.js';
 
 const directory = fileURLToPath(new URL('../../test-data/', import.meta.url));
 
@@ -17,14 +17,15 @@ export function textOf(name: string): string {
   return readFileSync(directory + name, 'utf8');
 }
 
-/** The trace that a file of this text is, of which so many bytes are read. */
+/** The trace that a file of this text is, of which so many bytes are read, as a page has it when it was at rest. */
 export async function traceOf(
   text: string | Uint8Array<ArrayBuffer>,
   most?: number,
 ): Promise<Trace> {
   let trace: Trace | null = null;
-  for await (const news of read(new Blob([text]), most)) trace = follow(trace, news);
+  for await (const news of read(new Blob([text]), { most })) trace = follow(trace, news);
   if (trace === null) throw new Error('a file without news');
+  trace.timeline.ripen();
   return trace;
 }
 

@@ -18,6 +18,9 @@ import { Goals, around, goalsOf } from './goals.js';
 import type { Followed, Goal, GoalName } from './goals.js';
 import { travelStyle } from './travel.style.js';
 
+/** More polygons than this are options only once somebody is about to choose: to make these takes a while. */
+const crowd = 1000;
+
 const shapes = {
   over: 'M3 13a6.5 6.5 0 0 1 13 -1M16 6.500v5.500h-5.500M9.500 16h.01',
   out: 'M10 16v-12M5.500 8.500l4.500 -4.500 4.500 4.500M14.500 16h3',
@@ -35,6 +38,8 @@ export class TravelElement extends LitElement {
   @property({ attribute: false }) history: Followed | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @state() private chosen: Goal | null = null;
+  /** Whether somebody is about to choose. */
+  @state() private isOpen = false;
   private calls: Calls | null = null;
   private goals: Goals | null = null;
 
@@ -43,6 +48,7 @@ export class TravelElement extends LitElement {
     this.calls = null;
     this.goals = null;
     this.chosen = null;
+    this.isOpen = false;
   }
 
   private get texts(): TravelTexts {
@@ -94,7 +100,12 @@ export class TravelElement extends LitElement {
       <div class="group goal" role="group" aria-label=${say.goTo}>
         <span class="name" aria-hidden="true">${say.goTo}</span>
         ${this.button('next', -1, [say.previous, ','], back === null, () => this.next(-1))}
-        <select aria-label=${say.goTo} @change=${this.onChoose}>
+        <select
+          aria-label=${say.goTo}
+          @pointerdown=${this.onOpen}
+          @focus=${this.onOpen}
+          @change=${this.onChoose}
+        >
           ${this.options()}
         </select>
         ${this.button('next', 1, [say.next, '.'], forward === null, () => this.next(1))}
@@ -122,9 +133,12 @@ export class TravelElement extends LitElement {
 
   private options(): unknown {
     const { header, language } = this.view;
-    return guard([header, language, this.chosen], () => {
+    return guard([header, language, this.chosen, this.isOpen], () => {
       const { goal } = this;
       const polygon = typeof goal === 'object' ? goal.polygon : null;
+      const { polygons } = header.scene;
+      const isWhole = this.isOpen || polygons.length <= crowd;
+      const offered = isWhole ? polygons : polygons.filter(({ id }) => id === polygon);
       return html`
         ${goalsOf(header.method).map(
           (name) =>
@@ -133,13 +147,17 @@ export class TravelElement extends LitElement {
             </option>`,
         )}
         <optgroup label=${this.texts.ofPolygon}>
-          ${header.scene.polygons.map(
+          ${offered.map(
             ({ id }) =>
               html`<option value="polygon ${id}" ?selected=${id === polygon}>${id}</option>`,
           )}
         </optgroup>
       `;
     });
+  }
+
+  private onOpen(): void {
+    this.isOpen = true;
   }
 
   private onChoose(event: Event): void {

@@ -57,6 +57,38 @@ describe('a store gives back what it was given', () => {
     );
   });
 
+  it('and knows where each line begins among the bytes of all', () => {
+    const lines = linesOf('small.warnock.signs.jsonl').slice(0, 90);
+    const sizes = lines.map((line) => Buffer.byteLength(line) + 1);
+    for (const size of [1, 7, 90]) {
+      const store = storeOf(lines, size);
+      let bytes = 0;
+      for (const [step, own] of [...sizes, 0].entries()) {
+        expect(store.bytesBefore(step)).toBe(bytes);
+        expect(store.stepAt(bytes)).toBe(step);
+        if (own > 0) expect(store.stepAt(bytes + own - 1)).toBe(step);
+        bytes += own;
+      }
+      const blocks = lines.map((_, i) => Math.min(size * (Math.floor(i / size) + 1), 90));
+      expect(lines.map((_, i) => store.endOfBlock(i + 1))).toEqual(blocks);
+    }
+  });
+
+  it('without depths, wherever these end and whatever the line holds besides', () => {
+    const depths = Array.from({ length: 2000 }, (_, i) => (i % 3 === 0 ? `${i}/7` : i / 8));
+    const span = { e: 'span', at: 'Z14', row: 5, runs: [[0, 2000]] };
+    const discard = { e: 'discard', at: 'PW3', polygon: 'Ёлка ,"depths":[1]' };
+    const store = storeOf(
+      [{ ...span, depths }, { ...span, runs: [], depths: [] }, span, discard].map((each) =>
+        JSON.stringify(each),
+      ),
+      3,
+    );
+    const found = [1, 2, 3, 4].map((step) => store.eventWithoutDepths(step));
+    expect(found).toEqual([span, { ...span, runs: [] }, span, discard]);
+    expect(store.eventWithoutDepths(5)).toBeNull();
+  });
+
   it('and nothing before the first and after the last', () => {
     const store = storeOf(linesOf('inside.warnock.signs.jsonl'), 10);
     expect([store.event(0), store.event(store.length + 1)]).toEqual([null, null]);

@@ -49,11 +49,25 @@ export class BlockText {
 
 /** No text within a line has this: its quotes would be escaped. */
 const depths = ',"depths":[';
+const closing = ']'.charCodeAt(0);
+/** Bytes of a line among which its depths begin. */
+const longestHead = 1024;
+const latin = new TextDecoder('latin1');
+
+/** Bytes as text; null if one is no character of ASCII. */
+function asciiOf(bytes: Uint8Array): string | null {
+  const text = latin.decode(bytes);
+  // eslint-disable-next-line no-control-regex
+  return /^[\x00-\x7f]*$/.test(text) ? text : null;
+}
 
 interface Stored extends Block {
-  /** How many events come before the block. */
+  /** How many events come before the block, and how many bytes their lines have. */
   readonly before: number;
+  readonly bytesBefore: number;
 }
+
+const sizeOf = ({ starts }: Block): number => (starts.at(-1) ?? 0) - (starts[0] ?? 0);
 
 /**
  * The events of a trace, each kept as the line that it came in and parsed when it is asked for: a million of
@@ -63,6 +77,8 @@ export class Store {
   private readonly blocks: Stored[] = [];
   private column = new Uint8Array(1024);
   private count = 0;
+  /** The bytes of all lines. */
+  private size = 0;
   private open: { readonly block: Stored; readonly text: BlockText } | null = null;
   private last: { readonly step: number; readonly event: Event } | null = null;
 
@@ -76,7 +92,9 @@ export class Store {
   }
 
   append(block: Block): void {
-    this.blocks.push({ ...block, before: this.count });
+    if (block.names.length === 0) return;
+    this.blocks.push({ ...block, before: this.count, bytesBefore: this.size });
+    this.size += sizeOf(block);
     const end = this.count + block.names.length;
     if (end > this.column.length) {
       const larger = new Uint8Array(Math.max(end, 2 * this.column.length));
@@ -96,13 +114,41 @@ export class Store {
     return this.last.event;
   }
 
-  /** The same without the depths of its pixels, which may be nearly all of a long line. */
+  /** The same without the depths of its pixels, which may be nearly all of a long line: then they are not decoded. */
   eventWithoutDepths(step: number): Event | null {
     if (step < 1 || step > this.count) return null;
-    const line = this.line(step);
-    const at = line.indexOf(depths);
-    if (at < 0) return this.event(step);
-    return JSON.parse(line.slice(0, at) + line.slice(line.indexOf(']', at) + 1)) as Event;
+    const { bytes, starts, before } = this.find(step);
+    const [start = 0, end = 0] = starts.subarray(step - 1 - before);
+    const head = asciiOf(bytes.subarray(start, Math.min(start + longestHead, end)));
+    const at = head?.indexOf(depths) ?? -1;
+    if (head === null || at < 0) return this.event(step);
+    const rest = asciiOf(bytes.subarray(bytes.indexOf(closing, start + at) + 1, end));
+    return rest === null ? this.event(step) : (JSON.parse(head.slice(0, at) + rest) as Event);
+  }
+
+  /** How many bytes the lines of the first so many steps have. */
+  bytesBefore(steps: number): number {
+    if (steps >= this.count) return this.size;
+    const { starts, before, bytesBefore } = this.find(steps + 1);
+    return bytesBefore + (starts[steps - before] ?? 0) - (starts[0] ?? 0);
+  }
+
+  /** The last step up to which the lines have no more than so many bytes. */
+  stepAt(bytes: number): number {
+    let from = 0;
+    let end = this.count + 1;
+    while (end - from > 1) {
+      const middle = (from + end) >> 1;
+      if (this.bytesBefore(middle) <= bytes) from = middle;
+      else end = middle;
+    }
+    return from;
+  }
+
+  /** The last step of the block that a step is in: to go beyond it another one must be decoded. */
+  endOfBlock(step: number): number {
+    const { before, names } = this.find(step);
+    return before + names.length;
   }
 
   /** The text of a step's line. */

@@ -7,9 +7,10 @@ const ofWindow = ['corners', 'k', 'count', 'hasSurround', 'color', 'insider'];
 const kept = ['last'];
 
 /** A list of active polygons may be that of windows on the stack too. */
-const list: Use = { changes: ['apl', 'stack'] };
-const joining: Use = { changes: ['apl', 'stack', 'joined'] };
-const vertex: Use = { changes: ['clip'] };
+const list: Use = { changes: ['apl', 'stack'], needs: ['apl'] };
+const joining: Use = { changes: ['apl', 'stack', 'joined'], needs: ['apl', 'joined'] };
+const vertex: Use = { changes: ['clip'], needs: ['clip'] };
+const painting: Use = { changes: ['picture'], needs: [] };
 
 const table: Readonly<Record<keyof CommonEvents | keyof WarnockEvents, Use>> = {
   plane: nothing,
@@ -18,19 +19,25 @@ const table: Readonly<Record<keyof CommonEvents | keyof WarnockEvents, Use>> = {
   fault: nothing,
   disagree: nothing,
 
-  push: { changes: ['stack', 'root', 'division'], reads: ['apl'] },
+  push: { changes: ['stack', 'root', 'division'], reads: ['apl'], needs: ['apl'] },
   skip: nothing,
   pop: {
     changes: ['stack', 'way'],
     sets: ['window', 'apl', 'nearest', 'covering', ...ofWindow],
     reads: ['window'],
+    needs: ['stack'],
   },
   corners: { sets: [...ofWindow, 'covering', 'depths', 'last'] },
   box: nothing,
   discard: list,
   count: { sets: ['count', 'depths'], changes: kept },
   compare: nothing,
-  nearer: { changes: ['corners', ...kept], sets: ['k'], reads: ['depths'] },
+  nearer: {
+    changes: ['corners', ...kept],
+    sets: ['k'],
+    reads: ['depths'],
+    needs: ['corners', 'depths'],
+  },
   uncover: { sets: ['hasSurround', 'covering'], changes: kept },
   surround: nothing,
   mark: list,
@@ -38,7 +45,7 @@ const table: Readonly<Record<keyof CommonEvents | keyof WarnockEvents, Use>> = {
   insider: { sets: ['insider'], changes: kept },
   summary: { sets: ['count', 'hasSurround', 'color', 'insider'], changes: kept },
   decide: nothing,
-  fill: { changes: ['picture'] },
+  fill: painting,
   nearest: { sets: ['nearest'] },
   color: { sets: ['color'], changes: kept },
   orient: nothing,
@@ -51,7 +58,7 @@ const table: Readonly<Record<keyof CommonEvents | keyof WarnockEvents, Use>> = {
   clip_list: vertex,
   clip_result: { sets: ['clip'] },
   row: nothing,
-  draw: { changes: ['picture'] },
+  draw: painting,
 
   back_face: nothing,
   rejoin: joining,

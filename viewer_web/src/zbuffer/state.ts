@@ -99,13 +99,14 @@ function storeDepths(
   depths: readonly N[],
   { z, scene: { area } }: Screen,
 ): void {
-  const cells = runs.flatMap(([first, end]) =>
-    Array.from({ length: end - first }, (_, i) => first + i),
-  );
-  if (cells.length !== depths.length) {
-    throw new Refusal('depths', 'depthCount', String(depths.length), String(cells.length));
+  const pixels = runs.reduce((sum, [first, end]) => sum + end - first, 0);
+  if (pixels !== depths.length) {
+    throw new Refusal('depths', 'depthCount', String(depths.length), String(pixels));
   }
-  depths.forEach((depth, i) => z?.set((cells[i] ?? 0) - area.x, row - area.y, depth));
+  let next = 0;
+  for (const [first, end] of z === null ? [] : runs) {
+    for (let x = first; x < end; x++) z?.set(x - area.x, row - area.y, depths[next++] ?? 0);
+  }
 }
 
 const handlers: Handlers = {

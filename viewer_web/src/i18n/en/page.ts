@@ -11,6 +11,9 @@ export const page: PageTexts = {
   dropHere: 'or drop it here: .json, .jsonl, .jsonl.gz',
   reading: (name) => `Reading ${name}…`,
   growing: (steps, percent) => `Reading: ${steps} steps so far, ${percent} % of the file`,
+  stopReading: 'Stop here',
+  onTheWay: (step) => `On the way to step ${step}`,
+  cancel: 'Cancel',
   unreadable: (name, line, where, reason) =>
     `${name} is not a trace that can be read. Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   emptyFile: (name) => `${name}: the file is empty.`,
@@ -21,6 +24,7 @@ export const page: PageTexts = {
     cut: (line) => `The file breaks off after line ${line}: you see the run up to there.`,
     partial: () => 'The run was stopped by its limit of events: you see its beginning.',
     limit: (line) => `The trace is too long for this page: you see its first ${line} lines.`,
+    stopped: (line) => `You stopped the reading after line ${line}: you see the run up to there.`,
   },
   wrongLine: (line, where, reason) =>
     `Line ${line}${where === '' ? '' : `, ${where}`}: ${reason}. You see the run up to there.`,

@@ -12,6 +12,9 @@ export const page: PageTexts = {
   dropHere: 'или перетащите его сюда: .json, .jsonl, .jsonl.gz',
   reading: (name) => `Чтение ${name}…`,
   growing: (steps, percent) => `Чтение: шагов пока ${steps}, ${percent} % файла`,
+  stopReading: 'Остановить',
+  onTheWay: (step) => `Переход к шагу ${step}`,
+  cancel: 'Отмена',
   unreadable: (name, line, where, reason) =>
     `Файл ${name} не читается как трасса. Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}.`,
   emptyFile: (name) => `Файл ${name} пуст.`,
@@ -23,6 +26,7 @@ export const page: PageTexts = {
     cut: (line) => `Файл обрывается после строки ${line}: показан прогон до этого места.`,
     partial: () => 'Прогон остановлен по пределу числа событий: показано его начало.',
     limit: (line) => `Трасса слишком длинна для страницы: показаны первые ${line} строк.`,
+    stopped: (line) => `Чтение остановлено после строки ${line}: показан прогон до этого места.`,
   },
   wrongLine: (line, where, reason) =>
     `Строка ${line}${where === '' ? '' : `, ${where}`}: ${reason}. Показан прогон до этого места.`,

@@ -1,0 +1,54 @@
+#include "format/trace_header.h"
+
+#include "choice/kernel_choice.h"
+#include "format/tree_event.h"
+#include "scene/scene_json.h"
+
+namespace vidno {
+
+namespace {
+
+std::string read_kernel(const JsonNode& node) {
+    if (!node.is_text() || !kernel_named(node.text())) node.refuse("not one of " + kernel_names());
+    return node.text();
+}
+
+/// What headers of both kinds have.
+void read_run(const JsonNode& object, auto& header) {
+    expect_keys(object, {"format", "method", "edition", "kernel", "detail", "scene"});
+    header.edition = Edition(place_of_word(member(object, "edition"), edition_names));
+    header.kernel = read_kernel(member(object, "kernel"));
+    header.detail = Detail(place_of_word(member(object, "detail"), detail_names));
+}
+
+}  // namespace
+
+void expect_keys(const JsonNode& object, std::initializer_list<std::string_view> keys) {
+    for (const auto& key : object.keys()) {
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) object.refuse("unknown key " + key);
+    }
+}
+
+TraceHeader read_trace_header(const JsonNode& object) {
+    const JsonNode method = member(object, "method");
+    if (method.value() == floating_horizon_method) method.refuse("floating-horizon, which this command does not take");
+    TraceHeader header;
+    header.method = Method(place_of_word(method, method_names));
+    read_run(object, header);
+    header.scene = read_scene(member(object, "scene"));
+    return header;
+}
+
+FloatingHorizonHeader read_floating_horizon_header(const JsonNode& object) {
+    FloatingHorizonHeader header;
+    read_run(object, header);
+    if (!kernel_named(header.kernel)->choice->runs_floating_horizon(header.edition)) {
+        object.at("kernel").refuse("no kernel and edition of floating-horizon");
+    }
+    const JsonNode scene = member(object, "scene");
+    if (scene.has("function")) scene.at("function").refuse("a trace has the samples");
+    header.scene = read_surface(scene);
+    return header;
+}
+
+}  // namespace vidno

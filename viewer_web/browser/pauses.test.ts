@@ -1,0 +1,155 @@
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { browser } from './browser.js';
+import { open, opened, shown } from './page.js';
+
+/** Of an area so large a run has no keyframes. */
+const side = 16_384;
+
+const header = (method: string, size: number, polygons: readonly object[]): object => ({
+  format: 'vidno-trace/1',
+  method,
+  edition: 'corrected',
+  kernel: 'double',
+  detail: 'polygons',
+  scene: {
+    format: 'vidno-scene/1',
+    name: 'Large',
+    window: { x: 0, y: 0, width: size, height: size },
+    background: '#ffffff',
+    polygons,
+  },
+});
+
+function polygonsOf(count: number): readonly object[] {
+  const vertices = [
+    [0, 0, 0],
+    [8, 0, 0],
+    [0, 8, 0],
+  ];
+  return Array.from({ length: count }, (_, i) => ({ id: `P${i}`, color: '#112233', vertices }));
+}
+
+function traceOf(first: object, events: readonly object[]): string {
+  const end = { end: { events: events.length, picture: `sha256:${'0'.repeat(64)}` } };
+  return [first, ...events, end].map((line) => `${JSON.stringify(line)}\n`).join('');
+}
+
+/** Notes from now on how long the tasks of the page are, in milliseconds. */
+const watchTasks = (page: Page): Promise<void> =>
+  page.evaluate(() => {
+    const tasks: number[] = [];
+    Object.assign(window, { tasks });
+    const observer = new PerformanceObserver((list) =>
+      tasks.push(...list.getEntries().map(({ duration }) => duration)),
+    );
+    observer.observe({ type: 'longtask' });
+  });
+
+/** The longest of them since it was asked for last. */
+const longestTask = (page: Page): Promise<number> =>
+  page.evaluate(async () => {
+    const { tasks } = window as unknown as { tasks: number[] };
+    // What has just ended is told with the next frame.
+    for (let i = 0; i < 3; i++) await new Promise(requestAnimationFrame);
+    return Math.round(Math.max(0, ...tasks.splice(0)));
+  });
+
+describe('what takes a while does not hold up the page', () => {
+  it('a long way shows how far it is, can be left, and is gone in short tasks', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const fills = Array.from({ length: 400_000 }, (_, i) => ({
+      e: 'fill',
+      at: 'W8',
+      rect: [i % side, Math.floor(i / side), 1, 1],
+      color: `#${i.toString(16).padStart(6, '0')}`,
+    }));
+    await opened(page, 'wide.jsonl', traceOf(header('warnock', side, polygonsOf(1)), fills));
+    await watchTasks(page);
+    const way = page.locator('vidno-player .on-the-way');
+
+    await page.keyboard.press('End');
+    await way.waitFor();
+    expect(await way.locator('span').textContent()).toBe('On the way to step 400,000');
+    expect(await page.locator('vidno-player .sentence').textContent()).toContain('Nothing has');
+    await page.keyboard.press('Escape');
+    await way.waitFor({ state: 'detached' });
+    expect((await shown(page)).step).toBe(0);
+
+    const start = Date.now();
+    await page.keyboard.press('End');
+    const { step, sentence } = await shown(page);
+    const whole = Date.now() - start;
+    const longest = await longestTask(page);
+    console.log(`a way of ${whole} ms, its longest task ${longest} ms`);
+    expect(step).toBe(fills.length);
+    expect(sentence).toContain('#061a7f');
+    expect(longest).toBeLessThan(whole / 2);
+    await page.keyboard.press('ArrowLeft');
+    expect((await shown(page)).step).toBe(fills.length - 1);
+    expect(await longestTask(page)).toBeLessThan(whole / 2);
+    expect(faults).toEqual([]);
+  });
+
+  it('a run of 20 000 polygons is opened and shown at its end', async () => {
+    const count = 20_000;
+    const { page, faults } = await open(browser, '#lang=en');
+    const polygons = polygonsOf(count);
+    const all = polygons.map((_, i) => [`P${i}`, false]);
+    const leaving = Array.from({ length: count - 1 }, (_, i) => ({
+      e: 'discard',
+      at: 'PW3',
+      polygon: `P${i}`,
+    }));
+    const whole = [0, 0, 8, 8];
+    const events = [
+      { e: 'push', at: 'W3', window: whole, apl: all },
+      { e: 'pop', at: 'W5', window: whole },
+      ...leaving,
+    ];
+    await watchTasks(page);
+    await opened(page, 'many.jsonl', traceOf(header('warnock', 8, polygons), events));
+    const opening = await longestTask(page);
+    await page.keyboard.press('End');
+    expect((await shown(page)).step).toBe(events.length);
+    const ending = await longestTask(page);
+    console.log(`20 000 polygons: longest task ${opening} ms as opened, ${ending} ms at the end`);
+    expect(opening).toBeLessThan(1000);
+    expect(ending).toBeLessThan(1000);
+
+    // All of them can be gone to.
+    const choice = page.locator('vidno-travel select');
+    await choice.focus();
+    await choice.selectOption(`polygon P${count - 3}`);
+    await choice.blur();
+    await page.keyboard.press(',');
+    expect((await shown(page)).step).toBe(events.length - 1);
+    expect(faults).toEqual([]);
+  });
+
+  it('a file that is being read can be left where it is', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const skips = Array.from({ length: 1_500_000 }, () => ({
+      e: 'skip',
+      at: 'W13',
+      window: [0, 0, 1, 1],
+    }));
+    const text = traceOf(header('warnock', 8, polygonsOf(1)), skips);
+    await page.locator('vidno-file-drop input').setInputFiles({
+      name: 'long.jsonl',
+      mimeType: 'application/octet-stream',
+      buffer: Buffer.from(text.replace(/\n$/, '').slice(0, 49_000_000)),
+    });
+    await page.locator('.title h2', { hasText: 'long.jsonl' }).waitFor();
+    await page.locator('vidno-notice button').click();
+    const notice = page.locator('vidno-notice .shortened');
+    await notice.waitFor();
+    const { length } = await shown(page);
+    expect(length).toBeGreaterThan(0);
+    expect(length).toBeLessThan(skips.length);
+    expect(await notice.textContent()).toContain(`after line ${length + 1}:`);
+    await page.keyboard.press('End');
+    expect((await shown(page)).step).toBe(length);
+    expect(faults).toEqual([]);
+  });
+});

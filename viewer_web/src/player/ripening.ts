@@ -1,0 +1,37 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import type { Timeline } from '../replay/timeline.js';
+import type { Trace } from '../replay/trace.js';
+
+/** Milliseconds at a time; between two of these the page does what is asked of it. */
+const atOnce = 6;
+/** Milliseconds that a run must stay: while a scene is dragged none does. */
+const rest = 150;
+
+/** Makes seeks quick in a run that is shown, while there is nothing else to do. */
+export class Ripening implements ReactiveController {
+  private trace: Trace | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(host: ReactiveControllerHost) {
+    host.addController(this);
+  }
+
+  hostDisconnected(): void {
+    clearTimeout(this.timer);
+    this.trace = null;
+  }
+
+  /** Of a run that is read whole. */
+  follow(trace: Trace): void {
+    const wanted = trace.complete ? trace : null;
+    if (wanted === this.trace) return;
+    this.trace = wanted;
+    clearTimeout(this.timer);
+    if (wanted !== null) this.timer = setTimeout(() => this.goOn(wanted.timeline), rest);
+  }
+
+  private goOn(timeline: Timeline): void {
+    if (timeline.ripen(atOnce)) return;
+    this.timer = setTimeout(() => this.goOn(timeline), atOnce);
+  }
+}

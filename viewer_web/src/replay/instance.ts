@@ -1,0 +1,83 @@
+import { numberOf } from '../trace/events.js';
+import type { EventName } from '../trace/events.js';
+
+/** What is used of vidno.wasm whatever it is asked for; `trace/wasm/live.cpp` documents it. */
+export interface Basics {
+  readonly memory: WebAssembly.Memory;
+  _initialize(): void;
+  request(size: number): number;
+  events(): number;
+  starts(): number;
+  names(): number;
+  name(number: number): number;
+}
+
+/** Where the lines of events are in bytes. */
+export interface LinesFound {
+  /** Where the line of each event begins, and then the line after them. */
+  readonly starts: Uint32Array<ArrayBuffer>;
+  /** The number of each event's name. */
+  readonly names: Uint8Array<ArrayBuffer>;
+}
+
+const nothing = (): number => 0;
+
+/** The library compiled to WebAssembly, with a memory of its own. */
+export class Instance<E extends Basics> {
+  readonly exports: E;
+  /** For the library's numbers of events' names those of the page. */
+  private readonly numbers: Uint8Array;
+
+  /** The library calls the functions of `own`. */
+  constructor(module: WebAssembly.Module, own: WebAssembly.ModuleImports = {}) {
+    const { exports } = new WebAssembly.Instance(module, importsOf(module, own));
+    this.exports = exports as unknown as E;
+    this.exports._initialize();
+    this.numbers = Uint8Array.from(this.names(), (name) => numberOf.get(name) ?? 255);
+  }
+
+  /** Writes what the library is asked for next. */
+  ask(request: Uint8Array): void {
+    this.bytes(this.exports.request(request.length), request.length).set(request);
+  }
+
+  lines(): LinesFound {
+    const { memory, events, starts, names } = this.exports;
+    const count = events();
+    return {
+      starts: new Uint32Array(memory.buffer, starts(), count + 1).slice(),
+      names: this.bytes(names(), count).map((number) => this.numbers[number] ?? 255),
+    };
+  }
+
+  text(at: number, size: number): string {
+    return new TextDecoder().decode(this.bytes(at, size));
+  }
+
+  /** Never kept: the memory moves as it grows. */
+  bytes(at: number, size: number): Uint8Array<ArrayBuffer> {
+    return new Uint8Array(this.exports.memory.buffer, at, size);
+  }
+
+  /** All names of events in the library's order. */
+  private names(): readonly EventName[] {
+    const found: EventName[] = [];
+    for (let at = this.exports.name(0); at !== 0; at = this.exports.name(found.length)) {
+      const rest = new Uint8Array(this.exports.memory.buffer, at);
+      found.push(this.text(at, rest.indexOf(0)) as EventName);
+    }
+    return found;
+  }
+}
+
+/** Its standard library would also read and write files: there are none. */
+function importsOf(
+  module: WebAssembly.Module,
+  own: WebAssembly.ModuleImports,
+): WebAssembly.Imports {
+  const imports: Record<string, Record<string, WebAssembly.ImportValue>> = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+    imports[from] = { ...imports[from], [name]: nothing };
+  }
+  return { ...imports, vidno: { ...imports['vidno'], ...own } };
+}
