@@ -1,4 +1,4 @@
-/// Runs without a trace: one translation unit a kernel, compiled for its own numbers.
+/// Runs without a trace: one or two translation units a kernel, compiled for its own numbers.
 #pragma once
 
 #include "run/floating_horizon_run.h"
@@ -14,7 +14,7 @@ DrawnLines untraced_run(const FloatingHorizonRequest&);
 Picture told_to_nobody(RunRequest);
 DrawnLines told_to_nobody(FloatingHorizonRequest);
 
-/// A kernel's methods, of those that it runs: see its KernelChoice. Each is defined in `untraced_<kernel>.cpp`.
+/// A kernel's methods, of those that it runs: see its KernelChoice. They are defined in `untraced_<kernel>.cpp` and what begins like it.
 template <KernelKind kind>
 struct Untraced {
     static Picture course(const RunRequest&);

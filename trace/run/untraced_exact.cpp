@@ -1,12 +1,8 @@
-#include "run/untraced_set.h"
-#include "vidno/kernels/exact.h"
+#include "run/untraced_exact.h"
 
 namespace vidno {
 
-template <>
-struct KernelOf<KernelKind::exact> {
-    static Exact made(int) { return Exact{}; }
-};
-template struct Untraced<KernelKind::exact>;
+template Picture Untraced<KernelKind::exact>::course(const RunRequest&);
+template DrawnLines Untraced<KernelKind::exact>::floating_horizon(const FloatingHorizonRequest&);
 
 }  // namespace vidno

@@ -1,13 +1,8 @@
-#include "run/untraced_set.h"
-#include "vidno/kernels/filtered_heights.h"
-#include "vidno/kernels/filtered_regions.h"
+#include "run/untraced_filtered.h"
 
 namespace vidno {
 
-template <>
-struct KernelOf<KernelKind::filtered> {
-    static Filtered made(int) { return Filtered{}; }
-};
-template struct Untraced<KernelKind::filtered>;
+template Picture Untraced<KernelKind::filtered>::course(const RunRequest&);
+template DrawnLines Untraced<KernelKind::filtered>::floating_horizon(const FloatingHorizonRequest&);
 
 }  // namespace vidno

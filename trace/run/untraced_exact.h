@@ -1,0 +1,14 @@
+/// Runs without a trace under `exact`, compiled in two units: each would take too long with the other.
+#pragma once
+
+#include "run/untraced_set.h"
+#include "vidno/kernels/exact.h"
+
+namespace vidno {
+
+template <>
+struct KernelOf<KernelKind::exact> {
+    static Exact made(int) { return Exact{}; }
+};
+
+}  // namespace vidno
