@@ -304,11 +304,11 @@ TEST_CASE("A state refuses what cannot follow") {
         return "possible";
     };
     const auto push = [](Line at, Window window, std::optional<std::vector<AplEntry>> list) {
-        event::Push push;
-        push.at = at;
-        push.window = window;
-        push.apl = std::move(list);
-        return push;
+        event::Push event;
+        event.at = at;
+        event.window = window;
+        event.apl = std::move(list);
+        return event;
     };
     const Window whole{0, 0, 16, 16};
     const std::vector<AplEntry> none;
@@ -323,7 +323,8 @@ TEST_CASE("A state refuses what cannot follow") {
     CHECK(impossible(Method::warnock_vertex, {push(Line::WF1, {0, .5, 16, 8}, none)}) == "a window outside the area");
     CHECK(impossible(Method::warnock_vertex, {push(Line::WF1, whole, none)}) == "possible");
 
-    const event::Depth depth{.at = Line::PW5};
+    event::Depth depth;
+    depth.at = Line::PW5;
     const std::vector<Event> found{event::Corners{}, depth, depth, depth, depth};
     std::vector<Event> window{push(Line::W3, whole, none), push(Line::W3, whole, none), pop};
     window.insert(window.end(), found.begin(), found.end());

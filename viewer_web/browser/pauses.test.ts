@@ -3,6 +3,9 @@ import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
 import { open, opened, shown } from './page.js';
 
+/** Milliseconds that a task may take where the machine has several times more to do than it can; alone a second is too long. */
+const patience = 2500;
+
 /** Of an area so large a run has no keyframes. */
 const side = 16_384;
 
@@ -114,8 +117,8 @@ describe('what takes a while does not hold up the page', () => {
     expect((await shown(page)).step).toBe(events.length);
     const ending = await longestTask(page);
     console.log(`20 000 polygons: longest task ${opening} ms as opened, ${ending} ms at the end`);
-    expect(opening).toBeLessThan(1000);
-    expect(ending).toBeLessThan(1000);
+    expect(opening).toBeLessThan(patience);
+    expect(ending).toBeLessThan(patience);
 
     // All of them can be gone to.
     const choice = page.locator('vidno-travel select');

@@ -35,6 +35,10 @@ export const announcerStyle = css`
   .on-the-way progress {
     width: 8rem;
   }
+  .on-the-way button {
+    min-height: 1.75rem;
+    color: var(--ink);
+  }
   @keyframes gone {
     to {
       visibility: hidden;

@@ -27,7 +27,7 @@ function refused(method: Method, events: readonly Event[]): readonly [number, Re
 function untilRefused(method: Method, seed: number): readonly Event[] {
   const below = chance(seed);
   const names = eventsOf[method];
-  const tries = 60;
+  const tries = 40;
   const events: Event[] = [];
   for (let i = 0; i < tries; i++) {
     const kind = samples[names[below(names.length)] ?? 'call'];
@@ -43,7 +43,7 @@ function untilRefused(method: Method, seed: number): readonly Event[] {
 }
 
 describe('what cannot happen is refused where a state would refuse it', () => {
-  const seeds = Array.from({ length: 40 }, (_, i) => i + 1);
+  const seeds = Array.from({ length: 12 }, (_, i) => i + 1);
 
   it.each(methods)('%s', async (method) => {
     const found = new Set<string>();

@@ -28,7 +28,7 @@ function looksOf(timeline: Timeline, step: number): number {
   return length;
 }
 
-describe('a long way', () => {
+describe('a long way', { timeout: 20_000 }, () => {
   const text = textWith(headerOf('warnock', 'windows'), fills);
   const fresh = (): Promise<Timeline> => bareTimelineOf(text);
 
