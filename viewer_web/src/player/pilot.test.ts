@@ -42,7 +42,7 @@ describe('a pilot', () => {
     expect(pilot.follow(run, 1000)).toBe(50);
     expect(pilot.follow(run, 1000)).toBe(50);
     expect(host.requestUpdate).not.toHaveBeenCalled();
-    await vi.runAllTimersAsync();
+    await vi.advanceTimersByTimeAsync(1000);
     await pilot.arrival;
     expect(host.requestUpdate).toHaveBeenCalledOnce();
     expect(pilot.isUnderWay).toBe(false);
@@ -57,7 +57,7 @@ describe('a pilot', () => {
     pilot.follow(run, 1000);
     pilot.cancel();
     expect(stay).toHaveBeenCalledWith(50);
-    await vi.runAllTimersAsync();
+    await vi.advanceTimersByTimeAsync(1000);
     expect(host.requestUpdate).not.toHaveBeenCalled();
     expect(pilot.isUnderWay).toBe(false);
   });
@@ -67,7 +67,7 @@ describe('a pilot', () => {
     const run = slowRun();
     pilot.follow(run, 9000);
     pilot.follow(run, 500);
-    await vi.runAllTimersAsync();
+    await vi.advanceTimersByTimeAsync(1000);
     expect(pilot.follow(run, 500)).toBe(500);
     expect(pilot.follow(slowRun(), 9000)).toBe(0);
   });
