@@ -69,7 +69,8 @@ const Window whole{0, 0, 16, 16}, upper_left{0, 0, 8, 8}, lower_right{8, 8, 8, 8
 const std::vector<AplEntry> both{{{0}, true}, {{1}, false}};
 
 event::Push pushed(const Window& window, std::optional<std::vector<AplEntry>> apl = {}) {
-    event::Push e{Line::W3, window, std::move(apl), {}};
+    const Line line = apl ? Line::W3 : Line::W13;
+    event::Push e{line, window, std::move(apl), {}};
     return e;
 }
 
