@@ -45,10 +45,10 @@ LineSet lines_named(const std::string& text) {
 }  // namespace
 
 TEST_CASE("FORMAT.md and the schemas have the events and choices that there are: if not, `./dev derive` writes them") {
-    for (const auto& [name, derived] : derived_documents()) {
-        CAPTURE(name);
-        const std::string text = read_file(VIDNO_ROOT "/trace/" + std::string(name));
-        CHECK(text == derived(text));
+    for (const DerivedDocument& document : derived_documents()) {
+        CAPTURE(document.file);
+        const std::string text = read_file(VIDNO_ROOT "/trace/" + std::string(document.file));
+        CHECK(text == document.derived(text));
     }
 }
 
