@@ -76,7 +76,7 @@ describe('the peak between two samples', () => {
       'Samples: 10',
       'Height missed: 0 px',
     ]);
-    expect(sizeText(shown(peak))).toMatch(/^curves: 3 · columns of all of them: 99 · /u);
+    expect(sizeText(shown(peak))).toMatch(/^curves: 3 · columns of all curves: 99 · /u);
   });
 
   it('needs a tolerance below its height; evenly apart a sample on every second column', () => {
@@ -94,7 +94,7 @@ describe('the peak between two samples', () => {
   it.each([
     [
       'en',
-      /^“filtered, tolerance 4 px” .*\(samples 10\)\. .*: 16, .* 1\.01% of the columns\. Its curves miss nothing/u,
+      /^“filtered, tolerance 4 px” .*\(samples 10\)\. .*: 16, .* 1\.01% of the columns\. Its curves match the function/u,
     ],
     [
       'ru',
@@ -118,7 +118,7 @@ describe('what a surface loses', () => {
     expect(advice?.cheapest.run).toBe(runs[1]);
     expect(advice?.losses).toEqual({ height: 0.25, decisions: new Map([['float', 0.2]]) });
     const all = shown({}, 'en', { ...surfaceSample, surfaces: [surfaceOf(runs)] });
-    expect(adviceText(advice, all)).toMatch(/0\.25 px from the function at most.*: float \(20%\)/u);
+    expect(adviceText(advice, all)).toMatch(/at most 0\.25 px from the function.*: float \(20%\)/u);
   });
 
   it('is not said of scenes', () => {
@@ -131,7 +131,7 @@ describe('surfaces together', () => {
     const all = shown({ cost: 'samples' });
     // Over 33 columns there may be 17 and 33 samples, over 9 not.
     expect(missingText(all)).toBe(
-      'Not shown, for not every surface was sampled so: 17 samples a curve, 33 samples a curve.',
+      'Not shown because some surfaces were not sampled that way: 17 samples a curve, 33 samples a curve.',
     );
     expect(sizeText(all)).toBeNull();
     expect(runName(curveRunOf({}), all)).toBe('double, as given');

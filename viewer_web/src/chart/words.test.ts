@@ -108,7 +108,7 @@ describe('a variant of an algorithm', () => {
   it('that does not take each scene is named where it is missing', () => {
     const shown = shownOf(chart, parseChoice(''), 'en');
     expect(shown && missingText(shown)).toBe(
-      'Not shown, for not every scene has a number for them: Warnock: closed bodies.',
+      'Not shown because some scenes have no number for them: Warnock: closed bodies.',
     );
   });
 

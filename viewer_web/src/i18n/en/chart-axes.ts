@@ -6,7 +6,7 @@ export const costs: ChartTexts['costs'] = {
     axis: 'time, relative to the fastest run',
     ratioAxis: 'time, relative to the fastest run',
     sentence: (rounds) =>
-      `Time is that of a picture without a trace, the median of ${rounds} rounds, relative to the fastest run.`,
+      `Time to draw the picture without a trace: the median of ${rounds} rounds, relative to the fastest run.`,
     ratioSentence:
       'Time is relative to the fastest run of each picture: the geometric mean over the pictures.',
   },
@@ -22,15 +22,15 @@ export const costs: ChartTexts['costs'] = {
     name: 'Bits',
     axis: 'operations × bits',
     ratioAxis: 'operations × bits, relative to the fewest',
-    sentence: () => 'Bits are the operations times the bits of the numbers that they are made on.',
+    sentence: () => 'Bits: the number of operations times the width of their numbers.',
     ratioSentence:
-      'Bits, operations times the bits of their numbers, are relative to the fewest of each picture: the geometric mean over the pictures.',
+      'Bits (operations times the width of their numbers) are relative to the fewest of each picture: the geometric mean over the pictures.',
   },
   samples: {
     name: 'Samples',
     axis: 'samples',
     ratioAxis: 'samples, relative to the fewest',
-    sentence: () => 'Samples are those that all curves have together.',
+    sentence: () => 'Samples: the total over all curves.',
     ratioSentence:
       'Samples are relative to the fewest of each picture: the geometric mean over the pictures.',
   },
@@ -46,9 +46,9 @@ export const errors: ChartTexts['errors'] = {
   area: {
     name: 'Area',
     axis: 'area of difference, of all',
-    sentence: 'The area is that by which the picture differs from the visible regions.',
+    sentence: 'Area: the part of the picture that differs from the visible regions.',
     meanSentence:
-      'The area is that by which the picture differs from the visible regions: the mean share over the pictures.',
+      'Area: the part of the picture that differs from the visible regions, as the mean share over the pictures.',
   },
   wrongDecisions: {
     name: 'Wrong decisions',
@@ -58,25 +58,24 @@ export const errors: ChartTexts['errors'] = {
   },
   depthUlps: {
     name: 'Depth',
-    axis: 'farthest depth, ulps',
-    sentence: 'Depth is how far a computed one is from the polygon’s plane at most, in ulps.',
+    axis: 'largest depth error, ulps',
+    sentence: 'Depth: the largest error of a computed depth against the polygon’s plane, in ulps.',
     meanSentence:
-      'Depth is how far a computed one is from the polygon’s plane at most, in ulps: the farthest in any of the pictures.',
+      'Depth: the largest error of a computed depth against the polygon’s plane, in ulps, over all pictures.',
   },
   wrongColumns: {
     name: 'Wrong columns',
     axis: 'wrong columns, of all',
-    sentence:
-      'Wrong columns are those over which a curve is drawn and should be hidden, or the other way round.',
+    sentence: 'Wrong columns: a curve is drawn there and should be hidden, or the other way round.',
     meanSentence:
-      'Wrong columns are those over which a curve is drawn and should be hidden, or the other way round: the mean share over the pictures.',
+      'Wrong columns: a curve is drawn there and should be hidden, or the other way round. The mean share over the pictures.',
   },
   height: {
     name: 'Height missed',
     axis: 'height missed, px',
     sentence:
-      'Height missed is how far a curve is from the function at most, over any of its columns.',
+      'Height missed: the largest distance between a curve and the function over its columns.',
     meanSentence:
-      'Height missed is how far a curve is from the function at most, over any of its columns: the farthest in any of the pictures.',
+      'Height missed: the largest distance between a curve and the function over its columns, over all pictures.',
   },
 };

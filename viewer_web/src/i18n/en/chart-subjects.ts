@@ -5,36 +5,37 @@ export const subjects: ChartTexts['subjects'] = {
     show: 'Scene',
     showOne: 'Show a single scene to replay one of its runs.',
     fixed: 'float, double…',
-    missingSomewhere: (runs) => `Not shown, for not every scene has a number for them: ${runs}.`,
+    missingSomewhere: (runs) => `Not shown because some scenes have no number for them: ${runs}.`,
     advice: {
       none: 'No run gets every pixel right.',
       cheapest: (run, cost, amount) =>
         `${run} is the cheapest of those that get every pixel right (${cost} ${amount}).`,
       cheaper: (count, leastWrong, share) =>
-        `Runs that are cheaper: ${count}, all of them wrong; the least wrong is ${leastWrong}, in ${share} of the pixels.`,
-      safe: 'It decides as exact arithmetic would: it is right in every scene.',
+        `Cheaper runs: ${count}, all of them wrong. The least wrong is ${leastWrong}, in ${share} of the pixels.`,
+      safe: 'It decides as exact arithmetic does, so it is right in every scene.',
       safer: (run, times) =>
-        `Its arithmetic rounds: what is right here may be wrong elsewhere. Right in every scene, and the cheapest of that kind, is ${run}, at ${times} the cost.`,
-      others: (runs) => `The cheapest right runs of the other methods, beside it: ${runs}.`,
-      neverRight: (methods) => `Right under no kernel: ${methods}.`,
+        `Its arithmetic rounds: a run that is right here may be wrong elsewhere. The cheapest run that is right in every scene is ${run}, at ${times} the cost.`,
+      others: (runs) => `The cheapest right runs of the other methods, compared with it: ${runs}.`,
+      neverRight: (methods) => `Not right under any kernel: ${methods}.`,
     },
   },
   surfaces: {
     show: 'Surface',
     showOne: 'Show a single surface to replay one of its runs.',
     fixed: 'as given',
-    missingSomewhere: (runs) => `Not shown, for not every surface was sampled so: ${runs}.`,
+    missingSomewhere: (runs) =>
+      `Not shown because some surfaces were not sampled that way: ${runs}.`,
     advice: {
-      none: 'No run that is shown draws every column right.',
+      none: 'No run shown here draws every column right.',
       cheapest: (run, cost, amount) =>
         `“${run}” is the cheapest of those that draw every column right (${cost} ${amount}).`,
       cheaper: (count, leastWrong, share) =>
-        `Runs that are cheaper: ${count}, all of them wrong; the least wrong is “${leastWrong}”, in ${share} of the columns.`,
-      safe: 'Its arithmetic decides as exact arithmetic would, on every surface.',
+        `Cheaper runs: ${count}, all of them wrong. The least wrong is “${leastWrong}”, in ${share} of the columns.`,
+      safe: 'It decides as exact arithmetic does, on every surface.',
       safer: (run, times) =>
-        `Its arithmetic rounds: what is decided right here may be decided wrong elsewhere. Always decided right, and the cheapest of that kind, is “${run}”, at ${times} the cost.`,
-      others: (runs) => `The cheapest right runs that sample otherwise, beside it: ${runs}.`,
-      neverRight: (samplings) => `Right under no kernel: ${samplings}.`,
+        `Its arithmetic rounds: a decision that is right here may be wrong elsewhere. The cheapest run that always decides right is “${run}”, at ${times} the cost.`,
+      others: (runs) => `The cheapest right runs with other samples, compared with it: ${runs}.`,
+      neverRight: (samplings) => `Not right under any kernel: ${samplings}.`,
     },
   },
 };

@@ -18,7 +18,7 @@ export const chart: ChartTexts = {
   aboutScene: (pixels, polygons, unsteady) =>
     `pixels: ${pixels} · polygons: ${polygons} · pixels that an ulp may change: ${unsteady}`,
   aboutSurface: (curves, columns) =>
-    `curves: ${curves} · columns of all of them: ${columns} · what it costs to sample is not counted, only to draw`,
+    `curves: ${curves} · columns of all curves: ${columns} · the cost of drawing alone, without that of sampling`,
   cost: 'Cost',
   error: 'Error',
   series: 'Shown',
@@ -47,12 +47,12 @@ export const chart: ChartTexts = {
     tolerance: (value) => `tolerance ${value} px`,
   },
   samplings: {
-    samples: 'samples evenly apart',
-    tolerance: 'samples by a tolerance',
-    fixed: 'samples as the file has them',
+    samples: 'evenly spaced samples',
+    tolerance: 'samples within a tolerance',
+    fixed: 'samples from the file',
   },
   editions: { corrected: 'corrected', printed: 'as printed' },
-  fault: 'ended by a fault',
+  fault: 'stopped by a fault',
   printed: 'text as printed',
   printedLabel: (kernel) => `${kernel}, printed`,
   costs,
@@ -60,22 +60,22 @@ export const chart: ChartTexts = {
   counted: (part, all) => `${part} of ${all}`,
   units: { depthUlps: (count) => `${count} ulps`, height: (count) => `${count} px` },
   reading:
-    'Farther left is cheaper, farther down is better. In the bands marked 0 and ∞ all are equally right or wrong: there the series only stand apart.',
-  missing: (kernels) => `Not shown, for their numbers have no one width: ${kernels}.`,
+    'Farther left is cheaper, farther down is better. In the bands marked 0 and ∞ all runs are equally right or wrong; the series are only spread apart.',
+  missing: (kernels) => `Not shown because their numbers have no fixed width: ${kernels}.`,
   rightPicture: (share) => `the right picture itself: ${share}`,
   plot: (cost, error) => `${error} against ${cost}`,
   keys: 'Keys: ← → by cost, ↑ ↓ by error, Home, End; Esc closes.',
   front: 'The front: no other run is as cheap and as right',
   frontMark: 'the front',
   run: 'Run',
-  whichRun: 'Which run is needed',
+  whichRun: 'Which run to choose',
   losses: {
-    nothing: 'Its curves miss nothing of the function over any column.',
-    height: (pixels) => `Its curves are ${pixels} from the function at most.`,
+    nothing: 'Its curves match the function over every column.',
+    height: (pixels) => `Its curves are at most ${pixels} from the function.`,
     noDecision:
-      'No run of the corrected text decides anything wrongly: what is lost is lost between the samples.',
+      'No run of the corrected text makes a wrong decision: the error comes from the samples alone.',
     decisions: (kernels) =>
-      `What is lost is lost between the samples, and to arithmetic; so many decisions of a run of the corrected text are wrong at most: ${kernels}.`,
+      `The error comes from the samples and from arithmetic. Wrong decisions in a run of the corrected text, at most: ${kernels}.`,
   },
   operations: {
     windows: (share) => `${share} of its operations take a window from the stack`,
@@ -84,11 +84,11 @@ export const chart: ChartTexts = {
     orientations: (share) => `${share} of its operations are orientation tests`,
     comparisons: (share) => `${share} of its operations are comparisons of depths`,
     intersections: (share) => `${share} of its operations are intersections`,
-    rows: (share) => `${share} of its operations look for the ends of rows`,
+    rows: (share) => `${share} of its operations find the ends of rows`,
     edges: (share) => `${share} of its operations are steps of edges`,
-    visibilities: (share) => `${share} of its operations hold a curve against the horizons`,
+    visibilities: (share) => `${share} of its operations compare a curve with the horizons`,
     horizons: (share) => `${share} of its operations set a horizon`,
-    steps: (share) => `${share} of its operations look for a crossing`,
+    steps: (share) => `${share} of its operations search for a crossing`,
     crossings: (share) => `${share} of its operations compute a crossing`,
   },
   replay: {
@@ -102,8 +102,8 @@ export const chart: ChartTexts = {
     },
   },
   empty: 'No chart is open.',
-  howTo: 'This writes one, of each way to run these scenes:',
+  howTo: 'This command writes one, with every way to run these scenes:',
   unreadable: (name, where, reason) =>
-    `${name} is not a chart that can be read. ${where === '' ? '' : `${where}: `}${reason}.`,
+    `${name} cannot be read as a chart. ${where === '' ? '' : `${where}: `}${reason}.`,
   broken: (name) => `${name} could not be read.`,
 };
