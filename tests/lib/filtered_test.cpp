@@ -182,3 +182,13 @@ TEST_CASE("Coordinates that overflow are decided all the same") {
         CHECK(wrong_pixels(method, scene, Filtered{}, expected) == 0);
     }
 }
+
+TEST_CASE("A clipped vertex whose computed coordinate is infinite") {
+    // The edge from (-1, 2e155) to (1e155, 2): its differences have a product of 2e310.
+    const Scene scene = SceneBuilder({0, 0, 2, 2}).polygon({{-1, 2e155, 0}, {1, 1, 0}, {1e155, 2, 0}}).build();
+    const Picture expected = Reference(scene).picture();
+    for (const Method method : {Method::warnock, Method::zbuffer}) {
+        CAPTURE(int(method));
+        CHECK(wrong_pixels(method, scene, Filtered{}, expected) == 0);
+    }
+}

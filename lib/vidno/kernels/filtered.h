@@ -328,11 +328,13 @@ private:
     static Vertex<Rational> exactly(const Vertex<Given>& v) { return {v.x.value, v.y.value, 0}; }
     static Vertex<Rational> exactly(const ClippedVertex& v) {
         assert(v.x.is_exact() || v.y.is_exact());
-        Rational x = v.x.value;
-        Rational y = v.y.value;
-        if (!v.x.is_exact()) x = along(v.from->y, v.from->x, v.to->y, v.to->x, y);
-        if (!v.y.is_exact()) y = along(v.from->x, v.from->y, v.to->x, v.to->y, x);
-        return {x, y, 0};
+        // A computed coordinate may be infinite or not a number: only an exact one becomes a rational.
+        if (!v.x.is_exact()) {
+            const Rational y = v.y.value;
+            return {along(v.from->y, v.from->x, v.to->y, v.to->x, y), y, 0};
+        }
+        const Rational x = v.x.value;
+        return {x, v.y.is_exact() ? Rational(v.y.value) : along(v.from->x, v.from->y, v.to->x, v.to->y, x), 0};
     }
     template <class AnyVertex>
     static std::vector<Vertex<Rational>> exactly(const std::vector<AnyVertex>& outline) {
