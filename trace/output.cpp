@@ -6,6 +6,8 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -123,8 +125,45 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// The name of a file in progress, from its first byte to its last, for `remove_unfinished_files`.
+class Unfinished {
+public:
+    explicit Unfinished(const std::string& name) {
+        for (auto& each : all) {
+            const char* none = nullptr;
+            if (!each.compare_exchange_strong(none, name.c_str())) continue;
+            own_ = &each;
+            return;
+        }
+        throw Refused(name + ": cannot write: too many files are written at once");
+    }
+    ~Unfinished() { *own_ = nullptr; }
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+    static void remove_all() noexcept {
+        for (const auto& each : all) {
+            if (const char* name = each) unlink(name);
+        }
+    }
+
+private:
+    using Name = std::atomic<const char*>;
+    static_assert(Name::is_always_lock_free, "a signal handler reads it");
+    static inline std::array<Name, 8> all{};
+
+    Name* own_ = nullptr;
+};
+
+}  // namespace
+
+void remove_unfinished_files() noexcept { Unfinished::remove_all(); }
+
 struct OutputFile::Stream {
     std::FILE* file = nullptr;
+    std::optional<Unfinished> unfinished;
     std::optional<Packer> packer;  // for a file that is packed
 
     bool write(std::string_view bytes) {
@@ -142,6 +181,7 @@ OutputFile::OutputFile(const std::string& name, Packing packing) : name_(name), 
         return;
     }
     temporary_ = name + ".part-" + std::to_string(getpid());
+    stream_->unfinished.emplace(temporary_);
     errno = 0;
     stream_->file = std::fopen(temporary_.c_str(), "wb");
     if (!stream_->file) refuse(name, "cannot write");
@@ -153,6 +193,7 @@ OutputFile::~OutputFile() {
     if (stream_->file) std::fclose(stream_->file);
     std::error_code ignored;
     std::filesystem::remove(temporary_, ignored);
+    stream_->unfinished.reset();
 }
 
 void OutputFile::write(std::string_view bytes) {
@@ -170,6 +211,7 @@ void OutputFile::commit() {
     std::error_code error;
     std::filesystem::rename(temporary_, name_, error);
     if (error) throw Refused(name_ + ": cannot write: " + error.message());
+    stream_->unfinished.reset();
     temporary_.clear();
 }
 

@@ -20,7 +20,7 @@ std::string gzipped(std::string_view bytes);
 enum class Packing : unsigned char { quick, done };
 
 /// Writes beside the file and renames at `commit`; without it nothing remains. "-" is standard output. Throws Refused where the system
-/// refuses.
+/// refuses, and where more than eight files are written at once.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& name, Packing packing = Packing::quick);
@@ -38,6 +38,9 @@ private:
     std::string temporary_;  // empty: standard output
     std::unique_ptr<Stream> stream_;
 };
+
+/// Removes what was written of each file that is not committed. A signal handler may call it.
+void remove_unfinished_files() noexcept;
 
 /// The whole of an output file.
 void write_file(const std::string& name, std::string_view bytes, Packing packing = Packing::quick);

@@ -738,3 +738,31 @@ TEST_CASE("import, then both methods paint the same picture of the mesh") {
     REQUIRE(program("render " + scene + " --method zbuffer --kernel exact -o " + work.file("b.ppm")).status == 0);
     CHECK(work.read("a.ppm") == work.read("b.ppm"));
 }
+
+TEST_CASE("A run that a signal stops leaves no part of its file") {
+    // The system stops it by SIGXFSZ, number 25, as it writes beyond 512 bytes.
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const auto stopped = program("-c \"ulimit -f 1; '" VIDNO_FILE "' trace " + scene + " --detail signs -o " +
+                                     work.file("run.jsonl") + "; echo ended by $?\"",
+                                 "/bin/sh");
+    CHECK(stopped.text.find("ended by 153") != std::string::npos);
+    CHECK(work.files() == 1);
+}
+
+TEST_CASE("Lines that leave the range of doubles are drawn with finite numbers") {
+    // The curve falls from 1.7e308 to -1.7e308 over 7 columns: it crosses the window at x = 3.5, in the middle.
+    const Workplace work;
+    const std::string surface =
+        work.write("steep.json", R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":8,"height":8},)"
+                                 R"("curves":[[[0,1.7e308],[7,-1.7e308]]]})");
+    for (const std::string name : {"steep.svg", "steep.tex"}) {
+        CAPTURE(name);
+        CHECK(program("render " + surface + " -o " + work.file(name)).status == 0);
+        const std::string drawing = work.read(name);
+        CHECK_FALSE(drawing.empty());
+        CHECK(drawing.find("inf") == std::string::npos);
+        CHECK(drawing.find("nan") == std::string::npos);
+        CHECK(drawing.find("e+") == std::string::npos);
+    }
+}

@@ -1,10 +1,11 @@
 /// The program vidno.
 
+#include <csignal>
 #include <iostream>
 #include <new>
 
 #include "cli/commands.h"
-#include "refused.h"
+#include "output.h"
 
 namespace {
 
@@ -22,9 +23,22 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
     return 2;
 }
 
+/// Stopped by a signal, the program leaves no part of a file behind, and ends by that signal.
+void stop(int signal) {
+    vidno::remove_unfinished_files();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+/// `nohup` ignores some signals, and a sanitizer reports others: these stay as they are.
+void stop_at(int signal) {
+    if (const auto before = std::signal(signal, stop); before != SIG_DFL) std::signal(signal, before);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGXCPU, SIGXFSZ, SIGFPE, SIGSEGV, SIGABRT}) stop_at(signal);
     CLI::App program{"vidno runs the textbook hidden-surface procedures one small step at a time.", "vidno"};
     program.require_subcommand(0, 1);  // one; but a wrong one is told before none
     program.set_version_flag("--version", "vidno " VIDNO_VERSION);

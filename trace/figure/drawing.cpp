@@ -72,7 +72,9 @@ std::vector<Polyline> clipped(const Polyline& line, bool closed, const Box& to) 
         if (!part) continue;
         const auto at = [&](double t) {
             if (t == 0 || t == 1) return t == 0 ? a : b;
-            return Point{a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+            // Between ends that are far away, rounding may put the point outside the box.
+            return Point{std::clamp(std::lerp(a.x, b.x, t), to.x, to.right()),
+                         std::clamp(std::lerp(a.y, b.y, t), to.y, to.bottom())};
         };
         if (pieces.empty() || !(pieces.back().back() == at(part->first))) pieces.push_back({at(part->first)});
         pieces.back().push_back(at(part->second));

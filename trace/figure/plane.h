@@ -1,6 +1,8 @@
 /// Plane: how the plane of the scene lies in a drawing, and the looks that belong to the scene.
 #pragma once
 
+#include <algorithm>
+
 #include "drawing.h"
 #include "vidno/window.h"
 
@@ -21,7 +23,9 @@ struct Plane {
     Point origin;  // where the plane's (0, 0) would lie
     Box shown;     // the area and a margin around it, to which all is cut
 
-    Point at(double x, double y) const { return {origin.x + x * scale, origin.y + y * scale}; }
+    Point at(double x, double y) const {
+        return {within_reach(origin.x + x * scale), within_reach(origin.y + y * scale)};
+    }
     Box box(double x, double y, double width, double height) const {
         const Point corner = at(x, y);
         return {corner.x, corner.y, width * scale, height * scale};
@@ -32,6 +36,10 @@ struct Plane {
         for (const auto& vertex : polygon.vertices) line.push_back(at(vertex.x, vertex.y));
         return line;
     }
+
+private:
+    /// What lies farther out is drawn from here, so that differences stay finite.
+    static double within_reach(double millimetres) { return std::clamp(millimetres, -1e300, 1e300); }
 };
 
 /// The numbers at the corners.
