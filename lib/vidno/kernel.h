@@ -82,7 +82,7 @@ concept Kernel = requires(K& own, const K& kernel, const Scene& scene, const typ
     // (a - pivot) x (b - pivot), x and y alone count; and its sign.
     { kernel.sign(kernel.cross(vertex, vertex, point)) } -> std::same_as<Sign>;
 
-    // Of every polygon, before any depth.
+    // Called for every polygon, before any depth.
     { own.plane(computed, vertices) } -> std::same_as<typename K::Plane>;
 
     // Depth, and "no polygon yet", which every depth is nearer than. Two depths are compared where both were taken.

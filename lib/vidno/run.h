@@ -1,7 +1,7 @@
 /// Run: one execution of a method: its procedure set, kernel and visitor, the polygons, and the picture so far.
 ///
 /// A procedure calls another through the run, naming its own line: the set decides which text is executed, and
-/// the call tells the trace the result. So a set of one's own is traced as well as ours.
+/// the call tells the trace the result. So your own set is traced like ours.
 #pragma once
 
 #include <memory>

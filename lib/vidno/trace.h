@@ -1,8 +1,8 @@
-/// Trace: the visitor that a run tells what it does, one event a call, in the procedures' own words.
+/// Trace: the visitor that hears a run, one call for each event, in the procedures' own words.
 ///
-/// Every event takes the label of the listing line that caused it and values that the run already has; turning them
-/// into text is the visitor's affair (trace/run/recorder.h). trace/FORMAT.md says what each event means. A visitor is
-/// passed by value and may hold a pointer; a visitor of one's own hides the events that it wants to hear:
+/// Every event takes the label of the listing line that caused it and values that the run already has. The visitor turns
+/// them into text (trace/run/recorder.h). trace/FORMAT.md says what each event means. A visitor is passed by value and may
+/// hold a pointer. Your own visitor hides the events that it wants to hear:
 ///
 ///     struct CountSplits : NoTrace {
 ///         int* splits;
@@ -21,7 +21,7 @@ namespace vidno {
 enum class Case : unsigned char { empty, surrounded, pixel, single, split };
 inline constexpr std::array<std::string_view, 5> case_names{"empty", "surrounded", "pixel", "single", "split"};
 
-/// Hears nothing and costs nothing. Whoever derives from it hears the run.
+/// Hears nothing and costs nothing. Derive from it to hear the run.
 struct NoTrace {
     // Both methods
     void plane(Line, const auto& /*polygon*/, const auto& /*plane*/) {}

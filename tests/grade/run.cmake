@@ -1,5 +1,5 @@
-# `vidno grade` on students' programs: the right ones pass and are told what is different, each wrong one is told its mistake,
-# and one that does not end well is told so. Run with -P; COMPILER, VIDNO and WORK are given.
+# `vidno grade` on students' programs: the right ones pass and hear what is different, each wrong one hears its mistake,
+# and one that does not end well is named. Run with -P; COMPILER, VIDNO and WORK are given.
 cmake_minimum_required(VERSION 3.25)
 set(student ${CMAKE_CURRENT_LIST_DIR}/../../lessons/student)
 
@@ -53,7 +53,7 @@ must_be_right(${student}/warnock.cpp "${outline}")
 must_be_right(${student}/z_buffer.cpp "${outline}")
 must_be_right(${CMAKE_CURRENT_LIST_DIR}/recursion.cpp "${outline}" "recursion instead of the stack")
 must_be_right(${CMAKE_CURRENT_LIST_DIR}/other_order.cpp "the parts of a window in another order"
-              "the polygons in another order" "outlines gone round the other way" "${outline}")
+              "the polygons in another order" "outlines in the opposite direction" "${outline}")
 must_be_right(${CMAKE_CURRENT_LIST_DIR}/half_open_float.cpp "${outline}" "numbers in float")
 
 must_make(one_list one-list)

@@ -22,7 +22,7 @@ struct ErrorAxis {
     double (*of)(const Run&);
 };
 
-/// Of the decisions of which the truth is known the share that is wrong: not every run takes as many. 0 if there are none.
+/// The share of wrong decisions among those whose truth is known, since runs take different numbers of them. 0 if there are none.
 template <class Run>
 inline constexpr ErrorAxis<Run> wrong_decisions_axis{
     "wrongDecisions", [](const Run& run) {
@@ -39,7 +39,7 @@ using ErrorAxes = std::array<ErrorAxis<Run>, count>;
 template <std::size_t costs, std::size_t errors>
 using Fronts = std::array<std::array<bool, errors>, costs>;
 
-/// Of runs that were all measured the times relative to the fastest, and the fronts. A run that a fault ended is on none.
+/// The times of measured runs relative to the fastest, and the fronts. A run that ended by a fault is on none.
 template <class Run, std::size_t costs, std::size_t errors>
 void compare_runs(std::vector<Run>& runs, const CostAxes<Run, costs>& cost_axes,
                   const ErrorAxes<Run, errors>& error_axes) {

@@ -51,7 +51,7 @@ std::vector<Way> turned(Method method, Knob knob, std::string_view kernel, int l
     return ways;
 }
 
-/// Of a method that is compared with the course's no knob is turned: its numbers have few bits, or a grid, in one run each.
+/// A method outside the course is drawn with one setting of each knob: few bits in one run, a grid in another.
 std::vector<Way> compared_ways(Method method, const Scene& scene) {
     if (refusal_of(method, scene)) return {};
     auto ways = fixed_ways(method);

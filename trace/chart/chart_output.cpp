@@ -111,7 +111,7 @@ std::string cell_of(const Json& value) {
     return in_quotes(words);
 }
 
-/// A run as flat columns: what is an object, as `key.inner`.
+/// A run as flat columns: an object's members are named `key.inner`.
 std::vector<std::pair<std::string, std::string>> cells_of(const Json& object, const std::string& prefix = {}) {
     std::vector<std::pair<std::string, std::string>> cells;
     for (const auto& [key, value] : object.items()) {

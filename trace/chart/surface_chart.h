@@ -1,4 +1,5 @@
-/// SurfaceChart: what each sampling of a surface costs, and how far what is drawn is from the function. What Chart is to scenes.
+/// SurfaceChart: what each sampling of a surface costs, and how far the drawing is from the function. It is to surfaces what Chart
+/// is to scenes.
 #pragma once
 
 #include <array>
@@ -14,8 +15,8 @@
 
 namespace vidno {
 
-/// How a surface is sampled otherwise than its file says: evenly, so many samples a curve; or from its ends on, one more
-/// halfway as long as the curve is farther than so many pixels from the line between two.
+/// How a surface is sampled other than as its file says: evenly, with a number of samples per curve; or from the ends of each
+/// curve, with one more sample halfway wherever the curve is farther than a tolerance in pixels from the line between two.
 enum class SamplingKnob : unsigned char { samples, tolerance };
 inline constexpr std::array<std::string_view, 2> sampling_knob_names{"samples", "tolerance"};
 
@@ -70,7 +71,7 @@ struct SurfaceChart {
 /// The sampling of the file and both knobs at each place, under each kernel that runs curves, in each edition that it runs.
 std::vector<SurfaceWay> ways_to_draw(const FunctionSurface& surface);
 
-/// Of curves together; a chart takes no more.
+/// The total over all curves; a chart takes no more.
 inline constexpr std::size_t most_charted_columns = std::size_t{1} << 16;
 
 /// How often a chart of the surface calls its `progress`.

@@ -54,7 +54,7 @@ struct Series {
     }
 };
 
-/// Of all runs of any surface.
+/// Over all runs of any surface.
 std::vector<Series> all_series() {
     std::vector<Series> series;
     for (const auto& choice : kernel_choices) {

@@ -10,7 +10,7 @@ namespace vidno::grading {
 struct False {
     Symptom symptom;
     std::string told, right;
-    std::optional<std::uint64_t> step{};  // if it is another one than that of the event in hand
+    std::optional<std::uint64_t> step{};  // if it is not that of the current event
 };
 
 class Claims {
@@ -34,7 +34,7 @@ protected:
     void judge_depth(int polygon, double x, double y, double z) const;
     /// A depth behind which nothing may be.
     void judge_start(double z, const std::string& what) const;
-    /// That a pixel shows a colour.
+    /// Claims that a pixel shows a colour.
     void judge_pixel(int column, int row, Color color);
     /// Which of two depths is nearer, as they were computed.
     void judge_comparison(double z, double against, bool nearer);

@@ -182,7 +182,7 @@ Ended run_contained(const std::filesystem::path& program, const std::filesystem:
     const pid_t child = fork();
     if (child < 0) throw Refused(program.string() + ": " + system_reason());
     if (child == 0) become(file.c_str(), place.c_str(), words.data(), out.number(), limits);
-    setpgid(child, child);  // here too, for whoever comes first
+    setpgid(child, child);  // in both processes: either may run first
     out.close();
 
     Ended ended;

@@ -41,7 +41,7 @@ std::string words_of(const Ended& ended, const Limits& limits);
 /// What a crash like this comes from, as a rule; empty if that is not known, or there was none.
 std::string cause_of(const Ended& ended);
 
-/// A folder for what is passing; gone with the object. Throws Refused if there can be none.
+/// A temporary folder, removed with the object. Throws Refused if it cannot be made.
 class TemporaryFolder {
 public:
     TemporaryFolder();

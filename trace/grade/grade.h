@@ -20,7 +20,7 @@ struct SceneGrade {
 /// Throws Refused if the program cannot be started.
 SceneGrade grade_scene(const std::filesystem::path& program, const Scene& scene, const Limits& limits);
 
-/// Of a trace that was written before.
+/// Judges a trace that was written before.
 SceneGrade grade_trace(std::string text);
 
 /// Which usual mistake the program behaves like.

@@ -94,7 +94,7 @@ std::string_view words_of(Difference difference) {
     switch (difference) {
         case Difference::order_of_parts: return "the parts of a window in another order";
         case Difference::order_of_polygons: return "the polygons in another order";
-        case Difference::order_of_vertices: return "outlines gone round the other way";
+        case Difference::order_of_vertices: return "outlines in the opposite direction";
         case Difference::outline: return "another rule for points of an outline";
         case Difference::equally_near: return "another one of equally near polygons";
         case Difference::hidden_leave: return "hidden polygons leave the list";

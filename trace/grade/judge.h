@@ -47,9 +47,9 @@ enum class Symptom : unsigned char {
 
 /// A claim that is false, in words.
 struct Wrong {
-    std::uint64_t step = 0;   // after so many events it is told
+    std::uint64_t step = 0;   // the number of events before it is told
     std::string at;           // the label of the listing's line; empty where only the picture is wrong
-    std::string told, right;  // what the trace says, what is so
+    std::string told, right;  // what the trace says, and what is right
     Symptom symptom{};
 };
 

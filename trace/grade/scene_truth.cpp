@@ -25,7 +25,7 @@ Rational cross(const Point2& o, const Point2& a, const Point2& b) {
 
 Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
 
-/// Twice the area, positive if gone round as x to y.
+/// Twice the area, positive if the outline turns from x to y.
 Rational twice_area(const Outline2& outline) {
     Rational sum(0);
     for (std::size_t i = 2; i < outline.size(); ++i) sum += cross(outline[0], outline[i - 1], outline[i]);
@@ -147,7 +147,7 @@ struct SceneTruth::Exactly {
 
     const ExactPolygon& at(int polygon) const { return polygons[std::size_t(polygon)]; }
 
-    /// The distance of a point from the line of an edge, times the edge's length, in units of what is open.
+    /// The distance of a point from the line of an edge, times the edge's length, in units of the tolerance.
     int side_of(const Point2& from, const Point2& to, const Point2& p, double open) const {
         const Rational value = cross(from, to, p);
         const Rational length = magnitude(to.x - from.x) + magnitude(to.y - from.y);
@@ -166,7 +166,7 @@ struct SceneTruth::Exactly {
         return found;
     }
 
-    /// Of polygons that all have the point: which may be taken for the nearest. None of them: the background.
+    /// Which of the polygons that hold the point may be taken for the nearest. If there are none: the background.
     std::vector<int> front_of(const std::vector<int>& candidates, const Point2& p) const {
         if (candidates.empty()) return {SeenPixel::background};
         const auto farther = [&](int q, int r) { return at(q).depth(p) < at(r).depth(p); };
@@ -327,7 +327,7 @@ std::optional<std::pair<SceneTruth::Crossing, SceneTruth::Crossing>> SceneTruth:
 }
 
 bool SceneTruth::same_coordinate(double v, double w) const {
-    // An edge that is nearly level multiplies what is open by how far it goes in a row.
+    // An edge that is nearly level multiplies the tolerance by its extent in a row.
     return std::abs(v - w) <= 64 * exactly_->slack;
 }
 

@@ -52,7 +52,7 @@ public:
     bool is_depth(int polygon, double x, double y, double z) const;
     /// 1 if the first is nearer at the point, -1 if the other, 0 if they are equally near.
     int nearer(int polygon, int than, double x, double y) const;
-    /// Of two depths that a program has computed: whether rounding may decide between them.
+    /// Whether rounding may decide between two depths that a program has computed.
     bool nearly_equal(double z, double other) const;
     /// Whether the plane a x + b y + c z + d = 0 is the polygon's.
     bool is_plane(int polygon, const std::array<double, 4>& plane) const;

@@ -24,7 +24,7 @@ StudentRun read_student_trace(std::string text);
 /// Throws Refused if the program cannot be started.
 StudentRun run_student(const std::filesystem::path& program, const Scene& scene, const Limits& limits);
 
-/// Whether it is the same scene for the judge: polygons in any order, gone round from any vertex either way.
+/// Whether it is the same scene for the judge: polygons in any order, from any first vertex, in either direction.
 bool same_scene(const Scene& told, const Scene& given);
 
 }  // namespace vidno

@@ -328,7 +328,7 @@ void WarnockJudge::judge(const event::PointColor& e) {
     judge_shown(int(x), int(y), e.color);
 }
 
-/// 1 if a vertex is outside of the window by the side in hand, -1 if inside, 0 if open.
+/// 1 if a vertex is outside the window by the current side, -1 if inside, 0 if either is right.
 int WarnockJudge::beyond_side(const ValueVertex& v) const {
     if (!side_) return 0;
     const auto& [from, to] = *side_;
@@ -343,13 +343,13 @@ int WarnockJudge::beyond_side(const ValueVertex& v) const {
 void WarnockJudge::judge(const event::ClipKeep& e) const {
     if (beyond_side(e.vertex) <= 0) return;
     throw False{Symptom::clipped_inside, point_in_words(e.vertex.x.number, e.vertex.y.number) + " is kept",
-                "it lies outside of " + in_words(window_) + " by the side in hand"};
+                "it lies outside of " + in_words(window_) + " by the current side"};
 }
 
 void WarnockJudge::judge(const event::ClipDrop& e) const {
     if (beyond_side(e.vertex) >= 0) return;
     throw False{Symptom::clipped_inside, point_in_words(e.vertex.x.number, e.vertex.y.number) + " is dropped",
-                "it lies on the inner side of the side in hand, of " + in_words(window_)};
+                "it lies on the inner side of the current side of " + in_words(window_)};
 }
 
 void WarnockJudge::judge(const event::ClipResult& e) {

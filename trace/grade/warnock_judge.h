@@ -76,7 +76,7 @@ private:
     std::uint64_t step_ = 0, last_step_ = 0;
     std::set<std::pair<int, int>> painted_;  // pixels
 
-    // Of the current window
+    // About the current window
     Window window_;
     std::optional<Case> decided_;
     std::vector<int> counted_;

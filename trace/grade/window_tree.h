@@ -27,14 +27,14 @@ public:
     void pop(const Window& window);
     void split(std::uint64_t step);
 
-    /// Of the current window, if it was split and its parts come all at once.
+    /// What the parts of the current window leave uncovered, if it was split and they come all at once.
     std::optional<Uncovered> uncovered_now() const;
-    /// Of any window.
+    /// The same for any window.
     std::optional<Uncovered> uncovered() const;
 
     bool is_recursive() const { return recursive_; }
 
-    /// Of the window's own parts, in their order.
+    /// The parts of the current window, in their order.
     const std::vector<Window>& parts() const { return nodes_[current_].parts; }
     bool empty() const { return nodes_.empty(); }
 

@@ -141,7 +141,7 @@ void ZBufferJudge::judge_covered(int column, int row) const {
                 in_area ? "its centre lies outside of " + id(*polygon_) : "that is not in the area"};
 }
 
-/// The polygon in hand takes a pixel: nothing that is nearer may be there.
+/// The current polygon takes a pixel: nothing nearer may be there.
 void ZBufferJudge::judge_shown(int column, int row) {
     judge_covered(column, row);
     Cell& own = cell(column, row);

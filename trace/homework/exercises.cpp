@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most_places = 12;           // binary, of a coordinate
 constexpr int most_steps = 20000;         // of the walk, tried between two exercises
-constexpr std::size_t pixels_alike = 32;  // pictures that differ in one of so many are alike
+constexpr std::size_t pixels_alike = 32;  // pictures that differ in fewer than one of 32 pixels are alike
 
 using Vertices = std::vector<glm::dvec3>;
 

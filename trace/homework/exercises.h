@@ -28,7 +28,7 @@ inline constexpr std::size_t most_exercises = 1000;
 /// and one that is not planar exactly.
 void expect_by_hand(const Scene& scene, const std::string& file);
 
-/// `progress` is told how many there are so far, at each step that is tried.
+/// `progress` hears how many there are so far, at each attempt.
 std::vector<Scene> exercises_of(const Scene& scene, Method method, std::size_t count, std::uint64_t seed,
                                 const std::function<void(std::size_t)>& progress);
 

@@ -24,7 +24,7 @@ struct SignMap {
     std::string_view decision;
     AnswerNames answers;
     std::string kernel;
-    int side;                 // so many places in a row, and rows
+    int side;                 // the number of places in a row, and of rows
     std::vector<Cell> cells;  // the row of p first
 
     const Cell& at(int x, int y) const { return cells[std::size_t(y) * side + std::size_t(x)]; }
@@ -34,7 +34,7 @@ struct SignMap {
     int differing() const;
 };
 
-/// Of the places 0 <= i, j < side <= MappedDecision::side. The decision is taken as the corrected procedures take it.
+/// The signs at the places 0 <= i, j < side <= MappedDecision::side. The decision is taken as the corrected procedures take it.
 SignMap sign_map(const MappedDecision& decision, const NamedKernel& kernel, int side = MappedDecision::side);
 
 /// The computed answer is the hue; dark where it differs from the exact one.

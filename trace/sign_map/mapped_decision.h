@@ -18,7 +18,7 @@ namespace vidno {
 using AnswerNames = std::array<std::string_view, 3>;
 inline constexpr AnswerNames three_signs{"negative", "zero", "positive"};
 
-/// Of what is kept by sign, in this order.
+/// The order of what is kept by sign.
 constexpr int place_of(Sign sign) { return int(sign) + 1; }
 
 /// On which side of the line from q to r does p lie? The differences are taken from the pivot, and always in the same
@@ -47,7 +47,7 @@ struct MappedClip {
 
     glm::dvec2 q;
     Area window;
-    int cut, side;  // 1 to 4 as PolygonClip goes round: top, left, bottom, right
+    int cut, side;  // 1 to 4 in PolygonClip's order: top, left, bottom, right
 };
 
 /// Is the first polygon nearer at p than the second?

@@ -8,7 +8,7 @@
 namespace vidno {
 
 struct BackFaces {
-    /// Takes   a convex polygon that is not edge-on, and goes round counter-clockwise as seen from outside the body.
+    /// Takes   a convex polygon that is not edge-on, counter-clockwise as seen from outside the body.
     /// Gives   whether it looks away, so that the viewer sees it go round clockwise: y grows downward, so c > 0. The sign of c is
     ///         that of the first turn that is one.
     /// Time    a cross product a vertex, up to that turn.

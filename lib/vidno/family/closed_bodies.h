@@ -3,12 +3,12 @@
 /// Polygons that share edges make a body. It is closed and convex if
 ///   - each edge belongs to two of its polygons, which go along it in opposite directions;
 ///   - each polygon has an area, all of its vertices lie in its plane, and all others of the body in it or behind it.
-/// A polygon goes round counter-clockwise as seen from before it, as in a mesh: y grows downward, so its normal, Newell's sum,
-/// points behind it, and one with c < 0 looks towards the viewer.
+/// The vertices of a polygon run counter-clockwise as seen from the front, as in a mesh. Since y grows downward, its normal,
+/// Newell's sum, points backward, and a polygon with c < 0 faces the viewer.
 ///
-/// Why the faces that look away may go then: the polygons of a body cover its hull. Where a line of sight meets the hull, the
+/// Faces that look away may be removed: the polygons of a body cover its hull. Where a line of sight meets the hull, the
 /// nearest point is on a closed face that looks towards the viewer, or a limit of such points and so on one too. A face that
-/// looks away is never nearer; as near it may be on the body's outline.
+/// looks away is never nearer. It may be equally near on the body's outline.
 #pragma once
 
 #include <algorithm>

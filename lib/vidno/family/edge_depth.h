@@ -11,9 +11,9 @@ namespace vidno {
 
 struct EdgeDepth {
     /// Takes   a run before any depth was asked for.
-    /// Gives   each edge-on polygon the depths of its edges, as planes. Of the planes through an edge one is taken whose depth
-    ///         changes with x alone, or with y alone, or not at all: its third corner may be anywhere along the other axis,
-    ///         and is put where no kernel that is always right rounds, at a side of the area.
+    /// Gives   each edge-on polygon the depths of its edges, as planes. Many planes pass through an edge. The one chosen has a depth
+    ///         that changes with x alone, or with y alone, or not at all. Its third corner may lie anywhere along the other
+    ///         axis: at a side of the area no kernel that is always right rounds it.
     template <class Run>
     static void initialize_edges(Run& run) {
         for (auto& polygon : run.polygons) {

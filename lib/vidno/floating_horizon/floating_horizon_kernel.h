@@ -18,7 +18,7 @@ concept FloatingHorizonKernel = requires(const K& kernel, const Segment& segment
     { kernel.height(segment, 0) } -> std::same_as<typename K::Height>;
     { kernel.point_on(segment, 0) } -> std::same_as<Point<typename K::Number>>;
 
-    // Of two heights over one column: positive if the first is above the second.
+    // Compares two heights over one column: positive if the first is above the second.
     { kernel.compare(height, height) } -> std::same_as<Sign>;
 
     // Where a segment crosses a horizon of these heights over a column and the next: it is above the one and below the other.

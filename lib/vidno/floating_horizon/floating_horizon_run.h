@@ -31,8 +31,7 @@ struct VisibleLine {
     bool is_point() const { return from.on_column() && from.left == to.right; }
 };
 
-/// Puts a line after others. Of lines that meet on a column those of one segment become one, and a point is part of its
-/// neighbour.
+/// Appends a line. Two lines of one segment that meet on a column are joined; a point joins its neighbour.
 template <class Number>
 void add_line(std::vector<VisibleLine<Number>>& lines, const VisibleLine<Number>& line) {
     const bool goes_on = !lines.empty() && lines.back().segment.curve == line.segment.curve && line.from.on_column() &&

@@ -45,7 +45,7 @@ template <FloatingHorizonKernel K>
 struct Horizons {
     HorizonArray<K> upper, lower;
 
-    /// That which a point visible on this side is beyond.
+    /// The horizon that a point must pass to be visible on this side.
     const HorizonArray<K>& on(VisibilityFlag side) const { return side == VisibilityFlag::above ? upper : lower; }
 };
 

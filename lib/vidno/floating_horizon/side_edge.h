@@ -1,5 +1,5 @@
 /// SideEdge: the horizons along the edge from the end of the curve before to that of the next, so that the side of the
-/// surface hides what is behind it. It is not drawn, in the text neither; what is hidden of it raises nothing.
+/// surface hides what is behind it. The edge is not drawn, as in the text. Hidden parts of it raise nothing.
 ///
 /// Takes   where the edge on this side has come to (nowhere yet, before the first curve), and the curve's end.
 /// Gives   the horizons raised along the edge, and the edge at the curve's end.

@@ -1,9 +1,9 @@
-/// Bits: every result rounded to so many bits, decisions as they fall. The knob that shows accuracy falling.
+/// Bits: every result rounded to P bits, decisions as they fall. Lowering P shows how accuracy is lost.
 ///
 /// Rounding is to nearest, ties to even; the exponent is a double's, so that precision alone is what falls.
 ///
-/// Source  That rounding a double to P bits is rounding the exact result once, for + - * / and P <= 25: S. A. Figueroa,
-///         When is double rounding innocuous?, SIGNUM Newsletter 30(3), 1995.
+/// Source  For + - * / and P <= 25, rounding a double to P bits equals rounding the exact result once: S. A. Figueroa, When is
+///         double rounding innocuous?, SIGNUM Newsletter 30(3), 1995.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace vidno {
 inline constexpr int fewest_bits = 4;
 inline constexpr int most_bits = 24;
 
-/// The nearest double with so many significant bits, of two equally near ones the even one.
+/// The nearest double with this number of significant bits; ties go to even.
 inline double rounded_to(int bits, double value) {
     if (!std::isfinite(value)) return value;
     const int surplus = std::numeric_limits<double>::digits - bits;
@@ -32,7 +32,7 @@ inline double rounded_to(int bits, double value) {
     return std::bit_cast<double>(pattern >> surplus << surplus);
 }
 
-/// A double of so many bits. It carries them along, for there is no global to hold them; a constant has none of its own.
+/// A double with a precision in bits. It carries the precision along, since there is no global to hold it; a constant has none.
 class Rounded {
 public:
     Rounded(double constant = 0) : value_(constant) {}

@@ -1,7 +1,7 @@
-/// DepthBits: a double's arithmetic, and a Z-buffer of so many bits.
+/// DepthBits: a double's arithmetic, and a Z-buffer of B bits.
 ///
-/// From -1 to 1 there are 2^B depths, evenly apart, both ends among them. A depth is rounded to the nearest as it goes
-/// into the buffer, and compared as it would be stored: what falls on one depth is equally near.
+/// There are 2^B evenly spaced depths from -1 to 1, both ends included. A depth is rounded to the nearest of them before it
+/// is stored, and compared in that form: depths that round alike are equally near.
 ///
 /// Source  Fixed-point depth as in the OpenGL 4.6 specification, 2.3.5: floor(d (2^B - 1) + 1/2) for d from 0 to 1.
 #pragma once

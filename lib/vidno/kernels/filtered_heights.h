@@ -1,6 +1,6 @@
 /// The kernel `filtered` for the floating horizon: a height is a double with a bound, and the segment that it belongs to.
 ///
-/// Which of two is higher the doubles decide where the bounds allow it; else the segments, in exact arithmetic.
+/// The doubles decide which of two heights is greater where the bounds allow it; else the segments do, in exact arithmetic.
 #pragma once
 
 #include <cassert>
@@ -15,7 +15,7 @@ template <class Tally>
 struct OnColumns<FilteredBy<Tally>> : FilteredBy<Tally> {
     using Number = Bounded;
 
-    /// Of a segment over a column.
+    /// The height of a segment over a column.
     struct Height {
         Bounded y;
         Segment segment;
@@ -50,8 +50,8 @@ struct OnColumns<FilteredBy<Tally>> : FilteredBy<Tally> {
         return exact_.compare(a.exactly(), b.exactly());
     }
 
-    /// To be shown: what compares are segments. It is worked out exactly, and rounded, where the bounds do not place it between
-    /// the columns, or leave it so uncertain that one might see it.
+    /// For display only: comparisons use the segments. Computed exactly, and rounded, where the bounds do not place it between
+    /// the columns, or leave a visible uncertainty.
     Point<Bounded> crossing(const Segment& segment, int column, const Height& h1, const Height& h2) const {
         const auto near = bounded_.crossing(segment, column, h1.y, h2.y);
         const bool between = near.x.low() > column && near.x.high() < column + 1;

@@ -1,6 +1,6 @@
-/// The kernel `filtered` for Weiler and Atherton's algorithm: what is constructed is an interval, and remembers what it was made of.
+/// The kernel `filtered` for Weiler and Atherton's algorithm: a constructed number is an interval and remembers its operands.
 ///
-/// Signs the interval decides where it can; else the number is worked out exactly. Nothing that was rounded decides.
+/// The interval decides a sign where it can; else the number is computed exactly. Nothing that was rounded decides.
 #pragma once
 
 #include <CGAL/Lazy_exact_nt.h>

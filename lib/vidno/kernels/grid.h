@@ -81,7 +81,7 @@ public:
         frame_.x = scene.area.x;
         frame_.y = scene.area.y;
         farthest_ = farthest_out(scene);
-        // Of an edge's x, after a step for each row: a roundoff for each step, of numbers no farther out than that.
+        // The error of an edge's x: one roundoff for each row stepped, of numbers no farther out than this.
         column_error_ = (scene.area.height + 8) * farthest_ * 0x1p-50;
         expect_planes(scene.polygons.size());
     }
@@ -289,7 +289,7 @@ private:
     static const Vertex<double>& from_of(const Vertex<double>& p, const Vertex<double>&) { return p; }
     static const Vertex<double>& to_of(const Vertex<double>&, const Vertex<double>& q) { return q; }
 
-    // Of two neighbours neither of which has an exact x, or y, both are on p's edge, which is not upright, or level, then.
+    // If neither of two neighbours has an exact x (or y), both lie on p's edge, which is then not upright (or not level).
     bool on_upright_line(const GridVertex& p, const GridVertex& q) const {
         return (q.x_is_exact && sign_right_of(p, q.x) == Sign::zero) ||
                (p.x_is_exact && sign_right_of(q, p.x) == Sign::zero);

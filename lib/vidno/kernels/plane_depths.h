@@ -44,9 +44,9 @@ class PlaneDepths {
 public:
     static constexpr bool has_infinity = true;
 
-    using Interpolated = double;  // to be shown: the plane decides
+    using Interpolated = double;  // for display: the plane decides
 
-    /// Of a plane, at a point that whoever compares knows.
+    /// The depth of a plane at a point; the point is passed to each comparison.
     struct Depth {
         double value;
         const Plane* plane;
@@ -56,7 +56,7 @@ public:
 
     class DepthBuffer;
 
-    /// The depth of a plane at one pixel of a row after the other. It is not the sum of the steps, so does not drift.
+    /// The depth of a plane, pixel by pixel along a row. It is not a sum of steps, so it does not drift.
     class Stepped {
     public:
         Stepped(const Plane& plane, Pixel first)
@@ -117,13 +117,13 @@ protected:
 
     explicit PlaneDepths(Tally tally = {}) : tally_(tally) {}
 
-    /// Before all planes: "no polygon yet", and room for so many.
+    /// Called before all planes: adds "no polygon yet" and reserves room.
     void expect_planes(std::size_t count) {
         planes_.reserve(count + 1);
         planes_.emplace_back().at_origin = -infinity;
     }
 
-    /// Gives the plane its number, and keeps a copy.
+    /// Numbers the plane, and keeps a copy.
     Plane keep(Plane plane, const auto& vertices) {
         const auto within_cells = [&](const auto& v) { return std::abs(plane.depth(double(v.x), double(v.y))) < 2; };
         plane.fits_cells = plane.error < cell_error / 16 && std::all_of(vertices.begin(), vertices.end(), within_cells);
@@ -148,10 +148,11 @@ private:
         return exactly_nearer(plane, than, Point<double>{at.x + 0.5, at.y + 0.5});
     }
 
-    /// Two depths of planes that fit cells, farther apart than this as cells have them, differ alike. As a float, stepped by
-    /// at most 4, a depth within [-2, 2] is off by 14 roundoffs of 2^-24, and by its plane's error, a 16th of this.
+    /// If two depths of planes that fit cells differ by more than this as stored in cells, the exact depths differ the same way.
+    /// As a float, stepped by at most 4, a depth within [-2, 2] is off by 14 roundoffs of 2^-24, and by its plane's error, a 16th
+    /// of this.
     static constexpr float cell_error = 0x1p-18F;
-    /// Of other planes: it compares as neither more nor less.
+    /// For planes that do not fit cells: it compares as neither more nor less.
     static constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
 
     std::vector<Plane> planes_;  // by number

@@ -1,7 +1,7 @@
-/// ClipOrderReversed: the window's sides are gone round the other way.
+/// ClipOrderReversed: the window's sides are taken in the opposite direction.
 ///
-/// Believed   that any order will do, or that y grows upward, where the same order goes round the other way.
-/// Goes wrong a positive cross product lies inside: of the polygon, each side of the window keeps what is beyond it, and
+/// Believed   that any order will do, or that y grows upward, which reverses the direction.
+/// Goes wrong a positive cross product lies inside: each side of the window keeps the part of the polygon beyond it, and
 ///            nothing is beyond all four.
 /// Seen       where a single polygon reaches over a window's side: the window shows the background.
 #pragma once

@@ -3,7 +3,7 @@
 /// Takes   a window and its list of active polygons.
 /// Gives   the number of polygons left in the list; whether one that surrounds the window is nearest at all four
 ///         corners, and its colour; whether a single one lies inside. Polygons outside leave the list, surrounding
-///         ones are marked in it. That the test at the corners suffices: both planes are linear over the window.
+///         ones are marked in it. Testing the corners suffices, since both planes are linear over the window.
 #pragma once
 
 #include "../run.h"

@@ -1,6 +1,6 @@
 /// SurroundTest: does a convex polygon hold a point?
 ///
-/// Takes   a point, and a polygon that goes round either way.
+/// Takes   a point, and a polygon in either orientation.
 /// Gives   true if all edges that have the point on a side have it on the same one. A point of the outline counts as
 ///         inside; with no such edge (a polygon without area) the answer is false.
 /// Time    one cross product an edge, up to the first that differs.

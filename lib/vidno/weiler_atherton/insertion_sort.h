@@ -1,7 +1,7 @@
 /// InsertionSort: stable, and the same comparisons on every machine.
 ///
-/// Rounded numbers may say a < b < c < a, or be no numbers. The standard library's sorts must not be asked to order such, and
-/// each of them compares others first; what is compared here, and what comes of it, is always the same.
+/// Rounded numbers may say a < b < c < a, or not be numbers. The standard library's sorts require an order, and each library
+/// compares in its own sequence. This sort always makes the same comparisons, with the same result.
 #pragma once
 
 #include <algorithm>

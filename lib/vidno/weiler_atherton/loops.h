@@ -9,9 +9,9 @@
 
 namespace vidno {
 
-/// Each piece has its region on its positive side. Where several begin at one vertex a loop takes the sharpest turn to that
-/// side: so it goes round one corner of the region, and parts that only touch there get loops of their own. Where nothing else
-/// begins two pieces of one edge become one. Rounding may lose a piece; what then does not close is left out, and told: `lost()`.
+/// Each piece has its region on its positive side. Where several pieces begin at one vertex, a loop takes the sharpest turn to that
+/// side. So it follows one corner of the region, and parts that only touch there get loops of their own. Two pieces of one edge are
+/// joined where no other begins. Rounding may lose a piece; a loop that then does not close is left out, and `lost()` is called.
 template <WeilerAthertonKernel K, class Number = typename K::Number>
 Region<Number> joined(const K& kernel, const std::vector<LoopVertex<Number>>& vertices,
                       const std::vector<EdgePiece<Number>>& pieces, auto&& lost) {

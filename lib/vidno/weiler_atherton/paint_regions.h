@@ -2,11 +2,11 @@
 ///
 /// Takes   a run with its visible regions.
 /// Gives   the run's picture: at each pixel centre the colour of the nearest polygon, the first of equally near ones.
-/// Time    a comparison for each row and edge of a region; for each of its centres one with each earlier polygon around it.
+/// Time    one comparison for each row and edge of a region; for each of its centres, one with each earlier polygon that holds it.
 ///
-/// A region is closed. A centre on an outline may belong to several; the nearest depth there is that of one of them, for it
-/// is the limit of what is visible next to it. Yet a polygon may be as near at the centre that has no region there: one that
-/// only touches what hides it, in a point or along an edge. If it comes first in the scene it shows.
+/// A region is closed. A centre on an outline may belong to several regions. One of them has the nearest depth there, since that
+/// depth is the limit of what is visible next to it. A polygon without a region there may be equally near: one that touches the
+/// polygon that hides it, in a point or along an edge. It shows if it comes first in the scene.
 #pragma once
 
 #include <algorithm>
@@ -50,8 +50,9 @@ private:
         int first, end;
     };
 
-    /// The centres of a row that a closed region holds. On the row is what is so just above it, and just below it: once the
-    /// vertices on the row count as below, once as above. Each time the edges that cross it are ends of spans, in turn.
+    /// The centres of a row that a closed region holds: those that it holds just above the row, or just below it. So vertices on the
+    /// row count as below it in one pass, and as above it in the other. In each pass the edges that cross the row bound spans, in
+    /// pairs.
     template <class Run>
     static std::vector<ColumnRange> columns_on_row(Run& run, const Region<typename Run::Number>& region, int row) {
         using enum Line;

@@ -42,7 +42,7 @@ struct RegionClip {
     }
 
 private:
-    /// Of a piece of the subject's outline: does it bound the part inside, or the part outside?
+    /// Does a piece of the subject's outline bound the part inside, or the part outside?
     static bool goes_inside(Lies lies) { return lies == Lies::inside || lies == Lies::same_side; }
 };
 

@@ -39,7 +39,7 @@ public:
         return known->second ? &*known->second : nullptr;
     }
 
-    /// Into so many parts they can divide the area, at most.
+    /// The greatest number of parts into which they can divide the area.
     double most_parts() const {
         const auto lines = double(between_.size() + of_planes_.size());
         return 1 + lines * (lines + 1) / 2;

@@ -1,12 +1,12 @@
-/// WeilerAtherton: what is visible, as polygons: whatever lies in the outline of the nearest polygon is told from what does not, and
-/// looked at by itself.
+/// WeilerAtherton: the visible regions, as polygons. The outline of the nearest polygon separates what lies inside from what lies
+/// outside, and each of these is treated by itself.
 ///
 /// Source  K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, SIGGRAPH 1977; the course's text, of which
 ///         the scan has the depth sort.
 /// Takes   a run with its polygons.
-/// Gives   the run's visible regions: disjoint but for their outlines, each in the outline of its polygon, and the nearest there;
-///         of coplanar polygons the first in the scene. Then its picture.
-/// Time    for each region a clip of each piece that lies over it.
+/// Gives   the run's visible regions, then its picture. The regions share only outlines. Each lies within its polygon, which is the
+///         nearest there; of coplanar polygons, the first in the scene.
+/// Time    one clip for each region and each piece that lies over it.
 ///
 /// The paper clips by a copy of the first polygon as it stands in the scene; here it is what of it has come into the list. A list is
 /// about one part of the screen, and there the two are one.

@@ -28,11 +28,11 @@ concept WeilerAthertonKernel = requires(const K& kernel, const typename K::Numbe
     { kernel.parallel(plane, plane) } -> std::same_as<bool>;
     { kernel.line_of(plane, plane, point) } -> std::same_as<SupportLine<typename K::Number>>;
 
-    // On which side of a line; and on which of an edge's line, to the left of it or to the right on its row.
+    // The side of a line on which a point lies; and whether it is left of an edge's line, on its row.
     { kernel.side(line, point) } -> std::same_as<Sign>;
     { kernel.side(line, vertex) } -> std::same_as<Sign>;
     { kernel.left_of(point, line) } -> std::same_as<bool>;
-    // Of lines that are not parallel.
+    // Where two lines meet; they are not parallel.
     { kernel.meet(line, line) } -> std::same_as<Point<typename K::Number>>;
     { kernel.middle(point, point) } -> std::same_as<Point<typename K::Number>>;
     { kernel.mean(region) } -> std::same_as<Point<typename K::Number>>;  // of its vertices
@@ -98,7 +98,7 @@ struct OnRegions : K {
         return {line.on.x + line.b * height / divisor, line.on.y - line.a * height / divisor};
     }
 
-    /// Of a line that is not level.
+    /// The x of a line on the row of a point; the line is not level.
     Number on_row(const Edge& line, const Place& p) const { return line.on.x - line.b * (p.y - line.on.y) / line.a; }
 
     Place middle(const Place& p, const Place& q) const {
@@ -144,7 +144,7 @@ protected:
     }
 
 private:
-    /// Of the depth of one plane over that of another.
+    /// The slope of one plane's depth relative to another's.
     static Place slope_over(const Planes& p, const Planes& q) { return {q.a / q.c - p.a / p.c, q.b / q.c - p.b / p.c}; }
     static Number cross(const Edge& line, const Edge& other) { return line.a * other.b - line.b * other.a; }
     static Number height_over(const Edge& line, const Place& p) {
