@@ -3,10 +3,12 @@
 /// lessons/WRITING.md tells how to write one.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "format/floating_horizon_trace.h"
@@ -19,6 +21,8 @@ namespace vidno {
 
 struct LessonRun {
     std::string name;
+    /// What it shows, in both languages; empty if not said.
+    std::string english_title{}, russian_title{};
     std::string scene = "scene.json";  // of the lesson's folder, or a mesh
     std::string method;
     std::string kernel = "double";
@@ -37,12 +41,18 @@ struct LessonRun {
 /// Of a run of polygons.
 Method method_of(const LessonRun& run);
 
+/// The parts of a procedure's state that a lesson may have shown beside its text; a run has those of its method.
+inline constexpr std::array<std::string_view, 13> state_parts{
+    "window", "corner-depths", "active-polygons", "stack", "scanline",   "active-edges", "z-buffer",
+    "list",   "parts",         "visible",         "curve", "side-edges", "horizons"};
+
 struct Lesson {
     std::string folder;           // as it was given, without a slash at its end
     std::filesystem::path place;  // the same, from the root
     std::string id;               // its name
     std::vector<LessonRun> runs;
     std::vector<Pin> pins;
+    std::vector<std::string> shows{};  // parts of the state, among `state_parts`
     Story english, russian;
 
     std::string file(const std::string& name) const { return folder + '/' + name; }

@@ -56,11 +56,12 @@ public:
         guarded([&] {
             const nlohmann::json document = parse_json(text_);
             const JsonNode root(document);
-            root.require_keys({"format", "runs", "pins"});
+            root.require_keys({"format", "runs", "pins"}, {"shows"});
             if (root.at("format").text() != "vidno-lesson/1") root.at("format").refuse("not \"vidno-lesson/1\"");
             const JsonNode runs = root.at("runs");
             if (runs.size() == 0) runs.refuse("a lesson has a run");
             for (std::size_t i = 0; i < runs.size(); ++i) read_run(runs.at(i));
+            if (root.has("shows")) read_shows(root.at("shows"));
             const JsonNode pins = root.at("pins");
             for (const auto& name : pins.keys()) {
                 guarded([&] { read_pin(name, pins.at(name)); });
@@ -79,11 +80,27 @@ private:
         }
     }
 
+    void read_shows(const JsonNode& node) {
+        for (std::size_t i = 0; i < node.size(); ++i) {
+            const std::string& part = node.at(i).text();
+            if (std::find(state_parts.begin(), state_parts.end(), part) == state_parts.end()) {
+                node.at(i).refuse(part + ": no state has such a part");
+            }
+            lesson_.shows.push_back(part);
+        }
+    }
+
     void read_run(const JsonNode& node) {
-        node.require_keys({"name", "method"}, {"scene", "kernel", "edition", "detail", "check"});
+        node.require_keys({"name", "method"}, {"title", "scene", "kernel", "edition", "detail", "check"});
         LessonRun run;
         run.name = node.at("name").text();
         if (has_run(run.name)) node.at("name").refuse(run.name + ": another run has this name");
+        if (node.has("title")) {
+            const JsonNode title = node.at("title");
+            title.require_keys({"en", "ru"});
+            run.english_title = title.at("en").text();
+            run.russian_title = title.at("ru").text();
+        }
         if (node.has("scene")) run.scene = node.at("scene").text();
         const auto methods = lesson_methods();
         run.method = methods[choice(node, "method", methods)];

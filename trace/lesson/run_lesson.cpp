@@ -113,11 +113,12 @@ std::string lesson_json(const Lesson& lesson, const Steps& steps, const Figures&
     const auto told = [](const Story& story, const Figures& figures) {
         return Json{{"title", story.title}, {"blocks", story.blocks}, {"figures", figures}};
     };
-    const Json whole{{"format", "vidno-lesson/1"},
-                     {"id", lesson.id},
-                     {"traces", traces},
-                     {"pins", pins},
-                     {"story", {{"en", told(lesson.english, in_english)}, {"ru", told(lesson.russian, in_russian)}}}};
+    Json whole{{"format", "vidno-lesson/1"},
+               {"id", lesson.id},
+               {"traces", traces},
+               {"pins", pins},
+               {"story", {{"en", told(lesson.english, in_english)}, {"ru", told(lesson.russian, in_russian)}}}};
+    if (!lesson.shows.empty()) whole["shows"] = lesson.shows;
     return whole.dump();
 }
 

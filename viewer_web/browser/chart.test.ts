@@ -140,7 +140,7 @@ describe('the chart', () => {
     const { page, faults } = await openChart(browser, 'lang=en&view=degenerate/Slivers');
     await plot(page).waitFor();
     expect(await page.locator('main').innerText()).not.toMatch(/[а-я]/);
-    await page.locator('button[lang=ru]').click();
+    await page.locator('vidno-languages [lang=ru]').click();
     await page.waitForFunction(() => document.documentElement.lang === 'ru');
     expect(await plot(page).textContent()).toContain('неверные пиксели');
     expect(await page.locator('main').innerText()).toMatch(/[а-я]/);

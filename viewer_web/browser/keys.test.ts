@@ -115,11 +115,11 @@ describe('by keyboard', () => {
     const skip = await page.getByRole('button', { name: 'To the controls' }).boundingBox();
     expect(skip?.height).toBeGreaterThan(20);
     let presses = 1;
-    for (; presses < 30 && (await focused()) !== 'Play'; presses++) await press(page, 'Tab');
+    for (; presses < 30 && !/^Play/.test(await focused()); presses++) await press(page, 'Tab');
     expect(presses).toBeLessThanOrEqual(10);
     await page.getByRole('button', { name: 'To the controls' }).focus();
     await press(page, 'Enter');
-    expect(await focused()).toBe('Play');
+    expect(await focused()).toMatch(/^Play/);
   });
 
   it('one hears of each pixel what is known of it', async () => {

@@ -70,7 +70,7 @@ export const handle = (polygon: number, vertex: number): string =>
   `vidno-handles [data-spot="${polygon},${vertex}"]`;
 
 /** The name of what is shown. */
-export const title = 'main > .title h2';
+export const title = '.title h2';
 
 /** The text of a scene file. */
 export const scene = (polygons: readonly unknown[], side = 8): string =>

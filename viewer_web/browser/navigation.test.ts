@@ -2,14 +2,14 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser, settled } from './browser.js';
 import { editing, rerun, run, title } from './live.js';
-import { goTo, open, openFile, shown, small } from './page.js';
+import { goTo, open, openContents, openFile, shown, small } from './page.js';
 import { openReader, pin, standing } from './reader.js';
 
 const step = async (page: Page): Promise<number> => (await shown(page)).step;
 
 describe('Back', () => {
   it('undoes jumps by number, key, link and lesson, but no single step', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en');
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
     await goTo(page, 40);
     await page.locator(title).click();
     await settled(page);
@@ -20,6 +20,7 @@ describe('Back', () => {
     await pin(page, 'scanline').click();
     await expect.poll(() => standing(page)).toEqual(['zbuffer', 33, 'scanline']);
     await settled(page);
+    await openContents(page);
     await page.locator('[data-trace="small.warnock.signs"]').first().click();
     await settled(page);
 
@@ -66,6 +67,7 @@ describe('Back', () => {
     await page.keyboard.press('Escape');
     await question.waitFor({ state: 'detached' });
     expect(await run(page)).toEqual(changed);
+    await openContents(page);
     await page.locator('vidno-lesson-list a[href]').nth(2).click();
     await question.waitFor();
     const [download] = await Promise.all([

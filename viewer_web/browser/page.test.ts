@@ -165,7 +165,7 @@ describe('the language', () => {
     await opened(page, 'small.jsonl', small);
     await page.keyboard.press('ArrowRight');
     const english = await shown(page);
-    await page.locator('button[lang=ru]').click();
+    await page.locator('vidno-languages [lang=ru]').click();
     const russian = await shown(page);
     expect(russian.step).toBe(english.step);
     expect(russian.sentence).toMatch(/[а-я]/);

@@ -95,6 +95,12 @@ export async function whole(page: Page): Promise<void> {
   await page.locator('vidno-notice :is(.reading, .growing)').waitFor({ state: 'detached' });
 }
 
+/** Opens the lessons and files, which are over the page. */
+export async function openContents(page: Page): Promise<void> {
+  await page.locator('vidno-page-header button.contents').click();
+  await page.locator('vidno-lesson-list').waitFor();
+}
+
 /** The traces of all lessons, as the page's address names them. */
 export function lessonTraces(page: Page): Promise<readonly string[]> {
   return page.evaluate(() => {
@@ -117,7 +123,8 @@ export async function openLesson(page: Page, trace: string): Promise<void> {
       });
     } while (location.hash !== hash);
   }, `#trace=${trace}`);
-  await page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`).waitFor();
+  const button = page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`);
+  await button.waitFor({ state: 'attached' });
 }
 
 export async function goTo(page: Page, step: number): Promise<void> {

@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { readingLine } from '../src/reader/reading-line.js';
 import { browser, settled } from './browser.js';
-import { shown, whole } from './page.js';
+import { openContents, shown, whole } from './page.js';
 import { openReader, pin, readTo, scrolled, standing } from './reader.js';
 
 /** How far a pin is below the top of the text's box. */
@@ -16,7 +16,8 @@ const title = (page: Page): Promise<string | null> => page.locator('article h2')
 
 describe('the table of contents', () => {
   it('has the headings of the lesson, leads to them, and shows where one is', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en');
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
+    await openContents(page);
     const headings = page.locator('vidno-lesson-list ul a');
     expect((await headings.allTextContents()).map((text) => text.trim())).toEqual([
       'The first windows',
@@ -40,7 +41,7 @@ describe('the table of contents', () => {
   });
 
   it('leads to other lessons, and the way back to the place where one was', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en&follow=on');
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first&follow=on');
     await readTo(page, 'second');
     await page.waitForFunction(() => location.hash.endsWith('step=60'));
     const before = await below(page, 'second');
@@ -54,13 +55,13 @@ describe('the table of contents', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is opened over the text where there is no room beside it', async () => {
-    const { page } = await openReader(browser, '#lang=en', {
+  it('is opened over the page, also where that is small, and closes when it has led somewhere', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first', {
       viewport: { width: 390, height: 844 },
     });
     const list = page.locator('vidno-lesson-list');
     expect(await list.isVisible()).toBe(false);
-    await page.getByRole('button', { name: 'Contents' }).click();
+    await openContents(page);
     await list.getByRole('link', { name: 'The other method' }).click();
     await list.waitFor({ state: 'hidden' });
     await page.waitForFunction(() => location.hash.includes('at=3'));
@@ -69,7 +70,7 @@ describe('the table of contents', () => {
 
 describe('previous and next', () => {
   it('lead from lesson to lesson that has a text, at the top and at the end', async () => {
-    const { page } = await openReader(browser, '#lang=en');
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
     const [top, end] = [page.locator('nav.short'), page.locator('nav.long')];
     expect(await top.getByRole('link').count()).toBe(1);
     await end.getByRole('link', { name: 'Next lesson Lesson second' }).click();
@@ -123,7 +124,7 @@ describe('the address', () => {
 
 describe('the place in the text', () => {
   it('is kept when the language is switched, the window resized, the text hidden', async () => {
-    const { page } = await openReader(browser, '#lang=en&follow=on');
+    const { page } = await openReader(browser, '#lang=en&lesson=first&follow=on');
     await readTo(page, 'second');
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
     const before = await below(page, 'second');
@@ -133,10 +134,10 @@ describe('the place in the text', () => {
         .toBeLessThan(80);
       expect(await standing(page)).toEqual(['warnock', 60, 'second']);
     };
-    await page.locator('button[lang=ru]').click();
+    await page.locator('vidno-languages [lang=ru]').click();
     await page.locator('article[lang=ru]').waitFor();
     await isKept();
-    await page.locator('button[lang=en]').click();
+    await page.locator('vidno-languages [lang=en]').click();
     await isKept();
     await page.setViewportSize({ width: 1250, height: 900 });
     await isKept();
@@ -148,7 +149,7 @@ describe('the place in the text', () => {
   });
 
   it('is out of reach while the run is presented', async () => {
-    const { page } = await openReader(browser, '#lang=en');
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
     await page.keyboard.press('f');
     await page.locator('.corner').waitFor();
     expect(await page.locator('vidno-reader').getAttribute('inert')).not.toBe(null);
@@ -168,7 +169,7 @@ describe('beside the text', () => {
     [1440, 900],
     [1920, 1080],
   ])('at %s x %s px the run is in sight, and nothing is cut off', async (width, height) => {
-    const { page, faults } = await openReader(browser, '#lang=ru&follow=on', {
+    const { page, faults } = await openReader(browser, '#lang=ru&lesson=first&follow=on', {
       viewport: { width, height },
     });
     await readTo(page, 'first');
@@ -199,7 +200,9 @@ describe('on paper', () => {
   };
 
   it('there is the text alone, with the answers and the numbers of the steps', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en', { colorScheme: 'dark' });
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first', {
+      colorScheme: 'dark',
+    });
     await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
     for (const part of ['article h2', '.answer', 'figure img', 'article math']) {
@@ -223,7 +226,7 @@ describe('on paper', () => {
   });
 
   it('the text takes as many sheets as it needs, the run alone takes one', async () => {
-    const { page } = await openReader(browser, '#lang=en');
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
     expect(await pages(page)).toBeGreaterThan(1);
     await page.keyboard.press('r');
     await page.locator('vidno-reader').waitFor({ state: 'hidden' });

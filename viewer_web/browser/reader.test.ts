@@ -2,12 +2,12 @@ import { describe, expect, it } from 'vitest';
 import { evil, sampleLesson } from '../src/testing/lessons.js';
 import { violations } from './axe.js';
 import { browser, settled } from './browser.js';
-import { opened, shown, small } from './page.js';
+import { openContents, opened, shown, small } from './page.js';
 import { openReader, pin, readTo, scrolled, standing } from './reader.js';
 
 describe('the text of a lesson', () => {
   it('is followed by the run as one scrolls, into another run too, and back', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en&follow=on');
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first&follow=on');
     expect(await standing(page)).toEqual(['warnock', 0, undefined]);
     for (const [place, now] of [
       ['first', ['warnock', 5, 'first']],
@@ -22,7 +22,7 @@ describe('the text of a lesson', () => {
   });
 
   it('does not pull the reader back who steps by himself, until he comes to another pin', async () => {
-    const { page } = await openReader(browser, '#lang=en&follow=on');
+    const { page } = await openReader(browser, '#lang=en&lesson=first&follow=on');
     await readTo(page, 'first');
     await expect.poll(() => standing(page)).toEqual(['warnock', 5, 'first']);
     await page.keyboard.press('ArrowRight');
@@ -38,7 +38,7 @@ describe('the text of a lesson', () => {
   });
 
   it('goes to a pin at once by a click or Enter, and does not move', async () => {
-    const { page } = await openReader(browser, '#lang=en&follow=on');
+    const { page } = await openReader(browser, '#lang=en&lesson=first&follow=on');
     await readTo(page, 'second');
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
     await pin(page, 'scanline').scrollIntoViewIfNeeded();
@@ -53,11 +53,12 @@ describe('the text of a lesson', () => {
   });
 
   it('is followed only if the reader asks for it, which the address remembers', async () => {
-    const { page } = await openReader(browser, '#lang=en');
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
     await readTo(page, 'second');
     await page.waitForFunction(() => /at=second.*step=0/.test(location.hash));
     await settled(page);
     expect(await standing(page)).toEqual(['warnock', 0, undefined]);
+    await openContents(page);
     const follow = page.getByRole('checkbox', { name: 'Follow the text' });
     await follow.click();
     await expect.poll(() => standing(page)).toEqual(['warnock', 60, 'second']);
@@ -67,7 +68,7 @@ describe('the text of a lesson', () => {
   });
 
   it('is passed through by Tab, which changes neither the run nor its step', async () => {
-    const { page } = await openReader(browser, '#lang=en&follow=on');
+    const { page } = await openReader(browser, '#lang=en&lesson=first&follow=on');
     await page.locator('vidno-reader .box').focus();
     const focused = (): Promise<string | null> =>
       page.evaluate(() => {
@@ -91,6 +92,7 @@ describe('the text of a lesson', () => {
     const { page } = await openReader(browser, '#lang=en&lesson=third');
     expect(await page.locator('vidno-reader').count()).toBe(0);
     expect(await page.getByRole('button', { name: 'Text' }).count()).toBe(0);
+    await openContents(page);
     await page.getByRole('link', { name: 'Lesson first' }).click();
     await page.locator('vidno-reader h2').waitFor();
     await opened(page, 'small.jsonl', small);
@@ -98,7 +100,7 @@ describe('the text of a lesson', () => {
   });
 
   it('has formulas, tables, figures, code and questions', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en');
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
     const fraction = page.locator('p math mfrac').first();
     expect(await fraction.evaluate((e) => [e.namespaceURI, e.textContent])).toEqual([
       'http://www.w3.org/1998/Math/MathML',
@@ -121,7 +123,7 @@ describe('the text of a lesson', () => {
 
   it('hides an answer until it is asked for, by keyboard as well', async () => {
     // The run would follow the text, which is scrolled to the question.
-    const { page } = await openReader(browser, '#lang=en&follow=off');
+    const { page } = await openReader(browser, '#lang=en&lesson=first&follow=off');
     const answer = page.locator('.answer');
     expect(await answer.isVisible()).toBe(false);
     await page.locator('summary').focus();
@@ -133,7 +135,7 @@ describe('the text of a lesson', () => {
   });
 
   it('lets a command be copied', async () => {
-    const { page } = await openReader(browser, '#lang=en', {
+    const { page } = await openReader(browser, '#lang=en&lesson=first', {
       permissions: ['clipboard-read', 'clipboard-write'],
     });
     const command = page.locator('vidno-command', { hasText: 'vidno methods' });
@@ -143,7 +145,7 @@ describe('the text of a lesson', () => {
   });
 
   it('is text, whatever a stranger has put into it', async () => {
-    const { page, faults } = await openReader(browser, '#lang=en');
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
     expect(await page.locator('article h2').textContent()).toContain(evil);
     expect(await page.locator('article img[onerror]').count()).toBe(0);
     expect(faults).toEqual([]);
@@ -151,12 +153,13 @@ describe('the text of a lesson', () => {
 
   it('is refused in a sentence if it is wrong, and the runs are there', async () => {
     const wrong = sampleLesson({ pins: { first: { run: 'run', step: -1 } } });
-    const { page, faults } = await openReader(browser, '#lang=en', {}, wrong);
+    const { page, faults } = await openReader(browser, '#lang=en&lesson=first', {}, wrong);
     expect(await page.locator('vidno-reader [role=alert]').textContent()).toMatch(
       /^\s*The text of this lesson cannot be read at pins\.first\.step: a whole number/,
     );
     await page.keyboard.press('ArrowRight');
     expect((await shown(page)).step).toBe(1);
+    await openContents(page);
     await page.locator('[data-trace="small.zbuffer.signs"]').click();
     await expect.poll(async () => (await standing(page))[0]).toBe('zbuffer');
     expect(faults).toEqual([]);

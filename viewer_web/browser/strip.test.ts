@@ -90,7 +90,7 @@ describe('the strip', () => {
     expect(await tip.textContent()).toBe('Step 22 of 115: window 1 × 1 at (6, 2), pixel');
     await page.keyboard.press('Escape');
     expect(await tip.count()).toBe(0);
-    await page.locator('button[lang=ru]').click();
+    await page.locator('vidno-languages [lang=ru]').click();
     await page.mouse.move(x + (3 / 115) * width, y + height / 2);
     expect(await tip.textContent()).toBe('Шаг 3 из 115: окно 8 × 8 в (2; −1), делится');
     await page.mouse.move(x, y - 200);

@@ -110,7 +110,7 @@ describe('the chart of surfaces', () => {
     expect(await about.innerText()).toMatch(
       /“filtered, tolerance 4 px”.*filtered, 17 samples.*×5\.1;/u,
     );
-    await page.locator('button[lang=ru]').click();
+    await page.locator('vidno-languages [lang=ru]').click();
     await page.waitForFunction(() => document.documentElement.lang === 'ru');
     expect(await about.innerText()).toMatch(/«filtered, допуск 4\sпикс\.».*×5,1;/u);
     expect(await plot(page).textContent()).toContain('неверные столбцы');

@@ -44,7 +44,7 @@ describe('what is too large to be shown', () => {
     await expect
       .poll(() => depths.locator('p').innerText())
       .toContain('at most 4096 × 4096 pixels');
-    await page.locator('button[lang=ru]').click();
+    await page.locator('vidno-languages [lang=ru]').click();
     await expect
       .poll(() => depths.locator('p').innerText())
       .toContain('не больше 4096 × 4096 пикселей');
@@ -59,7 +59,7 @@ describe('what is too large to be shown', () => {
     expect(await page.locator('vidno-side button.state').getAttribute('aria-pressed')).toBe('true');
     await page.keyboard.press('v');
     await expect.poll(() => refusal.innerText()).toContain('не более чем для 3000 многоугольников');
-    await page.locator('button[lang=en]').click();
+    await page.locator('vidno-languages [lang=en]').click();
     await page.keyboard.press('v');
     await expect.poll(() => refusal.innerText()).toContain('at most 3000 polygons');
     expect(faults.filter((fault) => !fault.includes('WebGL'))).toEqual([]);

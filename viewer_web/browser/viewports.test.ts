@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
-import { widthOf } from './page.js';
+import { openContents, widthOf } from './page.js';
 import { openReader } from './reader.js';
 
 /** A square area has 280 CSS pixels, and a margin of 7 % of that on each side. */
@@ -70,6 +70,7 @@ const height = async (page: Page, part: string): Promise<number> =>
 const besides: Readonly<Record<string, (page: Page) => Promise<void>>> = {
   '1920 x 1080': async (page) => {
     // In a hall nobody scrolls to the lists, nor to the line.
+    await page.keyboard.press('w');
     await page.locator('.dock input[type=number]').fill('60');
     await page.locator('.dock input[type=number]').press('Enter');
     await page.locator('.dock input[type=number]').blur();
@@ -90,6 +91,7 @@ const besides: Readonly<Record<string, (page: Page) => Promise<void>>> = {
     await page.keyboard.press('Escape');
     await page.locator('.corner').waitFor({ state: 'detached' });
     await page.keyboard.press('c');
+    await page.keyboard.press('w');
   },
   '1440 x 900': async (page) => {
     // Before the first step the listing is at its top, wherever one was.
@@ -102,10 +104,12 @@ const besides: Readonly<Record<string, (page: Page) => Promise<void>>> = {
     expect(await height(page, 'vidno-solid-stage')).toBeGreaterThan(180 + bar);
     await page.keyboard.press('v');
     // What the strip says of a step does not cover the sentence.
+    await page.keyboard.press('w');
     await page.locator('vidno-slider .strip').hover();
     const tip = await page.locator('.tip').boundingBox();
     const sentence = await page.locator('.sentence').boundingBox();
     expect(tip?.y).toBeGreaterThanOrEqual((sentence?.y ?? NaN) + (sentence?.height ?? NaN));
+    await page.keyboard.press('w');
   },
   '1024 x 768': contents,
   '390 x 844': async (page) => {
@@ -122,16 +126,16 @@ const besides: Readonly<Record<string, (page: Page) => Promise<void>>> = {
   },
 };
 
-/** The lessons have the room of the text, and nothing else of that takes more than it needs. */
+/** The lessons have more room than half of the text's, and nothing beside them takes more than it needs. */
 async function contents(page: Page): Promise<void> {
   const text = await height(page, 'vidno-reader .box');
-  await page.locator('vidno-reader button.contents').click();
+  await openContents(page);
   const all = await height(page, 'vidno-lesson-list');
   expect(await seen(page, 'vidno-lesson-list', 'nav')).toBeGreaterThan(
     Math.min(0.5 * text, all - 1),
   );
   expect(await height(page, '.own-surface')).toBeLessThan(48);
-  await page.locator('vidno-reader button.contents').click();
+  await page.locator('vidno-page-header button.contents').click();
 }
 
 describe('at every size the picture is large, nothing sticks out and nothing is cut', () => {
@@ -147,7 +151,8 @@ describe('at every size the picture is large, nothing sticks out and nothing is 
     [320, 640, 'ru'],
   ])('%i x %i, %s', async (width, height, language) => {
     const viewport = { width, height };
-    const { page, faults } = await openReader(browser, `#lang=${language}`, { viewport });
+    const address = `#lang=${language}&lesson=first`;
+    const { page, faults } = await openReader(browser, address, { viewport });
     await isSound(page, width, 'beside the text');
     await besides[`${width} x ${height}`]?.(page);
     await page.getByRole('button', { name: /^(Text|Текст)/ }).click();
@@ -160,7 +165,9 @@ describe('at every size the picture is large, nothing sticks out and nothing is 
 
 describe("in the system's own colours", () => {
   it('what is current, pressed or changed is seen, and so is the slider', async () => {
-    const { page } = await openReader(browser, '#lang=en&lesson=first', { forcedColors: 'active' });
+    const { page } = await openReader(browser, '#lang=en&lesson=first&view=workbench', {
+      forcedColors: 'active',
+    });
     const field = page.locator('.dock input[type=number]');
     // A step that changes a value.
     for (let step = 1; (await page.locator('vidno-warnock dd.changed').count()) === 0; step++) {

@@ -35,6 +35,13 @@ Figures figures_of(const Lesson& lesson, const Story& story, const std::string& 
     return figures;
 }
 
+/// What a run shows, as the lesson says or by the name of its scene; never by that of a file.
+Json title_of(const Lesson& lesson, const LessonRun& run) {
+    if (!run.english_title.empty()) return {{"en", run.english_title}, {"ru", run.russian_title}};
+    const std::string name = std::visit([](const auto& scene) { return scene.name; }, scene_of(lesson, run));
+    return {{"en", name}, {"ru", name}};
+}
+
 }  // namespace
 
 BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
@@ -58,7 +65,8 @@ BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
                    {"kernel", run.kernel},
                    {"edition", edition_names[std::size_t(run.edition)]},
                    {"detail", detail_names[std::size_t(run.detail)]}};
-        if (!run.other_scene().empty()) trace["scene"] = run.other_scene();
+        const Json title = title_of(lesson, run);
+        if (title["en"] != "") trace["title"] = title;
         traces.push_back(std::move(trace));
     }
     made.entry = {{"id", lesson.id},

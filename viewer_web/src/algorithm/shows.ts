@@ -7,6 +7,7 @@ import type { HistoryTexts, Texts } from '../language/texts.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Method } from '../trace/events.js';
+import type { StatePart } from './state-part.js';
 import type { View } from './view.js';
 
 /** Where one chooses what a picture shows. */
@@ -29,8 +30,8 @@ export interface Pictured {
 
 /** The elements that show the runs of an algorithm. */
 export interface Shows {
-  /** The panel of its state. */
-  readonly state: (view: View) => TemplateResult;
+  /** The panel of its state, whole or with some of its parts. */
+  readonly state: (view: View, parts: readonly StatePart[] | null) => TemplateResult;
   /** The picture, and the choice of what it shows; their classes are `drawing` and `layers`. */
   readonly picture: (pictured: Pictured) => TemplateResult;
   /** The marks on the picture that the legend explains, and what those look like that no other algorithm has. */

@@ -1,168 +1,231 @@
 import { css } from 'lit';
-import { besideStyle } from './beside.style.js';
+import { leastPanel } from '../elements/least-picture.js';
 
-export const appStyle = [
-  css`
+/** The header; below it the text, if there is one, and the run; over these, on demand, the lessons. */
+export const appStyle = css`
+  :host {
+    --pad: 0.75rem;
+    --gap: 0.625rem;
+    position: relative;
+    box-sizing: border-box;
+    display: grid;
+    height: 100dvh;
+    padding: 0 var(--pad) var(--pad);
+    grid-template: 'header' 3rem 'main' minmax(0, 1fr) / minmax(0, 1fr);
+    background: var(--paper);
+  }
+  :host([reading]) {
+    grid-template:
+      'header header header' 3rem
+      'reader fold main' minmax(0, 1fr) / minmax(0, var(--text, var(--text-share, 30fr))) var(--gap)
+      minmax(0, var(--text-rest, 70fr));
+  }
+  vidno-page-header {
+    grid-area: header;
+    padding-right: 5rem;
+  }
+  vidno-languages {
+    grid-area: header;
+    justify-self: end;
+    height: 3rem;
+  }
+  vidno-reader {
+    grid-area: reader;
+  }
+  .fold {
+    grid-area: fold;
+  }
+  main {
+    grid-area: main;
+    display: flex;
+    flex-direction: column;
+    min-height: 0;
+    min-width: 0;
+    overflow: auto;
+  }
+  vidno-player,
+  vidno-comparison {
+    flex: 1 0 auto;
+  }
+  .title {
+    display: flex;
+    gap: 0.5rem;
+    align-items: baseline;
+    min-width: 0;
+  }
+  .title h2 {
+    min-width: 0;
+    overflow: hidden;
+    color: var(--ink);
+    font-size: 1rem;
+    letter-spacing: 0;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  vidno-run-words {
+    flex: 0 1 auto;
+  }
+  @media (max-width: 1199px) {
+    vidno-run-words {
+      flex: none;
+    }
+  }
+  .offer {
+    min-height: 1.6rem;
+    padding: 0 0.7rem;
+    border-color: var(--accent);
+    color: var(--accent);
+    font-size: 0.8125rem;
+  }
+  .nothing {
+    margin: auto;
+    color: var(--soft);
+  }
+  /* Said only if it takes long: the run is opened as one reads, and nothing shall flicker. */
+  :host([reading]) vidno-notice.reading {
+    position: absolute;
+    right: 0.9rem;
+    z-index: 2;
+    animation: late 0.3s step-end backwards;
+  }
+  @keyframes late {
+    from {
+      opacity: 0;
+    }
+  }
+  nav {
+    position: absolute;
+    z-index: 5;
+    top: 2.9rem;
+    left: var(--pad);
+    display: none;
+    flex-direction: column;
+    gap: 0.6rem;
+    width: min(26rem, 100% - 2 * var(--pad));
+    max-height: calc(100dvh - 3.7rem);
+    padding: 0.6rem;
+    overflow: auto;
+    border: 1px solid var(--line);
+    border-radius: var(--radius);
+    background: var(--panel);
+    box-shadow: 0 8px 32px rgb(10 12 18 / 30%);
+  }
+  :host([contents]) nav {
+    display: flex;
+  }
+  nav > * {
+    flex: none;
+  }
+  :host([comparing]) nav {
+    display: none;
+  }
+  @media (max-width: 1199px) {
     :host {
-      box-sizing: border-box;
-      display: grid;
-      height: 100dvh;
-      padding: 0 0.9rem 0.9rem;
-      gap: 0 0.9rem;
-      grid-template: 'header header' 3.25rem 'nav main' minmax(0, 1fr) / 14rem minmax(0, 1fr);
-      background: var(--paper);
+      --text-share: 38fr;
+    }
+  }
+  /* The page scrolls: the run first, and under the text's box what is left of the screen. */
+  @media (max-width: 899px) {
+    :host {
+      height: auto;
+      min-height: 100dvh;
+      grid-template: 'header' auto 'main' 1fr / minmax(0, 1fr);
+    }
+    vidno-languages {
+      height: 2.75rem;
     }
     vidno-page-header {
-      grid-area: header;
-    }
-    nav {
-      grid-area: nav;
-      display: flex;
-      flex-direction: column;
-      gap: 0.75rem;
-      min-height: 0;
-    }
-    vidno-lesson-list {
-      flex: 1;
-      min-height: 0;
+      padding-right: 0;
     }
     main {
-      grid-area: main;
-      display: flex;
-      flex-direction: column;
-      min-height: 0;
-      min-width: 0;
-      overflow: auto;
+      overflow: visible;
     }
     .title {
-      display: flex;
-      flex: none;
-      flex-wrap: wrap;
-      gap: 0 0.9rem;
-      align-items: baseline;
-      min-height: 2.1rem;
-      padding-bottom: 0.4rem;
+      flex: 1;
     }
-    .title h2 {
-      font-size: 1.125rem;
-      letter-spacing: 0;
-      color: var(--ink);
-      overflow-wrap: anywhere;
-      display: -webkit-box;
-      -webkit-box-orient: vertical;
-      -webkit-line-clamp: 4;
+    :host([reading]) .title,
+    :host([reading]) .fold {
+      display: none;
+    }
+    :host([reading]) {
+      --pad: 0px;
+      --foot: 0px;
+      --legend: none;
+      --room: calc(100dvh - 3.25rem);
+      grid-template:
+        'header' auto
+        'main' auto
+        'reader' minmax(min(17.5rem, 100dvh), 1fr) / minmax(0, 1fr);
+      gap: 0.4rem 0;
+    }
+    /* As high as the picture and the dock; the panels are scrolled to. */
+    :host([reading]) main {
+      height: max(${leastPanel} + 7rem, min(100vw, 50dvh) + 6.9rem);
+      overflow: auto;
+    }
+    :host([reading]) main:has(> vidno-player[asking]) {
+      --room: 0px;
+      height: auto;
+      overflow: visible;
+    }
+    :host([reading]) vidno-reader {
+      contain: size;
+      border-width: 1px 0 0;
+      border-radius: 0;
+    }
+  }
+  @media (max-width: 640px) {
+    :host {
+      --pad: 0px;
+    }
+    :is(vidno-page-header, vidno-languages, vidno-notice) {
+      padding-inline: 0.6rem;
+    }
+    vidno-comparison {
+      --name-inset: 0.6rem;
+    }
+  }
+  /* Two pictures, and what is said of them, are on one screen. */
+  @media (min-width: 641px) and (max-width: 1199px) {
+    vidno-comparison {
+      --panels: clamp(20rem, 100dvh - 28.5rem, 36rem);
+    }
+  }
+  :host([embed]) {
+    grid-template: 'main' minmax(0, 1fr) / minmax(0, 1fr);
+    height: 100dvh;
+    padding: 0;
+  }
+  :host([embed]) :is(vidno-page-header, vidno-languages, nav) {
+    display: none;
+  }
+  @media print {
+    :host {
+      display: flex;
+      flex-direction: column;
+      height: 268mm;
+      min-height: 0;
+      padding: 0;
       overflow: hidden;
     }
-    .title p {
-      color: var(--soft);
-      font-size: 0.8125rem;
+    :is(vidno-page-header, vidno-languages, vidno-divider, nav, vidno-notice) {
+      display: none;
     }
-    vidno-notice:not(.growing) {
-      flex-basis: 100%;
+    main {
+      flex: 1;
+      overflow: visible;
     }
     vidno-player,
     vidno-comparison {
-      flex: 1 0 auto;
+      flex: 1;
     }
-    .nothing {
-      margin: auto;
-      color: var(--soft);
+    :host([reading]) {
+      display: block;
+      height: auto;
+      overflow: visible;
     }
-    @media (max-width: 1199px) {
-      :host {
-        height: auto;
-        min-height: 100dvh;
-        grid-template: 'header' 3.25rem 'nav' auto 'main' 1fr / minmax(0, 1fr);
-        gap: 0 0.75rem;
-        padding: 0 0.6rem 0.6rem;
-      }
-      main {
-        overflow: visible;
-      }
-      nav {
-        flex-flow: row wrap;
-        padding-bottom: 0.6rem;
-      }
-      vidno-lesson-list {
-        flex: 3 1 16rem;
-      }
-      vidno-file-drop {
-        flex: 1 1 12rem;
-      }
-      .own-surface {
-        flex: 1 1 12rem;
-        align-self: start;
-      }
-    }
-    /* The page scrolls: one screen holds the panels and the dock, of a comparison what is said, too. */
-    @media (min-width: 641px) and (max-width: 1199px) {
-      :host(:not([reading], [embed])) vidno-player {
-        --panels: clamp(24rem, 100dvh - 14.5rem, 44rem);
-      }
-      vidno-comparison {
-        --panels: clamp(20rem, 100dvh - 28.5rem, 36rem);
-      }
-    }
-    @media (max-width: 640px), (max-width: 1199px) and (max-height: 599px) {
-      :host {
-        grid-template: 'header' 3.25rem 'main' auto 'nav' auto / minmax(0, 1fr);
-      }
-      nav {
-        padding-block: 0.75rem 0;
-      }
-    }
-    @media (max-width: 640px) {
-      :host {
-        padding-inline: 0;
-      }
-      :is(vidno-page-header, nav, .title) {
-        padding-inline: 0.6rem;
-      }
-      vidno-comparison {
-        --name-inset: 0.6rem;
-      }
-    }
-    :host([comparing]) {
-      grid-template: 'header' 3.25rem 'main' minmax(0, 1fr) / minmax(0, 1fr);
-    }
-    :host([comparing]) nav {
+    :host([reading]) :is(main, nav) {
       display: none;
     }
-    :host([embed]) {
-      grid-template: 'main' minmax(0, 1fr) / minmax(0, 1fr);
-      height: 100dvh;
-      padding: 0;
-    }
-    :host([embed]) :is(vidno-page-header, nav, h2, .title p) {
-      display: none;
-    }
-    :host([embed]) .title {
-      min-height: 0;
-      padding: 0;
-    }
-    @media print {
-      :host {
-        display: flex;
-        flex-direction: column;
-        height: 268mm;
-        min-height: 0;
-        padding: 0;
-        overflow: hidden;
-      }
-      vidno-page-header,
-      nav,
-      vidno-notice {
-        display: none;
-      }
-      main {
-        flex: 1;
-        overflow: visible;
-      }
-      vidno-player,
-      vidno-comparison {
-        flex: 1;
-      }
-    }
-  `,
-  besideStyle,
-];
+  }
+`;

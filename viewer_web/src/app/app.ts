@@ -2,6 +2,9 @@ import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { keyMap } from '../base/key-map.js';
+import { memory } from '../base/memory.js';
+import type { StatePart } from '../algorithm/state-part.js';
+import type { PageView } from '../base/page-view.js';
 import { plain } from '../base/setting.js';
 import '../compare/comparison-element.js';
 import type { ComparisonElement } from '../compare/comparison-element.js';
@@ -11,7 +14,9 @@ import '../compare/rival-choice.js';
 import type { RivalChoiceElement } from '../compare/rival-choice.js';
 import '../editor/discard.js';
 import type { DiscardElement } from '../editor/discard.js';
+import '../elements/divider.js';
 import '../elements/file-drop.js';
+import '../elements/languages.js';
 import { Keyboard } from '../elements/keyboard.js';
 import type { Actions } from '../elements/keyboard.js';
 import { base, tokens } from '../elements/theme.js';
@@ -19,21 +24,24 @@ import { texts } from '../i18n/index.js';
 import { preferredLanguage } from '../language/language.js';
 import type { Language } from '../language/language.js';
 import { embeddedLessons, idOf } from '../lessons/lessons.js';
+import type { LessonTrace } from '../lessons/lessons.js';
 import { embeddedAddress } from '../lessons/page-file.js';
 import '../player/player.js';
 import type { PlayerElement } from '../player/player.js';
-import { parseAddress } from '../reader/address.js';
+import { namesNothing, parseAddress } from '../reader/address.js';
 import type { Setup } from '../reader/address.js';
 import '../solid/solid-element.js';
 import { appStyle } from './app.style.js';
 import { contents, reader } from './beside.js';
 import type { Told } from './beside.js';
-import { heading, invitation } from './heading.js';
+import { heading, invitation, notices } from './heading.js';
 import { Navigation } from './navigation.js';
 import './page-header.js';
+import type { Asked } from './page-header.js';
 import { Reading } from './reading.js';
 import { Session } from './session.js';
 import { share } from './sharing.js';
+import './tour.js';
 import { alone, besides, ownSurface } from './stage.js';
 import type { Shown } from './stage.js';
 
@@ -44,6 +52,7 @@ export class AppElement extends LitElement implements Shown, Told {
 
   @state() setup: Setup = {
     language: preferredLanguage(),
+    view: null,
     presenting: false,
     layer: 'picture',
     setting: plain,
@@ -56,6 +65,10 @@ export class AppElement extends LitElement implements Shown, Told {
   @query('vidno-discard') readonly discard!: DiscardElement;
 
   @state() private isAtContents = false;
+  isFirst = false;
+  /** Whether a tour is on offer, as it is once, and whether it is being taken. */
+  @state() private isOffered = false;
+  @state() private isToured = false;
   /** What the address names is being looked for. */
   @state() private isOpening = false;
   readonly lessons = embeddedLessons(document);
@@ -96,6 +109,11 @@ export class AppElement extends LitElement implements Shown, Told {
     const beside = this.isAsked ? null : rival;
     if (beside !== session.rival.word) session.rival.choose(withOf(beside ?? '', document));
     this.isOpening = true;
+    this.isFirst = namesNothing(address);
+    if (this.isFirst && !setup.setting.embed && memory.get('tour') === null) {
+      memory.set('tour', 'offered');
+      this.isOffered = true;
+    }
     void this.reading.follow(address).finally(() => (this.isOpening = false));
   }
 
@@ -126,6 +144,51 @@ export class AppElement extends LitElement implements Shown, Told {
     return this.hasText && this.setup.reader && !this.session.isCompared;
   }
 
+  /** How it is arranged: around a text, unless there is none or the reader wants it otherwise. */
+  get view(): PageView {
+    return this.setup.view ?? (this.hasText ? 'lesson' : 'workbench');
+  }
+
+  get parts(): readonly StatePart[] {
+    return this.reading.story?.shows ?? [];
+  }
+
+  turned(): void {
+    this.requestUpdate();
+  }
+
+  offer(): TemplateResult | typeof nothing {
+    if (!this.isOffered) return nothing;
+    const { tour } = texts[this.setup.language];
+    return html`<button class="offer" @click=${() => this.showAround()}>${tour.offer}</button>`;
+  }
+
+  private showAround(): void {
+    this.isOffered = false;
+    this.isAtContents = false;
+    this.change({ view: 'lesson', reader: true });
+    this.isToured = true;
+  }
+
+  private tour(): TemplateResult {
+    const inPlayer = (part: string): Element | null | undefined =>
+      this.player.shadowRoot?.querySelector(part);
+    const parts = (): readonly (Element | null | undefined)[] => [
+      inPlayer('.picture'),
+      inPlayer('.dock'),
+      inPlayer('.listing'),
+      this.renderRoot.querySelector('vidno-reader'),
+    ];
+    return html`<vidno-tour
+      .language=${this.setup.language}
+      .parts=${parts}
+      @end=${() => {
+        this.isToured = false;
+        this.stage.focusPlay();
+      }}
+    ></vidno-tour>`;
+  }
+
   turnToContents(isOpen: boolean): void {
     this.isAtContents = isOpen && !this.isAtContents;
   }
@@ -137,7 +200,54 @@ export class AppElement extends LitElement implements Shown, Told {
   }
 
   private turnText(): void {
-    if (this.hasText && !this.session.isCompared) this.change({ reader: !this.setup.reader });
+    if (!this.hasText || this.session.isCompared) return;
+    this.change({ view: this.view, reader: !this.setup.reader });
+  }
+
+  private turnView(): void {
+    if (!this.session.isCompared) {
+      this.change({ view: this.view === 'workbench' ? 'lesson' : 'workbench' });
+    }
+  }
+
+  /** To the scene and back to the state; of two runs, to the handles in the first picture. */
+  private edit(on = !this.isEdited): void {
+    const { player, comparison } = this;
+    if (comparison !== null) comparison.isEdited = on;
+    else if (on !== this.isEdited) player.toggleSide('scene');
+  }
+
+  private get isEdited(): boolean {
+    return this.comparison?.isEdited ?? this.player?.side === 'scene';
+  }
+
+  private ask(what: Asked): void {
+    switch (what) {
+      case 'skip':
+        this.stage.focusPlay();
+        return;
+      case 'contents':
+        this.turnToContents(true);
+        return;
+      case 'keys':
+        this.stage.showKeys();
+        return;
+      case 'text':
+        this.turnText();
+        return;
+      case 'workbench':
+        this.turnView();
+        return;
+      case 'edit':
+        this.edit();
+        this.requestUpdate();
+        return;
+      case 'compare':
+        this.compare();
+        return;
+      case 'present':
+        this.stage.present(true);
+    }
   }
 
   /** To another run beside this one, and back. */
@@ -148,22 +258,21 @@ export class AppElement extends LitElement implements Shown, Told {
     else if (trace !== null) this.choice.show();
   }
 
-  /** To the scene and back to the state; to the drawing of a polygon; to the comparison. */
+  /** To the views, and what may be done in them; to the drawing of a polygon. */
   private actions(): Actions {
-    const { player, comparison } = this;
     const { live } = this.session;
-    const compare = { KeyD: () => this.compare(), KeyR: () => this.turnText() };
-    if (live.editing === null) return compare;
-    const edit = (on: boolean): void => {
-      if (comparison !== null) comparison.isEdited = on;
-      else if (on !== (player.side === 'scene')) player.toggleSide('scene');
+    const always = {
+      KeyD: () => this.compare(),
+      KeyR: () => this.turnText(),
+      KeyW: () => this.turnView(),
     };
+    if (live.editing === null) return always;
     return {
-      ...compare,
-      KeyE: () => edit(comparison === null ? player.side !== 'scene' : !comparison.isEdited),
+      ...always,
+      KeyE: () => this.edit(),
       KeyN: () => {
         if (live.editing?.sketch.curves !== null) return;
-        edit(true);
+        this.edit(true);
         live.act({ do: 'draw' });
       },
     };
@@ -189,7 +298,9 @@ export class AppElement extends LitElement implements Shown, Told {
     const { trace, live, rival, isCompared } = session;
     this.toggleAttribute('comparing', isCompared);
     this.toggleAttribute('reading', this.isReading);
-    this.toggleAttribute('contents', this.isReading && this.isAtContents);
+    this.setAttribute('view', this.view);
+    const isAtContents = this.isAtContents || (trace === null && !session.isOpening);
+    this.toggleAttribute('contents', isAtContents);
     const page = texts[language].page;
     return html`
       <vidno-page-header
@@ -200,19 +311,23 @@ export class AppElement extends LitElement implements Shown, Told {
         ?alone=${this.isAsked}
         ?told=${this.hasText && !isCompared}
         ?reading=${this.isReading}
+        view=${this.view}
+        .editing=${live.editing === null ? null : this.isEdited}
+        ?contents=${isAtContents}
         .keys=${this.setup.setting.keys}
-        @skip=${() => this.stage.focusPlay()}
-        @text=${() => this.turnText()}
-        @keys=${() => this.stage.showKeys()}
-        @compare=${() => this.compare()}
-        @present=${() => this.stage.present(true)}
-        @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
-      ></vidno-page-header>
+        @ask=${({ detail }: CustomEvent<Asked>) => this.ask(detail)}
+        >${heading(session, this.name, language)}</vidno-page-header
+      >
       <main>
-        ${heading(session, this.name, language)} ${alone(this)}
-        ${isCompared ? besides(this) : nothing}
+        ${notices(session, language)} ${alone(this)} ${isCompared ? besides(this) : nothing}
         ${this.isOpening ? nothing : invitation(session, language)}
       </main>
+      ${this.hasText ? reader(this) : nothing}
+      <vidno-languages
+        ?inert=${presenting}
+        .chosen=${language}
+        @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
+      ></vidno-languages>
       <nav ?inert=${presenting}>
         ${contents(this)}
         <vidno-file-drop
@@ -220,8 +335,8 @@ export class AppElement extends LitElement implements Shown, Told {
           @file=${({ detail }: CustomEvent<File>) => this.ways.replace(() => this.openFile(detail))}
         ></vidno-file-drop>
         ${ownSurface(session, language, (name) => void this.ways.replace(() => this.openSurface(name)))}
+        ${this.isReading ? html`<button @click=${() => this.showAround()}>${texts[language].tour.again}</button>` : nothing}
       </nav>
-      ${this.hasText ? reader(this) : nothing}
       <vidno-rival-choice
         .language=${language}
         .lessons=${this.lessons}
@@ -229,6 +344,7 @@ export class AppElement extends LitElement implements Shown, Told {
         .earlier=${session.earlier}
         @with=${({ detail }: CustomEvent<With>) => rival.choose(detail)}
       ></vidno-rival-choice>
+      ${this.isToured ? this.tour() : nothing}
       <vidno-discard .language=${language} .name=${live.editing?.sketch.name ?? ''}></vidno-discard>
     `;
   }
@@ -240,10 +356,12 @@ export class AppElement extends LitElement implements Shown, Told {
     this.player.side = 'scene';
   }
 
+  /** A run of a lesson is named after what it shows. */
   private get name(): string {
-    const found = this.lessons.find(({ traces }) =>
-      traces.some((each) => idOf(each) === this.session.lesson),
-    );
-    return found?.title[this.setup.language] ?? this.session.name;
+    const { session, setup } = this;
+    const isOpen = (trace: LessonTrace): boolean => idOf(trace) === session.lesson;
+    const lesson = this.lessons.find(({ traces }) => traces.some(isOpen));
+    const run = lesson?.traces.find(isOpen)?.title ?? lesson?.title;
+    return run?.[setup.language] ?? session.name;
   }
 }

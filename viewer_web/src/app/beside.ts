@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import type { TemplateResult } from 'lit';
+import { texts } from '../i18n/index.js';
 import type { Lesson, LessonTrace } from '../lessons/lessons.js';
 import type { Setup } from '../reader/address.js';
 import '../reader/lesson-list.js';
@@ -19,8 +20,10 @@ export interface Told {
   readonly isReading: boolean;
   change(part: Partial<Setup>): void;
   readonly ways: Navigation;
-  /** Opens the table of contents, or closes it, where there is no room for it. */
+  /** Opens the lessons, or closes them. */
   turnToContents(isOpen: boolean): void;
+  /** The offer of a tour, once. */
+  offer(): unknown;
 }
 
 /** The lessons, and the headings of the text that is read. */
@@ -37,29 +40,36 @@ export function contents(page: Told): TemplateResult {
     @choose=${({ detail }: CustomEvent<LessonTrace>) => page.ways.replace(() => reading.choose(detail))}
     @visit=${({ detail }: CustomEvent<string>) => reading.visit(detail)}
     @leave=${() => page.turnToContents(false)}
+    @follow=${({ detail }: CustomEvent<boolean>) => {
+      page.change({ follows: detail });
+      if (detail) void page.ways.replace(() => reading.go(reading.reached.pin));
+    }}
   ></vidno-lesson-list>`;
 }
 
 /** The text of the lesson. */
 export function reader(page: Told): TemplateResult {
   const { lessons, setup, reading } = page;
-  return html`<vidno-reader
-    ?hidden=${!page.isReading}
-    ?inert=${setup.presenting}
-    .story=${reading.story}
-    .error=${reading.error}
-    .lessons=${lessons}
-    .setup=${setup}
-    .goal=${reading.goal}
-    .current=${reading.current}
-    .previous=${reading.neighbour(-1)}
-    .next=${reading.neighbour(1)}
-    @read=${({ detail }: CustomEvent<Read>) => reading.reach(detail, detail.isScrolled && setup.follows)}
-    @pin=${({ detail }: CustomEvent<string>) => page.ways.replace(() => reading.go(detail))}
-    @follow=${({ detail }: CustomEvent<boolean>) => {
-      page.change({ follows: detail });
-      if (detail) void page.ways.replace(() => reading.go(reading.reached.pin));
-    }}
-    @contents=${() => page.turnToContents(true)}
-  ></vidno-reader>`;
+  return html`<vidno-divider
+      class="fold"
+      name="text"
+      place="page"
+      label=${texts[setup.language].page.divider}
+      ?hidden=${!page.isReading}
+    ></vidno-divider>
+    <vidno-reader
+      ?hidden=${!page.isReading}
+      ?inert=${setup.presenting}
+      .story=${reading.story}
+      .error=${reading.error}
+      .lessons=${lessons}
+      .setup=${setup}
+      .goal=${reading.goal}
+      .current=${reading.current}
+      .previous=${reading.neighbour(-1)}
+      .next=${reading.neighbour(1)}
+      @read=${({ detail }: CustomEvent<Read>) => reading.reach(detail, detail.isScrolled && setup.follows)}
+      @pin=${({ detail }: CustomEvent<string>) => page.ways.replace(() => reading.go(detail))}
+      >${page.offer()}</vidno-reader
+    >`;
 }

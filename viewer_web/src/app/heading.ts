@@ -4,33 +4,33 @@ import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import '../run/notice.js';
 import type { Notice } from '../run/notice.js';
+import './run-words.js';
 import type { Session } from './session.js';
 
-/** What is open, and what there is to say of it and of the run beside it. */
+/** What is open. */
 export function heading(session: Session, name: string, language: Language): TemplateResult {
-  const { trace, notice, rival } = session;
+  const { trace, isCompared } = session;
   return html`<div class="title">
-    <h2>${trace ? name : ''}</h2>
-    ${session.isCompared ? nothing : runOf(session, language)}
-    ${noticeOf(notice, language, () => session.stop())}
-    ${rival.notice === null ? nothing : noticeOf(rival.notice, language, () => rival.stop())}
+    <h2 title=${trace ? name : nothing}>${trace ? name : ''}</h2>
+    ${
+      trace === null || isCompared
+        ? nothing
+        : html`<vidno-run-words .header=${trace.header} .language=${language}></vidno-run-words>`
+    }
   </div>`;
+}
+
+/** What there is to say of it, and of the run beside it. */
+export function notices(session: Session, language: Language): TemplateResult {
+  const { notice, rival } = session;
+  return html`${noticeOf(notice, language, () => session.stop())}
+  ${rival.notice === null ? nothing : noticeOf(rival.notice, language, () => rival.stop())}`;
 }
 
 /** What can be opened, where nothing is and nothing is about to be. */
 export function invitation(session: Session, language: Language): TemplateResult | typeof nothing {
   if (session.trace !== null || session.isOpening) return nothing;
   return html`<p class="nothing">${texts[language].page.nothingOpen}</p>`;
-}
-
-function runOf({ trace }: Session, language: Language): TemplateResult | typeof nothing {
-  if (trace === null) return nothing;
-  const { page, scene } = texts[language];
-  const { method, edition, kernel, detail } = trace.header;
-  return html`<p>
-    ${page.methods[method]} · ${page.editions[edition]} · ${page.kernel}: ${kernel} ·
-    ${page.detail}: ${scene.details[detail]}
-  </p>`;
 }
 
 function noticeOf(notice: Notice | null, language: Language, stop: () => void): TemplateResult {

@@ -1,37 +1,54 @@
 import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { customElement, property, state } from 'lit/decorators.js';
+import { withKey } from '../base/key-map.js';
+import type { PageView } from '../base/page-view.js';
+import { headerStyle } from '../elements/header.style.js';
+import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
-import { headerStyle } from '../elements/header.style.js';
-import { kbd } from '../elements/kbd.js';
-import '../elements/languages.js';
-import { base } from '../elements/theme.js';
 
-/**
- * The line at the top of the page. Events `skip`, to the run, `keys`, `text`, `compare`, `present` and `choose`, of a language, tell what
- * is asked for.
- */
+/** What may be asked for; all but the first three are toggles. */
+export type Asked =
+  'skip' | 'contents' | 'keys' | 'text' | 'workbench' | 'edit' | 'compare' | 'present';
+
+/** A button of the header: what it asks for, what it says, its key, whether it is on, whether it does nothing now. */
+interface Tool {
+  readonly ask: Asked;
+  readonly label: string;
+  readonly hint?: string;
+  readonly key?: string;
+  readonly isOn?: boolean;
+  readonly off?: boolean;
+}
+
+/** The line at the top of the page. An event `ask` tells what is asked for. */
 @customElement('vidno-page-header')
 export class PageHeaderElement extends LitElement {
   static override styles = [
     base,
     headerStyle,
     css`
-      button {
-        padding: 0 0.7rem;
-        white-space: nowrap;
-      }
-      kbd {
-        font: 0.8125rem var(--mono);
-        color: var(--soft);
-      }
       header {
         height: 100%;
       }
-      button[aria-pressed='true'] {
+      button {
+        padding: 0 0.65rem;
+        border-color: transparent;
+        background: none;
+        white-space: nowrap;
+      }
+      button:is([aria-pressed='true'], [aria-expanded='true']) {
         border-color: var(--accent);
         background: var(--accent-wash);
+      }
+      slot {
+        display: flex;
+        flex: 1;
+        min-width: 0;
+      }
+      .tools {
+        gap: 0.25rem;
       }
       .skip:not(:focus-visible) {
         position: absolute;
@@ -41,25 +58,42 @@ export class PageHeaderElement extends LitElement {
         overflow: hidden;
         clip-path: inset(50%);
       }
-      @media (max-width: 640px) {
-        .tools {
-          gap: 0.35rem;
+      .more {
+        display: none;
+      }
+      /* What is seldom needed on a small screen takes a line of its own, on demand. */
+      @media (max-width: 899px) {
+        header {
+          flex-wrap: wrap;
+          gap: 0 0.35rem;
+          height: auto;
+        }
+        header > * {
+          min-height: 2.75rem;
         }
         button {
           padding: 0 0.5rem;
         }
-        .present,
-        :host([told]) .keys,
-        kbd {
+        h1 {
+          line-height: 2.75rem;
+        }
+        slot {
+          order: 1;
+          flex: 1 0 100%;
+          min-height: 0;
+        }
+        .more {
+          display: block;
+          margin-left: auto;
+          margin-right: 4.5rem;
+        }
+        .tools:not(.open) {
           display: none;
         }
-      }
-      @media (max-width: 380px) {
         .tools {
-          gap: 0.25rem;
-        }
-        button {
-          padding: 0 0.3rem;
+          flex: 1 0 100%;
+          flex-wrap: wrap;
+          margin: 0;
         }
       }
     `,
@@ -68,61 +102,103 @@ export class PageHeaderElement extends LitElement {
   @property({ attribute: false }) language: Language = 'en';
   /** Whether a run is shown, which the tools are for. */
   @property({ type: Boolean }) open = false;
-  /** Whether another run is beside it. */
+  /** Whether another run is beside it, and whether none may be. */
   @property({ type: Boolean }) comparing = false;
-  /** Whether no other run may be. */
   @property({ type: Boolean }) alone = false;
-
   /** Whether the lesson has a text, and whether that is shown. */
   @property({ type: Boolean, reflect: true }) told = false;
   @property({ type: Boolean }) reading = false;
+  @property() view: PageView = 'lesson';
+  /** Whether the scene is edited; null where it cannot be. */
+  @property({ attribute: false }) editing: boolean | null = null;
+  /** Whether the lessons are in sight. */
+  @property({ type: Boolean }) contents = false;
   /** Which keys there are, as an address has it. */
   @property({ attribute: false }) keys = '';
+  /** Where there is no room for them: whether the tools are shown. */
+  @state() private isMore = false;
 
   override render(): TemplateResult {
-    const { page, compare, reader } = texts[this.language];
+    const { page } = texts[this.language];
     return html`<header>
-      <button class="skip" @click=${() => this.ask('skip')}>${page.skip}</button>
+      ${this.button({ ask: 'skip', label: page.skip })}
       <h1>vidno</h1>
-      <p class="tagline">${page.tagline}</p>
-      <div class="tools">
-        ${
-          this.told
-            ? html`<button
-                aria-pressed=${this.reading ? 'true' : 'false'}
-                title=${this.reading ? reader.hide : nothing}
-                @click=${() => this.ask('text')}
-              >
-                ${reader.text} ${kbd('R')}
-              </button>`
-            : nothing
-        }
-        <button class="keys" @click=${() => this.ask('keys')} ?disabled=${!this.open}>
-          ${page.keys} ${kbd('?')}
-        </button>
-        <button
-          aria-pressed=${this.comparing ? 'true' : 'false'}
-          title=${this.comparing ? compare.leave : nothing}
-          @click=${() => this.ask('compare')}
-          ?disabled=${!this.open || this.alone}
-        >
-          ${compare.compare} ${kbd('D')}
-        </button>
-        <button class="present" @click=${() => this.ask('present')} ?disabled=${!this.open}>
-          ${page.present} ${kbd('F')}
-        </button>
-        <vidno-languages
-          .chosen=${this.language}
-          @choose=${({ detail }: CustomEvent<Language>) => this.ask('choose', detail)}
-        ></vidno-languages>
+      ${this.button({ ask: 'contents', label: page.lessons }, this.contents)} ${this.text()}
+      <slot></slot>
+      <button
+        class="more"
+        aria-expanded=${this.isMore ? 'true' : 'false'}
+        aria-label=${page.tools}
+        title=${page.tools}
+        @click=${() => (this.isMore = !this.isMore)}
+      >
+        ☰
+      </button>
+      <div class="tools ${this.isMore ? 'open' : ''}">
+        ${this.tools().map((each) => this.button(each))}
       </div>
     </header>`;
   }
 
-  private ask(
-    what: 'skip' | 'keys' | 'text' | 'compare' | 'present' | 'choose',
-    detail: Language | null = null,
-  ): void {
-    this.dispatchEvent(new CustomEvent(what, { detail }));
+  private text(): TemplateResult | typeof nothing {
+    if (!this.told) return nothing;
+    const { reader } = texts[this.language];
+    return this.button({
+      ask: 'text',
+      label: reader.text,
+      ...(this.reading ? { hint: reader.hide } : {}),
+      key: 'R',
+      isOn: this.reading,
+    });
+  }
+
+  private tools(): readonly Tool[] {
+    const { page, compare, scene } = texts[this.language];
+    const { open, editing, comparing } = this;
+    return [
+      {
+        ask: 'workbench',
+        label: page.workbench,
+        hint: page.workbenchHint,
+        key: 'W',
+        isOn: this.view === 'workbench',
+        off: !open || comparing,
+      },
+      { ask: 'edit', label: scene.edit, key: 'E', isOn: editing === true, off: editing === null },
+      {
+        ask: 'compare',
+        label: compare.compare,
+        ...(comparing ? { hint: compare.leave } : {}),
+        key: 'D',
+        isOn: comparing,
+        off: !open || this.alone,
+      },
+      { ask: 'present', label: page.present, key: 'F', isOn: false, off: !open },
+      { ask: 'keys', label: page.keys, key: '?', off: !open },
+    ];
+  }
+
+  private button(
+    { ask, label, hint, key, isOn, off = false }: Tool,
+    isExpanded: boolean | null = null,
+  ): TemplateResult {
+    const said = hint ?? label;
+    const pressed = isOn === undefined ? nothing : isOn ? 'true' : 'false';
+    return html`<button
+      class=${ask}
+      aria-pressed=${pressed}
+      aria-expanded=${isExpanded === null ? nothing : isExpanded ? 'true' : 'false'}
+      title=${key === undefined ? said : withKey(said, key)}
+      ?disabled=${off}
+      @click=${() => this.dispatchEvent(new CustomEvent<Asked>('ask', { detail: ask }))}
+    >
+      ${label}
+    </button>`;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-page-header': PageHeaderElement;
   }
 }

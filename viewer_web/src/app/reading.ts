@@ -1,5 +1,6 @@
 import { embeddedFile, idOf } from '../lessons/lessons.js';
 import type { Lesson, LessonTrace } from '../lessons/lessons.js';
+import { namesNothing } from '../reader/address.js';
 import type { Address } from '../reader/address.js';
 import type { Goal, Reached } from '../reader/reading-place.js';
 import { readStory } from '../reader/story.js';
@@ -51,9 +52,10 @@ export class Reading {
     const { lesson: id, at, trace: name, live, step, pixel, bookmarks } = address;
     const trace = this.lessons.flatMap(({ traces }) => traces).find((each) => idOf(each) === name);
     const named = this.lessons.find((each) => each.id === id) ?? this.lessonOf(trace);
-    const isOpen = id === null && name === null && live === null;
+    const isOpen = namesNothing(address);
     const lesson = named ?? (isOpen ? this.lessons[0] : undefined) ?? null;
-    const place = { step: step ?? 0, pixel, bookmarks };
+    // Who comes without an address sees first what comes of it all.
+    const place = { step: step ?? (isOpen ? Infinity : 0), pixel, bookmarks };
     const opened = this.open(lesson, at);
     const missing = missingIn(address, trace, this.lessons);
     if (missing !== null) this.session.miss(missing);

@@ -211,7 +211,7 @@ export class Session implements ReactiveController {
     this.name = name;
     this.asked = name;
     this.lesson = lesson;
-    this.place = place;
+    this.place = { ...place, step: Math.min(place.step, this.steps) };
     this.rival.follow(trace.header.scene);
     this.changed();
   }

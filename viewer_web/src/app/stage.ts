@@ -1,14 +1,18 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
+import type { StatePart } from '../algorithm/state-part.js';
+import type { PageView } from '../base/page-view.js';
 import type { Way } from '../base/setting.js';
 import '../compare/comparison-element.js';
 import type { Act } from '../editor/editor.js';
+import { speedFor } from '../elements/clock.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
 import '../player/player.js';
+import { isComparedUnasked } from '../player/verdict.js';
 import type { Setup } from '../reader/address.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Navigation } from './navigation.js';
@@ -18,19 +22,27 @@ import type { Session } from './session.js';
 export interface Shown {
   readonly session: Session;
   readonly setup: Setup;
-  /** Whether the text of a lesson is beside the run. */
-  readonly isReading: boolean;
+  readonly view: PageView;
+  /** Whether one has come without an address, to look around. */
+  readonly isFirst: boolean;
+  /** The parts of the state that the lesson asks for. */
+  readonly parts: readonly StatePart[];
+  /** Another panel is open beside the run. */
+  turned(): void;
   change(part: Partial<Setup>): void;
   copyLink(): Promise<void>;
   readonly ways: Navigation;
 }
 
-/** The exact picture is asked for only when it is shown; there is none of curves. */
-function exactOf({ session: { trace, exact }, setup }: Shown): Exact {
+/** The exact picture is asked for when it is shown, and for the verdict on a small run; there is none of curves. */
+function exactOf({ session, setup }: Shown): Exact {
+  const { trace, exact } = session;
   if (trace === null) return null;
   const { header } = trace;
   if (header.scene.curves !== null) return null;
-  return needsExact(setup.layer) ? exact.of(header) : exact.unasked(header);
+  const isOver = trace.complete && session.place.step >= session.steps;
+  const isWanted = needsExact(setup.layer) || (isOver && isComparedUnasked(header));
+  return isWanted ? exact.of(header) : exact.unasked(header);
 }
 
 /** The player, which is out of sight while its run is shown beside another one. */
@@ -51,12 +63,13 @@ export function alone(page: Shown): TemplateResult {
       .bookmarks=${place.bookmarks}
       .from=${setting.from}
       .to=${setting.to}
-      .speed=${setting.speed}
+      .speed=${setting.speed ?? (page.isFirst ? speedFor(session.steps) : null)}
       ?play=${setting.play}
       .controls=${setting.controls}
       .ask=${setting.ask ?? ''}
       ?presenting=${presenting && trace !== null}
-      ?beside=${page.isReading && !presenting}
+      layout=${page.view}
+      .parts=${page.parts}
       ?linked=${session.isLinked}
       .layer=${layer}
       .exact=${exactOf(page)}
@@ -73,6 +86,7 @@ export function alone(page: Shown): TemplateResult {
       @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
       @vidno-check=${() => trace && session.checks?.ask(trace)}
       @vidno-keys=${({ detail: keys }: CustomEvent<string>) => page.change({ setting: { ...setting, keys } })}
+      @vidno-side=${() => page.turned()}
       @vidno-save=${() => live.save()}
       @vidno-link=${() => page.copyLink()}
     ></vidno-player>

@@ -8,7 +8,8 @@ import type { CompareTexts } from '../language/compare-texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import { idOf } from '../lessons/lessons.js';
-import type { Lesson, LessonTrace } from '../lessons/lessons.js';
+import type { Lesson } from '../lessons/lessons.js';
+import { runLabel } from '../lessons/run-name.js';
 import { kernels, methodNames, offeredNames, runnable, runs, usual } from '../run/options.js';
 import type { Options } from '../run/options.js';
 import type { Trace } from '../replay/trace.js';
@@ -189,8 +190,6 @@ export class RivalChoiceElement extends LitElement {
     const { say, lessons, language } = this;
     const { page } = texts[language];
     const all = lessons.flatMap(({ traces }) => traces);
-    const nameOf = ({ method, kernel, edition }: LessonTrace): string =>
-      [page.methods[method], page.editions[edition], kernel].join(' · ');
     return html`<div class="row">
       <label class="lesson">
         <span>${say.ofLessons}</span>
@@ -198,7 +197,7 @@ export class RivalChoiceElement extends LitElement {
           ${lessons.map(
             ({ title, traces }) =>
               html`<optgroup label=${title[language]}>
-                ${traces.map((each) => html`<option value=${idOf(each)}>${nameOf(each)}</option>`)}
+                ${traces.map((each) => html`<option value=${idOf(each)}>${runLabel(each, page, language)}</option>`)}
               </optgroup>`,
           )}
         </select>

@@ -7,6 +7,13 @@ export function speedsWith(speed: number): readonly number[] {
   return speeds.includes(speed) ? speeds : [...speeds, speed].sort((a, b) => a - b);
 }
 
+/** Seconds in which a run is played to somebody who has not chosen a speed yet. */
+const firstLook = 30;
+
+/** The speed at which that many steps take no longer than a first look. */
+export const speedFor = (steps: number): number =>
+  speeds.find((speed) => speed >= steps / firstLook) ?? Math.max(...speeds);
+
 /** While it runs, tells at each frame how many steps are due. */
 export class Clock implements ReactiveController {
   private running = false;

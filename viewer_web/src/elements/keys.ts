@@ -41,12 +41,23 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['parting', ['J', 'Shift J']],
   ['save', ['S', 'Shift S']],
   ['reader', ['R']],
+  ['workbench', ['W']],
   ['map', ['?']],
 ];
 
 /** What there is only where a run is alone, and only where it is compared. */
 const only: Readonly<Record<'one' | 'pair', ReadonlySet<KeyUse>>> = {
-  one: new Set(['layer', 'predict', 'answer', 'bookmarks', 'exact', 'solid', 'turn', 'reader']),
+  one: new Set([
+    'layer',
+    'predict',
+    'answer',
+    'bookmarks',
+    'exact',
+    'solid',
+    'turn',
+    'reader',
+    'workbench',
+  ]),
   pair: new Set(['mark', 'parting']),
 };
 

@@ -5,34 +5,24 @@ import { languageNames, languages } from '../language/language.js';
 import type { Language } from '../language/language.js';
 import { base } from './theme.js';
 
-/** The choice of language. */
+/** The way to the same page in another language. An event `choose` tells which. */
 @customElement('vidno-languages')
 export class LanguagesElement extends LitElement {
   static override styles = [
     base,
     css`
-      div {
+      :host {
         display: flex;
+        gap: 0.5rem;
+        align-items: center;
+        white-space: nowrap;
       }
-      button {
-        padding: 0 0.7rem;
-      }
-      button:first-child {
-        border-radius: 6px 0 0 6px;
-      }
-      button:last-child {
-        border-radius: 0 6px 6px 0;
-        border-left: 0;
-      }
-      @media (max-width: 380px) {
-        button {
-          padding: 0 0.4rem;
-        }
-      }
-      button[aria-pressed='true'] {
-        background: var(--accent);
-        border-color: var(--accent);
-        color: var(--on-accent);
+      a {
+        padding: 0.35rem 0.3rem;
+        border-radius: 4px;
+        color: var(--accent);
+        font-size: 0.875rem;
+        text-underline-offset: 0.2em;
       }
     `,
   ];
@@ -40,17 +30,35 @@ export class LanguagesElement extends LitElement {
   @property({ attribute: false }) chosen: Language = 'en';
 
   override render(): TemplateResult {
-    return html`<div role="group">${languages.map((each) => this.button(each))}</div>`;
+    return html`${languages.filter((each) => each !== this.chosen).map((each) => this.link(each))}`;
   }
 
-  private button(language: Language): TemplateResult {
-    return html`<button
+  private link(language: Language): TemplateResult {
+    return html`<a
       lang=${language}
-      title=${languageNames[language]}
-      aria-pressed=${language === this.chosen ? 'true' : 'false'}
-      @click=${() => this.dispatchEvent(new CustomEvent('choose', { detail: language }))}
-    >
-      ${language.toUpperCase()}
-    </button>`;
+      hreflang=${language}
+      href=${addressIn(language)}
+      @pointerdown=${(event: PointerEvent) => this.bring(event, language)}
+      @click=${(event: MouseEvent) => this.onClick(event, language)}
+      >${languageNames[language]}</a
+    >`;
   }
+
+  /** The address has changed since. */
+  private bring({ currentTarget }: Event, language: Language): void {
+    (currentTarget as HTMLAnchorElement).href = addressIn(language);
+  }
+
+  /** Here the page needs no other address; in another tab it does. */
+  private onClick(event: MouseEvent, detail: Language): void {
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    this.dispatchEvent(new CustomEvent<Language>('choose', { detail }));
+  }
+}
+
+function addressIn(language: Language): string {
+  const fields = new URLSearchParams(location.hash.slice(1));
+  fields.set('lang', language);
+  return `#${fields.toString()}`;
 }

@@ -1,4 +1,5 @@
-import { css } from 'lit';
+import { css, unsafeCSS } from 'lit';
+import { stateParts } from '../algorithm/state-part.js';
 import { panelsPrint } from './panels-print.style.js';
 
 /** The panels of state: tables whose size does not change from step to step. */
@@ -206,4 +207,11 @@ const onScreen = css`
   }
 `;
 
-export const panelsStyle = [onScreen, panelsPrint];
+/** Of a panel that is asked for some of its parts the others are out of sight. */
+const onlyParts = unsafeCSS(
+  stateParts
+    .map((part) => `:host([parts]:not([parts~='${part}'])) [data-part='${part}']`)
+    .join(',\n') + ' { display: none; }',
+);
+
+export const panelsStyle = [onScreen, onlyParts, panelsPrint];

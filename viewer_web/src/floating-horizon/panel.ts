@@ -42,14 +42,14 @@ export class HorizonPanel extends LitElement {
     const { say } = this;
     return html`
       ${this.place()}
-      <section>
+      <section data-part="side-edges">
         <h3>${say.edges}</h3>
         <dl class="values two">
           ${this.edge(say.left, this.now.edges.left, this.old.edges.left)}
           ${this.edge(say.right, this.now.edges.right, this.old.edges.right)}
         </dl>
       </section>
-      <section>
+      <section data-part="horizons">
         <h3>${say.around(numbersOf(this.view).short(this.column))}</h3>
         <div
           class="list"
@@ -73,7 +73,7 @@ export class HorizonPanel extends LitElement {
       now.curve === null
         ? page.none
         : html`<span data-thing=${curveThing(now.curve)}>${now.curve}</span>`;
-    return html`<section>
+    return html`<section data-part="curve">
       <dl class="values two">
         ${value(say.inHand, curve, now.curve !== old.curve)}
         ${value(say.segment, segment, now.place.segment?.join() !== old.place.segment?.join())}

@@ -1,4 +1,4 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import { defineShows } from '../algorithm/shows.js';
 import type { Pixel } from '../picture/pixel.js';
 import './algorithm.js';
@@ -11,7 +11,8 @@ import './panel.js';
 import './surface-form.js';
 
 defineShows(['floating-horizon'], {
-  state: (view) => html`<vidno-horizon .view=${view}></vidno-horizon>`,
+  state: (view, parts) =>
+    html`<vidno-horizon .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-horizon>`,
   legend: curveEntries,
   icon: (entry) => (isCurveEntry(entry) ? curveIcon(entry) : null),
   picture: (of) => {

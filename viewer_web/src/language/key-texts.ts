@@ -52,4 +52,5 @@ export type KeyUse =
   | 'parting'
   | 'save'
   | 'reader'
+  | 'workbench'
   | 'map';

@@ -4,6 +4,8 @@ import type { Layer } from '../picture/layers.js';
 /** What is said of the picture and of what is shown of it. */
 export interface PictureTexts extends Readonly<Record<Zooming, string>> {
   readonly zoom: string;
+  readonly legend: string;
+  readonly readout: Readonly<Record<'unpainted' | 'background' | 'or', string>>;
   readonly layer: string;
   readonly layers: Readonly<Record<Layer, string>>;
   readonly soFar: string;

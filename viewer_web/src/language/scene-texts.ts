@@ -4,6 +4,7 @@ import type { Area } from '../trace/header.js';
 /** What is said where a scene is edited. */
 export interface SceneTexts {
   readonly scene: string;
+  readonly edit: string;
   readonly how: string;
   readonly run: string;
   readonly method: string;

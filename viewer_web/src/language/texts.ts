@@ -22,6 +22,7 @@ import type { RegionTexts } from './region-texts.js';
 import type { SceneTexts } from './scene-texts.js';
 import type { SolidTexts } from './solid-texts.js';
 import type * as words from './words.js';
+import type { TourTexts, VerdictTexts, WordTexts } from './word-texts.js';
 import type { Words } from './words.js';
 
 /** One sentence an event, made from the event and the step that it belongs to. */
@@ -70,6 +71,9 @@ export interface Texts {
   readonly family: FamilyTexts;
   readonly curves: CurveTexts;
   readonly regions: RegionTexts;
+  readonly words: WordTexts;
+  readonly verdict: VerdictTexts;
+  readonly tour: TourTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -176,8 +180,6 @@ export interface PageTexts extends FileTexts {
   /** Of a run: its decisions were held against exact arithmetic. */
   readonly checked: string;
   readonly kernel: string;
-  /** A scene of a lesson, by the name of its file. */
-  readonly scene: (file: string) => string;
   readonly detail: string;
   readonly start: string;
   readonly nothingOpen: string;
@@ -193,6 +195,7 @@ export interface PageTexts extends FileTexts {
   readonly forward: string;
   readonly last: string;
   readonly play: string;
+  readonly playAgain: string;
   readonly pause: string;
   readonly step: string;
   readonly ofSteps: (length: string) => string;
@@ -203,6 +206,13 @@ export interface PageTexts extends FileTexts {
   readonly keys: string;
   readonly close: string;
   readonly skip: string;
+  /** The view of everything that is known of a step. */
+  readonly workbench: string;
+  readonly workbenchHint: string;
+  /** What is behind a button where there is no room for all. */
+  readonly tools: string;
+  /** A line between two panels, which may be dragged. */
+  readonly divider: string;
   readonly news: NewsTexts;
   readonly present: string;
   readonly leave: string;

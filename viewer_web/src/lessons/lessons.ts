@@ -16,8 +16,8 @@ const entry = part({
   detail: oneOf(...details),
   /** Whether a scene is run with every decision held against exact arithmetic. */
   check: optional(bool),
-  /** Its name among the scenes of the lesson, if it has others. */
-  scene: optional(text),
+  /** What it shows. */
+  title: optional(part({ en: text, ru: text })),
 });
 
 const lessonList = list(

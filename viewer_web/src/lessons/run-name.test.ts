@@ -6,35 +6,50 @@ import { runName } from './run-name.js';
 
 const folder = new URL('../../../lessons/', import.meta.url);
 interface Written {
-  readonly runs?: readonly { readonly scene?: string }[];
+  readonly runs?: readonly {
+    readonly name: string;
+    readonly title?: Record<'en' | 'ru', string>;
+  }[];
 }
 
-/** The scenes that the lessons name, as the names of the runs have them. */
-const scenes = readdirSync(fileURLToPath(folder))
+const runs = readdirSync(fileURLToPath(folder))
   .filter((name) => /^\d\d-/u.test(name))
   .flatMap((lesson) => {
     const text = readFileSync(new URL(`${lesson}/lesson.json`, folder), 'utf8');
-    return ((JSON.parse(text) as Written).runs ?? []).flatMap(({ scene }) => scene ?? []);
-  })
-  .map((scene) => scene.replace(/^.*\/|\.[a-z]+$/gu, ''))
-  .filter((scene) => scene !== 'scene');
+    return ((JSON.parse(text) as Written).runs ?? []).map((run) => ({ lesson, ...run }));
+  });
 
-it('names the scene of a run in the language of the page', () => {
-  const run = {
-    file: '03-subdivision.triangle-32.warnock.float.corrected.windows.jsonl.gz',
-    method: 'warnock',
-    kernel: 'float',
-    edition: 'corrected',
-    detail: 'windows',
-    scene: 'triangle-32',
-  } as const;
-  expect(runName(run, texts.en.page)).toEqual({ method: 'Warnock', variant: 'float, triangle 32' });
-  expect(runName(run, texts.ru.page).variant).toBe('float, треугольник 32');
+const run = {
+  file: '03-subdivision.triangle-32.warnock.float.corrected.windows.jsonl.gz',
+  method: 'warnock',
+  kernel: 'float',
+  edition: 'corrected',
+  detail: 'windows',
+} as const;
+
+it('names a run after what it shows, and says how it was made', () => {
+  const title = { en: 'A triangle', ru: 'Треугольник' };
+  const name = { ...run, title };
+  expect(runName(name, texts.en.page, 'en')).toEqual({
+    title: 'A triangle',
+    way: 'Warnock, float',
+  });
+  expect(runName(name, texts.ru.page, 'ru').title).toBe('Треугольник');
 });
 
-it('knows a Russian name for each scene of the lessons', () => {
-  expect(scenes.length).toBeGreaterThan(20);
-  expect(scenes.filter((scene) => /\p{Script=Latin}/u.test(texts.ru.page.scene(scene)))).toEqual(
-    [],
+it('names one that says nothing of that by how it was made, never by its file', () => {
+  expect(runName(run, texts.en.page, 'en').title).toBe('Warnock, float');
+});
+
+it('knows what each run of the lessons shows, in both languages', () => {
+  expect(runs.length).toBeGreaterThan(70);
+  const untold = runs.filter(
+    ({ title }) => title === undefined || title.en === '' || !/\p{Script=Cyrillic}/u.test(title.ru),
   );
+  expect(untold).toEqual([]);
+});
+
+it('gives no two runs of a lesson the same name', () => {
+  const names = runs.map(({ lesson, title }) => `${lesson}: ${title?.en}`);
+  expect(names.filter((name, i) => names.indexOf(name) !== i)).toEqual([]);
 });

@@ -1,16 +1,24 @@
+import type { Language } from '../language/language.js';
 import type { PageTexts } from '../language/texts.js';
 import type { LessonTrace } from './lessons.js';
 
-/** A run of a lesson in words: its method, and in what it is not as usual. */
+/** A run of a lesson in words: what it shows, and how: its method, and in what it is not as usual. */
 export function runName(
-  { file, method, kernel, edition, scene }: LessonTrace,
+  { file, title, method, kernel, edition }: LessonTrace,
   page: PageTexts,
-): { readonly method: string; readonly variant: string } {
-  const unusual = [
+  language: Language,
+): { readonly title: string; readonly way: string } {
+  const way = [
+    page.methods[method],
     ...(edition === 'corrected' ? [] : [page.editions[edition]]),
     ...(kernel === 'double' ? [] : [kernel]),
     ...(file.includes('.checked.') ? [page.checked] : []),
-    ...(scene === undefined ? [] : [page.scene(scene)]),
-  ];
-  return { method: page.methods[method], variant: unusual.join(', ') };
+  ].join(', ');
+  return { title: title?.[language] ?? way, way };
+}
+
+/** Both in one line. */
+export function runLabel(trace: LessonTrace, page: PageTexts, language: Language): string {
+  const { title, way } = runName(trace, page, language);
+  return title === way ? way : `${title} (${way})`;
 }

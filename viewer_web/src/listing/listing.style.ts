@@ -18,6 +18,7 @@ export const listingStyle = css`
   }
   .head button {
     display: var(--tools, block);
+    visibility: var(--quiet, visible);
     align-self: center;
     padding: 0 0.5rem;
     font: 600 0.75rem var(--mono);

@@ -1,4 +1,4 @@
-import { LitElement, css, html, unsafeCSS } from 'lit';
+import { LitElement, css, html, nothing, unsafeCSS } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { texts } from '../i18n/index.js';
@@ -27,33 +27,25 @@ export class LayersElement extends LitElement {
     css`
       :host {
         position: relative;
-        container-type: inline-size;
         display: flex;
         gap: 0.6rem;
         align-items: center;
-        height: 2.75rem;
-        padding: 0 0.75rem;
-        border-top: 1px solid var(--line);
+        min-height: var(--foot, 2.25rem);
+        padding: 0 0.5rem 0 0;
         font-size: 0.75rem;
         line-height: 1.3;
         color: var(--soft);
       }
       select {
-        flex: 0 1 8.5rem;
-        min-width: 4rem;
+        visibility: var(--quiet, visible);
+        width: 8.5rem;
+        min-height: 1.5rem;
         padding: 0 0.3rem;
         font-size: 0.8125rem;
         color: var(--ink);
         text-overflow: ellipsis;
       }
-      @container (max-width: 20rem) {
-        select {
-          flex-basis: 6rem;
-        }
-      }
       .status {
-        flex: 1;
-        min-width: min-content;
         max-height: 100%;
         overflow: hidden;
       }
@@ -152,7 +144,8 @@ export class LayersElement extends LitElement {
     return [short(far), short(near)];
   }
 
-  private status(): TemplateResult {
+  /** What the picture so far is need not be said. */
+  private status(): TemplateResult | typeof nothing {
     const { say, layer, difference } = this;
     if (layer === 'depths') {
       const [far, near] = this.ends();
@@ -168,7 +161,7 @@ export class LayersElement extends LitElement {
         <span><i class="lacking"></i>${say.lacking(difference.lacking)}</span>
       </p>`;
     }
-    return html`<p class="status">${this.words()}</p>`;
+    return layer === 'picture' ? nothing : html`<p class="status">${this.words()}</p>`;
   }
 }
 

@@ -1,9 +1,10 @@
-import { LitElement, css, html, svg } from 'lit';
+import { LitElement, css, html, nothing, svg } from 'lit';
 import type { SVGTemplateResult, TemplateResult } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { customElement, property, state } from 'lit/decorators.js';
 import { showsOf } from '../algorithm/shows.js';
 import type { View } from '../algorithm/view.js';
 import { base } from '../elements/theme.js';
+import { texts } from '../i18n/index.js';
 import type { LegendEntry } from '../language/picture-texts.js';
 import { curvesStyle } from './curves.style.js';
 import { marksStyle } from './marks.style.js';
@@ -20,23 +21,42 @@ export class LegendElement extends LitElement {
     curvesStyle,
     regionsStyle,
     css`
-      ul {
+      :host {
+        position: relative;
         display: flex;
-        flex-wrap: wrap;
-        gap: 0.1rem 0.9rem;
-        padding: 0 0.75rem 0.4rem;
-        list-style: none;
-        font-size: 0.75rem;
+        gap: 0.25rem;
+      }
+      button {
+        min-height: 1.5rem;
+        padding: 0 0.4rem;
         color: var(--soft);
+        font-size: 0.75rem;
+      }
+      button[aria-expanded='true'] {
+        border-color: var(--accent);
+        color: var(--accent);
+      }
+      ul {
+        position: absolute;
+        right: 0;
+        bottom: calc(100% + 0.5rem);
+        z-index: 2;
+        display: grid;
+        grid-template-columns: auto auto;
+        gap: 0.2rem 1.2rem;
+        padding: 0.6rem 0.8rem;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+        background: var(--panel);
+        box-shadow: 0 4px 20px rgb(10 12 18 / 30%);
+        list-style: none;
+        font-size: 0.8125rem;
       }
       li {
         display: flex;
         gap: 0.35rem;
         align-items: center;
         white-space: nowrap;
-      }
-      .more {
-        margin-left: auto;
       }
       svg {
         width: 1.25rem;
@@ -48,19 +68,37 @@ export class LegendElement extends LitElement {
   ];
 
   @property({ attribute: false }) view!: View;
+  @state() private isOpen = false;
 
   override render(): TemplateResult {
-    const { texts } = this.view;
+    return html`<button
+        aria-expanded=${this.isOpen ? 'true' : 'false'}
+        @click=${() => (this.isOpen = !this.isOpen)}
+        @keydown=${this.onKey}
+      >
+        ${texts[this.view.language].picture.legend}
+      </button>
+      <slot></slot>
+      ${this.isOpen ? this.entries() : nothing}`;
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    if (event.key !== 'Escape' || !this.isOpen) return;
+    this.isOpen = false;
+    event.preventDefault();
+  }
+
+  private entries(): TemplateResult {
+    const { texts: page } = this.view;
     const { legend, icon } = showsOf(this.view);
     return html`<ul>
       ${legend.map(
         (entry) =>
           html`<li>
             <svg viewBox="0 0 20 14" aria-hidden="true">${icon?.(entry) ?? plainIcon(entry)}</svg
-            >${texts.legend[entry]}
+            >${page.legend[entry]}
           </li>`,
       )}
-      <li class="more"><slot></slot></li>
     </ul>`;
   }
 }

@@ -7,12 +7,13 @@ import type { Actions } from '../elements/keyboard.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
 import type { Area } from '../trace/header.js';
+import './axes.js';
 import { extentOf } from './extent.js';
 import { Frame } from './frame.js';
 import type { Point, Zoom, Zooming } from './frame.js';
 import { Gestures } from './gestures.js';
 import { OwnSize, pointIn } from './own-size.js';
-import { isIn, moved, nearestIn } from './pixel.js';
+import { isIn, isOther, moved, nearestIn } from './pixel.js';
 import type { Pixel } from './pixel.js';
 import './zoom-bar.js';
 
@@ -27,6 +28,8 @@ export abstract class PlaneElement extends LitElement {
   @property({ attribute: false }) view!: View;
   /** Where the keyboard is about to choose, while it does. */
   @state() protected cursor: Pixel | null = null;
+  /** The pixel under the pointer, which an event `pointed` tells. */
+  @state() private pointed: Pixel | null = null;
   /** The part of the picture that is shown. */
   @state() private zoom: Zoom | null = null;
   @query('svg') private stage!: SVGSVGElement;
@@ -42,6 +45,8 @@ export abstract class PlaneElement extends LitElement {
   constructor() {
     super();
     new Keyboard(this, () => this.zoomKeys());
+    this.addEventListener('pointermove', this.onPoint);
+    this.addEventListener('pointerleave', this.onPoint);
     this.addEventListener('wheel', this.gestures.onWheel, { passive: false });
   }
 
@@ -114,6 +119,16 @@ export abstract class PlaneElement extends LitElement {
   /** A press of the mouse must not take the focus: arrow keys would no longer be steps. */
   private readonly keepFocus = (event: Event): void => event.preventDefault();
 
+  private readonly onPoint = (event: PointerEvent): void => {
+    const place = event.type === 'pointerleave' ? null : this.placeAt(pointIn(this, event));
+    const pixel = place !== null && isIn(place, this.view.header.scene.area) ? place : null;
+    if (!isOther(pixel, this.pointed)) return;
+    this.pointed = pixel;
+    this.dispatchEvent(
+      new CustomEvent('pointed', { detail: pixel, bubbles: true, composed: true }),
+    );
+  };
+
   private onClick(event: MouseEvent): void {
     if (this.gestures.dragged) return;
     const place = this.placeAt(pointIn(this, event));
@@ -178,6 +193,7 @@ export abstract class PlaneElement extends LitElement {
       >
         ${this.drawing(frame)} ${cursor === null ? nothing : this.cursorMark(cursor, frame)}
       </svg>
+      <vidno-axes .frame=${frame} .pointed=${cursor ?? this.pointed}></vidno-axes>
       ${this.above?.(frame)}
       <vidno-zoom-bar
         .frame=${frame}

@@ -21,6 +21,7 @@ export class ZoomBarElement extends LitElement {
     css`
       :host {
         display: var(--tools, block);
+        visibility: var(--quiet, visible);
         position: absolute;
         top: 0.375rem;
         right: 0.375rem;

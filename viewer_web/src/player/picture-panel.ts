@@ -10,6 +10,7 @@ import type { Exact, Layer } from '../picture/layers.js';
 import '../picture/legend.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { PlaneElement } from '../picture/plane.js';
+import '../picture/readout.js';
 import '../picture/save.js';
 import type { Kind, SaveElement } from '../picture/save.js';
 
@@ -21,24 +22,55 @@ export class PicturePanelElement extends LitElement {
   static override styles = [
     base,
     css`
+      /* The picture; below it, in a line, what is under the pointer and what may be done with the picture. */
       :host {
-        display: flex;
-        flex-direction: column;
+        display: grid;
+        grid-template: minmax(0, 1fr) / minmax(0, 1fr) auto auto;
+        grid-auto-rows: auto;
         min-height: 0;
       }
       .drawing {
-        flex: 1;
+        grid-column: 1 / -1;
         min-height: var(--least-picture, 0px);
+      }
+      vidno-readout {
+        display: var(--legend, flex);
+        order: 1;
+        min-height: var(--foot, 2.25rem);
+        padding: 0 0.75rem;
+      }
+      vidno-layers {
+        order: 2;
+      }
+      .switches,
+      vidno-curve-layers {
+        grid-column: 1 / -1;
+      }
+      vidno-legend {
+        order: 3;
+        align-items: center;
+        padding-right: 0.6rem;
       }
       .layers,
       .switches,
       vidno-legend {
-        flex: none;
-        display: var(--signs, var(--legend, block));
-      }
-      .layers,
-      .switches {
         display: var(--tools, var(--legend, flex));
+      }
+      @container (max-width: 520px) {
+        vidno-readout {
+          grid-column: 1 / -1;
+          min-height: 1.5rem;
+        }
+        vidno-layers {
+          padding-left: 0.6rem;
+        }
+        vidno-legend {
+          grid-column: 3;
+        }
+      }
+      .switches,
+      vidno-legend {
+        visibility: var(--quiet, visible);
       }
     `,
   ];
@@ -49,9 +81,16 @@ export class PicturePanelElement extends LitElement {
   @property({ attribute: false }) exact: Exact = null;
   /** The parts that are shown, by all that there are. */
   @state() private parts: ReadonlyMap<ReadonlySet<string>, ReadonlySet<string>> = new Map();
+  /** The pixel under the pointer. */
+  @state() private pointed: Pixel | null = null;
   @query('.drawing') private drawing!: PlaneElement;
   @query('.layers') private choice!: LayerChoice;
   @query('vidno-save') private saver!: SaveElement;
+
+  constructor() {
+    super();
+    this.addEventListener('pointed', ({ detail }) => (this.pointed = detail));
+  }
 
   /** Gives the keyboard to the choice of a pixel. */
   startChoosing(): void {
@@ -82,6 +121,7 @@ export class PicturePanelElement extends LitElement {
     const { view } = this;
     return html`
       ${showsOf(view).picture(this)}
+      <vidno-readout .view=${view} .at=${this.pointed ?? view.pixel}></vidno-readout>
       <vidno-legend .view=${view}>
         <vidno-save .view=${view}></vidno-save>
       </vidno-legend>
@@ -90,6 +130,9 @@ export class PicturePanelElement extends LitElement {
 }
 
 declare global {
+  interface HTMLElementEventMap {
+    pointed: CustomEvent<Pixel | null>;
+  }
   interface HTMLElementTagNameMap {
     'vidno-picture-panel': PicturePanelElement;
   }

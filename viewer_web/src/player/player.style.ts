@@ -1,14 +1,18 @@
 import { css } from 'lit';
 import { leastPanel, leastPicture } from '../elements/least-picture.js';
 
+/**
+ * The picture, beside it the panels of the view, below both what happened and the ways through time. Where there is no room
+ * beside the picture the panels come last, and the page scrolls to them.
+ */
 export const playerStyle = css`
   :host {
     display: flex;
     flex-direction: column;
-    gap: 0.75rem;
     min-height: 0;
     container-type: inline-size;
     --least-picture: ${leastPicture};
+    --gap: 0.625rem;
   }
   /* What is only there to be pressed. */
   :host([presenting]),
@@ -25,45 +29,76 @@ export const playerStyle = css`
       --legend: none;
     }
   }
-  .panels {
+  .stage {
     display: grid;
     flex: 1 0 auto;
-    gap: 0.75rem;
-    grid-template-columns: minmax(0, 1fr) minmax(0, 1fr) minmax(18.5rem, 0.62fr);
-    grid-template-rows: minmax(min-content, var(--panels, 1fr));
-  }
-  /* The picture alone says how high its row must be. */
-  .panels > :is(.listing, .side) {
-    contain: size;
-  }
-  .panels > section {
-    display: flex;
+    grid-template:
+      'picture across beside' minmax(min-content, 1fr)
+      'dock dock dock' auto / minmax(${leastPanel}, var(--picture, var(--picture-share, 60fr)))
+      var(--gap) minmax(0, var(--picture-rest, var(--beside-share, 40fr)));
     min-height: 0;
-    min-width: 0;
-    overflow: hidden;
+  }
+  .across {
+    grid-area: across;
+  }
+  section,
+  .dock {
     border: 1px solid var(--line);
     border-radius: var(--radius);
     background: var(--panel);
   }
-  .panels > section > * {
+  section {
+    display: flex;
+    min-width: 0;
+    min-height: 0;
+    overflow: hidden;
+  }
+  section > * {
     flex: 1;
     min-width: 0;
   }
-  /* Where the page scrolls, what is said and done stays in sight. */
-  .dock {
-    position: sticky;
-    bottom: 0;
-    z-index: 1;
-    /* Below the panels; by keyboard one comes to it first. */
-    order: 1;
+  .picture {
+    grid-area: picture;
+  }
+  /* The picture alone says how high its row is. */
+  .beside {
     display: grid;
+    grid-area: beside;
+    grid-template:
+      'listing' minmax(0, var(--listing, 1fr))
+      'between' var(--gap)
+      'side' minmax(0, var(--listing-rest, var(--side-share, 1fr))) / minmax(0, 1fr);
+    min-width: 0;
+    min-height: 0;
+    contain: size;
+  }
+  .listing {
+    grid-area: listing;
+  }
+  .between {
+    grid-area: between;
+  }
+  .side {
+    grid-area: side;
+  }
+  .beside:not(:has(> .side)) {
+    grid-template: 'listing' minmax(0, 1fr) / minmax(0, 1fr);
+  }
+  .beside:has(> .side.solid) {
+    --side-share: 2fr;
+    --caption: 4.4em;
+  }
+  .beside:has(> .side:is(.scene, .exact, .predict)) {
+    --side-share: 2fr;
+  }
+  .dock {
+    z-index: 1;
+    display: grid;
+    grid-area: dock;
     grid-template-columns: minmax(0, 1fr);
-    flex: none;
-    gap: 0.5rem;
-    padding: 0.6rem 0.9rem 0.7rem;
-    border: 1px solid var(--line);
-    border-radius: var(--radius);
-    background: var(--panel);
+    gap: 0.4rem;
+    margin-top: var(--gap);
+    padding: 0.45rem 0.75rem 0.55rem;
   }
   .said {
     display: flex;
@@ -74,10 +109,10 @@ export const playerStyle = css`
     flex: 1;
     gap: 0.75rem;
     align-items: center;
-    height: 3.1rem;
+    height: 2.85rem;
     overflow: hidden;
-    font-size: 1.125rem;
-    line-height: 1.35;
+    font-size: 1.0625rem;
+    line-height: 1.3;
   }
   .sentence .at {
     flex: none;
@@ -88,109 +123,135 @@ export const playerStyle = css`
     font: 600 0.9375rem / 1.5 var(--mono);
     text-align: center;
   }
+  /* In a lesson what can be done with a panel is there as soon as one turns to it. */
+  :host([layout='lesson']) :is(vidno-picture-panel, vidno-listing) {
+    --quiet: hidden;
+  }
+  :host([layout='lesson']) :is(vidno-picture-panel, vidno-listing):is(:hover, :focus-within) {
+    --quiet: visible;
+  }
+  @media (hover: none) {
+    :host([layout='lesson']) :is(vidno-picture-panel, vidno-listing) {
+      --quiet: visible;
+    }
+  }
+  .verdict {
+    font-weight: 600;
+  }
+  /* The workbench has three columns where there is room. */
+  @container (min-width: 1120px) {
+    :host([layout='workbench']) .stage {
+      --picture-share: 46fr;
+      --beside-share: 54fr;
+    }
+    :host([layout='workbench']) .beside {
+      grid-template:
+        'listing between side' minmax(0, 1fr) / minmax(0, var(--listing, 1fr)) var(--gap)
+        minmax(0, var(--listing-rest, 1fr));
+    }
+  }
   @container (min-width: 1500px) {
-    .panels {
-      grid-template-columns: minmax(0, 1.05fr) minmax(0, 1fr) minmax(24rem, 0.55fr);
-    }
     .sentence {
-      font-size: 1.375rem;
-      height: 3.8rem;
+      height: 3.6rem;
+      font-size: 1.3125rem;
     }
   }
-  @container (max-width: 960px) {
-    .panels {
+  /* One column: the picture and the dock fill the screen, or the room that there is, and the panels follow. */
+  @container (max-width: 703px) {
+    .stage {
       flex: none;
-      grid-template-columns: minmax(${leastPanel}, 1fr) minmax(0, 1fr);
-      grid-template-rows: minmax(min-content, clamp(24rem, 100dvh - 3rem, 32rem)) 26rem;
+      grid-template:
+        'picture' minmax(
+          min-content,
+          clamp(
+            ${leastPanel},
+            var(--room, 100dvh - 3.25rem) - 8.5rem,
+            100cqw + var(--foot, 2.25rem)
+          )
+        )
+        'dock' auto
+        'beside' auto / minmax(0, 1fr);
     }
-    .listing {
-      grid-row: 2;
-      grid-column: 1 / -1;
+    vidno-divider {
+      display: none;
     }
-  }
-  @container (max-width: 620px) {
-    .panels {
-      grid-template-columns: minmax(0, 1fr);
-      grid-template-rows: none;
-    }
-    .panels > :is(.listing, .side) {
+    .beside {
+      grid-template: 'listing' 19rem 'side' minmax(20rem, auto) / minmax(0, 1fr);
+      gap: var(--gap);
+      margin-top: var(--gap);
       contain: none;
     }
-    .picture {
-      order: -2;
-      min-height: 106cqw;
+    .beside:has(> .side.solid) {
+      grid-template-rows: 19rem 22rem;
     }
-    .listing {
-      grid-row: auto;
-      height: 19rem;
+    /* What was asked for comes first. */
+    .beside:has(> .side:not(.state)) {
+      grid-template-areas: 'side' 'listing';
+      grid-template-rows: minmax(20rem, auto) 19rem;
     }
-    .side:is(.pixel, .bookmarks, .solid) {
-      order: -1;
-      height: 22rem;
-    }
-    .side:is(.predict, .exact) {
-      order: -1;
-      height: auto;
+    .dock {
+      position: sticky;
+      bottom: 0;
+      padding: 0.3rem 0.6rem 0.4rem;
     }
     .sentence {
-      height: 4.6rem;
+      height: 3.1rem;
       font-size: 0.875rem;
-      line-height: 1.3;
+      line-height: 1.2;
       gap: 0.5rem;
     }
     .sentence .at {
       min-width: 2.8rem;
       font-size: 0.8125rem;
     }
-    .dock {
-      padding: 0.4rem 0.6rem 0.5rem;
-    }
   }
-  @container (max-width: 400px) {
-    :host(:not([src])) :is(.panels > section, .dock) {
+  @container (max-width: 520px) {
+    :host(:not([src])) :is(section, .dock) {
       border-inline: 0;
       border-radius: 0;
+    }
+    :host([layout='workbench']) .sentence {
+      height: 4.4rem;
+    }
+  }
+  @media (max-height: 599px) {
+    .dock {
+      position: static;
     }
   }
   /* One sheet, A4: what happened, the picture beside the state, the listing. */
   @media print {
     :host {
       container-type: normal;
-      gap: 4mm;
     }
-    .panels {
+    .stage {
       flex: 1;
       gap: 4mm;
       /* The state is to be read to its end. */
-      grid-template: minmax(92mm, auto) minmax(0, 1fr) / 92mm minmax(0, 1fr);
+      grid-template:
+        'dock dock' auto
+        'picture side' minmax(92mm, auto)
+        'listing listing' minmax(0, 1fr) / 92mm minmax(0, 1fr);
     }
-    .panels > section {
+    .beside {
+      display: contents;
+    }
+    section {
       border-radius: 0;
     }
-    .panels .picture {
-      order: 0;
-      height: auto;
-    }
-    .panels .side {
-      order: 1;
-      contain: none;
-      height: auto;
+    .side {
       zoom: 0.72;
     }
-    .panels .listing {
-      order: 2;
-      grid-row: auto;
-      grid-column: 1 / -1;
-      height: auto;
+    .listing {
       zoom: 0.8;
     }
     .dock {
       position: static;
-      order: -1;
+      margin: 0;
       padding: 0;
       border: 0;
     }
-    vidno-transport {
+    :is(vidno-transport, vidno-divider) {
       display: none;
     }
   }

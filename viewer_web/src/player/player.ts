@@ -4,14 +4,19 @@ import { customElement, property, query } from 'lit/decorators.js';
 import { sayThing } from '../algorithm/pointed.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
+import type { StatePart } from '../algorithm/state-part.js';
+import type { PageView } from '../base/page-view.js';
 import { isWay, plain } from '../base/setting.js';
 import type { Editing } from '../editor/editor.js';
 import type { LinkMade } from '../editor/live.js';
 import { announcerStyle } from '../elements/announcer.style.js';
+import '../elements/divider.js';
 import { hiddenStyle } from '../elements/hidden.style.js';
 import type { Actions } from '../elements/keyboard.js';
 import { isOnlyEdited } from '../elements/only-edited.js';
 import { base, tokens } from '../elements/theme.js';
+import type { Check } from '../exactness/truth.js';
+import type { History } from '../history/history.js';
 import { PixelHistory } from '../history/pixel-history.js';
 import { hasSolid, sideName, whyNoSolid } from '../history/side-name.js';
 import type { Side } from '../history/side-name.js';
@@ -24,15 +29,15 @@ import type { Pixel } from '../picture/pixel.js';
 import { Predictor } from '../predict/predictor.js';
 import type { SignMaps } from '../run/sign-maps.js';
 import { bookmarksUpTo } from '../time/bookmarks.js';
+import type { Trace } from '../replay/trace.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import type { Command } from '../time/command.js';
 import type { TravelElement } from '../time/travel.js';
 import { embeddedStyle } from './embedded.style.js';
 import './picture-panel.js';
 import type { PicturePanelElement } from './picture-panel.js';
-import { playerBesideStyle } from './player-beside.style.js';
+import { arrangementOf, isShown } from './panels.js';
 import { actionsOf } from './player-keys.js';
-import { playerLowStyle } from './player-low.style.js';
 import { playerStyle } from './player.style.js';
 import { Pointing } from './pointing.js';
 import { presenterStyle } from './presenter.style.js';
@@ -40,6 +45,7 @@ import './side.js';
 import type { SideElement } from './side.js';
 import { Source } from './source.js';
 import { StageElement } from './stage-element.js';
+import { verdictOn } from './verdict.js';
 
 /**
  * Replays a trace. Set `src`, or `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with
@@ -53,9 +59,7 @@ export class PlayerElement extends StageElement {
     base,
     hiddenStyle,
     playerStyle,
-    playerLowStyle,
     embeddedStyle,
-    playerBesideStyle,
     presenterStyle,
     announcerStyle,
   ];
@@ -77,8 +81,9 @@ export class PlayerElement extends StageElement {
   @property({ attribute: false }) link: LinkMade | null = null;
   /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
   @property() ask = '';
-  /** Whether the text of a lesson is beside it. */
-  @property({ type: Boolean, reflect: true }) beside = false;
+  /** How it is arranged, and which parts of the state a lesson asks for. */
+  @property({ reflect: true }) layout: PageView = 'workbench';
+  @property({ attribute: false }) parts: readonly StatePart[] = [];
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-listing') readonly listing!: ListingElement;
@@ -104,6 +109,11 @@ export class PlayerElement extends StageElement {
     const { things: asked } = this.predictor;
     const step = trace === null ? 0 : this.pilot.follow(trace, this.step);
     this.view = trace && viewOf(trace, step, { language, pixel, pointed: this.pointing.at, asked });
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    super.updated(changed);
+    if (changed.has('side')) this.dispatchEvent(new CustomEvent('vidno-side'));
   }
 
   protected override actions(event: KeyboardEvent): Actions {
@@ -170,21 +180,30 @@ export class PlayerElement extends StageElement {
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
     return html`
       ${this.source.remark(this.language)}
-      <div class="dock">
-        ${this.announcer.render()} ${this.pilot.render(this.language)}
-        <div class="said">
-          <p class="sentence" aria-live=${this.clock.playing ? 'off' : 'polite'} aria-atomic="true">
-            <span class="at">${view.event?.at ?? '·'}</span><span>${view.sentence}</span>
-          </p>
-          ${this.presenter.corner(view)}
-        </div>
-        ${this.playControls(view, check, history, { plain: !this.isFull, veiled: isOpen || isForced })}
-      </div>
       <div
-        class="panels"
+        class="stage"
         @pointerover=${this.pointing.onOver}
         @pointerleave=${this.pointing.onLeave}
       >
+        <div class="dock">
+          ${this.announcer.render()} ${this.pilot.render(this.language)}
+          <div class="said">
+            <p
+              class="sentence"
+              aria-live=${this.clock.playing ? 'off' : 'polite'}
+              aria-atomic="true"
+            >
+              <span class="at">${view.event?.at ?? '·'}</span
+              ><span>${view.sentence} ${this.verdict(trace, view)}</span>
+            </p>
+            ${this.presenter.corner(view)}
+          </div>
+          ${this.playControls(view, check, history, {
+            plain: !this.isFull,
+            brief: arrangementOf(this.layout).isBrief,
+            veiled: isOpen || isForced,
+          })}
+        </div>
         <section class="picture" aria-label=${texts.picture}>
           <vidno-picture-panel
             .view=${view}
@@ -194,28 +213,18 @@ export class PlayerElement extends StageElement {
             @pixel=${({ detail }: CustomEvent<Pixel>) => this.chosen.choose(detail)}
           ></vidno-picture-panel>
         </section>
-        <section class="listing" aria-label=${texts.listing}>
-          <vidno-listing .trace=${this.trace} .view=${view}></vidno-listing>
-        </section>
-        <section class="side ${this.side}" aria-label=${texts.state}>
-          <vidno-side
-            .view=${view}
-            .trace=${this.trace}
-            .maps=${this.maps}
-            .check=${check}
-            .history=${history}
-            .bookmarks=${this.bookmarks}
-            .linked=${this.linked}
-            .side=${this.side}
-            .predictor=${this.predictor}
-            ?bare=${this.presenting}
-            @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
-            @command=${this.onCommand}
-            @forget=${() => this.chosen.choose(null)}
-            .editing=${this.editing}
-            .link=${this.link}
-          ></vidno-side>
-        </section>
+        <vidno-divider
+          class="across"
+          name="picture"
+          place=${this.layout}
+          label=${texts.divider}
+        ></vidno-divider>
+        <div class="beside">
+          <section class="listing" aria-label=${texts.listing}>
+            <vidno-listing .trace=${this.trace} .view=${view}></vidno-listing>
+          </section>
+          ${isShown('side', this.layout, this.side, this.parts.length > 0) ? this.sidePanel(view, check, history) : nothing}
+        </div>
       </div>
       <p class="heard pointed-at" aria-live="polite">${sayThing(view)}</p>
       ${this.presenter.curtain()}
@@ -225,6 +234,42 @@ export class PlayerElement extends StageElement {
         @vidno-keys=${() => this.requestUpdate()}
       ></vidno-keys>
     `;
+  }
+
+  /** At the end, what came of it all. */
+  private verdict(trace: Trace, view: View): TemplateResult | typeof nothing {
+    const said = verdictOn(trace, view, this.exact);
+    return said === null ? nothing : html`<strong class="verdict">${said}</strong>`;
+  }
+
+  private sidePanel(view: View, check: Check, history: History | null): TemplateResult {
+    const { texts } = view;
+    return html`<vidno-divider
+        class="between"
+        name="listing"
+        place=${this.layout}
+        label=${texts.divider}
+      ></vidno-divider>
+      <section class="side ${this.side}" aria-label=${sideName(this.side, view)}>
+        <vidno-side
+          .view=${view}
+          .trace=${this.trace}
+          .maps=${this.maps}
+          .check=${check}
+          .history=${history}
+          .bookmarks=${this.bookmarks}
+          .linked=${this.linked}
+          .side=${this.side}
+          .parts=${this.layout === 'lesson' ? this.parts : null}
+          .predictor=${this.predictor}
+          ?bare=${this.presenting}
+          @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
+          @command=${this.onCommand}
+          @forget=${() => this.chosen.choose(null)}
+          .editing=${this.editing}
+          .link=${this.link}
+        ></vidno-side>
+      </section>`;
   }
 
   /** Points at the next thing of the step, or the one before. */

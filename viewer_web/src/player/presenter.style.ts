@@ -8,8 +8,8 @@ export const presenterStyle = css`
     inset: 0;
     z-index: 10;
     padding: 0.5rem 0.5rem 0;
-    gap: 0.5rem;
     overflow: auto;
+    --gap: 0.5rem;
     background: var(--paper);
     --bar: 0px;
     --hall: grid;
@@ -48,27 +48,26 @@ export const presenterStyle = css`
       zoom: 4.5;
     }
   }
-  :host([presenting]) .panels {
-    flex: 1;
+  :host([presenting]) .stage {
+    --picture-share: 1fr;
+    --beside-share: 1.05fr;
+    --side-share: 1.2fr;
     min-height: ${leastPanel};
-    gap: 0.5rem;
-    grid-template: minmax(0, 1fr) minmax(0, 1.2fr) / minmax(${leastPanel}, 1fr) minmax(0, 1.05fr);
   }
-  :host([presenting]) .panels:has(> .solid) {
-    grid-template-rows: minmax(0, 1fr) minmax(0, 1.5fr);
+  :host([presenting]) .beside {
+    grid-template:
+      'listing' minmax(0, 1fr)
+      'between' var(--gap)
+      'side' minmax(0, var(--side-share)) / minmax(0, 1fr);
   }
-  :host([presenting]) .panels .picture {
-    grid-row: 1 / -1;
-    grid-column: 1;
-    height: auto;
+  :host([presenting]) .beside:not(:has(> .side)) {
+    grid-template: 'listing' minmax(0, 1fr) / minmax(0, 1fr);
   }
-  :host([presenting]) .panels :is(.listing, .side) {
-    grid-row: auto;
-    grid-column: 2;
-    height: auto;
+  :host([presenting]) .beside:has(> .solid) {
+    --side-share: 1.5fr;
   }
-  :host([presenting]) .panels:has(> .side:is(.predict, .exact)) {
-    grid-template-rows: minmax(0, 1fr) minmax(0, 2.4fr);
+  :host([presenting]) .beside:has(> .side:is(.predict, .exact)) {
+    --side-share: 2.4fr;
   }
   :host([presenting]) .dock {
     padding: 0.3rem 0.7rem;
@@ -78,7 +77,7 @@ export const presenterStyle = css`
     font-size: 1.25rem;
     line-height: 1.3;
   }
-  :host([presenting]) vidno-transport {
+  :host([presenting]) :is(vidno-transport, vidno-divider) {
     display: none;
   }
   .corner {

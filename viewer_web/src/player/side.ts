@@ -1,6 +1,7 @@
 import { LitElement, css, html, nothing, svg } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
+import type { StatePart } from '../algorithm/state-part.js';
 import { placesOf, showsOf } from '../algorithm/shows.js';
 import type { View } from '../algorithm/view.js';
 import { withKey } from '../base/key-map.js';
@@ -74,6 +75,14 @@ export class SideElement extends LitElement {
         border-color: var(--accent);
         color: var(--ink);
       }
+      .opened {
+        align-items: center;
+        justify-content: space-between;
+        padding: 0 0.3rem 0 0.75rem;
+      }
+      .opened button {
+        width: 1.9rem;
+      }
       .asides {
         display: flex;
         margin-left: auto;
@@ -110,6 +119,8 @@ export class SideElement extends LitElement {
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
   @property({ attribute: false }) side: Side = 'state';
+  /** In a lesson, the parts of the state that it asks for: there is no choice between panels, but a way back. */
+  @property({ attribute: false }) parts: readonly StatePart[] | null = null;
   /** Without the choice between panels. */
   @property({ type: Boolean, reflect: true }) bare = false;
   /** None where the scene cannot be changed. */
@@ -128,6 +139,7 @@ export class SideElement extends LitElement {
     const { view, history, editing } = this;
     const name = (side: Side): string => sideName(side, view);
     const pixel = history === null ? name('pixel') : placesOf(view).at(...history.pixel);
+    if (this.parts !== null) return html`${this.name()} ${this.panel()}`;
     return html`
       <div class="choice" role="group">
         ${this.button('state', name('state'))} ${this.button('pixel', pixel)}
@@ -141,6 +153,21 @@ export class SideElement extends LitElement {
       </div>
       ${this.panel()}
     `;
+  }
+
+  /** What is open in place of the lesson's parts of the state, and the way back to these. */
+  private name(): TemplateResult | typeof nothing {
+    const { view, shown } = this;
+    if (shown === 'state') return nothing;
+    const { close } = view.texts;
+    return html`<div class="choice opened">
+      <h2>${sideName(shown, view)}</h2>
+      <button aria-label=${close} title=${close} @click=${() => this.choose('state')}>✕</button>
+    </div>`;
+  }
+
+  private choose(detail: Side): void {
+    this.dispatchEvent(new CustomEvent('side', { detail }));
   }
 
   private count(): TemplateResult {
@@ -194,7 +221,7 @@ export class SideElement extends LitElement {
   }
 
   private state(): TemplateResult {
-    return showsOf(this.view).state(this.view);
+    return showsOf(this.view).state(this.view, this.parts);
   }
 
   private scene(editing: Editing): TemplateResult {
@@ -217,7 +244,7 @@ export class SideElement extends LitElement {
       aria-pressed=${side === this.shown ? 'true' : 'false'}
       aria-label=${label === shown ? nothing : label}
       title=${key === undefined ? label : withKey(label, key)}
-      @click=${() => this.dispatchEvent(new CustomEvent('side', { detail: side }))}
+      @click=${() => this.choose(side)}
     >
       ${shown}
     </button>`;

@@ -25,6 +25,8 @@ import { TimedElement } from './timed.js';
 /** What the controls leave out: the ways through the run, or what shows the future. */
 interface LeftOut {
   readonly plain: boolean;
+  /** All but the ways that everyone needs. */
+  readonly brief: boolean;
   readonly veiled: boolean;
 }
 
@@ -54,7 +56,7 @@ export abstract class StageElement extends TimedElement {
     view: View,
     check: Check,
     history: History | null,
-    { plain, veiled }: LeftOut = { plain: false, veiled: false },
+    { plain, brief, veiled }: LeftOut = { plain: false, brief: false, veiled: false },
   ): TemplateResult {
     return html`<vidno-transport
       .trace=${this.trace}
@@ -65,6 +67,7 @@ export abstract class StageElement extends TimedElement {
       .last=${this.last}
       ?bounded=${this.isBounded}
       ?plain=${plain}
+      ?brief=${brief}
       ?veiled=${veiled}
       .playing=${this.clock.playing}
       .speed=${this.clock.speed}
@@ -76,6 +79,7 @@ export abstract class StageElement extends TimedElement {
         .check=${check}
         .history=${history}
         .bookmarks=${this.bookmarks}
+        ?brief=${brief}
         @command=${this.onCommand}
       ></vidno-travel>
     </vidno-transport>`;

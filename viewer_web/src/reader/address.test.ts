@@ -4,6 +4,7 @@ import { plain } from '../base/setting.js';
 
 const usual = {
   language: 'en',
+  view: null,
   presenting: false,
   layer: 'picture',
   setting: plain,
@@ -17,6 +18,7 @@ describe('the address', () => {
     const address = {
       setup: {
         language: 'ru',
+        view: 'workbench',
         presenting: true,
         layer: 'difference',
         setting: {
@@ -66,6 +68,18 @@ describe('the address', () => {
     const address = { setup: usual, lesson: '05-clip', at: '3', ...nothingElse, bookmarks: [] };
     expect(formatAddress(address)).toBe('#lang=en&lesson=05-clip&at=3');
     expect(parseAddress('#lang=en&lesson=05-clip&at=3')).toEqual(address);
+  });
+
+  it.each([
+    ['view=lesson', 'lesson', false],
+    ['view=workbench', 'workbench', false],
+    ['view=workbench.present', 'workbench', true],
+    ['view=present', null, true], // of before there were views
+    ['reader=off', 'workbench', false],
+    ['reader=off&view=lesson', 'lesson', false],
+  ] as const)('says how the page is arranged: %s', (hash, view, presenting) => {
+    const { setup } = parseAddress(`#lang=en&lesson=01-x&${hash}`);
+    expect([setup.view, setup.presenting]).toEqual([view, presenting]);
   });
 
   it('forgets step, pixel and bookmarks where nothing is open that a link can hold', () => {

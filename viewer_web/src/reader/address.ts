@@ -4,6 +4,8 @@ import type { Carried } from '../editor/live.js';
 import type { Pixel } from '../picture/pixel.js';
 import { isLayer } from '../picture/layers.js';
 import type { Layer } from '../picture/layers.js';
+import { isPageView } from '../base/page-view.js';
+import type { PageView } from '../base/page-view.js';
 import { parseSetting, stepIn, writeSetting } from '../base/setting.js';
 import type { Setting } from '../base/setting.js';
 import { formatBookmarks, parseBookmarks } from '../time/bookmarks.js';
@@ -12,6 +14,8 @@ import type { Bookmarks } from '../time/bookmarks.js';
 /** How the page is set up, whatever is open. */
 export interface Setup {
   readonly language: Language;
+  /** How it is arranged; null: as suits what is open. */
+  readonly view: PageView | null;
   /** Whether it is shown to a hall. */
   readonly presenting: boolean;
   /** What the pixels show. */
@@ -51,13 +55,17 @@ export function parseAddress(hash: string): Address {
   const language = fields.get('lang');
   const scene = fields.get('scene');
   const layer = fields.get('layer');
+  const view = (fields.get('view') ?? '').split('.');
+  const reader = fields.get('reader') !== 'off';
   return {
     setup: {
       language: isLanguage(language) ? language : null,
-      presenting: fields.get('view') === 'present',
+      // A link of before there were views, without the text, showed the whole workbench.
+      view: view.find(isPageView) ?? (reader ? null : 'workbench'),
+      presenting: view.includes('present'),
       layer: isLayer(layer) ? layer : 'picture',
       setting: parseSetting(fields),
-      reader: fields.get('reader') !== 'off',
+      reader,
       follows: fields.get('follow') === 'on',
     },
     lesson: fields.get('lesson'),
@@ -71,9 +79,14 @@ export function parseAddress(hash: string): Address {
   };
 }
 
+/** Whether it leaves open what is to be shown. */
+export const namesNothing = ({ lesson, trace, live }: Address): boolean =>
+  lesson === null && trace === null && live === null;
+
 export function formatAddress(address: Address): string {
   const { setup, lesson, at, trace, live, rival, step, pixel, bookmarks } = address;
-  const { language, presenting, layer, setting, reader, follows } = setup;
+  const { language, view, presenting, layer, setting, reader, follows } = setup;
+  const shown = [view ?? [], presenting ? 'present' : []].flat();
   const fields = new URLSearchParams();
   if (language !== null) fields.set('lang', language);
   if (setup.setting.keys !== '') fields.set('keys', setup.setting.keys);
@@ -89,7 +102,7 @@ export function formatAddress(address: Address): string {
     if (follows) fields.set('follow', 'on');
     writeSetting(setting, fields);
     if (rival !== null) fields.set('with', rival);
-    if (presenting) fields.set('view', 'present');
+    if (shown.length > 0) fields.set('view', shown.join('.'));
     if (pixel !== null) fields.set('pixel', pixel.join());
     if (layer !== 'picture') fields.set('layer', layer);
     if (bookmarks.length > 0) fields.set('bookmarks', formatBookmarks(bookmarks));

@@ -14,7 +14,8 @@ import { base } from '../elements/theme.js';
 
 /**
  * The lessons that came with the page: those without a text each with its traces, the one whose text is read with its
- * headings as well. Events tell what is asked for: `choose`, a trace; `visit`, a heading; `leave`, anything in the text.
+ * headings as well. Events tell what is asked for: `choose`, a trace; `visit`, a heading; `leave`, anything in the text;
+ * `follow`, that the run follows the text, or not.
  */
 @customElement('vidno-lesson-list')
 export class LessonListElement extends LitElement {
@@ -91,7 +92,7 @@ export class LessonListElement extends LitElement {
       }
       .traces {
         display: flex;
-        flex-wrap: wrap;
+        flex-direction: column;
         gap: 0.3rem;
       }
       button {
@@ -106,6 +107,8 @@ export class LessonListElement extends LitElement {
         color: var(--on-accent);
       }
       small {
+        display: block;
+        opacity: 0.8;
         font-size: 0.75rem;
       }
       p {
@@ -113,10 +116,18 @@ export class LessonListElement extends LitElement {
         color: var(--soft);
         font-size: 0.875rem;
       }
-      @media (max-width: 1199px) {
-        :host {
-          max-height: 9.5rem;
-        }
+      .follow {
+        display: flex;
+        gap: 0.4rem;
+        align-items: center;
+        min-height: 1.75rem;
+        margin-bottom: 0.4rem;
+        color: var(--soft);
+        font-size: 0.8125rem;
+      }
+      .follow input {
+        margin: 0;
+        accent-color: var(--accent);
       }
     `,
   ];
@@ -184,9 +195,19 @@ export class LessonListElement extends LitElement {
   /** The headings of the lesson that is read. */
   private contents(): TemplateResult {
     const marks = [...(this.story?.places ?? [])];
-    return html`<ul>
-      ${marks.map(([mark, place]) => (mark.is === 'heading' ? this.headline(mark, place) : nothing))}
-    </ul>`;
+    const { reader } = texts[this.language];
+    const { follows } = this.setup;
+    return html`<label class="follow" title=${reader.followHint}>
+        <input
+          type="checkbox"
+          .checked=${follows}
+          @change=${() => this.dispatchEvent(new CustomEvent('follow', { detail: !follows }))}
+        />
+        ${reader.follow}
+      </label>
+      <ul>
+        ${marks.map(([mark, place]) => (mark.is === 'heading' ? this.headline(mark, place) : nothing))}
+      </ul>`;
   }
 
   private headline({ level, text }: Heading, place: string): TemplateResult {
@@ -208,13 +229,13 @@ export class LessonListElement extends LitElement {
   }
 
   private trace(trace: LessonTrace): TemplateResult {
-    const { method, variant } = runName(trace, texts[this.language].page);
+    const { title, way } = runName(trace, texts[this.language].page, this.language);
     return html`<button
       aria-pressed=${idOf(trace) === this.chosen ? 'true' : 'false'}
       data-trace=${idOf(trace)}
       @click=${() => this.dispatchEvent(new CustomEvent('choose', { detail: trace }))}
     >
-      ${method} ${variant === '' ? nothing : html`<small>${variant}</small>`}
+      ${title} ${way === title ? nothing : html`<small>${way}</small>`}
     </button>`;
   }
 }

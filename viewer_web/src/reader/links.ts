@@ -1,8 +1,9 @@
 import { formatAddress } from './address.js';
 import type { Setup } from './address.js';
+import type { Language } from '../language/language.js';
 import type { PageTexts } from '../language/texts.js';
 import type { Lesson } from '../lessons/lessons.js';
-import { runName } from '../lessons/run-name.js';
+import { runLabel } from '../lessons/run-name.js';
 import type { LessonStory, Pin } from './story.js';
 
 /** The address of a lesson, or of a place in its text: the step is that of the place. Null where there is no such lesson. */
@@ -22,10 +23,10 @@ export function runOf(
   story: LessonStory,
   lessons: readonly Lesson[],
   page: PageTexts,
+  language: Language,
 ): string {
   const file = story.traces.get(pin.run);
   const trace = lessons.flatMap(({ traces }) => traces).find((each) => each.file === file);
   if (trace === undefined) return pin.run;
-  const { method, variant } = runName(trace, page);
-  return variant === '' ? method : `${method}, ${variant}`;
+  return runLabel(trace, page, language);
 }

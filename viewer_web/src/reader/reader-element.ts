@@ -25,7 +25,7 @@ export type Read = Reached & { readonly isScrolled: boolean };
 
 /**
  * The text of a lesson. Events tell what the reader does: `read`, comes to another place; `pin`, asks for one, by the
- * name of its place; `follow`, wants the run to follow or not; `contents`, asks for the table of contents.
+ * name of its place. What else stands in the line above it is in its slot.
  */
 @customElement('vidno-reader')
 export class ReaderElement extends LitElement {
@@ -94,15 +94,7 @@ export class ReaderElement extends LitElement {
     const { reader } = texts[this.language];
     return html`
       <div class="bar">
-        <button class="contents" @click=${() => this.ask('contents')}>${reader.contents}</button>
-        <label title=${reader.followHint}>
-          <input
-            type="checkbox"
-            .checked=${this.setup.follows}
-            @change=${() => this.ask('follow', !this.setup.follows)}
-          />
-          ${reader.follow}
-        </label>
+        <slot></slot>
         ${this.neighbours('short')}
       </div>
       <div class="box" tabindex="0" role="region" aria-label=${reader.text} @click=${this.onClick}>
@@ -121,7 +113,7 @@ export class ReaderElement extends LitElement {
       story,
       current,
       addressOf,
-      runOf: (pin: Pin) => runOf(pin, lesson, this.lessons, page),
+      runOf: (pin: Pin) => runOf(pin, lesson, this.lessons, page, language),
       drawingOf: (svg: string) => this.drawings.addressOf(svg),
     };
     return html`<article lang=${language}>
@@ -169,10 +161,6 @@ export class ReaderElement extends LitElement {
     const place = pin?.dataset['place'];
     if (place === undefined || event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();
-    this.ask('pin', place);
-  }
-
-  private ask(what: 'pin' | 'follow' | 'contents', detail: string | boolean | null = null): void {
-    this.dispatchEvent(new CustomEvent(what, { detail }));
+    this.dispatchEvent(new CustomEvent('pin', { detail: place }));
   }
 }

@@ -24,27 +24,11 @@ export const readerStyle = [
       flex: none;
       gap: 0.75rem;
       align-items: center;
-      min-height: 2.25rem;
+      min-height: 2.1rem;
       padding: 0 0.5rem 0 0.9rem;
       border-bottom: 1px solid var(--line);
       color: var(--soft);
       font-size: 0.8125rem;
-    }
-    .bar label {
-      display: flex;
-      gap: 0.4rem;
-      align-items: center;
-      min-height: 1.75rem;
-      cursor: pointer;
-    }
-    .bar input {
-      margin: 0;
-      accent-color: var(--accent);
-    }
-    .contents {
-      display: none;
-      min-height: 1.75rem;
-      padding: 0 0.6rem;
     }
     nav.short {
       display: flex;
@@ -105,15 +89,13 @@ export const readerStyle = [
       color: var(--bad);
       font: 0.9375rem / 1.45 var(--sans);
     }
-    @media (max-width: 1199px) {
-      .contents {
-        display: block;
-      }
-    }
     /* The page itself may scroll. */
     @media (max-width: 899px) {
       .box {
         overscroll-behavior: auto;
+      }
+      .bar {
+        display: none;
       }
     }
   `,

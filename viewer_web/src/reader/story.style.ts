@@ -7,7 +7,7 @@ export const storyStyle = [
     article {
       max-width: 36rem;
       margin: 0 auto;
-      padding: 1.5rem 1.5rem 2rem;
+      padding: 1.1rem 1.25rem 2rem;
       font: 1.0625rem / 1.58 var(--serif);
       hyphens: auto;
       hanging-punctuation: first allow-end;

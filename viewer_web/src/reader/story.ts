@@ -12,6 +12,8 @@ import {
 import type { Check } from '../trace/check.js';
 import { parseJson } from '../trace/parse.js';
 import { Refusal, describe } from '../trace/refusal.js';
+import { stateParts } from '../algorithm/state-part.js';
+import type { StatePart } from '../algorithm/state-part.js';
 import { boundedText } from '../base/bounded-text.js';
 import { toUtf8 } from '../base/text-file.js';
 import { placesIn } from './places.js';
@@ -102,6 +104,8 @@ export interface LessonStory {
   /** The file of each run. */
   readonly traces: ReadonlyMap<string, string>;
   readonly pins: ReadonlyMap<string, Pin>;
+  /** The parts of the state that are to be seen beside the text. */
+  readonly shows?: readonly StatePart[];
   readonly story: Readonly<Record<'en' | 'ru', Story>>;
 }
 
@@ -158,6 +162,7 @@ const lesson = part({
   id: text,
   traces: dictionary(text),
   pins: dictionary(part({ run: text, step: count })),
+  shows: optional(list(oneOf(...stateParts))),
   story: part({ en: story, ru: story }),
 });
 

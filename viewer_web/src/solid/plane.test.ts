@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Polygon } from '../trace/header.js';
-import { holds, patchOf, planeOf } from './plane.js';
+import { planeOf } from '../trace/plane.js';
+import { holds, patchOf } from './plane.js';
 
 const polygon = (...vertices: Polygon['vertices']): Polygon => ({
   id: 'T',

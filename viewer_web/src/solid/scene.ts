@@ -7,7 +7,8 @@ import type { Area, Polygon, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
 import { cased, level, placed, together } from './drawing.js';
 import type { Drawing, Line } from './drawing.js';
-import { around, planeOf } from './plane.js';
+import { planeOf } from '../trace/plane.js';
+import { around } from './plane.js';
 import type { Space } from './space.js';
 
 /** Pixels along a side up to which the picture's grid is drawn. */

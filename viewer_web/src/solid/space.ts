@@ -1,6 +1,7 @@
 import { depthRange } from '../picture/layers.js';
 import type { Area, Scene } from '../trace/header.js';
-import { around, planeOf } from './plane.js';
+import { planeOf } from '../trace/plane.js';
+import { around } from './plane.js';
 
 /** A place in the scene: x and y as in the plane, y downward, and the depth z, toward the viewer. */
 export type Spot = readonly [x: number, y: number, z: number];

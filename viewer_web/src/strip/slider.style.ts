@@ -141,7 +141,7 @@ export const sliderStyle = css`
       fill: CanvasText;
     }
   }
-  @container (max-width: 960px) {
+  @container (max-width: 800px) {
     .lanes {
       width: auto;
     }

@@ -30,7 +30,12 @@ export const transportStyle = css`
     opacity: 0.55;
   }
   .play {
-    width: 3.25rem;
+    display: flex;
+    gap: 0.4rem;
+    justify-content: center;
+    width: auto;
+    min-width: 3.25rem;
+    padding: 0 0.5rem;
     border-color: var(--accent);
     background: var(--accent);
     color: var(--on-accent);
@@ -61,16 +66,43 @@ export const transportStyle = css`
     padding: 0 0.3rem;
     color: var(--ink);
   }
-  @container (max-width: 960px) {
-    :host {
+  .words {
+    font-weight: 600;
+    white-space: nowrap;
+  }
+  :host([brief]) {
+    grid-template-columns: auto minmax(6rem, 1fr) auto auto;
+  }
+  :host([brief]) .play {
+    padding: 0 0.9rem 0 0.7rem;
+  }
+  :host([brief]) :is(vidno-slider, slot) {
+    grid-column: auto;
+  }
+  @container (max-width: 703px) {
+    :host([brief]) {
+      gap: 0.5rem;
+    }
+    :host([brief]) :is(.words, .step > span:first-child) {
+      position: absolute;
+      clip-path: inset(50%);
+    }
+  }
+  @container (max-width: 620px) {
+    :host([brief]) slot {
+      display: none;
+    }
+  }
+  @container (max-width: 800px) {
+    :host(:not([brief])) {
       grid-template-columns: 1fr auto auto;
       gap: 0.4rem 0.75rem;
     }
-    vidno-slider {
+    :host(:not([brief])) vidno-slider {
       grid-row: 2;
       grid-column: 1 / -1;
     }
-    slot {
+    :host(:not([brief])) slot {
       grid-row: 3;
       grid-column: 1 / -1;
     }
@@ -86,7 +118,7 @@ export const transportStyle = css`
       width: 2rem;
     }
     .play {
-      width: 2.5rem;
+      min-width: 2.5rem;
     }
     label > span {
       position: absolute;
@@ -101,7 +133,7 @@ export const transportStyle = css`
       width: 1.75rem;
     }
     .play {
-      width: 2.25rem;
+      min-width: 2.25rem;
     }
     input[type='number'] {
       width: 3.7rem;

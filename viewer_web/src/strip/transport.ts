@@ -38,6 +38,8 @@ export class TransportElement extends LitElement {
   @property({ type: Boolean }) bounded = false;
   /** Without the strip and the choice of speed. */
   @property({ type: Boolean }) plain = false;
+  /** With the ways that everyone needs alone, in one row. */
+  @property({ type: Boolean, reflect: true }) brief = false;
   /** What comes after the step is hidden. */
   @property({ type: Boolean }) veiled = false;
   @property({ type: Boolean }) playing = false;
@@ -55,18 +57,10 @@ export class TransportElement extends LitElement {
     const { step, texts } = this.view;
     return html`
       <div class="buttons">
-        ${this.button('first', first, step === first)}
+        ${this.playButton()} ${this.brief ? nothing : this.button('first', first, step === first)}
         ${this.button('back', step - 1, step === first)}
-        <button
-          class="play"
-          aria-label=${this.playing ? texts.pause : texts.play}
-          title=${this.playing ? texts.pause : texts.play}
-          @click=${() => this.ask({ do: 'play' })}
-        >
-          ${icon(this.playing ? 'pause' : 'play')}
-        </button>
         ${this.button('forward', step + 1, step === last)}
-        ${this.button('last', last, step === last)}
+        ${this.brief ? nothing : this.button('last', last, step === last)}
       </div>
       <vidno-slider
         .trace=${this.trace}
@@ -75,7 +69,7 @@ export class TransportElement extends LitElement {
         .bookmarks=${this.bookmarks}
         .first=${first}
         .last=${last}
-        ?plain=${this.plain || this.bounded}
+        ?plain=${this.plain || this.bounded || this.brief}
         ?veiled=${this.veiled}
         @command=${({ detail }: CustomEvent<Command>) => this.ask(detail)}
       ></vidno-slider>
@@ -93,8 +87,24 @@ export class TransportElement extends LitElement {
         />
         <span class="number">${texts.ofSteps(String(last))}</span>
       </label>
-      ${this.plain ? nothing : this.speedChoice()}
+      ${this.plain || this.brief ? nothing : this.speedChoice()}
     `;
+  }
+
+  /** At the end one begins anew. */
+  private playButton(): TemplateResult {
+    const { texts, step } = this.view;
+    const again = step === this.last ? texts.playAgain : texts.play;
+    const label = this.playing ? texts.pause : this.brief ? again : texts.play;
+    return html`<button
+      class="play"
+      aria-label=${label}
+      title=${label}
+      @click=${() => this.ask({ do: 'play' })}
+    >
+      ${icon(this.playing ? 'pause' : 'play')}
+      ${this.brief ? html`<span class="words">${label}</span>` : nothing}
+    </button>`;
   }
 
   private speedChoice(): TemplateResult {

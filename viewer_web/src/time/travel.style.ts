@@ -55,6 +55,17 @@ export const travelStyle = css`
     min-width: 5rem;
     color: var(--soft);
   }
+  :host([brief]) :is(.name, .count) {
+    display: none;
+  }
+  :host([brief]) select {
+    width: 11rem;
+  }
+  @container (max-width: 703px) {
+    :host([brief]) select {
+      width: 7rem;
+    }
+  }
   @container (max-width: 1100px) {
     :host {
       gap: 1rem;

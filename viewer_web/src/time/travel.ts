@@ -37,6 +37,8 @@ export class TravelElement extends LitElement {
   @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) history: Followed | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
+  /** To the next goal alone; keys lead all ways. */
+  @property({ type: Boolean, reflect: true }) brief = false;
   @state() private chosen: Goal | null = null;
   /** Whether somebody is about to choose. */
   @state() private isOpen = false;
@@ -87,19 +89,16 @@ export class TravelElement extends LitElement {
     const { view } = this;
     const steps = this.stepsOf(this.goal);
     const { back, forward } = around(steps, view.step);
-    const { step, length } = view;
     const say = this.texts;
     return html`
-      <div class="group" role="group" aria-label=${say.procedure}>
-        <span class="name" aria-hidden="true">${say.procedure}</span>
-        ${this.button('out', -1, [say.outBack, 'Shift ['], step === 0, () => this.call('out', -1))}
-        ${this.button('over', -1, [say.overBack, '['], step === 0, () => this.call('over', -1))}
-        ${this.button('over', 1, [say.over, ']'], step === length, () => this.call('over', 1))}
-        ${this.button('out', 1, [say.out, 'Shift ]'], step === length, () => this.call('out', 1))}
-      </div>
+      ${this.brief ? nothing : this.procedures()}
       <div class="group goal" role="group" aria-label=${say.goTo}>
         <span class="name" aria-hidden="true">${say.goTo}</span>
-        ${this.button('next', -1, [say.previous, ','], back === null, () => this.next(-1))}
+        ${
+          this.brief
+            ? nothing
+            : this.button('next', -1, [say.previous, ','], back === null, () => this.next(-1))
+        }
         <select
           aria-label=${say.goTo}
           @pointerdown=${this.onOpen}
@@ -112,6 +111,19 @@ export class TravelElement extends LitElement {
         <span class="count" role="status">${this.counted(steps)}</span>
       </div>
     `;
+  }
+
+  /** Over a procedure, and out of it. */
+  private procedures(): TemplateResult {
+    const { step, length } = this.view;
+    const say = this.texts;
+    return html`<div class="group" role="group" aria-label=${say.procedure}>
+      <span class="name" aria-hidden="true">${say.procedure}</span>
+      ${this.button('out', -1, [say.outBack, 'Shift ['], step === 0, () => this.call('out', -1))}
+      ${this.button('over', -1, [say.overBack, '['], step === 0, () => this.call('over', -1))}
+      ${this.button('over', 1, [say.over, ']'], step === length, () => this.call('over', 1))}
+      ${this.button('out', 1, [say.out, 'Shift ]'], step === length, () => this.call('out', 1))}
+    </div>`;
   }
 
   /** Where among the goals the step is. */

@@ -84,7 +84,7 @@ export class WarnockPanel extends LitElement {
 
   private listsUntold(): TemplateResult {
     const { apl, notInTrace } = this.view.texts;
-    return html`<section class="polygons">
+    return html`<section class="polygons" data-part="active-polygons">
       <h3>${apl}</h3>
       <p class="empty">${notInTrace}</p>
     </section>`;
@@ -98,7 +98,7 @@ export class WarnockPanel extends LitElement {
     const { now, old } = this;
     const { texts: page } = this.view;
     const { color } = now;
-    return html`<section class="window">
+    return html`<section class="window" data-part="window">
       <dl class="values">
         ${value(
           page.window,
@@ -146,7 +146,7 @@ export class WarnockPanel extends LitElement {
   }
 
   private corners(): TemplateResult {
-    return html`<section class="depths">
+    return html`<section class="depths" data-part="corner-depths">
       <h3>${this.view.texts.cornerDepths}</h3>
       <table class="corners">
         <tbody>
@@ -179,7 +179,7 @@ export class WarnockPanel extends LitElement {
   private apl(): TemplateResult {
     const { apl } = this.view.texts;
     const entries = this.now.apl?.entries ?? [];
-    return html`<section class="polygons">
+    return html`<section class="polygons" data-part="active-polygons">
       <h3>${apl}</h3>
       ${listOf(apl, 'apl', entries, (entry) => this.entry(entry), this.view)}
     </section>`;
@@ -195,7 +195,7 @@ export class WarnockPanel extends LitElement {
         ${listOf(say[name], 'apl', list, (each) => this.joinedEntry(each, each === fresh), this.view)}
       </div>`;
     };
-    return html`<section class="lists">
+    return html`<section class="lists" data-part="active-polygons">
       <div>
         <h4>${say.third}</h4>
         ${listOf(say.third, 'apl', now.apl?.entries ?? [], (entry) => this.entry(entry), this.view)}
@@ -235,7 +235,7 @@ export class WarnockPanel extends LitElement {
     const { stack } = this.now;
     const fresh = stack.length > this.old.stack.length;
     const shown = [...stack].reverse();
-    return html`<section class="stack">
+    return html`<section class="stack" data-part="stack">
       <h3>${this.view.texts.stack}</h3>
       ${rowsOf(shown, (each, i) => this.stacked(each, i === 0 && fresh), this.view, 'windows')}
     </section>`;

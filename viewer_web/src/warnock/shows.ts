@@ -1,4 +1,4 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import { defineShows } from '../algorithm/shows.js';
 import { ofPolygons } from '../polygons/shows.js';
 import { hasWindows, methods } from '../trace/events.js';
@@ -7,6 +7,7 @@ import './panel.js';
 
 defineShows(methods.filter(hasWindows), {
   ...ofPolygons,
-  state: (view) => html`<vidno-warnock .view=${view}></vidno-warnock>`,
+  state: (view, parts) =>
+    html`<vidno-warnock .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-warnock>`,
   legend: ['window', 'way', 'tree', 'stacked', 'active', 'touched', 'yes', 'no', 'chosen'],
 });

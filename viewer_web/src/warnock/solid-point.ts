@@ -1,6 +1,7 @@
 import type { View } from '../algorithm/view.js';
 import type { Role } from '../picture/mark.js';
-import { holds, planeOf } from '../solid/plane.js';
+import { planeOf } from '../trace/plane.js';
+import { holds } from '../solid/plane.js';
 import type { N } from '../trace/values.js';
 import { shownIn } from './lists.js';
 

@@ -16,7 +16,8 @@ import {
   together,
 } from '../solid/drawing.js';
 import type { Dot, Drawing, Label } from '../solid/drawing.js';
-import { patchOf, planeOf } from '../solid/plane.js';
+import { patchOf } from '../solid/plane.js';
+import { planeOf } from '../trace/plane.js';
 import type { Space, Spot } from '../solid/space.js';
 import type { N, Vertex } from '../trace/values.js';
 import { comparedPolygon, cornerDepths } from './solid-corners.js';

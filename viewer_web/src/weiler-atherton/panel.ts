@@ -50,7 +50,7 @@ export class RegionsPanel extends LitElement {
   override render(): TemplateResult {
     const { say, hand, oldHand } = this;
     return html`${this.found()} ${this.inHand()}
-      <section class="lists two">
+      <section class="lists two" data-part="parts">
         ${this.parts(say.inside, hand?.inside ?? [], oldHand?.inside ?? [], true)}
         ${this.parts(say.outside, hand?.outside ?? [], oldHand?.outside ?? [], false)}
       </section>
@@ -61,7 +61,7 @@ export class RegionsPanel extends LitElement {
     const { say, now, old, hand, oldHand } = this;
     const { texts: page } = this.view;
     const clip = hand?.pieces[0]?.[0];
-    return html`<section>
+    return html`<section data-part="list">
       <dl class="values found">
         ${value(
           `C, ${say.clip}`,
@@ -82,7 +82,7 @@ export class RegionsPanel extends LitElement {
     const isOther = hand?.seen !== oldHand?.seen;
     const row = (piece: Piece, i: number): TemplateResult =>
       this.row(piece, this.roleOf(i), isOther && i + 1 === hand?.seen);
-    return html`<section>
+    return html`<section data-part="list">
       <h3>${title}</h3>
       ${listOf(title, 'hand', pieces, row, this.view)}
     </section>`;
@@ -126,7 +126,7 @@ export class RegionsPanel extends LitElement {
         `${say.area} ${numbersOf(this.view).short(areaOf(piece[1]))}`,
         i === 0 && isFresh,
       );
-    return html`<section>
+    return html`<section data-part="visible">
       <h3>${say.visible}</h3>
       ${listOf(say.visible, 'visible', shown, row, this.view)}
     </section>`;
@@ -156,7 +156,7 @@ export class RegionsPanel extends LitElement {
     const { say, now, old } = this;
     const fresh = now.lists.length > old.lists.length;
     const shown = [...now.lists].reverse();
-    return html`<section class="stack">
+    return html`<section class="stack" data-part="stack">
       <h3>${say.lists}</h3>
       ${rowsOf(shown, (list, i) => this.stacked(list, i === 0 && fresh), this.view)}
     </section>`;

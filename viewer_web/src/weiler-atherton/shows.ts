@@ -1,4 +1,4 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import { defineShows } from '../algorithm/shows.js';
 import type { Pixel } from '../picture/pixel.js';
 import { layerOf, ofPolygons, pixelLayers } from '../polygons/shows.js';
@@ -12,7 +12,8 @@ import './region-picture.js';
 
 defineShows(['weiler-atherton'], {
   ...ofPolygons,
-  state: (view) => html`<vidno-regions .view=${view}></vidno-regions>`,
+  state: (view, parts) =>
+    html`<vidno-regions .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-regions>`,
   legend: [...regionEntries, 'touched', 'chosen'],
   icon: (entry) => (isRegionEntry(entry) ? regionIcon(entry) : null),
   picture: (of) => {

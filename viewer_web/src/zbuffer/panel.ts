@@ -40,11 +40,11 @@ export class ZBufferPanel extends LitElement {
     const { texts } = this.view;
     return html`
       ${this.scanline()}
-      <section>
+      <section data-part="active-edges">
         <h3>${texts.ael}</h3>
         <div class="list ael" tabindex="0" role="region" aria-label=${texts.ael}>${this.ael()}</div>
       </section>
-      <section>
+      <section data-part="z-buffer">
         <h3>${texts.depths}</h3>
         <vidno-depths .view=${this.view}></vidno-depths>
       </section>
@@ -57,7 +57,7 @@ export class ZBufferPanel extends LitElement {
     const { short } = numbersOf(this.view);
     const number = (n: N | null): string => (n === null ? texts.none : short(n));
     const polygon = now.polygon === null ? texts.none : polygonName(now.polygon, this.view);
-    return html`<section>
+    return html`<section data-part="scanline">
       <dl class="values">
         ${value('P', polygon, now.polygon !== old.polygon)}
         ${value(texts.row, now.row ?? texts.none, isSet(now.row, old.row))}

@@ -1,4 +1,4 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import { defineShows } from '../algorithm/shows.js';
 import { ofPolygons } from '../polygons/shows.js';
 import './algorithm.js';
@@ -6,6 +6,7 @@ import './panel.js';
 
 defineShows(['zbuffer'], {
   ...ofPolygons,
-  state: (view) => html`<vidno-zbuffer .view=${view}></vidno-zbuffer>`,
+  state: (view, parts) =>
+    html`<vidno-zbuffer .view=${view} parts=${parts?.join(' ') ?? nothing}></vidno-zbuffer>`,
   legend: ['scanline', 'edge', 'active', 'touched', 'chosen'],
 });

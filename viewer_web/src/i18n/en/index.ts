@@ -27,6 +27,7 @@ import { sentences } from './sentences.js';
 import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
+import { tour, verdict, words } from './words.js';
 
 export const texts: Texts = {
   numbers: { inFull, joined, list, point, short, shortApart, signed, whole, windowText },
@@ -49,4 +50,7 @@ export const texts: Texts = {
   reader,
   family,
   regions,
+  words,
+  verdict,
+  tour,
 };

@@ -2,6 +2,8 @@ import type { PictureTexts } from '../../language/picture-texts.js';
 
 export const picture: PictureTexts = {
   zoom: 'Zoom',
+  legend: 'Legend',
+  readout: { unpainted: 'not painted yet', background: 'background', or: ' or ' },
   out: 'Smaller',
   in: 'Larger',
   whole: 'Whole picture',

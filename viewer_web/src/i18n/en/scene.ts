@@ -3,6 +3,7 @@ import { short } from '../../language/words.js';
 
 export const scene: SceneTexts = {
   scene: 'Scene',
+  edit: 'Edit',
   how: 'Drag a corner, or an edge to move the whole polygon. On a corner, keys move, lift, add and remove: see “Keys”.',
   run: 'Run',
   method: 'method',

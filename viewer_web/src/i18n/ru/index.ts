@@ -17,6 +17,7 @@ import { sentences } from './sentences.js';
 import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
+import { tour, verdict, words } from './words.js';
 
 export const texts: Texts = {
   numbers,
@@ -39,4 +40,7 @@ export const texts: Texts = {
   reader,
   family,
   regions,
+  words,
+  verdict,
+  tour,
 };

@@ -1,7 +1,6 @@
 import { editionTitles, methodTitles } from '../../language/family-texts.js';
 import type { PageTexts, Texts } from '../../language/texts.js';
 import { family } from './family.js';
-import { sceneNames } from './scene-names.js';
 
 export const page: PageTexts = {
   tagline: 'почему у пикселя такой цвет',
@@ -34,10 +33,6 @@ export const page: PageTexts = {
   checked: 'с проверкой',
   editions: editionTitles('ru', 'ошибка: '),
   kernel: 'числа',
-  scene: (file) => {
-    const [, name = file, size = ''] = /^(.+?)(?:-(\d+))?$/u.exec(file) ?? [];
-    return [sceneNames[name] ?? name, size].join(' ').trim();
-  },
   detail: 'подробность',
   start: 'Ещё ничего не произошло. Первый шаг — клавиша →.',
   nothingOpen: 'Выберите урок или откройте свою сцену или трассу.',
@@ -58,6 +53,7 @@ export const page: PageTexts = {
   forward: 'Шаг вперёд',
   last: 'В конец',
   play: 'Пуск',
+  playAgain: 'Пуск с начала',
   pause: 'Пауза',
   step: 'Шаг',
   ofSteps: (length) => `из ${length}`,
@@ -66,6 +62,10 @@ export const page: PageTexts = {
   rate: (n) => `${String(n).replace('.', ',')}/с`,
   keys: 'Клавиши',
   close: 'Закрыть',
+  workbench: 'Мастерская',
+  workbenchHint: 'Всё о каждом шаге: состояние, точность, 3D, лента времени',
+  tools: 'Инструменты',
+  divider: 'Размер панелей',
   skip: 'К управлению',
   news: {
     panel: (name) => `Панель: ${name}`,
@@ -112,6 +112,7 @@ export const page: PageTexts = {
     parting: 'к первому различию в решении; в записи',
     save: 'сохранить изображение: SVG, PNG',
     reader: 'показать, скрыть текст урока',
+    workbench: 'мастерская и обратно к уроку',
     map: 'этот список клавиш',
   },
   ownKeys: {

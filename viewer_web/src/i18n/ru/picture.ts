@@ -2,6 +2,8 @@ import type { PictureTexts } from '../../language/picture-texts.js';
 
 export const picture: PictureTexts = {
   zoom: 'Масштаб',
+  legend: 'Обозначения',
+  readout: { unpainted: 'ещё не закрашен', background: 'фон', or: ' или ' },
   out: 'Мельче',
   in: 'Крупнее',
   whole: 'Всё изображение',

@@ -3,6 +3,7 @@ import { short } from './numbers.js';
 
 export const scene: SceneTexts = {
   scene: 'Сцена',
+  edit: 'Править',
   how: 'Тяните за вершину, а за ребро — весь многоугольник. На вершине действуют клавиши: они в списке «Клавиши».',
   run: 'Прогон',
   method: 'метод',

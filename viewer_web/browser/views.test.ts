@@ -1,0 +1,320 @@
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { browser, settled } from './browser.js';
+import { title } from './live.js';
+import { goTo, open, opened, shown, small, widthOf } from './page.js';
+import { openReader, pin, standing } from './reader.js';
+import { see } from './views.js';
+
+const views = ['lesson', 'workbench'] as const;
+const languages = ['en', 'ru'] as const;
+
+/** Each size with the least side of a square picture, and the least part of the width that its panel has. */
+const sizes = [
+  [1280, 720, 360, 0.4],
+  [1440, 900, 450, 0.4],
+  [1920, 1080, 540, 0.4],
+  [1024, 768, 280, 0.4],
+  [390, 844, 280, 0.9],
+  [640, 360, 280, 0.9], // 1280 x 720, enlarged to 200 %
+] as const;
+
+describe('the picture is the page, with the text beside it', () => {
+  it.each(
+    sizes.flatMap(([width, height, side, part]) =>
+      views.flatMap((view) =>
+        languages.map((language) => ({ width, height, side, part, view, language })),
+      ),
+    ),
+  )('$view, $width x $height, $language', async ({ width, height, side, part, view, language }) => {
+    const { page, faults } = await openReader(
+      browser,
+      `#lang=${language}&lesson=first&view=${view}`,
+      { viewport: { width, height } },
+    );
+    await page.locator('vidno-reader').waitFor();
+    const seen = await see(page);
+    expect(seen.side).toBeGreaterThanOrEqual(side);
+    expect(seen.panel).toBeGreaterThanOrEqual(part * width);
+    expect(await widthOf(page)).toBe(width);
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('the first screen', () => {
+  it.each(languages)(
+    'has at most 16 controls, and one that stands out, in %s',
+    async (language) => {
+      const { page } = await openReader(browser, `#lang=${language}`);
+      await page.locator('.offer').waitFor();
+      expect((await see(page)).controls.length).toBeLessThanOrEqual(16);
+      const filled = await page.locator('vidno-transport button').evaluateAll((all) => {
+        const of = (each: Element): string => getComputedStyle(each).backgroundColor;
+        return all
+          .filter((each) => of(each) !== of(all.at(-1) ?? each))
+          .map((each) => each.className);
+      });
+      expect(filled).toEqual(['play']);
+    },
+  );
+
+  it('shows what comes of the run, with a verdict, and plays it from the start', async () => {
+    const { page, faults } = await openReader(browser, '#lang=en');
+    const { step, length } = await shown(page);
+    expect(step).toBe(length);
+    await expect
+      .poll(() => page.locator('.verdict').textContent())
+      .toMatch(
+        /^20 pixels, all as in exact arithmetic; \d+ windows\.$/, // its area has 5 x 4
+      );
+    await page.getByRole('button', { name: 'Play from the start' }).click();
+    await expect.poll(async () => (await shown(page)).step).toBeLessThan(length);
+    expect(await page.locator('.verdict').count()).toBe(0);
+    expect(faults).toEqual([]);
+  });
+
+  it('offers a tour of four steps, once', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    await page.locator('.offer').click();
+    const titles = [];
+    for (let i = 0; i < 4; i++) {
+      titles.push(await page.locator('vidno-tour h2').textContent());
+      const part = await page.locator('vidno-tour .part').boundingBox();
+      expect(part?.width).toBeGreaterThan(200);
+      if (i === 0) expect(await violations(page)).toEqual([]);
+      await page.locator('vidno-tour .next').click();
+    }
+    expect(titles).toEqual(['The picture', 'The run', 'The procedure', 'The text']);
+    expect(await page.locator('vidno-tour').count()).toBe(0);
+    await page.reload();
+    await page.locator('vidno-listing').waitFor();
+    expect(await page.locator('.offer').count()).toBe(0);
+  });
+});
+
+describe('a verdict', () => {
+  it('calls nothing exact that was not compared', async () => {
+    const { page } = await openReader(browser, '#lang=en');
+    await page.locator('.verdict').waitFor();
+    // As where there is no library that could make an exact picture.
+    await page.locator('vidno-player').evaluate((player) => {
+      Object.assign(player, { exact: null });
+      return (player as HTMLElementTagNameMap['vidno-player']).updateComplete;
+    });
+    expect(await page.locator('.verdict').textContent()).toContain(
+      'not compared with exact arithmetic',
+    );
+  });
+});
+
+describe('the title', () => {
+  it('explains each of its words on demand', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
+    const words = page.locator('vidno-run-words');
+    for (const [word, meaning] of [
+      ['corrected', 'errors put right'],
+      ['double', '53 significant bits'],
+      ['signs', 'sign of each decision'],
+    ] as const) {
+      await words.locator('.word', { hasText: word }).click();
+      expect(await words.locator('.asked dt').textContent()).toBe(word);
+      expect(await words.locator('.asked dd').textContent()).toContain(meaning);
+    }
+    expect(await violations(page)).toEqual([]);
+    await page.keyboard.press('Escape');
+    expect(await words.locator('dl').count()).toBe(0);
+  });
+});
+
+describe('the view', () => {
+  const view = (page: Page): Promise<string | null> =>
+    page.locator('vidno-app').getAttribute('view');
+
+  it('is changed by a button and by W, and is part of the link', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
+    expect(await view(page)).toBe('lesson');
+    expect(await page.locator('vidno-side').count()).toBe(0);
+    await page.getByRole('button', { name: 'Workbench' }).click();
+    await page.locator('vidno-side').waitFor();
+    await page.waitForFunction(() => location.hash.includes('view=workbench'));
+    await page.reload();
+    await page.locator('vidno-side').waitFor();
+    expect(await page.locator('vidno-reader').isVisible()).toBe(true);
+    await page.keyboard.press('w');
+    await page.waitForFunction(() => location.hash.includes('view=lesson'));
+  });
+
+  it.each([
+    // Links of before there were views.
+    ['#lang=en&lesson=first&reader=off', 'workbench', ['warnock', 0]],
+    ['#lang=en&lesson=first&at=scanline', 'lesson', ['zbuffer', 33]],
+    ['#lang=en&trace=small.zbuffer.signs&step=4&pixel=3,1', 'lesson', ['zbuffer', 4]],
+    ['#lang=en&lesson=third&trace=small.warnock.signs&step=7', 'workbench', ['warnock', 7]],
+    [
+      '#lang=en&lesson=first&trace=small.warnock.signs&step=9&view=present',
+      'lesson',
+      ['warnock', 9],
+    ],
+    ['#lang=en&lesson=first&view=workbench.present&step=3', 'workbench', ['warnock', 3]],
+  ] as const)('of a link: %s', async (hash, name, at) => {
+    const { page, faults } = await openReader(browser, hash);
+    await expect.poll(async () => (await standing(page)).slice(0, 2)).toEqual(at);
+    expect(await view(page)).toBe(name);
+    const presented = await page.locator('.corner').count();
+    expect(presented).toBe(hash.includes('present') ? 1 : 0);
+    expect(faults).toEqual([]);
+  });
+
+  it('leaves every key as it was, in both views', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first&step=40');
+    const side = (): Promise<string | undefined> =>
+      page
+        .locator('vidno-player')
+        .evaluate((player) => (player as HTMLElementTagNameMap['vidno-player']).side);
+    for (let i = 0; i < 2; i++) {
+      for (const [key, opens] of [
+        ['x', 'exact'],
+        ['v', 'solid'],
+        ['e', 'scene'],
+        ['q', 'predict'],
+      ] as const) {
+        await page.keyboard.press(key);
+        await expect.poll(side).toBe(opens);
+        await page.keyboard.press(key === 'q' ? 'Escape' : key);
+        await expect.poll(side).toBe('state');
+      }
+      await page.keyboard.press('c');
+      await page.locator('vidno-cpp').waitFor();
+      await page.keyboard.press('c');
+      await page.keyboard.press('w');
+    }
+  });
+});
+
+describe('a divider', () => {
+  it('is dragged and moved by keys, and remembers, for each view', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first');
+    const width = async (part: string): Promise<number> =>
+      (await page.locator(part).boundingBox())?.width ?? 0;
+    const before = await width('vidno-reader');
+    const line = await page.locator('.fold').boundingBox();
+    const [x, y] = [(line?.x ?? 0) + 5, (line?.y ?? 0) + 300];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 100, y, { steps: 4 });
+    await page.mouse.up();
+    await expect.poll(() => width('vidno-reader')).toBeCloseTo(before + 100, -1);
+
+    const picture = await width('section.picture');
+    const across = page.locator('vidno-divider.across');
+    await across.focus();
+    await page.keyboard.press('ArrowLeft');
+    await expect.poll(() => width('section.picture')).toBeLessThan(picture - 10);
+    expect(Number(await across.getAttribute('aria-valuenow'))).toBeGreaterThan(20);
+    const smaller = await width('section.picture');
+
+    await page.reload();
+    await page.locator('vidno-listing').waitFor();
+    await expect.poll(() => width('vidno-reader')).toBeCloseTo(before + 100, -1);
+    await expect.poll(() => width('section.picture')).toBeCloseTo(smaller, 0);
+    await page.locator('vidno-divider.across').focus();
+    await page.keyboard.press('Enter');
+    await expect.poll(() => width('section.picture')).toBeGreaterThan(smaller + 10);
+  });
+});
+
+/** Where a pixel of the plane is on the page: its centre. */
+async function centre(page: Page, x: number, y: number): Promise<readonly [number, number]> {
+  return page.locator('vidno-picture > svg').evaluate(
+    (stage, [atX, atY]) => {
+      const matrix = (stage as SVGSVGElement).getScreenCTM() ?? new DOMMatrix();
+      const at = new DOMPoint(atX + 0.5, atY + 0.5).matrixTransform(matrix);
+      return [at.x, at.y] as const;
+    },
+    [x, y] as const,
+  );
+}
+
+describe('axes and readout', () => {
+  it('number the columns and rows, and say what is under the pointer', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    await page.keyboard.press('End');
+    // The area is 5 x 4 from (2, -1).
+    const numbers = (kind: string): Promise<readonly string[]> =>
+      page.locator(`vidno-axes .${kind}`).allTextContents();
+    expect(await numbers('column')).toEqual(['2', '3', '4', '5', '6']);
+    expect(await numbers('row')).toEqual(['-1', '0', '1', '2']);
+    const readout = page.locator('vidno-readout');
+    expect((await readout.innerText()).trim()).toBe('5 × 4');
+    await page.mouse.move(...(await centre(page, 4, 1)));
+    await expect.poll(() => readout.innerText()).toMatch(/^\(4, 1\)\s+\S/);
+    expect(await readout.innerText()).toMatch(/#[0-9a-f]{6}$/);
+    expect(await page.locator('vidno-axes .pointed').allTextContents()).toEqual(['4', '1']);
+    await page.locator(title).hover();
+    await expect.poll(() => readout.innerText()).toBe('5 × 4');
+  });
+
+  it('of the Z-buffer say the depth that it holds', async () => {
+    const { page } = await openReader(browser, '#lang=en&trace=small.zbuffer.signs');
+    await page.keyboard.press('End');
+    await settled(page);
+    await page.mouse.move(...(await centre(page, 4, 1)));
+    const z = await page.locator('vidno-player').evaluate((player) => {
+      const { trace, step } = player as HTMLElementTagNameMap['vidno-player'];
+      return trace?.timeline.seek(step).screen.z?.at(4 - 2, 1 - -1) ?? null;
+    });
+    await expect
+      .poll(() => page.locator('vidno-readout').innerText())
+      .toContain(`z = ${Number(z).toString().slice(0, 4)}`);
+  });
+});
+
+/** What one does to get something done; a press of a key or a button is one action, so is a choice in a list. */
+describe('common tasks take no more actions than before there were views', () => {
+  const at = '#lang=en&lesson=first&step=60';
+
+  it('to the next split: one', async () => {
+    const { page } = await openReader(browser, at);
+    await page.getByRole('button', { name: 'The next one' }).click();
+    expect((await shown(page)).step).toBeGreaterThan(60);
+  });
+
+  it('why a pixel has its colour: one', async () => {
+    const { page } = await openReader(browser, at);
+    await page.mouse.click(...(await centre(page, 4, 1)));
+    await page.locator('vidno-history').waitFor();
+  });
+
+  it('compare the pixels with exact arithmetic: one choice', async () => {
+    const { page } = await openReader(browser, at);
+    await page.locator('vidno-picture').hover();
+    await page.locator('vidno-layers select').selectOption('difference');
+    await page.locator('vidno-layers .difference').waitFor();
+  });
+
+  it('change a vertex: two, the editor and the drag', async () => {
+    const { page } = await openReader(browser, at);
+    await page.getByRole('button', { name: 'Edit' }).click();
+    await page.locator('vidno-handles [data-spot]').first().waitFor();
+  });
+
+  it('save the figure: one', async () => {
+    const { page } = await openReader(browser, at);
+    await page.locator('vidno-picture').hover();
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Save the picture as SVG' }).click(),
+    ]);
+    expect(download.suggestedFilename()).toMatch(/step-60\.svg$/);
+  });
+
+  it('to the step that the text speaks of, and to a step by its number: one', async () => {
+    const { page } = await openReader(browser, at);
+    await pin(page, 'first').click();
+    await expect.poll(() => standing(page)).toEqual(['warnock', 5, 'first']);
+    await goTo(page, 77);
+    expect((await shown(page)).step).toBe(77);
+  });
+});

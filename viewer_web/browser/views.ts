@@ -1,0 +1,58 @@
+import type { Page } from 'playwright-core';
+
+/** What one sees of the page's first screen. */
+export interface Seen {
+  /** The side that a square picture has, and the width of the panel that it is in, in CSS pixels. */
+  readonly side: number;
+  readonly panel: number;
+  /** What can be pressed, typed into or chosen from, links not counted, by its name. */
+  readonly controls: readonly string[];
+}
+
+/** Looks into every shadow tree; what is covered, scrolled away or out of sight is not counted. */
+export function see(page: Page): Promise<Seen> {
+  return page.evaluate(() => {
+    /** What is around an area, as a part of its longer side, on both sides together. */
+    const margins = 0.14;
+    const all: HTMLElement[] = [];
+    const walk = (root: ParentNode): void => {
+      for (const each of root.querySelectorAll<HTMLElement>('*')) {
+        all.push(each);
+        if (each.shadowRoot) walk(each.shadowRoot);
+      }
+    };
+    walk(document);
+    const isIn = (inner: Element | null, outer: Element): boolean => {
+      for (let at: Node | null = inner; at !== null;) {
+        if (at === outer) return true;
+        at = at instanceof ShadowRoot ? at.host : at.parentNode;
+      }
+      return false;
+    };
+    const isSeen = (each: Element): boolean => {
+      const { left, top, width, height } = each.getBoundingClientRect();
+      if (width < 2 || height < 2 || !each.checkVisibility({ visibilityProperty: true }))
+        return false;
+      const [x, y] = [left + width / 2, top + height / 2];
+      let found = document.elementFromPoint(x, y);
+      for (let deeper = found; deeper?.shadowRoot;) {
+        deeper = deeper.shadowRoot.elementFromPoint(x, y);
+        if (deeper === found) break;
+        found = deeper ?? found;
+      }
+      return isIn(found, each);
+    };
+    const picture = all.find(
+      (each) => each.localName === 'vidno-picture' && each.checkVisibility(),
+    );
+    const box = picture?.getBoundingClientRect() ?? new DOMRect();
+    const panel = all.find((each) => each.localName === 'section' && each.matches('.picture'));
+    return {
+      side: Math.min(box.width, box.height) / (1 + margins),
+      panel: panel?.getBoundingClientRect().width ?? 0,
+      controls: all
+        .filter((each) => each.matches('button, input, select, textarea, summary') && isSeen(each))
+        .map((each) => each.getAttribute('aria-label') ?? each.textContent.trim()),
+    };
+  });
+}

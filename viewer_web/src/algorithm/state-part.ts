@@ -1,0 +1,17 @@
+/** The parts of a state's panel, which a lesson may ask for by name: an algorithm has some of them. */
+export const stateParts = [
+  'window',
+  'corner-depths',
+  'active-polygons',
+  'stack',
+  'scanline',
+  'active-edges',
+  'z-buffer',
+  'list',
+  'parts',
+  'visible',
+  'curve',
+  'side-edges',
+  'horizons',
+] as const;
+export type StatePart = (typeof stateParts)[number];

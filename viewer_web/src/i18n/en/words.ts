@@ -1,0 +1,71 @@
+import type { TourTexts, VerdictTexts, WordTexts } from '../../language/word-texts.js';
+import { counted } from '../../language/words.js';
+import type { PluralForms } from '../../language/words.js';
+
+const rules = new Intl.PluralRules('en');
+const count = (n: number, forms: PluralForms): string => counted(n, forms, rules);
+
+export const words: WordTexts = {
+  explain: 'What these words mean',
+  editions: {
+    corrected: 'The procedures of the course text, with its printing errors put right.',
+    printed: 'The procedures exactly as the course text prints them, errors included.',
+    mistake: 'The corrected procedures with one usual mistake in them.',
+  },
+  kernels: {
+    float:
+      'Numbers of 24 significant bits (IEEE binary32). Results are rounded, so decisions can go wrong.',
+    double:
+      'Numbers of 53 significant bits (IEEE binary64). Results are rounded, so decisions can go wrong.',
+    bits: 'Each result is rounded to so many significant bits: rounding becomes easy to see.',
+    depth: 'Ordinary numbers, but the Z-buffer keeps so many bits of each depth.',
+    filtered: 'Ordinary numbers with an error bound, exact where that cannot decide: never wrong.',
+    grid: 'Vertices are moved to a fine grid, and whole numbers are used from there on.',
+    exact: 'Rational numbers of any length: nothing is rounded.',
+  },
+  details: {
+    windows: 'The run tells its main steps alone.',
+    polygons: 'The run tells what it does with each polygon.',
+    signs: 'The run tells everything, down to the sign of each decision.',
+  },
+};
+
+export const verdict: VerdictTexts = {
+  pixels: (n) => count(n, { one: 'pixel', other: 'pixels' }),
+  allRight: 'all as in exact arithmetic',
+  someWrong: (n) => `${count(n, { one: 'differs', other: 'differ' })} from exact arithmetic`,
+  comparing: 'being compared with exact arithmetic…',
+  notCompared: 'not compared with exact arithmetic',
+  windows: (n) => count(n, { one: 'window', other: 'windows' }),
+  comparisons: (n) => count(n, { one: 'depth comparison', other: 'depth comparisons' }),
+  regions: (n) => count(n, { one: 'visible region', other: 'visible regions' }),
+  curves: (n) => count(n, { one: 'curve', other: 'curves' }),
+  crossings: (n) => count(n, { one: 'intersection', other: 'intersections' }),
+};
+
+export const tour: TourTexts = {
+  offer: 'New here? Four steps show you around',
+  again: 'Show me around',
+  next: 'Next',
+  done: 'Done',
+  leave: 'Leave the tour',
+  at: (n, of) => `${n} of ${of}`,
+  steps: [
+    {
+      title: 'The picture',
+      text: 'This is what the run has painted. Point at a pixel to read it; click it to see why it has its colour.',
+    },
+    {
+      title: 'The run',
+      text: 'Play it from the start, or step with the arrow keys. The sentence says what happened, and why.',
+    },
+    {
+      title: 'The procedure',
+      text: 'The line that is carried out is marked, with the values that it had.',
+    },
+    {
+      title: 'The text',
+      text: 'Dotted words lead to the step that they speak of. For everything that is known of a step, open the workbench.',
+    },
+  ],
+};

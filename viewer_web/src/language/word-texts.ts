@@ -1,0 +1,37 @@
+import type { Detail } from '../trace/events.js';
+
+/** A kernel without the number behind its colon. */
+export type KernelKind = 'float' | 'double' | 'bits' | 'depth' | 'filtered' | 'grid' | 'exact';
+
+/** The words by which runs are named, explained. */
+export interface WordTexts {
+  readonly explain: string;
+  readonly editions: Readonly<Record<'corrected' | 'printed' | 'mistake', string>>;
+  readonly kernels: Readonly<Record<KernelKind, string>>;
+  readonly details: Readonly<Record<Detail, string>>;
+}
+
+/** What is said at the end of a run. */
+export interface VerdictTexts {
+  readonly pixels: (n: number) => string;
+  readonly allRight: string;
+  readonly someWrong: (n: number) => string;
+  readonly comparing: string;
+  readonly notCompared: string;
+  readonly windows: (n: number) => string;
+  readonly comparisons: (n: number) => string;
+  readonly regions: (n: number) => string;
+  readonly curves: (n: number) => string;
+  readonly crossings: (n: number) => string;
+}
+
+/** A few steps through the page. */
+export interface TourTexts {
+  readonly offer: string;
+  readonly again: string;
+  readonly next: string;
+  readonly done: string;
+  readonly leave: string;
+  readonly at: (n: number, of: number) => string;
+  readonly steps: readonly { readonly title: string; readonly text: string }[];
+}

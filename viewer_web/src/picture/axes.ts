@@ -1,0 +1,117 @@
+import { LitElement, css, html, svg } from 'lit';
+import type { SVGTemplateResult, TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { base } from '../elements/theme.js';
+import type { Frame } from './frame.js';
+import type { Pixel } from './pixel.js';
+import { ticksIn } from './ticks.js';
+
+/** CSS pixels: how far numbers are from the area, from the edge of the box, and a letter's width. */
+const off = 5;
+const edge = 3;
+const letter = 6.5;
+/** What numbers must be apart, in CSS pixels. */
+const apart = { x: 30, y: 17 };
+
+/** The numbers of columns and rows along the area; where that is out of sight, along the edge of the box. */
+@customElement('vidno-axes')
+export class AxesElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        position: absolute;
+        inset: 0;
+        overflow: hidden;
+        pointer-events: none;
+      }
+      svg {
+        display: block;
+        width: 100%;
+        height: 100%;
+      }
+      text {
+        fill: var(--soft);
+        stroke: var(--well);
+        stroke-width: 3px;
+        paint-order: stroke;
+        font: 0.6875rem var(--mono);
+        font-size: 11px;
+      }
+      .column {
+        text-anchor: middle;
+      }
+      .row {
+        text-anchor: end;
+        dominant-baseline: central;
+      }
+      .pointed {
+        fill: var(--ink);
+        font-weight: 700;
+      }
+      @media (forced-colors: active) {
+        text {
+          fill: CanvasText;
+          stroke: Canvas;
+        }
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) frame!: Frame;
+  /** The pixel that is pointed at, whose column and row have their numbers in any case. */
+  @property({ attribute: false }) pointed: Pixel | null = null;
+
+  override render(): TemplateResult {
+    const { frame } = this;
+    const { width, height } = frame.size;
+    return html`<svg viewBox="0 0 ${width} ${height}" aria-hidden="true">
+      ${this.numbers('x').map(([n, at]) => this.column(n, at))}
+      ${this.numbers('y').map(([n, at]) => this.row(n, at))}
+    </svg>`;
+  }
+
+  /** Which numbers stand where along an axis; near the one that is pointed at there is no other. */
+  private numbers(axis: 'x' | 'y'): readonly (readonly [n: number, at: number])[] {
+    const { area, shown, scale } = this.frame;
+    const [from, length] = axis === 'x' ? [area.x, area.width] : [area.y, area.height];
+    const [start, seen] = axis === 'x' ? [shown[0], shown[2]] : [shown[1], shown[3]];
+    const first = Math.max(from, Math.floor(start));
+    const last = Math.min(from + length, Math.ceil(start + seen)) - 1;
+    const digits = String(last).length;
+    const least = axis === 'x' ? Math.max(apart.x, (digits + 2) * letter) : apart.y;
+    const at = (n: number): number => (n + 0.5 - start) * scale;
+    const pointed = this.pointed?.[axis === 'x' ? 0 : 1] ?? null;
+    const ticks = ticksIn(first, last, least / scale).filter(
+      (n) => pointed === null || n === pointed || Math.abs(at(n) - at(pointed)) >= least,
+    );
+    if (pointed !== null && !ticks.includes(pointed) && pointed >= first && pointed <= last) {
+      ticks.push(pointed);
+    }
+    return ticks.map((n) => [n, at(n)]);
+  }
+
+  private column(n: number, x: number): SVGTemplateResult {
+    const { area, shown, scale, size } = this.frame;
+    const top = (area.y - shown[1]) * scale - off;
+    const y = Math.min(Math.max(top, edge + 10), size.height - edge);
+    return svg`<text class="column ${this.kind(0, n)}" x=${x} y=${y}>${n}</text>`;
+  }
+
+  private row(n: number, y: number): SVGTemplateResult {
+    const { area, shown, scale } = this.frame;
+    const left = (area.x - shown[0]) * scale - off;
+    const x = Math.max(left, edge + String(n).length * letter);
+    return svg`<text class="row ${this.kind(1, n)}" x=${x} y=${y}>${n}</text>`;
+  }
+
+  private kind(axis: 0 | 1, n: number): string {
+    return this.pointed?.[axis] === n ? 'pointed' : '';
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-axes': AxesElement;
+  }
+}

@@ -1,0 +1,82 @@
+import { LitElement, css, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { numbersOf } from '../algorithm/view.js';
+import type { View } from '../algorithm/view.js';
+import { swatch } from '../elements/parts.js';
+import { base } from '../elements/theme.js';
+import { texts } from '../i18n/index.js';
+import { planeOf } from '../trace/plane.js';
+import { factsAt } from './pixel-facts.js';
+import type { PixelFacts } from './pixel-facts.js';
+import { isIn } from './pixel.js';
+import type { Pixel } from './pixel.js';
+
+/** What is known of the pixel under the pointer: where it is, which polygon it shows, how deep that is there, its colour. */
+@customElement('vidno-readout')
+export class ReadoutElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        gap: 0.7rem;
+        align-items: center;
+        min-width: 0;
+        overflow: hidden;
+        color: var(--soft);
+        font: 0.75rem var(--mono);
+        white-space: nowrap;
+      }
+      .pixel {
+        color: var(--ink);
+      }
+      .swatch {
+        margin-right: 0.3em;
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) view!: View;
+  /** Without one it says how large the picture is. */
+  @property({ attribute: false }) at: Pixel | null = null;
+
+  override render(): TemplateResult {
+    const { view, at } = this;
+    const { area, curves } = view.header.scene;
+    if (at === null || !isIn(at, area)) return html`<span>${area.width} × ${area.height}</span>`;
+    const place = html`<span class="pixel">(${at[0]}, ${at[1]})</span>`;
+    if (curves !== null) return place;
+    const facts = factsAt(view.screen, at);
+    return html`${place} ${this.owner(facts)} ${this.depth(facts, at)}
+    ${facts.color === null ? nothing : html`<span>${facts.color}</span>`}`;
+  }
+
+  /** By its colour alone: where several have it, it may be any of them. */
+  private owner({ color, isBackground, polygons }: PixelFacts): TemplateResult {
+    const { readout } = texts[this.view.language].picture;
+    if (color === null) return html`<span>${readout.unpainted}</span>`;
+    const all = [...polygons, ...(isBackground ? [readout.background] : [])];
+    return html`<span>${swatch(color)}${all.join(readout.or)}</span>`;
+  }
+
+  /** Of the Z-buffer, or of the polygon's plane at the centre, in ordinary numbers. */
+  private depth(
+    { depth, polygons, isBackground }: PixelFacts,
+    [x, y]: Pixel,
+  ): TemplateResult | typeof nothing {
+    const { short } = numbersOf(this.view);
+    if (depth !== null) return html`<span>z = ${short(depth)}</span>`;
+    const [id, ...others] = polygons;
+    if (id === undefined || others.length > 0 || isBackground) return nothing;
+    const polygon = this.view.header.scene.byId.get(id);
+    const z = polygon === undefined ? NaN : planeOf(polygon)(x + 0.5, y + 0.5);
+    return Number.isFinite(z) ? html`<span>z ≈ ${short(z)}</span>` : nothing;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-readout': ReadoutElement;
+  }
+}
