@@ -16,6 +16,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['ends', ['Home', 'End']],
   ['play', ['Space']],
   ['speed', ['−', '+']],
+  ['part', ['+', '−', '0']],
   ['pixel', ['P']],
   ['cursor', ['← ↑ ↓ →', 'Enter', 'Esc']],
   ['zoom', ['+', '−', '0']],

@@ -27,6 +27,7 @@ export type KeyUse =
   | 'ends'
   | 'play'
   | 'speed'
+  | 'part'
   | 'pixel'
   | 'cursor'
   | 'zoom'

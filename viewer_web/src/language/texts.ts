@@ -6,6 +6,7 @@ import type { Ended } from '../replay/read.js';
 import type { LaneName } from '../strip/lanes.js';
 import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
+import type { Range } from '../time/range.js';
 import type { Edition } from '../trace/editions.js';
 import type { CommonEvents, Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
@@ -127,7 +128,16 @@ export interface StripTexts {
   readonly lanes: Readonly<Record<LaneName, string>>;
   readonly legend: string;
   readonly explain: Readonly<Record<LaneName | StripMark, string>>;
+  readonly zoom: ZoomTexts;
   readonly columns: string;
+}
+
+/** What is said of the part of a run that the strip shows. */
+export interface ZoomTexts {
+  readonly part: string;
+  readonly shown: (range: Range, length: number) => string;
+  readonly toWhole: string;
+  readonly how: string;
 }
 
 /** What stands on the strip at single steps. */

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { headerOf, textWith, traceOf } from '../testing/traces.js';
 import { Course } from '../time/course.js';
+import { wholeOf } from '../time/range.js';
 import type { Event } from '../trace/events.js';
 import type { Look } from './look.js';
 import { StripPainter } from './paint.js';
@@ -49,7 +50,8 @@ async function painted(count: number, width: number) {
       return `stripes ${color}`;
     },
   } as unknown as Look;
-  new StripPainter(context as unknown as CanvasRenderingContext2D, course, look).paint();
+  const canvas = context as unknown as CanvasRenderingContext2D;
+  new StripPainter(canvas, course, look, wholeOf(course.length)).paint();
   return { fills, stripes };
 }
 

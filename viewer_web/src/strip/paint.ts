@@ -3,7 +3,8 @@ import { columnsOf, placeOf } from '../time/columns.js';
 import type { Column, Depth } from '../time/columns.js';
 import { cases } from '../time/course.js';
 import type { Course } from '../time/course.js';
-import { lanesOf, marksHeight } from './lanes.js';
+import type { Range } from '../time/range.js';
+import { lanesOf, marksHeight, stripHeight } from './lanes.js';
 import type { Lane, LaneName, Lanes } from './lanes.js';
 import type { Look } from './look.js';
 import { stripes } from './textures.js';
@@ -16,7 +17,7 @@ interface Band {
 
 type Painter = (band: Band) => void;
 
-/** Paints a strip: once for a run, a size and a theme. */
+/** Paints a part of a run as a strip: once for the part, a size and a theme. */
 export class StripPainter {
   private readonly columns: readonly Column[];
   private readonly fills = new Map<number, CanvasPattern | string>();
@@ -25,8 +26,9 @@ export class StripPainter {
     private readonly context: CanvasRenderingContext2D,
     private readonly course: Course,
     private readonly look: Look,
+    private readonly range: Range,
   ) {
-    this.columns = columnsOf(course, context.canvas.width);
+    this.columns = columnsOf(course, context.canvas.width, range);
   }
 
   paint(): void {
@@ -39,6 +41,12 @@ export class StripPainter {
       this.painters[lane.name](band);
     }
     this.marks();
+  }
+
+  /** Only what is in hand, over the whole height. */
+  paintBare(): void {
+    this.context.clearRect(0, 0, this.context.canvas.width, this.context.canvas.height);
+    this.shares(this.bandOf({ top: 0, height: stripHeight }));
   }
 
   private bandOf({ top, height }: Omit<Lane, 'name'>): Band {
@@ -118,15 +126,16 @@ export class StripPainter {
     const { context, course, look } = this;
     const { polygons, curves } = course.trace.header.scene;
     const { ratio } = look;
+    const whole = this.columns.length;
     context.font = look.font;
     context.textBaseline = 'middle';
     const { first: firsts, part } = course.stretches;
     firsts.forEach((first, i) => {
       const next = firsts[i + 1] ?? course.length + 1;
-      const from = Math.round(placeOf(first - 0.5, course.length, this.columns.length));
-      const until = placeOf(next - 0.5, course.length, this.columns.length);
+      const from = Math.round(Math.max(0, placeOf(first - 0.5, this.range, whole)));
+      const until = Math.min(whole, placeOf(next - 0.5, this.range, whole));
       const room = until - from - 10 * ratio;
-      if (room < 6 * ratio) return;
+      if (room < 6 * ratio || (part[i] ?? -1) < 0) return;
       const id = curves === null ? (polygons[part[i] ?? -1]?.id ?? '') : String(part[i] ?? '');
       const { width } = context.measureText(id);
       context.fillStyle = look.ink;

@@ -46,11 +46,24 @@ export const sliderStyle = css`
     border-radius: 50%;
     background: var(--accent);
   }
+  vidno-overview,
   .strip {
+    margin: 0 calc(var(--thumb) / 2);
+  }
+  vidno-overview {
+    grid-row: 2;
+    grid-column: 1;
+    display: var(--strip, block);
+  }
+  .strip,
+  .lanes {
+    grid-row: 3;
+  }
+  .strip {
+    grid-column: 1;
     position: relative;
     display: var(--strip, block);
     height: ${stripHeight}px;
-    margin: 0 calc(var(--thumb) / 2);
     cursor: pointer;
     touch-action: pan-y;
     user-select: none;
@@ -104,7 +117,30 @@ export const sliderStyle = css`
     transform: translateX(calc(var(--at) * -100%));
     pointer-events: none;
   }
+  .whole {
+    position: absolute;
+    top: 0;
+    right: 0;
+    z-index: 1;
+    display: grid;
+    place-items: center;
+    width: 1.75rem;
+    min-height: 1.5rem;
+    height: 1.5rem;
+    padding: 0;
+    color: var(--soft);
+  }
+  .whole svg {
+    width: 1.1rem;
+    height: 1.1rem;
+    fill: none;
+    stroke: currentColor;
+    stroke-width: 1.6;
+    stroke-linecap: round;
+    stroke-linejoin: round;
+  }
   .lanes {
+    grid-column: 2;
     position: relative;
     align-self: stretch;
     width: 4.1rem;
@@ -147,6 +183,13 @@ export const sliderStyle = css`
     }
     .lanes span {
       display: none;
+    }
+    /* There is no room beside the legend; there is, beside the strip. */
+    .whole {
+      top: auto;
+      bottom: 0.9rem;
+      width: 1.5rem;
+      height: 1.5rem;
     }
   }
 `;

@@ -3,6 +3,7 @@ import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import type { View } from '../algorithm/view.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
 import { ReadOn } from '../elements/read-on.js';
 import { base } from '../elements/theme.js';
 import type { Check } from '../exactness/truth.js';
@@ -13,19 +14,27 @@ import { aimedAt, placeOf } from '../time/columns.js';
 import type { Command } from '../time/command.js';
 import { Course } from '../time/course.js';
 import { sayPlace } from '../time/place.js';
+import { isIn } from '../time/range.js';
 import { flag, lanesOf, stripHeight } from './lanes.js';
+import './overview.js';
+import type { OverviewElement } from './overview.js';
 import { sliderStyle } from './slider.style.js';
 import './strip-element.js';
+import { StripGestures } from './strip-gestures.js';
 import './strip-legend.js';
+import { Zoom } from './zoom.js';
 
 const mostPerFrame = 8;
 /** Milliseconds that a run must stay: while a scene is dragged none does. */
 const rest = 150;
 
-/** The slider, and along it the strip that shows the whole run. Both seek; the keyboard has the slider. */
+/**
+ * The slider, and along it the strip, which shows the run or a part of it. Both seek; the keyboard has the slider, and what
+ * part the strip shows is chosen on the overview between them.
+ */
 @customElement('vidno-slider')
 export class SliderElement extends LitElement {
-  static override styles = [base, sliderStyle];
+  static override styles = [base, hiddenStyle, sliderStyle];
 
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
@@ -41,19 +50,27 @@ export class SliderElement extends LitElement {
   @property({ type: Boolean }) veiled = false;
   /** The step that the mouse points at. */
   @state() private pointed: number | null = null;
+  /** What is said of the part that the strip shows, since it was changed. */
+  @state() private news = '';
   @query('.strip') private strip!: HTMLElement;
+  @query('vidno-overview') private overview!: OverviewElement;
 
   @state() private rested = false;
 
   private course!: Course;
   private timer = 0;
   private readonly reader = new ReadOn(this, mostPerFrame);
+  private readonly zoom = new Zoom();
+  private readonly gestures = new StripGestures(this.zoom, () => this.onZoom());
 
   override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('trace')) {
       this.pointed = null;
+      this.news = '';
       this.wait();
     }
+    const { header, length, step } = this.view;
+    this.zoom.follow(header, length, step);
     if (changed.has('trace') || changed.has('check')) this.course = this.fresh();
     if (this.rested) this.reader.read(this.course);
   }
@@ -88,31 +105,47 @@ export class SliderElement extends LitElement {
 
   /** The strip, with what it means. */
   private whole(): TemplateResult {
-    const { view, course } = this;
-    const { step, language } = view;
+    const { view, zoom } = this;
+    const { step, length, language } = view;
+    const { range } = zoom;
+    const course = this.trace.complete && this.course.complete ? this.course : null;
+    const isShown = ({ step: at }: { readonly step: number }): boolean => isIn(range, at);
     return html`
       <vidno-strip-legend
         .header=${view.header}
         .language=${language}
         ?unchecked=${this.check.is !== 'told' && this.check.is !== 'certain' && this.check.is !== 'found'}
       ></vidno-strip-legend>
+      <vidno-overview
+        .zoom=${zoom}
+        .range=${range}
+        .length=${length}
+        .step=${step}
+        .course=${course}
+        .texts=${texts[language].strip.zoom}
+        @change=${this.onZoom}
+      ></vidno-overview>
+      ${this.wayBack()}
       <div
         class="strip"
+        @wheel=${this.gestures.onWheel}
         @pointerdown=${this.onPress}
         @pointermove=${this.onPoint}
+        @pointerup=${this.gestures.onEnd}
+        @pointercancel=${this.gestures.onEnd}
         @pointerleave=${this.forget}
       >
-        <vidno-strip
-          .course=${this.trace.complete && course.complete ? course : null}
-        ></vidno-strip>
-        ${this.bookmarks.map(
-          (bookmark) =>
-            html`<svg class="flag" .style=${this.at(bookmark.step)} aria-hidden="true">
-              ${svg`<path d=${flag(stripHeight)} />`}
-            </svg>`,
-        )}
+        <vidno-strip .course=${course} .range=${range}></vidno-strip>
+        ${this.bookmarks
+          .filter(isShown)
+          .map(
+            (bookmark) =>
+              html`<svg class="flag" .style=${this.at(bookmark.step)} aria-hidden="true">
+                ${svg`<path d=${flag(stripHeight)} />`}
+              </svg>`,
+          )}
         ${this.veiled ? html`<span class="veil" .style=${this.at(step)}></span>` : nothing}
-        <span class="now" .style=${this.at(step)}></span>
+        ${isShown(view) ? html`<span class="now" .style=${this.at(step)}></span>` : nothing}
       </div>
       <div class="lanes" aria-hidden="true">
         ${lanesOf(view.header).map(
@@ -122,9 +155,36 @@ export class SliderElement extends LitElement {
             >`,
         )}
       </div>
+      <span class="heard" role="status">${this.news}</span>
       ${this.tip()}
     `;
   }
+
+  /** From a part to the whole run. */
+  private wayBack(): TemplateResult | typeof nothing {
+    if (this.zoom.isWhole) return nothing;
+    const label = texts[this.view.language].strip.zoom.toWhole;
+    return html`<button class="whole" aria-label=${label} title=${label} @click=${this.onWhole}>
+      <svg viewBox="0 0 20 20" aria-hidden="true">
+        ${svg`<path d="M3 6v8M17 6v8M5 10h10M8 7l-3 3 3 3M12 7l3 3-3 3" />`}
+      </svg>
+    </button>`;
+  }
+
+  /** The button goes; the keyboard, if it was pressed by that, stays near it. */
+  private readonly onWhole = ({ detail }: MouseEvent): void => {
+    this.zoom.showWhole();
+    if (detail === 0) this.overview.focus();
+    this.onZoom();
+  };
+
+  /** The overview says itself what the keyboard has done with it. */
+  private readonly onZoom = (): void => {
+    const { language, length } = this.view;
+    const isFocused = this.shadowRoot?.activeElement === this.overview;
+    this.news = isFocused ? '' : texts[language].strip.zoom.shown(this.zoom.range, length);
+    this.requestUpdate();
+  };
 
   private tip(): TemplateResult | typeof nothing {
     if (this.pointed === null || this.veiled) return nothing;
@@ -133,7 +193,7 @@ export class SliderElement extends LitElement {
   }
 
   private at(step: number): string {
-    return `--at: ${placeOf(step, this.view.length, 1)}`;
+    return `--at: ${Math.min(Math.max(0, placeOf(step, this.zoom.range, 1)), 1)}`;
   }
 
   private say(step: number): string {
@@ -147,19 +207,22 @@ export class SliderElement extends LitElement {
     const { left, width } = this.strip.getBoundingClientRect();
     const { course } = this;
     const marked = [this.bookmarks.map(({ step }) => step), course.faults, course.wrong];
-    return aimedAt(clientX - left, this.view.length, width, marked);
+    return aimedAt(clientX - left, this.zoom.range, width, marked);
   }
 
   private onPress(event: PointerEvent): void {
     if (event.button !== 0) return;
     this.strip.setPointerCapture(event.pointerId);
-    this.seek(this.aimed(event));
+    this.gestures.onDown(event);
+    if (!this.gestures.isPinch) this.seek(this.aimed(event));
   }
 
   private onPoint(event: PointerEvent): void {
+    this.gestures.onMove(event);
     this.pointed = this.aimed(event);
     addEventListener('keydown', this.onKey);
-    if (this.strip.hasPointerCapture(event.pointerId)) this.seek(this.pointed);
+    const seeks = this.strip.hasPointerCapture(event.pointerId) && !this.gestures.isPinch;
+    if (seeks) this.seek(this.pointed);
   }
 
   private readonly onKey = ({ key }: KeyboardEvent): void => {

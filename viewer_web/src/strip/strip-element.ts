@@ -4,12 +4,14 @@ import { customElement, property, query } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import { OwnDots } from '../picture/own-dots.js';
 import type { Course } from '../time/course.js';
+import { wholeOf } from '../time/range.js';
+import type { Range } from '../time/range.js';
 import { stripHeight } from './lanes.js';
 import { lookOf } from './look.js';
 import { StripPainter } from './paint.js';
 import { stripColors } from './strip.style.js';
 
-/** The whole run as a strip. It does not change from step to step. */
+/** A run, or a part of it, as a strip. It does not change from step to step. */
 @customElement('vidno-strip')
 export class StripElement extends LitElement {
   static override styles = [
@@ -29,6 +31,10 @@ export class StripElement extends LitElement {
 
   /** Of the whole run; null until it was gone through. */
   @property({ attribute: false }) course: Course | null = null;
+  /** The part that is shown; null for the whole. */
+  @property({ attribute: false }) range: Range | null = null;
+  /** Only what is in hand is shown. */
+  @property({ type: Boolean }) bare = false;
   @query('canvas') private canvas!: HTMLCanvasElement;
 
   private readonly dots = new OwnDots(this, () => this.canvas);
@@ -40,7 +46,11 @@ export class StripElement extends LitElement {
     canvas.height = height;
     const context = canvas.getContext('2d');
     if (course === null || context === null || width < 1 || height < 1) return;
-    new StripPainter(context, course, lookOf(this, height / stripHeight)).paint();
+    const look = lookOf(this, height / stripHeight);
+    const range = this.range ?? wholeOf(course.length);
+    const painter = new StripPainter(context, course, look, range);
+    if (this.bare) painter.paintBare();
+    else painter.paint();
   }
 
   override render(): TemplateResult {

@@ -4,6 +4,7 @@ import type { Event } from '../trace/events.js';
 import { aimedAt, columnsOf, placeOf, stepAt } from './columns.js';
 import type { Column } from './columns.js';
 import { Course, cases } from './course.js';
+import { wholeOf } from './range.js';
 
 async function columnsIn(text: string, count: number): Promise<readonly Column[]> {
   const course = new Course(await traceOf(text));
@@ -16,8 +17,8 @@ const partsOf = ({ shares }: Column): readonly unknown[] =>
 
 describe('a place on the strip', () => {
   it('is that of a step, from end to end', () => {
-    expect([0, 50, 200].map((step) => placeOf(step, 200, 100))).toEqual([0, 25, 100]);
-    expect(placeOf(0, 0, 100)).toBe(0);
+    expect([0, 50, 200].map((step) => placeOf(step, wholeOf(200), 100))).toEqual([0, 25, 100]);
+    expect(placeOf(0, wholeOf(0), 100)).toBe(0);
   });
 
   // Steps stand at 0, 25, 50, 75 and 100.
@@ -31,7 +32,7 @@ describe('a place on the strip', () => {
     [99, 4],
     [140, 4],
   ])('%d is nearest to step %i of 4', (place, step) => {
-    expect(stepAt(place, 4, 100)).toBe(step);
+    expect(stepAt(place, wholeOf(4), 100)).toBe(step);
   });
 });
 
@@ -122,20 +123,20 @@ describe('the columns of a run', () => {
 });
 
 describe('pointing', () => {
-  const length = 10_000; // ten steps a pixel
+  const range = wholeOf(10_000); // ten steps a pixel
   const width = 1000;
 
   it('means the nearest step', () => {
-    expect(aimedAt(500, length, width, [[]])).toBe(5000);
+    expect(aimedAt(500, range, width, [[]])).toBe(5000);
   });
 
   it('means a mark within three pixels, and no farther', () => {
-    expect(aimedAt(500, length, width, [[4971, 5031]])).toBe(4971);
-    expect(aimedAt(500, length, width, [[4969, 5031]])).toBe(5000);
+    expect(aimedAt(500, range, width, [[4971, 5031]])).toBe(4971);
+    expect(aimedAt(500, range, width, [[4969, 5031]])).toBe(5000);
   });
 
   it('means marks of the first kind before others that are nearer', () => {
-    expect(aimedAt(500, length, width, [[5020], [5010]])).toBe(5020);
-    expect(aimedAt(500, length, width, [[9000], [5010]])).toBe(5010);
+    expect(aimedAt(500, range, width, [[5020], [5010]])).toBe(5020);
+    expect(aimedAt(500, range, width, [[9000], [5010]])).toBe(5010);
   });
 });

@@ -1,6 +1,8 @@
 import { cases } from './course.js';
 import type { Course } from './course.js';
 import { indexFrom } from './goals.js';
+import { isIn, wholeOf } from './range.js';
+import type { Range } from './range.js';
 
 /** How many steps of a column belong to one case or polygon. */
 export interface Share {
@@ -32,32 +34,36 @@ export interface Column {
   readonly fault: boolean;
 }
 
-/** Where on a strip so wide a step of a run so long stands: the first at 0, the last at the end. */
-export function placeOf(step: number, length: number, width: number): number {
-  return length === 0 ? 0 : (step / length) * width;
+/** Where on a strip so wide a step stands: the first one of its range at 0, the last at the end. */
+export function placeOf(step: number, { from, to }: Range, width: number): number {
+  return to === from ? 0 : ((step - from) / (to - from)) * width;
 }
 
 /** The step that stands nearest to a place. */
-export function stepAt(place: number, length: number, width: number): number {
-  if (width <= 0) return 0;
-  return Math.min(Math.max(0, Math.floor((place / width) * length + 0.5)), length);
+export function stepAt(place: number, { from, to }: Range, width: number): number {
+  if (width <= 0) return from;
+  return from + Math.min(Math.max(0, Math.floor((place / width) * (to - from) + 0.5)), to - from);
 }
 
 /** Every step is in a column; if there are fewer steps than columns, one is in several. */
-function stepsOf(column: number, count: number, length: number): readonly [number, number] {
-  const first = stepAt(column, length, count);
-  const end = column === count - 1 ? length + 1 : stepAt(column + 1, length, count);
+function stepsOf(column: number, count: number, range: Range): readonly [number, number] {
+  const first = stepAt(column, range, count);
+  const end = column === count - 1 ? range.to + 1 : stepAt(column + 1, range, count);
   return [first, Math.max(first + 1, end)];
 }
 
 const happens = (steps: readonly number[], first: number, end: number): boolean =>
   (steps[indexFrom(steps, first)] ?? Infinity) < end;
 
-/** The strip of a run, whose course must be complete, in so many columns. */
-export function columnsOf(course: Course, count: number): readonly Column[] {
+/** The strip of a run, whose course must be complete, or of a part of it, in so many columns. */
+export function columnsOf(
+  course: Course,
+  count: number,
+  range = wholeOf(course.length),
+): readonly Column[] {
   const counter = new Counter(course);
   return Array.from({ length: count }, (_, i) => {
-    const [first, end] = stepsOf(i, count, course.length);
+    const [first, end] = stepsOf(i, count, range);
     return {
       first,
       end,
@@ -133,18 +139,18 @@ function callsIn(depths: Uint8Array, first: number, end: number): Depth {
  */
 export function aimedAt(
   place: number,
-  length: number,
+  range: Range,
   width: number,
   marked: readonly (readonly number[])[],
 ): number {
   const reach = 3;
-  const aimed = stepAt(place, length, width);
-  const off = (step: number): number => Math.abs(placeOf(step, length, width) - place);
+  const aimed = stepAt(place, range, width);
+  const off = (step: number): number => Math.abs(placeOf(step, range, width) - place);
   for (const steps of marked) {
     const next = indexFrom(steps, aimed);
     const near = [steps[next - 1], steps[next]].filter((step) => step !== undefined);
     const [nearest] = near.sort((a, b) => off(a) - off(b));
-    if (nearest !== undefined && off(nearest) <= reach) return nearest;
+    if (nearest !== undefined && isIn(range, nearest) && off(nearest) <= reach) return nearest;
   }
   return aimed;
 }

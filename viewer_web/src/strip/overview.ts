@@ -1,0 +1,200 @@
+import { LitElement, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query, state } from 'lit/decorators.js';
+import { base } from '../elements/theme.js';
+import type { ZoomTexts } from '../language/texts.js';
+import { placeOf, stepAt } from '../time/columns.js';
+import type { Course } from '../time/course.js';
+import { between, isWhole, moved, wholeOf } from '../time/range.js';
+import type { Range } from '../time/range.js';
+import { overviewStyle } from './overview.style.js';
+import './strip-element.js';
+import { shareOf } from './strip-gestures.js';
+import type { Zoom } from './zoom.js';
+
+/** CSS pixels from an end of the part that is shown at which a pointer takes hold of it. */
+const reach = 8;
+/** CSS pixels that a press may move and still choose nothing. */
+const still = 3;
+/** How much nearer a key brings it, and by which share of what is shown it moves. */
+const [nearer, little, page, far] = [2, 0.1, 0.9, 1e9];
+
+/** What the pointer does: draws another part, or moves the one that is shown, or an end of it. */
+interface Drag {
+  readonly what: 'draw' | 'move' | 'from' | 'to';
+  readonly pressed: number;
+  readonly range: Range;
+  /** Whether it went farther than a press does. */
+  moves: boolean;
+}
+
+/**
+ * The whole run in little, and on it the part that the strip shows: it is drawn anew, moved, or taken by an end. The keyboard
+ * moves it as a slider. That it has changed is told by an event `change`.
+ */
+@customElement('vidno-overview')
+export class OverviewElement extends LitElement {
+  static override styles = [base, overviewStyle];
+
+  @property({ attribute: false }) zoom!: Zoom;
+  /** What of the zoom is shown. */
+  @property({ attribute: false }) range!: Range;
+  @property({ attribute: false }) length = 0;
+  @property({ attribute: false }) step = 0;
+  /** Of the whole run; null until it was gone through. */
+  @property({ attribute: false }) course: Course | null = null;
+  @property({ attribute: false }) texts!: ZoomTexts;
+  /** The part that is being drawn. */
+  @state() private drawn: Range | null = null;
+  @query('.bar') private bar!: HTMLElement;
+  private drag: Drag | null = null;
+
+  override focus(): void {
+    this.bar.focus();
+  }
+
+  override render(): TemplateResult {
+    const { range, length, texts, drawn } = this;
+    const isAll = isWhole(range, length);
+    const place = this.place(range);
+    return html`
+      <div
+        class="bar"
+        role="slider"
+        tabindex="0"
+        aria-label=${texts.part}
+        aria-valuemin="0"
+        aria-valuemax=${length}
+        aria-valuenow=${range.from}
+        aria-valuetext=${texts.shown(range, length)}
+        title=${texts.how}
+        @keydown=${this.onKey}
+        @mousedown=${this.keepFocus}
+        @pointerdown=${this.onDown}
+        @pointermove=${this.onMove}
+        @pointerup=${this.onUp}
+        @pointercancel=${this.onCancel}
+      >
+        <vidno-strip .course=${this.course} bare></vidno-strip>
+        <span class="now" .style=${`--at: ${placeOf(this.step, wholeOf(length), 1)}`}></span>
+        ${
+          isAll
+            ? nothing
+            : html`<span class="outside before" .style=${place}></span
+                ><span class="outside after" .style=${place}></span
+                ><span class="part" .style=${place}></span>`
+        }
+        ${drawn === null ? nothing : html`<span class="drawn" .style=${this.place(drawn)}></span>`}
+      </div>
+    `;
+  }
+
+  private place({ from, to }: Range): string {
+    const whole = wholeOf(this.length);
+    return `--from: ${placeOf(from, whole, 1)}; --to: ${placeOf(to, whole, 1)}`;
+  }
+
+  private stepOf(event: PointerEvent): number {
+    return stepAt(shareOf(event), wholeOf(this.length), 1);
+  }
+
+  /** Whoever drags here goes on to step by the keys as before. */
+  private readonly keepFocus = (event: Event): void => event.preventDefault();
+
+  private readonly onDown = (event: PointerEvent): void => {
+    if (event.button !== 0 || !event.isPrimary) return;
+    const bar = event.currentTarget as Element;
+    bar.setPointerCapture(event.pointerId);
+    const { range, length } = this;
+    this.drag = { what: this.heldBy(event), pressed: event.clientX, range, moves: false };
+    if (this.drag.what === 'draw')
+      this.drawn = between(this.stepOf(event), this.stepOf(event), length);
+  };
+
+  /** What a pointer takes hold of. */
+  private heldBy(event: PointerEvent): Drag['what'] {
+    const { range, length } = this;
+    if (isWhole(range, length)) return 'draw';
+    const { width } = (event.currentTarget as Element).getBoundingClientRect();
+    const at = shareOf(event) * width;
+    const [from, to] = [range.from, range.to].map((step) => placeOf(step, wholeOf(length), width));
+    if (from === undefined || to === undefined) return 'draw';
+    // Where the ends are near each other there is room for them outside, and what is between them is moved.
+    if (at >= from - reach && at < Math.min(from + reach, (3 * from + to) / 4)) return 'from';
+    if (at <= to + reach && at > Math.max(to - reach, (from + 3 * to) / 4)) return 'to';
+    return at > from && at < to ? 'move' : 'draw';
+  }
+
+  private readonly onMove = (event: PointerEvent): void => {
+    const { drag } = this;
+    if (drag === null) return;
+    drag.moves ||= Math.abs(event.clientX - drag.pressed) > still;
+    if (!drag.moves) return;
+    if (drag.what === 'draw') this.drawn = this.dragged(drag, event);
+    else this.show(this.dragged(drag, event));
+  };
+
+  /** The part as it has become. */
+  private dragged({ what, pressed, range }: Drag, event: PointerEvent): Range {
+    const { length } = this;
+    const { left, width } = (event.currentTarget as Element).getBoundingClientRect();
+    const at = this.stepOf(event);
+    const start = stepAt(pressed - left, wholeOf(length), width);
+    if (what === 'draw') return between(start, at, length);
+    if (what === 'from') return between(at, range.to, length);
+    if (what === 'to') return between(range.from, at, length);
+    return moved(range, at - start, length);
+  }
+
+  private readonly onUp = (): void => {
+    const { drag, drawn } = this;
+    this.onCancel();
+    if (drag?.moves === true && drawn !== null) this.show(drawn);
+  };
+
+  private readonly onCancel = (): void => {
+    this.drag = null;
+    this.drawn = null;
+  };
+
+  private readonly onKey = (event: KeyboardEvent): void => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { zoom } = this;
+    const actions: Readonly<Record<string, () => void>> = {
+      '+': () => zoom.zoom(nearer),
+      '=': () => zoom.zoom(nearer),
+      '-': () => zoom.zoom(1 / nearer),
+      '0': () => zoom.showWhole(),
+      Escape: () => zoom.showWhole(),
+      ArrowLeft: () => zoom.move(-little),
+      ArrowRight: () => zoom.move(little),
+      ArrowUp: () => zoom.move(little),
+      ArrowDown: () => zoom.move(-little),
+      PageUp: () => zoom.move(page),
+      PageDown: () => zoom.move(-page),
+      Home: () => zoom.move(-far),
+      End: () => zoom.move(far),
+    };
+    const act = actions[event.key];
+    // Where the whole is shown Escape means what it does elsewhere.
+    if (act === undefined || (event.key === 'Escape' && zoom.isWhole)) return;
+    event.preventDefault();
+    act();
+    this.tell();
+  };
+
+  private show(range: Range): void {
+    this.zoom.show(range);
+    this.tell();
+  }
+
+  private tell(): void {
+    this.dispatchEvent(new CustomEvent('change'));
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-overview': OverviewElement;
+  }
+}

@@ -1,0 +1,74 @@
+import { following, inSteps, isIn, isWhole, moved, wholeOf, zoomed } from '../time/range.js';
+import type { Range } from '../time/range.js';
+import type { Header } from '../trace/header.js';
+
+/** The parts of runs that were shown last, by what tells one run from another. */
+const remembered = new Map<string, Range>();
+
+const nameOf = ({ scene, method, edition, kernel, detail }: Header): string =>
+  JSON.stringify([scene.name, method, edition, kernel, detail]);
+
+/** What part of a run the strip shows: the whole until the reader chooses another one, which is remembered. */
+export class Zoom {
+  private name = '';
+  private length = 0;
+  private step = 0;
+  /** In parts of steps, so that small turns of a wheel add up; null for the whole. */
+  private chosen: Range | null = null;
+  private told: Range = wholeOf(0);
+
+  /** The run, as far as it is there, and the step that is shown: when that changes and leaves the range, this follows. */
+  follow(header: Header, length: number, step: number): void {
+    const name = nameOf(header);
+    if (name !== this.name) {
+      this.name = name;
+      this.chosen = remembered.get(name) ?? null;
+      this.step = step;
+    }
+    this.length = length;
+    if (this.chosen !== null) this.chosen = moved(this.chosen, 0, length);
+    if (step !== this.step && this.chosen !== null && !isIn(this.range, step)) {
+      this.show(following(this.chosen, step, length));
+    }
+    this.step = step;
+  }
+
+  /** In whole steps; the same object while it stays the same. */
+  get range(): Range {
+    const { from, to } = inSteps(this.exact);
+    if (this.told.from !== from || this.told.to !== to) this.told = { from, to };
+    return this.told;
+  }
+
+  get isWhole(): boolean {
+    return this.chosen === null;
+  }
+
+  show(range: Range): void {
+    this.chosen = isWhole(range, this.length) ? null : range;
+    if (this.chosen === null) remembered.delete(this.name);
+    else remembered.set(this.name, this.chosen);
+  }
+
+  showWhole(): void {
+    this.show(wholeOf(this.length));
+  }
+
+  /** So many times as near; the place, a share of the strip, stays where it is. Without one that is the step, or the middle. */
+  zoom(by: number, place?: number): void {
+    const { exact, length } = this;
+    const share = place ?? (isIn(exact, this.step) ? null : 0.5);
+    const at = share === null ? this.step : exact.from + share * (exact.to - exact.from);
+    this.show(zoomed(exact, by, at, length));
+  }
+
+  /** Later by so large a share of what is shown. */
+  move(share: number): void {
+    const { exact, length } = this;
+    this.show(moved(exact, share * (exact.to - exact.from), length));
+  }
+
+  private get exact(): Range {
+    return this.chosen ?? wholeOf(this.length);
+  }
+}
