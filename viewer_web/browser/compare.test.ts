@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
 import { compared, comparing, counter, differ, names, sentences, stepsOf } from './compare.js';
-import { editing, handle, rerun, spotOf } from './live.js';
+import { editing, handle, looks, rerun, spotOf } from './live.js';
 import { goTo, open } from './page.js';
 
 const lesson = 'trace=09-usual-mistakes.warnock.double.corrected.signs';
@@ -38,7 +38,7 @@ describe('the printed text beside the corrected one', () => {
     await expect.poll(() => differ(page).textContent()).toContain('64 now, 64 at the end');
     const image = (): Promise<string> =>
       page
-        .locator('vidno-compared-run.other canvas')
+        .locator('vidno-compared-run.other .cells')
         .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
     const plain = await image();
     await page.keyboard.press('l');
@@ -144,7 +144,7 @@ describe('Warnock beside the Z-buffer', () => {
       return { x: left + width / 2, y: top + height / 2 };
     });
     await page.mouse.click(x + 3, y + 3);
-    await expect.poll(() => page.locator('vidno-picture .chosen:not(.casing)').count()).toBe(2);
+    await expect.poll(() => looks(page, 'chosen')).toBe(4); // with their casings
     await page.waitForURL(/pixel=8(,|%2C)8/);
   });
 });

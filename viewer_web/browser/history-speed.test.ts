@@ -1,6 +1,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
+import { spotOf } from './live.js';
 import { open, opened, repeated, sampleTrace, small } from './page.js';
 
 /** Tells, for each click, how long it took until the history was whole and on the page. */
@@ -35,12 +36,12 @@ describe('a trace of 300 000 events', () => {
   ])('%s gives the history of a pixel soon after the click', async (name, text) => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, `${name}.jsonl`, text);
-    const area = await page.locator('vidno-picture .area').boundingBox();
-    if (area === null) throw new Error('no picture');
     await watch(page);
     const clicks = 5;
     for (let i = 1; i <= clicks; i++) {
-      await page.mouse.click(area.x + (area.width * i) / (clicks + 1), area.y + area.height / 3);
+      // The area is 5 x 4 pixels, from (2, -1) on.
+      const { x, y } = await spotOf(page, 2 + (5 * i) / (clicks + 1), 1 / 3);
+      await page.mouse.click(x, y);
       await page.waitForFunction(
         (n) => (window as unknown as { times: number[] }).times.length === n,
         i,

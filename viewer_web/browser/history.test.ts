@@ -2,6 +2,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
+import { looks, spotOf } from './live.js';
 import {
   goTo,
   lessonTraces,
@@ -15,18 +16,8 @@ import {
   widthOf,
 } from './page.js';
 
-/** The middle of a pixel of the small scenes' picture, on the page: x from 2, y from -1, 5 x 4 pixels. */
-async function spotOf(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
-  const area = await page.locator('vidno-picture .area').boundingBox();
-  if (area === null) throw new Error('no picture');
-  return {
-    x: area.x + ((x - 2 + 0.5) * area.width) / 5,
-    y: area.y + ((y + 1 + 0.5) * area.height) / 4,
-  };
-}
-
 async function click(page: Page, x: number, y: number): Promise<void> {
-  const spot = await spotOf(page, x, y);
+  const spot = await spotOf(page, x + 0.5, y + 0.5);
   await page.mouse.click(spot.x, spot.y);
   await page.locator('vidno-history .entries').waitFor();
 }
@@ -52,7 +43,7 @@ describe('the history of a pixel', () => {
     expect(await stepsIn(page)).toEqual([3, 32, 33, 36, 39, 89, 90, 92, 94]);
     expect(await page.locator('vidno-history .why').textContent()).toContain('B is nearer here');
     expect(await inSight(page, 94)).toBe(true);
-    expect(await page.locator('vidno-picture path.chosen:not(.casing)').count()).toBe(1);
+    expect(await looks(page, 'chosen')).toBe(2); // with its casing
     await page.keyboard.press('ArrowRight');
     expect((await shown(page)).step).toBe(1); // the click did not take the keyboard
     expect(faults).toEqual([]);
@@ -100,7 +91,7 @@ describe('the history of a pixel', () => {
     await page.locator('vidno-history .forget').focus();
     await page.keyboard.press('Enter');
     await page.locator('vidno-zbuffer').waitFor();
-    expect(await page.locator('vidno-picture path.chosen').count()).toBe(0);
+    expect(await looks(page, 'chosen')).toBe(0);
     expect(faults).toEqual([]);
   });
 
@@ -109,9 +100,9 @@ describe('the history of a pixel', () => {
     const last = (await lessonTraces(first)).filter((trace) => trace.includes('.zbuffer.')).at(-1);
     if (last === undefined) return;
     await openLesson(first, last);
-    const area = await first.locator('vidno-picture .area').boundingBox();
-    if (area === null) throw new Error('no picture');
-    await first.mouse.click(area.x + area.width / 3, area.y + area.height / 2);
+    const box = await first.locator('vidno-picture').boundingBox();
+    if (box === null) throw new Error('no picture');
+    await first.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
     await first.waitForFunction(() => location.hash.includes('pixel='));
     const name = await first.locator('vidno-side button[aria-pressed=true]').textContent();
     const { page } = await open(browser, new URL(first.url()).hash);

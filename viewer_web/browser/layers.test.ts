@@ -1,9 +1,11 @@
 import type { Page } from 'playwright-core';
+import type { Frame } from '../src/picture/frame.js';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { browser } from './browser.js';
-import { rerun, scene, square, title, triangle } from './live.js';
+import { browser, settled } from './browser.js';
+import { rerun, run, scene, shapes, square, title, triangle } from './live.js';
 import { goTo, open, openFile, shown, whole } from './page.js';
+import { scaleOf } from './zoom.js';
 import type { Opened } from './page.js';
 
 const printed = (method: string): string => `09-usual-mistakes.${method}.double.printed.signs`;
@@ -23,7 +25,7 @@ const choice = (page: Page) => page.locator('vidno-layers select');
 const status = (page: Page) => page.locator('vidno-layers .status');
 const image = (page: Page): Promise<string> =>
   page
-    .locator('vidno-picture > canvas')
+    .locator('vidno-picture .cells')
     .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
 /** In the page, however far that is scrolled. */
 const box = (page: Page) =>
@@ -180,8 +182,8 @@ describe('the windows so far', () => {
   it('are drawn, and those around the current one', async () => {
     const { page } = await openLesson('09-usual-mistakes.warnock.double.corrected.signs');
     const boxes = async (role: string): Promise<number> => {
-      const d = await page.locator(`vidno-picture > svg > .${role}:not(.casing)`).getAttribute('d');
-      return (d?.match(/M/g) ?? []).length;
+      const found = (await shapes(page)).find(({ look }) => look === role);
+      return (found?.d.match(/M/g) ?? []).length;
     };
     // To the first window of 8 x 8: the quarters of 16 x 16, and itself around none but the whole.
     const quarter = await page.evaluate(() => {
@@ -194,5 +196,31 @@ describe('the windows so far', () => {
     await goTo(page, quarter);
     expect(await boxes('tree')).toBe(4);
     expect(await boxes('way')).toBe(1);
+  });
+
+  it('are ink on the picture, dark on a light casing', async () => {
+    const { page } = await openLesson('09-usual-mistakes.warnock.double.corrected.signs');
+    // To where the first window, of the whole area of 16 x 16, is taken from the stack.
+    const { lines } = await run(page);
+    await goTo(page, lines.findIndex((line) => line.startsWith('{"e":"pop"')) + 1);
+    await settled(page);
+    const color = (x: number, y: number): Promise<readonly number[]> =>
+      page.locator('vidno-picture').evaluate(
+        (picture, [across, down]) => {
+          const { frame } = picture as unknown as { frame: Frame };
+          const canvas = picture.shadowRoot?.querySelector<HTMLCanvasElement>('.step');
+          const [left, top] = frame.shown;
+          const dot = canvas
+            ?.getContext('2d')
+            ?.getImageData((across - left) * frame.scale, (down - top) * frame.scale, 1, 1);
+          return [...(dot?.data ?? [])];
+        },
+        [x, y] as const,
+      );
+    expect(await color(0, 8)).toEqual([0x10, 0x13, 0x1c, 255]);
+    const pixel = 1 / (await scaleOf(page));
+    // The casing is 5 pixels wide, its last dot in part.
+    expect(Math.min(...(await color(2 * pixel, 8)))).toBeGreaterThan(200);
+    expect(await color(8, 8)).toEqual([0, 0, 0, 0]);
   });
 });

@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
-import { browser } from './browser.js';
+import { browser, settled } from './browser.js';
 import { goTo, open, opened, shown, small } from './page.js';
 
 /** What stands beside a line. */
@@ -58,5 +58,38 @@ describe('the listing', () => {
     expect(await source.locator('h3').first().textContent()).toBe('warnock/warnock.h');
     expect(await violations(page)).toEqual([]);
     expect(faults).toEqual([]);
+  });
+
+  it('keeps the current line in sight, in a lower window too', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    const isInSight = (): Promise<boolean> =>
+      page.locator('vidno-listing .now').evaluate((line) => {
+        const box = line.closest('.procedures')?.getBoundingClientRect();
+        const { top, bottom } = line.getBoundingClientRect();
+        return box !== undefined && top >= box.top && bottom <= box.bottom;
+      });
+    for (const step of [60, 400, 800]) {
+      await goTo(page, step);
+      await expect.poll(isInSight).toBe(true);
+    }
+    await page.setViewportSize({ width: 1280, height: 620 });
+    await expect.poll(isInSight).toBe(true);
+  });
+
+  it('stays where its reader has scrolled to until the line is another', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await opened(page, 'small.jsonl', small);
+    await goTo(page, 400);
+    await settled(page);
+    const list = page.locator('vidno-listing .procedures');
+    const top = (): Promise<number> => list.evaluate((element) => element.scrollTop);
+    expect(await top()).toBeGreaterThan(0);
+    await list.evaluate((element) => (element.scrollTop = 0));
+    await page.locator('vidno-warnock .apl tr').first().hover(); // draws the step anew
+    await settled(page);
+    expect(await top()).toBe(0);
+    await goTo(page, 401);
+    await expect.poll(top).toBeGreaterThan(0);
   });
 });

@@ -1,5 +1,6 @@
 import type { Browser, Page } from 'playwright-core';
 import { open, openFile } from './page.js';
+import type { Shape } from '../src/picture/shapes.js';
 import type { Opened } from './page.js';
 
 export interface Run {
@@ -65,6 +66,18 @@ export function spotOf(page: Page, x: number, y: number): Promise<{ x: number; y
     [x, y] as const,
   );
 }
+
+/** What is drawn over the pixels of the pictures that are shown. */
+export const shapes = (page: Page): Promise<readonly Shape[]> =>
+  page
+    .locator('vidno-picture, vidno-region-picture')
+    .evaluateAll((all) =>
+      all.flatMap((each) => (each as HTMLElementTagNameMap['vidno-picture']).shapes),
+    );
+
+/** How many of these have a look. */
+export const looks = async (page: Page, look: string): Promise<number> =>
+  (await shapes(page)).filter((each) => each.look.split(' ').includes(look)).length;
 
 export const handle = (polygon: number, vertex: number): string =>
   `vidno-handles [data-spot="${polygon},${vertex}"]`;

@@ -2,6 +2,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
+import { shapes } from './live.js';
 import { goTo, open, opened, sampleTrace, small } from './page.js';
 
 /** What lights up in a part of the page, as its elements are called. */
@@ -19,8 +20,9 @@ async function pointAt(page: Page, label: string): Promise<void> {
   await page.mouse.move(x, y);
 }
 
-const halo = (page: Page): Promise<number> =>
-  page.locator('vidno-picture svg .casing.pointed, vidno-picture svg .dot.pointed').count();
+const halo = async (page: Page): Promise<number> =>
+  (await shapes(page)).filter(({ look }) => look === 'casing pointed' || look === 'dot pointed')
+    .length;
 
 describe('a polygon that is pointed at', () => {
   it('in the list lights up in the picture and in the stack, until the mouse leaves', async () => {

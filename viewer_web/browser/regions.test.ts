@@ -2,6 +2,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
+import { looks } from './live.js';
 import { cutOff, goTo, open, opened, sampleTrace, shown, whole, widthOf } from './page.js';
 import { asked } from './predict.js';
 
@@ -19,9 +20,6 @@ async function openWedge(
 /** The first step from one on whose line in the file matches. */
 const stepOf = (pattern: RegExp, from = 1): number =>
   wedge.split('\n').findIndex((line, i) => i >= from && pattern.test(line));
-
-const shapes = (page: Page, look: string): Promise<number> =>
-  page.locator(`vidno-region-picture > svg > path.${look}`).count();
 
 /** A clip that leaves something inside and something outside. */
 const clip = stepOf(/"clipped","at":"WA5","polygon":"C","clip":"B"/);
@@ -46,15 +44,15 @@ describe('a run of Weiler and Atherton’s algorithm', () => {
   it('shows the clip polygon, the parts inside and outside, and where the outline crosses', async () => {
     const { page } = await openWedge();
     await goTo(page, clip);
-    expect(await shapes(page, 'clip-region')).toBe(2); // with its casing
-    expect(await shapes(page, 'inside-part')).toBe(2); // hatch and outline
-    expect(await shapes(page, 'outside-part')).toBe(2);
-    expect(await shapes(page, 'enters')).toBe(1);
-    expect(await shapes(page, 'shown')).toBe(1);
+    expect(await looks(page, 'clip-region')).toBe(2); // with its casing
+    expect(await looks(page, 'inside-part')).toBe(2); // hatch and outline
+    expect(await looks(page, 'outside-part')).toBe(2);
+    expect(await looks(page, 'enters')).toBe(1);
+    expect(await looks(page, 'shown')).toBe(1);
     await page.getByRole('checkbox', { name: 'inside, outside' }).click();
-    expect(await shapes(page, 'inside-part')).toBe(0);
+    expect(await looks(page, 'inside-part')).toBe(0);
     await page.getByRole('checkbox', { name: 'visible' }).click();
-    expect(await shapes(page, 'shown')).toBe(0);
+    expect(await looks(page, 'shown')).toBe(0);
   });
 
   it('lists what is in hand, and the areas of what is visible', async () => {

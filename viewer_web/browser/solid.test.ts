@@ -4,6 +4,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { headerOf, textWith } from '../src/testing/traces.js';
 import { violations } from './axe.js';
 import { launch } from './browser.js';
+import { looks } from './live.js';
 import { goTo, open, opened, sampleTrace, shown, small } from './page.js';
 import type { Opened } from './page.js';
 
@@ -171,7 +172,7 @@ describe('the scene in 3D', () => {
   it('points at what the mouse is over, and lights up what is pointed at', async () => {
     const { page } = await solid();
     await page.locator(`${stage} .label[data-thing="polygon A"]`).hover();
-    await expect.poll(() => page.locator('vidno-picture svg .casing.pointed').count()).toBe(1);
+    await expect.poll(() => looks(page, 'pointed')).toBe(2); // with its casing
   });
 
   it('goes away by its key, and stays when another trace is opened', async () => {

@@ -288,8 +288,11 @@ export class AppElement extends LitElement implements Shown, Told {
   }
 
   override updated(): void {
-    document.documentElement.lang = this.setup.language;
-    document.title = this.session.trace ? `${this.name} · vidno` : 'vidno';
+    const { documentElement: root } = document;
+    // Set to what it is already, it would have the browser style the whole page anew.
+    if (root.lang !== this.setup.language) root.lang = this.setup.language;
+    const name = this.session.trace ? `${this.name} · vidno` : 'vidno';
+    if (document.title !== name) document.title = name;
   }
 
   override render(): TemplateResult {

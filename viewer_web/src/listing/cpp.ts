@@ -4,7 +4,6 @@ import { customElement, property, query } from 'lit/decorators.js';
 import type { View } from '../algorithm/view.js';
 import { base } from '../elements/theme.js';
 import { Follower } from '../picture/in-sight.js';
-import { OwnSize } from '../picture/own-size.js';
 import { sourcesOf, telling } from './sources.js';
 import type { Source, SourceLine } from './sources.js';
 
@@ -68,7 +67,6 @@ export class CppElement extends LitElement {
   @query('.files') private files!: HTMLElement;
   private sources: readonly Source[] = [];
   private shown = '';
-  private readonly size = new OwnSize(this);
   private readonly follower = new Follower();
 
   override willUpdate(): void {
@@ -110,6 +108,6 @@ export class CppElement extends LitElement {
     // Before the first step one looks at the beginning.
     const what = this.view.step === 0 ? 'section' : '.now';
     const mark = this.renderRoot.querySelector<HTMLElement>(what);
-    this.follower.follow(this.files, mark, this.size.value, 32);
+    this.follower.follow(this.files, mark, 32);
   }
 }

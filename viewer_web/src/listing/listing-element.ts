@@ -5,7 +5,6 @@ import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { base } from '../elements/theme.js';
 import { Follower } from '../picture/in-sight.js';
-import { OwnSize } from '../picture/own-size.js';
 import type { Trace } from '../replay/trace.js';
 import './cpp.js';
 import { valuesInPlay } from './in-play.js';
@@ -71,7 +70,6 @@ export class ListingElement extends LitElement {
     </div>`;
   }
 
-  private readonly size = new OwnSize(this);
   private readonly follower = new Follower();
 
   private get current(): string | null {
@@ -126,7 +124,7 @@ export class ListingElement extends LitElement {
     const find = (what: string): HTMLElement | null => this.renderRoot.querySelector(what);
     // Before the first step one looks at the beginning.
     const mark = this.view.step === 0 ? find('section') : (find('.entered h3') ?? find('.now'));
-    this.follower.follow(find('.procedures'), mark, this.size.value);
+    this.follower.follow(find('.procedures'), mark);
   }
 }
 

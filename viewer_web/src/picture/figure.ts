@@ -1,14 +1,11 @@
-import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { element, escaped } from '../base/xml.js';
-import { beyond } from './beyond.js';
+import { sceneDrawing, stepDrawing } from './drawing.js';
 import { Frame } from './frame.js';
 import { lookOf, short } from './looks.js';
-import { marksOf } from './marks.js';
 import { patchesOf } from './patches.js';
-import { shapesOf } from './shapes.js';
 import type { Shape } from './shapes.js';
-import { labelSize, gridShapes, labelsOf, notesOf, outlineShapes } from './still.js';
+import { labelSize } from './still.js';
 import type { Label } from './still.js';
 
 /** The longer side, in CSS pixels. */
@@ -64,15 +61,10 @@ export function figureOf(view: View, { under, over }: Layers = { under: [], over
   const pixels = patches.map(({ color, d }) => element('path', Object.entries({ fill: color, d })));
   // Neighbours must meet without a seam.
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
-  const marked = marksOf({ ...view, pointed: null, asked: [] }, frame.sight);
-  const outside = beyond(marked, frame, numbersOf(view));
-  const marks = [...marked.flatMap((mark) => shapesOf(mark, scale)), ...outside.shapes];
-  const shapes = [...gridShapes(frame), ...under, ...outlineShapes(scene), ...over, ...marks].map(
-    (shape) => pathOf(shape, scale),
-  );
-  const names = [...labelsOf(scene, frame), ...notesOf(marked, frame), ...outside.labels].map(
-    (each) => label(each, frame),
-  );
+  const still = sceneDrawing(scene, frame, under);
+  const step = stepDrawing({ ...view, pointed: null, asked: [] }, frame, over);
+  const shapes = [...still.shapes, ...step.shapes].map((shape) => pathOf(shape, scale));
+  const names = [...still.labels, ...step.labels].map((each) => label(each, frame));
   return figureDocument(view, frame, `${sharp}${shapes.join('')}`, names.join(''));
 }
 

@@ -49,7 +49,12 @@ export function cellsOf(layer: Layer, { picture, z, scene }: Screen, exact: Exac
   const cells = (ink: (i: number, j: number) => number): Cells => ({
     width,
     height,
-    row: (j, columns) => Uint32Array.from(columns, (i) => ink(i, j)),
+    of: [layer, picture, picture.version, z, z?.version, exact],
+    row: (j, columns) => {
+      const row = new Uint32Array(columns.length);
+      for (let at = 0; at < row.length; at++) row[at] = ink(columns[at] ?? 0, j);
+      return row;
+    },
   });
   switch (layer) {
     case 'picture':

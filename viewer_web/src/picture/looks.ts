@@ -1,3 +1,4 @@
+import { tokens } from '../elements/theme.js';
 import { curvesStyle } from './curves.style.js';
 import { marksStyle } from './marks.style.js';
 import { pictureStyle } from './picture.style.js';
@@ -24,8 +25,11 @@ const attributes = [
 const sheet =
   marksStyle.cssText + pictureStyle.cssText + curvesStyle.cssText + regionsStyle.cssText;
 
+/** Those of the page's own are as in the light theme: the marks are alike in both. */
 const variables = new Map(
-  [...sheet.matchAll(/(--[\w-]+):\s*([^;]+);/g)].map(([, name, value]) => [name, value]),
+  [...`${sheet}${tokens.cssText}`.matchAll(/(--[\w-]+):\s*([^;]+);/g)]
+    .reverse()
+    .map(([, name, value]) => [name, value]),
 );
 
 function declarationsIn(body: string): Rule['declarations'] {

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { paint } from './paint.js';
+import { CellPainter } from './paint.js';
 import type { Cells } from './paint.js';
 
-/** A canvas of so many dots a side, as far as `paint` knows one, and what was painted on it. */
+/** A canvas of so many dots a side, as far as a painter knows one, and what was painted on it. */
 function canvasOf(side: number): { canvas: HTMLCanvasElement; dots: Uint32Array } {
   const data = new Uint8ClampedArray(4 * side * side);
   const image = { width: side, height: side, data };
@@ -19,13 +19,13 @@ function cellsOf(side: number): { cells: Cells; asked: () => number } {
     count += columns.length;
     return columns.map((i) => ink(i, j));
   };
-  return { cells: { width: side, height: side, row }, asked: () => count };
+  return { cells: { width: side, height: side, of: [], row }, asked: () => count };
 }
 
 describe('cells on a canvas', () => {
   it('are squares where they are larger than dots, at their place, with nothing around', () => {
     const { canvas, dots } = canvasOf(8);
-    paint(canvas, cellsOf(2).cells, { x: 1, y: 1, scale: 3, ratio: 1 });
+    new CellPainter().paint(canvas, cellsOf(2).cells, { x: 1, y: 1, scale: 3, ratio: 1 });
     const [a, b, c, d] = [ink(0, 0), ink(1, 0), ink(0, 1), ink(1, 1)];
     const row = (left: number, right: number) => [0, left, left, left, right, right, right, 0];
     const [upper, lower, none] = [row(a, b), row(c, d), row(0, 0)];
@@ -35,9 +35,26 @@ describe('cells on a canvas', () => {
   it('are asked for no oftener than dots show them', () => {
     const { canvas, dots } = canvasOf(100);
     const { cells, asked } = cellsOf(16000);
-    paint(canvas, cells, { x: 0, y: 0, scale: 1 / 160, ratio: 1 });
+    new CellPainter().paint(canvas, cells, { x: 0, y: 0, scale: 1 / 160, ratio: 1 });
     expect(asked()).toBe(100 * 100);
     // The middle of the dot at (3, 2) lies at 3.5 and 2.5 times 160 cells.
     expect(dots[2 * 100 + 3]).toBe(ink(560, 400));
+  });
+
+  it('are painted again only in rows that have changed', () => {
+    const { canvas, dots } = canvasOf(2);
+    const painter = new CellPainter();
+    const place = { x: 0, y: 0, scale: 1, ratio: 1 };
+    const cells = (rows: readonly number[]): Cells => ({
+      width: 2,
+      height: 2,
+      of: [rows],
+      row: (j, columns) => columns.map((i) => ink(i, rows[j] ?? 0)),
+    });
+    painter.paint(canvas, cells([0, 1]), place);
+    const stain = 0xff123456;
+    dots.fill(stain);
+    painter.paint(canvas, cells([0, 7]), place);
+    expect([...dots]).toEqual([stain, stain, ink(0, 7), ink(1, 7)]);
   });
 });

@@ -2,6 +2,8 @@
 export interface Cells {
   readonly width: number;
   readonly height: number;
+  /** As long as all of these are the same, so are the cells. */
+  readonly of: readonly unknown[];
   /** Cells of a row, those of some columns: of a large picture few are seen. */
   row(j: number, columns: readonly number[]): ArrayLike<number>;
 }
@@ -58,46 +60,130 @@ function cellsAlong(dots: number, from: number, scale: number, cells: number): r
   });
 }
 
-/** Paints cells dot by dot: each is a sharp square, at most half a dot from its place. */
-export function paint(canvas: HTMLCanvasElement, cells: Cells | null, place: Place): void {
-  const { width, height } = canvas;
-  const context = canvas.getContext('2d');
-  if (context === null || width === 0 || height === 0) return;
-  const image = context.createImageData(width, height);
-  if (cells !== null) fill(new Uint32Array(image.data.buffer), image, cells, place);
-  context.putImageData(image, 0, 0);
+/** Dots in a column that show the same cell. */
+interface Band {
+  readonly cell: number;
+  readonly first: number;
+  readonly end: number;
 }
 
-function fill(
-  dots: Uint32Array,
-  { width, height }: ImageData,
-  cells: Cells,
-  { x: left, y: top, scale, ratio }: Place,
-): void {
-  const across = cellsAlong(width, left, scale, cells.width);
-  const columns = [...new Set(across)].filter((i) => i !== none);
-  const places = new Map(columns.map((i, place) => [i, place]));
-  /** For each dot its cell's place among the columns. */
-  const dotted = Int32Array.from(across, (i) => places.get(i) ?? none);
-  let last = none;
-  let row: ArrayLike<number> = [];
-  let hasTexture = false;
-  cellsAlong(height, top, scale, cells.height).forEach((j, y) => {
-    const start = y * width;
-    const isNew = j !== last;
-    last = j;
-    if (j === none) return;
-    if (isNew) {
-      row = cells.row(j, columns);
-      hasTexture = Array.from(row).some((cell) => cell >>> 24 !== plain);
-    } else if (!hasTexture) {
-      dots.copyWithin(start, start - width, start);
+function bandsOf(cells: readonly number[]): readonly Band[] {
+  const bands: Band[] = [];
+  for (let first = 0, end = 0; first < cells.length; first = end) {
+    const cell = cells[first] ?? none;
+    do end++;
+    while (end < cells.length && cells[end] === cell);
+    if (cell !== none) bands.push({ cell, first, end });
+  }
+  return bands;
+}
+
+/** How cells of a place are dots of a canvas. */
+class Raster {
+  /** The columns that are seen. */
+  readonly columns: readonly number[];
+  /** For each dot of a row its cell's place among the columns. */
+  private readonly across: Int32Array;
+  private readonly bands: readonly Band[];
+  /** The cells of each band as they were painted last. */
+  private readonly painted: ArrayLike<number>[] = [];
+  private readonly dots: Uint32Array;
+
+  constructor(
+    readonly image: ImageData,
+    readonly cells: Pick<Cells, 'width' | 'height'>,
+    readonly place: Place,
+  ) {
+    const { width, height, data } = image;
+    const { x, y, scale } = place;
+    const across = cellsAlong(width, x, scale, cells.width);
+    this.columns = [...new Set(across)].filter((i) => i !== none);
+    const places = new Map(this.columns.map((i, at) => [i, at]));
+    this.across = Int32Array.from(across, (i) => places.get(i) ?? none);
+    this.bands = bandsOf(cellsAlong(height, y, scale, cells.height));
+    this.dots = new Uint32Array(data.buffer);
+  }
+
+  isOf({ width, height }: HTMLCanvasElement, cells: Cells, place: Place): boolean {
+    const { image, cells: own, place: at } = this;
+    return (
+      image.width === width &&
+      image.height === height &&
+      own.width === cells.width &&
+      own.height === cells.height &&
+      at.x === place.x &&
+      at.y === place.y &&
+      at.scale === place.scale &&
+      at.ratio === place.ratio
+    );
+  }
+
+  /** Paints the rows that have changed; gives the rows of dots from the first to the last of these. */
+  paint(cells: Cells): readonly [first: number, end: number] {
+    let [top, bottom] = [Infinity, 0];
+    this.bands.forEach((band, i) => {
+      const row = cells.row(band.cell, this.columns);
+      if (areEqual(row, this.painted[i])) return;
+      this.painted[i] = row;
+      this.fill(band, row);
+      top = Math.min(top, band.first);
+      bottom = band.end;
+    });
+    return [Math.min(top, bottom), bottom];
+  }
+
+  private fill({ first, end }: Band, row: ArrayLike<number>): void {
+    const { dots, across } = this;
+    const { width } = this.image;
+    const { ratio } = this.place;
+    const hasTexture = Array.from(row).some((cell) => cell >>> 24 !== plain);
+    for (let y = first; y < end; y++) {
+      const start = y * width;
+      if (y > first && !hasTexture) {
+        dots.copyWithin(start, start - width, start);
+        continue;
+      }
+      const down = Math.floor(y / ratio);
+      for (let x = 0; x < width; x++) {
+        const cell = row[across[x] ?? none] ?? clear;
+        dots[start + x] = hasTexture ? inkOf(cell, Math.floor(x / ratio), down) : cell;
+      }
+    }
+  }
+}
+
+function areEqual<T>(a: ArrayLike<T>, b: ArrayLike<T> | undefined): boolean {
+  if (b?.length !== a.length) return false;
+  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
+  return true;
+}
+
+/**
+ * Paints cells dot by dot on a canvas: each is a sharp square, at most half a dot from its place. What is painted already is
+ * left alone, as most steps of a run paint nothing.
+ */
+export class CellPainter {
+  private raster: Raster | null = null;
+  /** What the cells were made of that were painted last. */
+  private of: readonly unknown[] = [];
+
+  paint(canvas: HTMLCanvasElement, cells: Cells | null, place: Place): void {
+    const { width, height } = canvas;
+    const context = canvas.getContext('2d');
+    if (context === null || width === 0 || height === 0) return;
+    if (cells === null) {
+      this.raster = null;
+      context.clearRect(0, 0, width, height);
       return;
     }
-    const down = Math.floor(y / ratio);
-    dotted.forEach((place, x) => {
-      const cell = row[place] ?? clear;
-      dots[start + x] = hasTexture ? inkOf(cell, Math.floor(x / ratio), down) : cell;
-    });
-  });
+    const isOld = this.raster?.isOf(canvas, cells, place) === true;
+    if (isOld && areEqual(cells.of, this.of)) return;
+    this.of = cells.of;
+    if (!isOld) this.raster = new Raster(context.createImageData(width, height), cells, place);
+    const { raster } = this;
+    if (raster === null) return;
+    const [first, end] = raster.paint(cells);
+    if (!isOld) context.putImageData(raster.image, 0, 0);
+    else if (end > first) context.putImageData(raster.image, 0, 0, 0, first, width, end - first);
+  }
 }

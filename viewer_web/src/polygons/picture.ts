@@ -2,33 +2,47 @@ import { html, nothing, svg } from 'lit';
 import type { PropertyValues, SVGTemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { guard } from 'lit/directives/guard.js';
+import type { Editing } from '../editor/editor.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import { Printing } from '../elements/printing.js';
+import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { HistoryTexts } from '../language/texts.js';
-import type { Editing } from '../editor/editor.js';
-import { beyond } from '../picture/beyond.js';
+import { sceneDrawing, stepDrawing } from '../picture/drawing.js';
+import type { Drawing } from '../picture/drawing.js';
+import { drawn, labels } from '../picture/drawn.js';
 import type { Frame, Point } from '../picture/frame.js';
+import { Inker, fit } from '../picture/ink.js';
 import { cellsOf } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import { target } from '../picture/mark.js';
-import { marksOf } from '../picture/marks.js';
-import { paint } from '../picture/paint.js';
+import { marksStyle } from '../picture/marks.style.js';
+import { CellPainter } from '../picture/paint.js';
 import type { Cells } from '../picture/paint.js';
 import { patchesOf } from '../picture/patches.js';
+import { pictureStyle } from '../picture/picture.style.js';
 import { factsAt } from '../picture/pixel-facts.js';
 import type { Pixel } from '../picture/pixel.js';
-import { shapesOf } from '../picture/shapes.js';
-import { gridShapes, labelsOf, notesOf, outlineShapes, shapesToPoint } from '../picture/still.js';
-import { drawn, labels } from '../picture/drawn.js';
-import './handles.js';
-import { numbersOf } from '../algorithm/view.js';
-import { hiddenStyle } from '../elements/hidden.style.js';
-import { marksStyle } from '../picture/marks.style.js';
-import { pictureStyle } from '../picture/picture.style.js';
 import { PlaneElement } from '../picture/plane.js';
-import { Printing } from '../elements/printing.js';
-import { base } from '../elements/theme.js';
+import { shapesOf } from '../picture/shapes.js';
+import type { Shape } from '../picture/shapes.js';
+import { shapesToPoint } from '../picture/still.js';
+import type { Scene } from '../trace/header.js';
+import './handles.js';
 
-/** The picture so far, and over it what the step is about. */
+const none: readonly Shape[] = [];
+
+/** A drawing, and what it was made of. */
+interface SceneDrawing extends Drawing {
+  readonly scene: Scene;
+  readonly frame: Frame;
+  readonly under: readonly Shape[];
+}
+
+/**
+ * The picture so far, and over it what the step is about. All but names and what is pointed at is drawn on canvases: the browser
+ * would lay out outlines and windows anew at each step if they were elements. For paper they are, to be as sharp as its lines.
+ */
 @customElement('vidno-picture')
 export class PictureElement extends PlaneElement {
   static override styles = [base, hiddenStyle, marksStyle, pictureStyle];
@@ -38,25 +52,45 @@ export class PictureElement extends PlaneElement {
   @property({ attribute: false }) exact: Exact = null;
   /** The scene while its corners may be dragged. */
   @property({ attribute: false }) editing: Editing | null = null;
-  @query('canvas') private canvas!: HTMLCanvasElement;
+  @query('.cells') private bottom!: HTMLCanvasElement;
+  @query('.scene') private scene!: HTMLCanvasElement;
+  @query('.step') private step!: HTMLCanvasElement;
 
   private readonly printing = new Printing(this);
+  private readonly painter = new CellPainter();
+  private readonly inkers = { scene: new Inker(), step: new Inker() };
+  private ofScene: SceneDrawing | null = null;
+  private ofStep: Drawing = { shapes: none, labels: [] };
+
+  /** What is drawn over the pixels, from below. */
+  get shapes(): readonly Shape[] {
+    return [...(this.ofScene?.shapes ?? none), ...this.ofStep.shapes];
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    const { view, frame } = this;
+    this.ofScene = this.drawingOfScene(frame);
+    this.ofStep = stepDrawing(view, frame, this.over?.(frame));
+  }
+
+  /** The same one as long as nothing about it changes. */
+  private drawingOfScene(frame: Frame): SceneDrawing {
+    const { ofScene: known } = this;
+    const { scene } = this.view.header;
+    const under = this.under();
+    const isSame = known?.scene === scene && known.frame === frame && known.under === under;
+    return isSame ? known : { scene, frame, under, ...sceneDrawing(scene, frame, under) };
+  }
 
   override updated(changed: PropertyValues<this>): void {
     super.updated(changed);
-    this.paint();
-  }
-
-  private paint(): void {
+    const { frame, bottom, scene, step, inkers } = this;
     const ratio = window.devicePixelRatio * this.size.zoom;
-    const { canvas, frame } = this;
-    const { width, height } = frame.size;
-    canvas.width = Math.ceil(width * ratio);
-    canvas.height = Math.ceil(height * ratio);
-    // A dot of the canvas is one of the device.
-    canvas.style.width = `${canvas.width / ratio}px`;
-    canvas.style.height = `${canvas.height / ratio}px`;
-    paint(canvas, this.cells, frame.place(ratio));
+    for (const canvas of [bottom, scene, step]) fit(canvas, frame.size, ratio);
+    this.painter.paint(bottom, this.cells, frame.place(ratio));
+    inkers.scene.draw(scene, this.ofScene?.shapes ?? none, frame, ratio);
+    inkers.step.draw(step, this.ofStep.shapes, frame, ratio);
   }
 
   /** What the pixels show; null if nothing. */
@@ -64,9 +98,13 @@ export class PictureElement extends PlaneElement {
     return cellsOf(this.layer, this.view.screen, this.exact);
   }
 
-  /** What lies over the pixels and under the polygons' outlines, and what over these and under the marks. */
-  protected under?(frame: Frame): unknown;
-  protected over?(frame: Frame): unknown;
+  /** What lies over the pixels and under the polygons' outlines. */
+  protected under(): readonly Shape[] {
+    return none;
+  }
+
+  /** What lies over these and under the marks. */
+  protected over?(frame: Frame): readonly Shape[];
 
   protected override get words(): HistoryTexts {
     return texts[this.view.language].history;
@@ -77,22 +115,18 @@ export class PictureElement extends PlaneElement {
   }
 
   protected override below(): unknown {
-    return html`<canvas aria-hidden="true"></canvas>`;
+    return html`<canvas class="cells" aria-hidden="true"></canvas>
+      <canvas class="scene" aria-hidden="true"></canvas>
+      <canvas class="step" aria-hidden="true"></canvas>`;
   }
 
   protected override drawing(frame: Frame): unknown {
-    const { header } = this.view;
-    const { scale } = frame;
-    const marks = marksOf(this.view, frame.sight);
-    const outside = beyond(marks, frame, numbersOf(this.view));
-    return svg`${this.printing.now && this.cells !== null ? this.pixels() : nothing}
-      ${this.under?.(frame)}
-      ${guard([frame], () => gridShapes(frame).map(drawn))}
-      ${guard([header], () => this.outlines())}
-      ${this.over?.(frame)}
-      ${marks.flatMap((mark) => shapesOf(mark, scale).map(drawn))}
-      ${guard([header, scale], () => labels(labelsOf(header.scene, frame), frame))}
-      ${outside.shapes.map(drawn)} ${labels([...notesOf(marks, frame), ...outside.labels], frame)}`;
+    const { scene } = this.view.header;
+    const { ofScene, ofStep } = this;
+    return svg`${this.printing.now ? this.onPaper() : nothing}
+      ${guard([scene], () => shapesToPoint(scene).map(drawn))}
+      ${guard([ofScene], () => labels(ofScene?.labels ?? [], frame))}
+      ${labels(ofStep.labels, frame)}`;
   }
 
   protected override cursorMark(at: Pixel, { scale }: Frame): unknown {
@@ -109,17 +143,16 @@ export class PictureElement extends PlaneElement {
     ></vidno-handles>`;
   }
 
-  /** On paper the pixels are as sharp as the lines. */
-  private pixels(): readonly SVGTemplateResult[] {
+  /** What the canvases show, as sharp as the letters. */
+  private onPaper(): readonly SVGTemplateResult[] {
     const { screen, header } = this.view;
-    return patchesOf(screen.picture, header.scene.area).map(
-      ({ color, d }) => svg`<path class="pixels" .style=${`fill: ${color}`} d=${d} />`,
-    );
-  }
-
-  private outlines(): readonly SVGTemplateResult[] {
-    const { scene } = this.view.header;
-    return [...outlineShapes(scene), ...shapesToPoint(scene)].map(drawn);
+    const patches = this.cells === null ? [] : patchesOf(screen.picture, header.scene.area);
+    return [
+      ...patches.map(
+        ({ color, d }) => svg`<path class="pixels" .style=${`fill: ${color}`} d=${d} />`,
+      ),
+      ...this.shapes.map(drawn),
+    ];
   }
 }
 

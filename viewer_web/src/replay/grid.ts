@@ -20,6 +20,8 @@ export class Grid<T> {
   /** For each piece the turn in which it was copied: one copied in this turn is in no snapshot. */
   private readonly copied: Uint32Array;
   private turn = 1;
+  /** Another number whenever cells may have changed. */
+  version = 0;
   /** The whole piece that was filled last, in no need to be made again for the same value. */
   private plain: { readonly value: T; readonly piece: Row<T> } | null = null;
 
@@ -61,6 +63,7 @@ export class Grid<T> {
   }
 
   fill(x: number, y: number, width: number, height: number, value: T): void {
+    this.version++;
     const end = x + width;
     for (let left = x; left < end;) {
       const k = Math.floor(left / most);
@@ -79,6 +82,7 @@ export class Grid<T> {
   }
 
   set(x: number, y: number, value: T): void {
+    this.version++;
     this.writable(y * this.perRow + Math.floor(x / most))[x % most] = value;
   }
 
@@ -95,6 +99,7 @@ export class Grid<T> {
   }
 
   load(saved: readonly Row<T>[]): void {
+    this.version++;
     this.turn++;
     this.pieces = saved.slice();
   }

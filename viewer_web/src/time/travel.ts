@@ -18,8 +18,8 @@ import { Goals, around, goalsOf } from './goals.js';
 import type { Followed, Goal, GoalName } from './goals.js';
 import { travelStyle } from './travel.style.js';
 
-/** More polygons than this are options only once somebody is about to choose: to make these takes a while. */
-const crowd = 1000;
+/** More polygons than this are options only while somebody chooses: browsers look at all options whenever they lay out the page. */
+const crowd = 100;
 
 const shapes = {
   over: 'M3 13a6.5 6.5 0 0 1 13 -1M16 6.500v5.500h-5.500M9.500 16h.01',
@@ -103,6 +103,7 @@ export class TravelElement extends LitElement {
           aria-label=${say.goTo}
           @pointerdown=${this.onOpen}
           @focus=${this.onOpen}
+          @blur=${this.onClose}
           @change=${this.onChoose}
         >
           ${this.options()}
@@ -170,6 +171,10 @@ export class TravelElement extends LitElement {
 
   private onOpen(): void {
     this.isOpen = true;
+  }
+
+  private onClose(): void {
+    this.isOpen = false;
   }
 
   private onChoose(event: Event): void {

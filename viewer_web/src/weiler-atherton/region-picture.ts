@@ -1,8 +1,8 @@
 import { customElement, property } from 'lit/decorators.js';
-import { drawn } from '../picture/drawn.js';
 import type { Frame } from '../picture/frame.js';
 import type { Cells } from '../picture/paint.js';
 import { regionsStyle } from '../picture/regions.style.js';
+import type { Shape } from '../picture/shapes.js';
 import { PictureElement } from '../polygons/picture.js';
 import { allLayers } from './layers.js';
 import type { RegionLayer } from './layers.js';
@@ -19,12 +19,12 @@ export class RegionPictureElement extends PictureElement {
     return this.shown.has('pixels') ? super.cells : null;
   }
 
-  protected override under(): unknown {
-    return visibleShapes(this.view, this.shown).map(drawn);
+  protected override under(): readonly Shape[] {
+    return visibleShapes(this.view, this.shown);
   }
 
-  protected override over(frame: Frame): unknown {
-    return regionShapes(this.view, frame, this.shown).map(drawn);
+  protected override over(frame: Frame): readonly Shape[] {
+    return regionShapes(this.view, frame, this.shown);
   }
 }
 
