@@ -29,6 +29,8 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['toBookmark', ['Shift ,', 'Shift .']],
   ['thing', ['O', 'Shift O']],
   ['source', ['C']],
+  ['outline', ['T', 'Shift T']],
+  ['inOutline', ['↑ ↓ ← →', 'Enter', '/']],
   ['exact', ['X']],
   ['solid', ['V']],
   ['turn', ['← ↑ ↓ →', '+', '−', '0']],
@@ -47,7 +49,18 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
 
 /** What there is only where a run is alone, and only where it is compared. */
 const only: Readonly<Record<'one' | 'pair', ReadonlySet<KeyUse>>> = {
-  one: new Set(['layer', 'predict', 'answer', 'bookmarks', 'exact', 'solid', 'turn', 'reader']),
+  one: new Set([
+    'layer',
+    'predict',
+    'answer',
+    'bookmarks',
+    'outline',
+    'inOutline',
+    'exact',
+    'solid',
+    'turn',
+    'reader',
+  ]),
   pair: new Set(['mark', 'parting']),
 };
 

@@ -124,7 +124,7 @@ export const playerStyle = css`
       grid-row: auto;
       height: 19rem;
     }
-    .side:is(.pixel, .bookmarks, .solid) {
+    .side:is(.pixel, .outline, .bookmarks, .solid) {
       order: -1;
       height: 22rem;
     }

@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
-import { customElement, property, query } from 'lit/decorators.js';
+import { customElement, property, query, state } from 'lit/decorators.js';
 import { sayThing } from '../algorithm/pointed.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
@@ -79,6 +79,9 @@ export class PlayerElement extends StageElement {
   @property() ask = '';
   /** Whether the text of a lesson is beside it. */
   @property({ type: Boolean, reflect: true }) beside = false;
+  /** What is looked for in the outline of the run, and the steps at which it was found. */
+  @state() private sought = '';
+  @state() private hits: readonly number[] = [];
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-listing') readonly listing!: ListingElement;
@@ -95,6 +98,7 @@ export class PlayerElement extends StageElement {
     if (isOnlyEdited(changed)) return;
     this.predictor.follow();
     super.willUpdate(changed);
+    if (changed.has('trace')) this.hits = [];
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     this.chosen.follow(changed);
     if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
@@ -154,6 +158,13 @@ export class PlayerElement extends StageElement {
     await this.panel.bookmark(way);
   }
 
+  async enterOutline(): Promise<void> {
+    if (!this.isFull) return;
+    if (this.side !== 'outline') this.toggleSide('outline');
+    await this.updateComplete;
+    await this.panel.enterOutline();
+  }
+
   private keepBookmarks(bookmarks: Bookmarks): void {
     this.bookmarks = bookmarks;
     this.dispatchEvent(new CustomEvent('vidno-bookmarks', { detail: bookmarks }));
@@ -165,6 +176,7 @@ export class PlayerElement extends StageElement {
     const { texts } = view;
     // An open question is not to be answered by what shows the future.
     const { isOpen, isForced } = this.predictor;
+    const veiled = isOpen || isForced;
     const history = isOpen ? null : this.chosen.history;
     const check = this.checkOf(trace);
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
@@ -178,7 +190,7 @@ export class PlayerElement extends StageElement {
           </p>
           ${this.presenter.corner(view)}
         </div>
-        ${this.playControls(view, check, history, { plain: !this.isFull, veiled: isOpen || isForced })}
+        ${this.playControls(view, check, history, { plain: !this.isFull, veiled, hits: this.hits })}
       </div>
       <div
         class="panels"
@@ -207,10 +219,14 @@ export class PlayerElement extends StageElement {
             .bookmarks=${this.bookmarks}
             .linked=${this.linked}
             .side=${this.side}
+            .sought=${this.sought}
+            ?veiled=${veiled}
             .predictor=${this.predictor}
             ?bare=${this.presenting}
             @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
             @command=${this.onCommand}
+            @search=${({ detail }: CustomEvent<string>) => (this.sought = detail)}
+            @hits=${({ detail }: CustomEvent<readonly number[]>) => (this.hits = detail)}
             @forget=${() => this.chosen.choose(null)}
             .editing=${this.editing}
             .link=${this.link}
