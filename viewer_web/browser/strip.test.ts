@@ -11,7 +11,9 @@ const windows = sampleTrace('small.warnock.windows');
 async function opened(page: Page, name: string, content: string): Promise<void> {
   await fromPage.opened(page, name, content);
   const isDrawn = (): Promise<boolean> =>
-    page.locator('vidno-strip').evaluate((strip) => 'course' in strip && strip.course !== null);
+    page
+      .locator('.strip vidno-strip')
+      .evaluate((strip) => 'course' in strip && strip.course !== null);
   await expect.poll(isDrawn, { timeout: 60_000 }).toBe(true);
 }
 const stepOf = async (page: Page): Promise<number> => (await shown(page)).step;
@@ -44,7 +46,7 @@ function withOneWrong(length: number, step: number): string {
 
 /** The colours of a column of the strip, as "r,g,b,a". */
 const columnAt = (page: Page, x: number): Promise<readonly string[]> =>
-  page.locator('vidno-strip canvas').evaluate((canvas: HTMLCanvasElement, at) => {
+  page.locator('.strip vidno-strip canvas').evaluate((canvas: HTMLCanvasElement, at) => {
     const data = canvas.getContext('2d')?.getImageData(at, 0, 1, canvas.height).data ?? [];
     return Array.from({ length: canvas.height }, (_, y) =>
       [...data.slice(4 * y, 4 * y + 4)].join(),
@@ -115,7 +117,7 @@ describe('the strip', () => {
     const { page } = await open(browser, '#lang=en', { colorScheme: 'light' });
     await opened(page, 'windows.jsonl', windows);
     const stain = (): Promise<void> =>
-      page.locator('vidno-strip canvas').evaluate((canvas: HTMLCanvasElement) => {
+      page.locator('.strip vidno-strip canvas').evaluate((canvas: HTMLCanvasElement) => {
         const context = canvas.getContext('2d');
         if (context === null) return;
         context.fillStyle = '#00ff00';
@@ -138,7 +140,7 @@ describe('the strip', () => {
     await opened(page, 'windows.jsonl', windows);
     const dots = (): Promise<number> =>
       page
-        .locator('vidno-strip canvas')
+        .locator('.strip vidno-strip canvas')
         .evaluate((canvas: HTMLCanvasElement) => canvas.width / canvas.clientWidth);
     await expect.poll(async () => Math.abs((await dots()) - ratio)).toBeLessThan(0.005);
   });

@@ -25,6 +25,7 @@ const rooms = [
   'history',
   'strip',
   'listing',
+  'outline',
   'predict',
   'solid',
   'run',

@@ -8,6 +8,7 @@ import type { SolidTexts } from '../language/solid-texts.js';
 import type { HistoryTexts, Sentences } from '../language/texts.js';
 import type { Known } from '../language/words.js';
 import type { Notes } from '../listing/notes.js';
+import type { Outlined } from '../outline/outlined.js';
 import type { Mark } from '../picture/mark.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Askers } from '../predict/asker.js';
@@ -54,6 +55,8 @@ export interface Algorithm {
   /** What the strip shows of a run, and how the steps are told that change what is in hand. */
   readonly lanes: Lanes;
   course(book: Book): Watched;
+  /** What its outline has beside that. */
+  readonly outline: Outlined;
   /** What one may go to, beside wrong decisions, the chosen pixel and bookmarks. */
   readonly goals: readonly OwnGoal[];
 

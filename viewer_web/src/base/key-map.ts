@@ -1,5 +1,5 @@
 /** The keys of one letter, by what they do as long as nobody has changed that. */
-export const letters: readonly string[] = 'B C D E F J L N O P Q R S V W X'.split(' ');
+export const letters: readonly string[] = 'B C D E F J L N O P Q R S T V W X'.split(' ');
 
 const isLetter = (text: string): boolean => /^[A-Z]$/.test(text);
 

@@ -7,6 +7,7 @@ import { figureOf } from './figure.js';
 import { ColumnWatch } from './history.js';
 import './model.js';
 import { notes } from './notes.js';
+import { outline } from './outline.js';
 import { sentences as en } from './sentences.en.js';
 import { sentences as ru } from './sentences.ru.js';
 
@@ -40,6 +41,7 @@ defineAlgorithm(['floating-horizon'], {
       if (event?.e === 'curve') begin(step, event.curve);
     },
   }),
+  outline,
   goals: [
     { name: 'curve', at: ['curve'] },
     { name: 'crossing', at: ['intersection'] },

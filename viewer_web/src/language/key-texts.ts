@@ -40,6 +40,8 @@ export type KeyUse =
   | 'toBookmark'
   | 'thing'
   | 'source'
+  | 'outline'
+  | 'inOutline'
   | 'exact'
   | 'solid'
   | 'turn'

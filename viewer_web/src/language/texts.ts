@@ -16,6 +16,7 @@ import type { CurveTexts } from './curve-texts.js';
 import type { ExactTexts } from './exact-texts.js';
 import type { FamilyTexts } from './family-texts.js';
 import type { KeyTexts, KeyUse, NewsTexts } from './key-texts.js';
+import type { OutlineTexts } from './outline-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { PredictTexts } from './predict-texts.js';
 import type { ReaderTexts } from './reader-texts.js';
@@ -75,6 +76,7 @@ export interface Texts {
   readonly words: WordTexts;
   readonly verdict: VerdictTexts;
   readonly tour: TourTexts;
+  readonly outline: OutlineTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -141,7 +143,7 @@ export interface ZoomTexts {
 }
 
 /** What stands on the strip at single steps. */
-export type StripMark = 'wrong' | 'fault' | 'bookmark' | 'now';
+export type StripMark = 'wrong' | 'fault' | 'bookmark' | 'hit' | 'now';
 
 export interface BookmarkTexts {
   readonly title: string;

@@ -2,7 +2,7 @@ import type { PageView } from '../base/page-view.js';
 import type { Side } from '../history/side-name.js';
 
 /** What may stand around the picture. */
-export type PanelName = 'listing' | 'side' | 'outline';
+export type PanelName = 'listing' | 'side';
 
 /** How much of what the player can do is in sight; keys do all of it in any view. */
 export interface Arrangement {
@@ -15,7 +15,7 @@ export interface Arrangement {
 /** What each view consists of. */
 const arrangements: Readonly<Record<PageView, Arrangement>> = {
   lesson: { panels: ['listing', 'side'], isBrief: true },
-  workbench: { panels: ['listing', 'side', 'outline'], isBrief: false },
+  workbench: { panels: ['listing', 'side'], isBrief: false },
 };
 
 export const arrangementOf = (view: PageView): Arrangement => arrangements[view];

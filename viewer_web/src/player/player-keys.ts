@@ -34,6 +34,7 @@ export interface Steered extends Timed {
   point(by: 1 | -1): void;
   toggleSide(side: Side): void;
   escape(): void;
+  enterOutline(): Promise<void>;
   openBookmarks(way: 'mark' | 'enter'): Promise<void>;
 }
 
@@ -58,6 +59,7 @@ function usualActions(player: Steered, shift: boolean): Actions {
     KeyL: () => picture.nextLayer(),
     KeyO: () => player.point(shift ? -1 : 1),
     KeyP: () => picture.startChoosing(),
+    KeyT: () => (shift ? void player.enterOutline() : player.toggleSide('outline')),
     KeyV: () => player.toggleSide('solid'),
     KeyQ: () => player.predictor.next(),
     KeyF: () => player.present(!player.presenting),

@@ -189,6 +189,10 @@ export const playerStyle = css`
       grid-template-areas: 'side' 'listing';
       grid-template-rows: minmax(20rem, auto) 19rem;
     }
+    /* Its rows are drawn as they come into sight. */
+    .side.outline {
+      height: 22rem;
+    }
     .dock {
       position: sticky;
       bottom: 0;

@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
-import { customElement, property, query } from 'lit/decorators.js';
+import { customElement, property, query, state } from 'lit/decorators.js';
 import { sayThing } from '../algorithm/pointed.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
@@ -84,6 +84,9 @@ export class PlayerElement extends StageElement {
   /** How it is arranged, and which parts of the state a lesson asks for. */
   @property({ reflect: true }) layout: PageView = 'workbench';
   @property({ attribute: false }) parts: readonly StatePart[] = [];
+  /** What is looked for in the outline of the run, and the steps at which it was found. */
+  @state() private sought = '';
+  @state() private hits: readonly number[] = [];
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
   @query('vidno-listing') readonly listing!: ListingElement;
@@ -100,6 +103,7 @@ export class PlayerElement extends StageElement {
     if (isOnlyEdited(changed)) return;
     this.predictor.follow();
     super.willUpdate(changed);
+    if (changed.has('trace')) this.hits = [];
     if (this.trace !== null) this.bookmarks = bookmarksUpTo(this.bookmarks, this.length);
     this.chosen.follow(changed);
     if (changed.has('ask') && isWay(this.ask)) this.side = 'predict';
@@ -164,6 +168,13 @@ export class PlayerElement extends StageElement {
     await this.panel.bookmark(way);
   }
 
+  async enterOutline(): Promise<void> {
+    if (!this.isFull) return;
+    if (this.side !== 'outline') this.toggleSide('outline');
+    await this.updateComplete;
+    await this.panel.enterOutline();
+  }
+
   private keepBookmarks(bookmarks: Bookmarks): void {
     this.bookmarks = bookmarks;
     this.dispatchEvent(new CustomEvent('vidno-bookmarks', { detail: bookmarks }));
@@ -175,6 +186,7 @@ export class PlayerElement extends StageElement {
     const { texts } = view;
     // An open question is not to be answered by what shows the future.
     const { isOpen, isForced } = this.predictor;
+    const veiled = isOpen || isForced;
     const history = isOpen ? null : this.chosen.history;
     const check = this.checkOf(trace);
     const layer = isOpen && needsExact(this.layer) ? 'picture' : this.layer;
@@ -201,7 +213,8 @@ export class PlayerElement extends StageElement {
           ${this.playControls(view, check, history, {
             plain: !this.isFull,
             brief: arrangementOf(this.layout).isBrief,
-            veiled: isOpen || isForced,
+            veiled,
+            hits: this.hits,
           })}
         </div>
         <section class="picture" aria-label=${texts.picture}>
@@ -223,7 +236,7 @@ export class PlayerElement extends StageElement {
           <section class="listing" aria-label=${texts.listing}>
             <vidno-listing .trace=${this.trace} .view=${view}></vidno-listing>
           </section>
-          ${isShown('side', this.layout, this.side, this.parts.length > 0) ? this.sidePanel(view, check, history) : nothing}
+          ${isShown('side', this.layout, this.side, this.parts.length > 0) ? this.sidePanel(view, check, history, veiled) : nothing}
         </div>
       </div>
       <p class="heard pointed-at" aria-live="polite">${sayThing(view)}</p>
@@ -242,7 +255,12 @@ export class PlayerElement extends StageElement {
     return said === null ? nothing : html`<strong class="verdict">${said}</strong>`;
   }
 
-  private sidePanel(view: View, check: Check, history: History | null): TemplateResult {
+  private sidePanel(
+    view: View,
+    check: Check,
+    history: History | null,
+    veiled: boolean,
+  ): TemplateResult {
     const { texts } = view;
     return html`<vidno-divider
         class="between"
@@ -260,11 +278,15 @@ export class PlayerElement extends StageElement {
           .bookmarks=${this.bookmarks}
           .linked=${this.linked}
           .side=${this.side}
+          .sought=${this.sought}
+          ?veiled=${veiled}
           .parts=${this.layout === 'lesson' ? this.parts : null}
           .predictor=${this.predictor}
           ?bare=${this.presenting}
           @side=${({ detail }: CustomEvent<Side>) => (this.side = detail)}
           @command=${this.onCommand}
+          @search=${({ detail }: CustomEvent<string>) => (this.sought = detail)}
+          @hits=${({ detail }: CustomEvent<readonly number[]>) => (this.hits = detail)}
           @forget=${() => this.chosen.choose(null)}
           .editing=${this.editing}
           .link=${this.link}

@@ -15,6 +15,8 @@ import type { History } from '../history/history.js';
 import '../history/history-element.js';
 import { hasSolid, sideName } from '../history/side-name.js';
 import type { Side } from '../history/side-name.js';
+import '../outline/outline-element.js';
+import type { OutlineElement } from '../outline/outline-element.js';
 import '../predict/predict-element.js';
 import type { Predictor } from '../predict/predictor.js';
 import type { Trace } from '../replay/trace.js';
@@ -26,6 +28,7 @@ import type { BookmarksElement } from '../time/bookmarks-element.js';
 
 /** What opens it, besides its button. */
 const keys: Readonly<Partial<Record<Side, string>>> = {
+  outline: 'T',
   pixel: 'P',
   exact: 'X',
   solid: 'V',
@@ -33,6 +36,11 @@ const keys: Readonly<Partial<Record<Side, string>>> = {
   predict: 'Q',
   bookmarks: 'Shift B',
 };
+
+/** Lines that are indented, as an outline is. */
+const tree = html`<svg viewBox="0 0 20 16" aria-hidden="true">
+  ${svg`<path d="M2 3h11M6 8h11M10 13h7" />`}
+</svg>`;
 
 /** One of the panels: the state of the procedure, the history of a pixel, the truth of a decision, and so on. */
 @customElement('vidno-side')
@@ -94,6 +102,15 @@ export class SideElement extends LitElement {
         border-radius: 50%;
         line-height: 1.05rem;
       }
+      .outline svg {
+        width: 1.3rem;
+        height: 1.1rem;
+        fill: none;
+        stroke: currentColor;
+        stroke-width: 2;
+        stroke-linecap: round;
+        vertical-align: -0.2em;
+      }
       .bookmarks svg {
         width: 9px;
         height: 14px;
@@ -118,6 +135,10 @@ export class SideElement extends LitElement {
   @property({ attribute: false }) history: History | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
+  /** What is looked for in the outline. */
+  @property({ attribute: false }) sought = '';
+  /** What comes after the step is hidden. */
+  @property({ type: Boolean }) veiled = false;
   @property({ attribute: false }) side: Side = 'state';
   /** In a lesson, the parts of the state that it asks for: there is no choice between panels, but a way back. */
   @property({ attribute: false }) parts: readonly StatePart[] | null = null;
@@ -128,11 +149,19 @@ export class SideElement extends LitElement {
   @property({ attribute: false }) link: LinkMade | null = null;
   @property({ attribute: false }) predictor!: Predictor;
   @query('vidno-bookmarks') private list!: BookmarksElement | null;
+  @query('vidno-outline') private outline!: OutlineElement | null;
 
   /** Bookmarks the step that is shown, or goes to the list; the bookmarks must be the side that is chosen. */
   async bookmark(way: 'mark' | 'enter'): Promise<void> {
     await this.updateComplete;
     await this.list?.[way]();
+  }
+
+  /** Gives the keyboard to the outline, which must be the side that is chosen. */
+  async enterOutline(): Promise<void> {
+    await this.updateComplete;
+    await this.outline?.updateComplete;
+    this.outline?.focus();
   }
 
   override render(): TemplateResult {
@@ -147,6 +176,7 @@ export class SideElement extends LitElement {
         ${hasSolid(view) ? this.button('solid', name('solid')) : nothing}
         ${editing === null ? nothing : this.button('scene', name('scene'))}
         <div class="asides">
+          ${this.button('outline', name('outline'), tree)}
           ${this.button('predict', name('predict'), html`<span>Q</span>`)}
           ${this.button('bookmarks', `${name('bookmarks')}: ${this.bookmarks.length}`, this.count())}
         </div>
@@ -215,6 +245,16 @@ export class SideElement extends LitElement {
         return editing === null ? this.state() : this.scene(editing);
       case 'solid':
         return html`<vidno-solid .view=${view} ?bare=${this.bare}></vidno-solid>`;
+      case 'outline':
+        return html`<vidno-outline
+          .trace=${this.trace}
+          .view=${view}
+          .sought=${this.sought}
+          ?veiled=${this.veiled}
+          @command=${this.passOn}
+          @search=${this.passOn}
+          @hits=${this.passOn}
+        ></vidno-outline>`;
       case 'state':
         return this.state();
     }

@@ -30,6 +30,11 @@ interface LeftOut {
   readonly veiled: boolean;
 }
 
+/** What is found in the outline. */
+interface Found {
+  readonly hits: readonly number[];
+}
+
 /** What shows one run or two: in a language, steered by keys, and to a hall. */
 export abstract class StageElement extends TimedElement {
   @property() override lang = 'en';
@@ -56,13 +61,19 @@ export abstract class StageElement extends TimedElement {
     view: View,
     check: Check,
     history: History | null,
-    { plain, brief, veiled }: LeftOut = { plain: false, brief: false, veiled: false },
+    { plain, brief, veiled, hits }: LeftOut & Found = {
+      plain: false,
+      brief: false,
+      veiled: false,
+      hits: [],
+    },
   ): TemplateResult {
     return html`<vidno-transport
       .trace=${this.trace}
       .view=${view}
       .check=${check}
       .bookmarks=${this.bookmarks}
+      .hits=${hits}
       .first=${this.first}
       .last=${this.last}
       ?bounded=${this.isBounded}

@@ -72,6 +72,11 @@ export class Timeline {
     return this.store.event(step);
   }
 
+  /** The same, quick wherever in a long run the step is. */
+  eventAlone(step: number): Event | null {
+    return this.store.eventAlone(step);
+  }
+
   /** The text that the event of a step came as. */
   line(step: number): string {
     return this.store.line(step);

@@ -15,6 +15,7 @@ export interface Look {
   readonly call: string;
   readonly wrong: string;
   readonly bookmark: string;
+  readonly hit: string;
   readonly font: string;
   readonly ofCase: (name: Case) => Fill;
   readonly ofPolygon: (polygon: Polygon, index: number) => Fill;
@@ -34,6 +35,7 @@ export function lookOf(element: Element, ratio: number): Look {
     call: color('--soft'),
     wrong: color('--bad'),
     bookmark: color('--accent'),
+    hit: color('--accent'),
     font: `600 ${10 * ratio}px ${color('--mono')}`,
     ofCase: (name) => fills.get(name) ?? '',
     // Polygons next to each other may have the same colour.

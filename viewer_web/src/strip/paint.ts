@@ -200,6 +200,18 @@ export const wrongMark: MarkPainter = (context, x, top, height, { ratio, wrong }
   context.fill();
 };
 
+/** A line. */
+export const hitMark = (
+  context: CanvasRenderingContext2D,
+  x: number,
+  top: number,
+  height: number,
+  { ratio, hit }: { readonly ratio: number; readonly hit: string },
+): void => {
+  context.fillStyle = hit;
+  context.fillRect(x, top, Math.max(1, Math.round(1.5 * ratio)), height);
+};
+
 /** A cross. */
 export const faultMark: MarkPainter = (context, x, top, height, { ratio, ink }) => {
   const half = height / 2 - ratio / 2;

@@ -3,7 +3,7 @@ import type { Case } from '../time/course.js';
 import { flag } from './lanes.js';
 import type { LaneName } from './lanes.js';
 import type { Look } from './look.js';
-import { faultMark, wrongMark } from './paint.js';
+import { faultMark, hitMark, wrongMark } from './paint.js';
 
 /** What the legend of the strip shows a sample of. */
 export type Sample = Case | Exclude<LaneName, 'cases'> | StripMark;
@@ -55,6 +55,10 @@ const painters: Readonly<Record<Exclude<Sample, Case>, SamplePainter>> = {
   },
   fault: (context, look) => {
     faultMark(context, 14 * look.ratio, 3 * look.ratio, 8 * look.ratio, look);
+  },
+  hit: (context, look) => {
+    for (const x of [6, 9, 20])
+      hitMark(context, x * look.ratio, 3 * look.ratio, 8 * look.ratio, look);
   },
   bookmark: (context, { bookmark, ratio }) => {
     context.fillStyle = bookmark;

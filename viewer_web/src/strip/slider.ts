@@ -16,6 +16,7 @@ import { Course } from '../time/course.js';
 import { sayPlace } from '../time/place.js';
 import { isIn } from '../time/range.js';
 import { flag, lanesOf, stripHeight } from './lanes.js';
+import './hits.js';
 import './overview.js';
 import type { OverviewElement } from './overview.js';
 import { sliderStyle } from './slider.style.js';
@@ -41,6 +42,8 @@ export class SliderElement extends LitElement {
   /** Where decisions are known to be wrong, if the trace does not say so. */
   @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
+  /** The steps at which what is looked for was found, rising. */
+  @property({ attribute: false }) hits: readonly number[] = [];
   /** The steps that can be reached. */
   @property({ attribute: false }) first = 0;
   @property({ attribute: false }) last = 0;
@@ -136,6 +139,7 @@ export class SliderElement extends LitElement {
         @pointerleave=${this.forget}
       >
         <vidno-strip .course=${course} .range=${range}></vidno-strip>
+        <vidno-hits .hits=${this.hits} .range=${range}></vidno-hits>
         ${this.bookmarks
           .filter(isShown)
           .map(
@@ -206,7 +210,8 @@ export class SliderElement extends LitElement {
   private aimed({ clientX }: PointerEvent): number {
     const { left, width } = this.strip.getBoundingClientRect();
     const { course } = this;
-    const marked = [this.bookmarks.map(({ step }) => step), course.faults, course.wrong];
+    const bookmarked = this.bookmarks.map(({ step }) => step);
+    const marked = [bookmarked, course.faults, course.wrong, this.hits];
     return aimedAt(clientX - left, this.zoom.range, width, marked);
   }
 

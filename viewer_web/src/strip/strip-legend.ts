@@ -15,7 +15,7 @@ import { legendStyle } from './strip-legend.style.js';
 import { stripColors } from './strip.style.js';
 import { base } from '../elements/theme.js';
 
-const marks: readonly StripMark[] = ['wrong', 'fault', 'bookmark', 'now'];
+const marks: readonly StripMark[] = ['wrong', 'fault', 'bookmark', 'hit', 'now'];
 
 const width = 28;
 const height = 14;

@@ -31,6 +31,8 @@ export class TransportElement extends LitElement {
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
+  /** The steps at which what is looked for was found. */
+  @property({ attribute: false }) hits: readonly number[] = [];
   /** The steps that can be reached. */
   @property({ attribute: false }) first = 0;
   @property({ attribute: false }) last = 0;
@@ -67,6 +69,7 @@ export class TransportElement extends LitElement {
         .view=${this.view}
         .check=${this.check}
         .bookmarks=${this.bookmarks}
+        .hits=${this.hits}
         .first=${first}
         .last=${last}
         ?plain=${this.plain || this.bounded || this.brief}

@@ -17,6 +17,8 @@ export interface Book {
   indexOf(polygon: string): number;
   /** Something else comes in hand: see `Stretches`. */
   begin(step: number, part: number, level?: number): void;
+  /** Nothing is in hand any more: what follows concerns the whole run. */
+  end(step: number): void;
   /** What the window in hand comes to. */
   decide(part: number): void;
   changeAel(step: number): void;
@@ -38,9 +40,9 @@ export type Case = (typeof cases)[number];
  */
 export interface Stretches {
   readonly first: number[];
-  /** How often the area was split to get this window, from 1 for the area itself; 1 for a polygon or a curve. */
+  /** How often the area was split to get this window, from 1 for the area itself; of a list, how often it was put back; else 1. */
   readonly level: number[];
-  /** What the window comes to, as an index of `cases`; the polygon's index in the scene, or the curve's; -1 if not decided. */
+  /** What the window comes to, as an index of `cases`; the polygon's index in the scene, or the curve's; -1 if not decided, or nothing is in hand. */
   readonly part: number[];
 }
 
@@ -140,6 +142,11 @@ export class Course {
         stretches.first.push(step);
         stretches.level.push(level);
         stretches.part.push(part);
+      },
+      end: (step) => {
+        stretches.first.push(step);
+        stretches.level.push(1);
+        stretches.part.push(-1);
       },
       decide: (part) => {
         const { length } = stretches.part;

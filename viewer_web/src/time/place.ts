@@ -55,6 +55,13 @@ export function placeAt(course: Course, step: number): Place {
   };
 }
 
+/** "window 4 × 4 at (8, 0)". */
+export const sayWindow = (
+  [x, y, width, height]: Box,
+  { strip, numbers }: Pick<Texts, 'strip' | 'numbers'>,
+): string =>
+  strip.windowAt(`${numbers.short(width)} × ${numbers.short(height)}`, numbers.point([x, y]));
+
 /** "Step 120 of 800: window 4 × 4 at (8, 0), split". */
 export function sayPlace(
   course: Course,
@@ -66,11 +73,7 @@ export function sayPlace(
   const { window, polygon, curve, row } = place;
   const bookmark = bookmarkAt(bookmarks, step);
   const said = [
-    window &&
-      strip.windowAt(
-        `${numbers.short(window[2])} × ${numbers.short(window[3])}`,
-        numbers.point(window.slice(0, 2)),
-      ),
+    window && sayWindow(window, { strip, numbers }),
     place.case && strip.cases[place.case],
     polygon !== null && strip.polygon(polygon),
     curve !== null && curves.curve(curve).toLowerCase(),

@@ -53,6 +53,7 @@ const closing = ']'.charCodeAt(0);
 /** Bytes of a line among which its depths begin. */
 const longestHead = 1024;
 const latin = new TextDecoder('latin1');
+const utf8 = new TextDecoder();
 
 /** Bytes as text; null if one is no character of ASCII. */
 function asciiOf(bytes: Uint8Array): string | null {
@@ -112,6 +113,17 @@ export class Store {
       this.last = { step, event: JSON.parse(this.line(step)) as Event };
     }
     return this.last.event;
+  }
+
+  /** The same of an event far from the others that are asked for: only its own line is decoded. */
+  eventAlone(step: number): Event | null {
+    if (step < 1 || step > this.count) return null;
+    if (this.last?.step === step || (this.open !== null && isIn(this.open.block, step))) {
+      return this.event(step);
+    }
+    const { bytes, starts, before } = this.find(step);
+    const [start = 0, end = start] = starts.subarray(step - 1 - before);
+    return JSON.parse(utf8.decode(bytes.subarray(start, end))) as Event;
   }
 
   /** The same without the depths of its pixels, which may be nearly all of a long line: then they are not decoded. */

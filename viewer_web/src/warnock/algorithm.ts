@@ -20,6 +20,7 @@ import { WarnockWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
 import './model.js';
 import { notes } from './notes.js';
+import { outline } from './outline.js';
 import { sentences as en } from './sentences.en.js';
 import { sentences as ru } from './sentences.ru.js';
 import { drawing, pointed } from './solid.js';
@@ -68,6 +69,7 @@ defineAlgorithm(methods.filter(hasWindows), {
   solid: { drawing, pointed, caption },
   lanes: { first: 'cases', below: [['levels'], ['levels', 'calls']] },
   course,
+  outline,
   goals,
   watch: (pixel, { detail }) => new WarnockWatch(pixel, detail),
   heading: ({ warnock }) => warnock?.window ?? null,

@@ -9,12 +9,14 @@ import { piercing } from './ask-piercing.js';
 import { sort } from './ask-sort.js';
 import { stack } from './ask-stack.js';
 import { walk } from './ask-walk.js';
+import { course } from './course.js';
 import { facts, polygonsAsked } from './facts.js';
 import { figureOf } from './figure.js';
 import { RegionWatch } from './history.js';
 import { marks } from './marks.js';
 import './model.js';
 import { notes } from './notes.js';
+import { outline } from './outline.js';
 import { sentences as en } from './sentences.en.js';
 import { sentences as ru } from './sentences.ru.js';
 
@@ -30,13 +32,8 @@ defineAlgorithm(['weiler-atherton'], {
     caption: () => [],
   },
   lanes: { first: 'polygons', below: [[], ['calls']] },
-  /** What is in hand is a list with its clip polygon. */
-  course: ({ begin, eventAt, indexOf }) => ({
-    pop_list: (step) => {
-      const event = eventAt(step);
-      if (event?.e === 'pop_list') begin(step, indexOf(event.clip));
-    },
-  }),
+  course,
+  outline,
   goals: [
     { name: 'list', at: ['pop_list'] },
     { name: 'region', at: ['show'] },

@@ -16,6 +16,7 @@ import { ZBufferWatch } from './history.js';
 import { marks, thingMarks } from './marks.js';
 import './model.js';
 import { notes } from './notes.js';
+import { outline } from './outline.js';
 import { sentences as en } from './sentences.en.js';
 import { sentences as ru } from './sentences.ru.js';
 import { caption, drawing, pointed } from './solid.js';
@@ -49,6 +50,7 @@ defineAlgorithm(['zbuffer'], {
   solid: { drawing, pointed, caption },
   lanes: { first: 'polygons', below: [[], ['ael', 'calls']] },
   course,
+  outline,
   goals,
   watch: (pixel) => new ZBufferWatch(pixel),
   heading: ({ zbuffer }) => zbuffer?.polygon ?? null,

@@ -16,6 +16,7 @@ import { curves } from './curves.js';
 import { exact } from './exact.js';
 import { family } from './family.js';
 import { history } from './history.js';
+import { outline } from './outline.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
 import { predict } from './predict.js';
@@ -53,4 +54,5 @@ export const texts: Texts = {
   words,
   verdict,
   tour,
+  outline,
 };

@@ -99,6 +99,8 @@ export const page: PageTexts = {
     toBookmark: 'to the previous, the next bookmark',
     thing: 'point at the next, the previous polygon, edge, corner, window',
     source: 'the procedures in C++, and back',
+    outline: 'the outline of the run, and back; into its tree',
+    inOutline: 'there: go about in the tree, to the step of a row, to the search',
     exact: 'compare the decision with exact arithmetic, and back',
     solid: 'the scene in 3D, and back',
     turn: 'there: turn; with Shift, move; zoom; reset',

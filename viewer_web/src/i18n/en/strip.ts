@@ -33,6 +33,7 @@ export const strip: StripTexts = {
     wrong: 'A wrong decision, if the run was checked',
     fault: 'The printed text fails, or rounding leaves an outline open',
     bookmark: 'A bookmark',
+    hit: 'A hit of the search in the outline',
     now: 'The step that is shown',
   },
   zoom: {

@@ -6,6 +6,7 @@ import { exact } from './exact.js';
 import { family } from './family.js';
 import { history } from './history.js';
 import * as numbers from './numbers.js';
+import { outline } from './outline.js';
 import { page, places, purposes } from './page.js';
 import { picture } from './picture.js';
 import { predict } from './predict.js';
@@ -43,4 +44,5 @@ export const texts: Texts = {
   words,
   verdict,
   tour,
+  outline,
 };

@@ -1,0 +1,458 @@
+import { LitElement, html, nothing, svg } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
+import { customElement, property, query, state } from 'lit/decorators.js';
+import { guard } from 'lit/directives/guard.js';
+import { repeat } from 'lit/directives/repeat.js';
+import type { View } from '../algorithm/view.js';
+import { hiddenStyle } from '../elements/hidden.style.js';
+import { ReadOn } from '../elements/read-on.js';
+import { base } from '../elements/theme.js';
+import { countedIn, texts } from '../i18n/index.js';
+import type { OutlineTexts } from '../language/outline-texts.js';
+import type { Trace } from '../replay/trace.js';
+import type { Command } from '../time/command.js';
+import { cases } from '../time/course.js';
+import { around, indexFrom } from '../time/goals.js';
+import { outlineOf } from './outline.js';
+import type { Outline } from './outline.js';
+import { outlineStyle } from './outline.style.js';
+import { facetsOf, proceduresOf, sayTerm, termsOf, without, written } from './query.js';
+import type { Term } from './query.js';
+import { sayNode } from './say.js';
+import { Search } from './search.js';
+import { none } from './table.js';
+import { treeKeys } from './tree-keys.js';
+import { Unfolded } from './unfolded.js';
+
+/** Milliseconds of a frame that reading a run, or looking through it, may take. */
+const mostPerFrame = 6;
+/** The height of a row, in rem. */
+const rowHeight = 1.5;
+/** Rows that are there beyond those in sight. */
+const spare = 4;
+/** Words that are kept. */
+const mostSaid = 4000;
+/** More polygons than this are not offered. */
+const mostOffered = 200;
+
+/**
+ * The outline of a run as a tree, in which the step that is shown is marked and kept in sight, and which can be searched. A row that
+ * is chosen leads to its step. What was found is told by an event `hits`, what is looked for by `search`.
+ */
+@customElement('vidno-outline')
+export class OutlineElement extends LitElement {
+  static override styles = [base, hiddenStyle, outlineStyle];
+
+  @property({ attribute: false }) trace!: Trace;
+  @property({ attribute: false }) view!: View;
+  /** What is looked for; it is kept by whoever shows this. */
+  @property({ attribute: false }) sought = '';
+  /** What comes after the step is hidden. */
+  @property({ type: Boolean }) veiled = false;
+  /** The node that the keyboard is at; `none` for that of the step. */
+  @state() private cursor = none;
+  @query('.tree') private tree!: HTMLElement | null;
+  @query('input') private field!: HTMLInputElement | null;
+
+  private outline!: Outline;
+  private unfolded!: Unfolded;
+  private search: Search | null = null;
+  private readonly reader = new ReadOn(this, mostPerFrame);
+  private readonly said = new Map<number, string>();
+  /** What is known of the tree's place without asking the browser, which would lay out the page. */
+  private top = 0;
+  private height = 0;
+  private row = 24;
+  private frame = 0;
+  private step = -1;
+  private toldHits: readonly number[] = [];
+  /** The search whose hits were told. */
+  private told: Search | null = null;
+  private observed: Element | null = null;
+
+  private readonly observer = new ResizeObserver(([entry]) => {
+    if (entry === undefined) return;
+    this.height = entry.contentRect.height;
+    this.row = rowHeight * parseFloat(getComputedStyle(document.documentElement).fontSize);
+    this.step = -1;
+    this.requestUpdate();
+  });
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    cancelAnimationFrame(this.frame);
+    this.observer.disconnect();
+    this.observed = null;
+  }
+
+  private get texts(): OutlineTexts {
+    return texts[this.view.language].outline;
+  }
+
+  /** Gives the keyboard to the tree. */
+  override focus(): void {
+    this.tree?.focus();
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('trace')) this.open();
+    if (changed.has('view') && changed.get('view')?.language !== this.view.language)
+      this.said.clear();
+    if (changed.has('sought') || changed.has('trace')) this.seek();
+    this.reader.read(this);
+    this.followStep();
+  }
+
+  /** Goes on reading the run, then with the search. */
+  read(milliseconds: number): boolean {
+    const { outline, trace, search } = this;
+    if (!outline.isUpToDate) {
+      this.step = -1;
+      if (!outline.read(milliseconds)) return false;
+    }
+    if (!trace.complete || search === null) return true;
+    if (search === this.told) return true;
+    if (!search.read(milliseconds)) return false;
+    this.told = search;
+    this.tellHits(search.hits);
+    return true;
+  }
+
+  private open(): void {
+    this.outline = outlineOf(this.trace);
+    this.unfolded = new Unfolded(this.outline);
+    this.said.clear();
+    this.cursor = none;
+    this.step = -1;
+    this.top = 0;
+  }
+
+  private seek(): void {
+    const terms = termsOf(this.sought, this.view.header);
+    this.search = terms.length === 0 ? null : new Search(this.outline, terms);
+    this.tellHits([]);
+  }
+
+  private tellHits(nodes: readonly number[]): void {
+    const { first } = this.outline.nodes;
+    if (nodes.length === 0 && this.toldHits.length === 0) return;
+    this.toldHits = nodes.map((node) => first[node] ?? 0);
+    this.dispatchEvent(new CustomEvent<readonly number[]>('hits', { detail: this.toldHits }));
+  }
+
+  /** Where the step has changed, its row is brought in sight. */
+  private followStep(): void {
+    const { step } = this.view;
+    if (step === this.step) return;
+    this.step = step;
+    this.cursor = none;
+    const at = this.outline.at(step);
+    this.unfolded.follow(at);
+    this.bringInSight(this.unfolded.rowOf(at));
+  }
+
+  /** Scrolls, with the next frame, only if a row is out of sight. */
+  private bringInSight(row: number): void {
+    const { height, row: tall, top } = this;
+    const at = row * tall;
+    if (row < 0 || height === 0 || (at >= top && at + 2 * tall <= top + height)) return;
+    const end = Math.max(0, this.unfolded.length * tall - height);
+    this.top = Math.min(Math.max(0, at - height / 3), end);
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(() => {
+      if (this.tree !== null) this.tree.scrollTop = this.top;
+    });
+  }
+
+  override render(): TemplateResult {
+    if (this.veiled) return html`<p class="hint">${this.texts.veiled}</p>`;
+    return html`${this.searching()}${this.shownTree()}`;
+  }
+
+  private shownTree(): TemplateResult {
+    const { unfolded, row, outline } = this;
+    const { length } = unfolded;
+    const at = outline.at(this.view.step);
+    const now = unfolded.nodeAt(unfolded.rowOf(at));
+    const cursor = this.cursor === none ? now : unfolded.nodeAt(unfolded.rowOf(this.cursor));
+    const first = Math.max(0, Math.floor(this.top / row) - spare);
+    const end = Math.min(length, Math.ceil((this.top + this.height) / row) + spare);
+    const cursorRow = unfolded.rowOf(cursor);
+    const isCursorThere = cursorRow >= first && cursorRow < end;
+    return html`${outline.complete ? nothing : html`<p class="hint" role="status">${this.texts.reading}</p>`}
+      <div
+        class="tree"
+        role="tree"
+        tabindex="0"
+        aria-label=${this.texts.tree}
+        aria-busy=${outline.complete ? 'false' : 'true'}
+        aria-activedescendant=${isCursorThere ? `node-${cursor}` : nothing}
+        @keydown=${this.onKey}
+        @scroll=${this.onScroll}
+        @click=${this.onClick}
+      >
+        <div class="rows" role="none" .style=${`height: ${length * row}px; --row: ${row}px`}>
+          ${guard(
+            [
+              outline,
+              unfolded.version,
+              first,
+              end,
+              row,
+              now,
+              cursor,
+              this.view.language,
+              this.search?.complete,
+              this.search,
+            ],
+            () => this.rows(first, end, now, cursor),
+          )}
+        </div>
+      </div>`;
+  }
+
+  private rows(first: number, end: number, now: number, cursor: number): unknown {
+    const { unfolded, outline } = this;
+    const nodes = Array.from({ length: Math.max(0, end - first) }, (_, i) =>
+      unfolded.nodeAt(first + i),
+    );
+    const hits = this.search?.hits ?? [];
+    const { nodes: table } = outline;
+    return repeat(
+      nodes,
+      (node) => node,
+      (node, i) => {
+        const parent = table.parent[node] ?? none;
+        const children = table.children[node] ?? 0;
+        const isHit = hits[indexFrom(hits, node)] === node;
+        const look = [
+          node === now ? 'now' : '',
+          node === cursor ? 'focused' : '',
+          isHit ? 'hit' : '',
+        ];
+        return html`<div
+          class="row ${look.join(' ')}"
+          role="treeitem"
+          id="node-${node}"
+          data-node=${node}
+          aria-level=${table.depth[node] ?? 1}
+          aria-posinset=${table.place[node] ?? 1}
+          aria-setsize=${parent === none ? outline.topSize : (table.children[parent] ?? 1)}
+          aria-expanded=${children === 0 ? nothing : unfolded.isUnfolded(node) ? 'true' : 'false'}
+          aria-current=${node === now ? 'step' : nothing}
+          .style=${`transform: translateY(${(first + i) * this.row}px); --depth: ${(table.depth[node] ?? 1) - 1}`}
+        >
+          <span class="fold" aria-hidden="true">${children === 0 ? nothing : arrow}</span>
+          <span class="said" title=${this.say(node)}>${this.say(node)}</span>
+          <span class="step number" aria-hidden="true">${table.first[node]}</span>
+        </div>`;
+      },
+    );
+  }
+
+  private say(node: number): string {
+    const known = this.said.get(node);
+    if (known !== undefined) return known;
+    if (this.said.size >= mostSaid) this.said.clear();
+    const said = sayNode(this.outline, node, this.view.language);
+    if (this.outline.complete) this.said.set(node, said);
+    return said;
+  }
+
+  private searching(): TemplateResult {
+    const { texts: say, search, view } = this;
+    const { header, language } = view;
+    const terms = search?.terms ?? [];
+    return html`<div class="search" role="search" @keydown=${this.onSearchKey}>
+      <input
+        type="search"
+        list="terms"
+        spellcheck="false"
+        autocomplete="off"
+        aria-label=${say.search}
+        placeholder=${say.search}
+        .value=${this.sought}
+        @input=${this.onInput}
+      />
+      ${this.hitButton(-1)} ${this.hitButton(1)}
+      <div class="found">
+        ${terms.length === 0 ? html`<span class="example">${say.example(this.examples())}</span>` : nothing}
+        ${terms.map((term) => this.chip(term))}
+        <span role="status">${this.counted()}</span>
+      </div>
+      <datalist id="terms">
+        ${guard([header, language], () => this.offered().map((each) => html`<option value=${each}></option>`))}
+      </datalist>
+    </div>`;
+  }
+
+  private chip(term: Term): TemplateResult {
+    const { texts: say, view } = this;
+    const isKnown = term.meanings.length > 0;
+    const label = isKnown ? sayTerm(term, view.header, view.language) : say.nothing(term.word);
+    return html`<button
+      class="chip ${isKnown ? '' : 'unknown'}"
+      title=${say.remove(label)}
+      aria-label=${say.remove(label)}
+      @click=${() => this.look(without(this.search?.terms ?? [], term))}
+    >
+      ${label} <span aria-hidden="true">✕</span>
+    </button>`;
+  }
+
+  /** What may be written, for those who do not know. */
+  private offered(): readonly string[] {
+    const { header } = this.view;
+    return facetsOf(header).flatMap((facet) => {
+      if (facet === 'case') return cases.map((name) => written(facet, name));
+      if (facet === 'procedure')
+        return proceduresOf(header.method).map((name) => written(facet, name));
+      if (facet !== 'polygon') return [];
+      return header.scene.polygons.slice(0, mostOffered).map(({ id }) => written(facet, id));
+    });
+  }
+
+  private examples(): string {
+    const { header } = this.view;
+    const offered = this.offered();
+    const examples = facetsOf(header).flatMap((facet) => {
+      const found = offered.filter((term) => term.startsWith(`${facet}:`));
+      return found.length === 0 ? [] : (found.at(-1) ?? []);
+    });
+    return examples.join(' ');
+  }
+
+  private counted(): string {
+    const { search, texts: say, toldHits } = this;
+    const { language, step } = this.view;
+    if (search === null) return '';
+    if (!search.complete || !this.trace.complete) return say.searching;
+    if (toldHits.length === 0) return say.noHits;
+    const hits = countedIn(language, toldHits.length, say.hits);
+    const at = toldHits.indexOf(step);
+    return at < 0 ? hits : say.hitOf(String(at + 1), hits);
+  }
+
+  private hitButton(by: -1 | 1): TemplateResult {
+    const { texts: say } = this;
+    const label = by === 1 ? say.nextHit : say.previousHit;
+    const { back, forward } = around(this.toldHits, this.view.step);
+    return html`<button
+      class=${by === 1 ? 'next' : 'previous'}
+      aria-label=${label}
+      title="${label} (${by === 1 ? 'Enter' : 'Shift Enter'})"
+      aria-disabled=${(by === 1 ? forward : back) === null ? 'true' : 'false'}
+      @click=${() => this.goToHit(by)}
+    >
+      <svg viewBox="0 0 20 20" aria-hidden="true">
+        ${by === 1 ? svg`<path d="M4 7l6 6 6-6" />` : svg`<path d="M4 13l6-6 6 6" />`}
+      </svg>
+    </button>`;
+  }
+
+  private goToHit(by: -1 | 1): void {
+    const { back, forward } = around(this.toldHits, this.view.step);
+    const step = by === 1 ? forward : back;
+    if (step === null) return;
+    this.cursor = none;
+    this.goTo(step);
+  }
+
+  private goTo(step: number): void {
+    this.dispatchEvent(new CustomEvent<Command>('command', { detail: { do: 'seek', step } }));
+  }
+
+  private look(query: string): void {
+    this.sought = query;
+    this.dispatchEvent(new CustomEvent<string>('search', { detail: query }));
+    this.field?.focus();
+  }
+
+  private readonly onInput = (event: Event): void => {
+    this.look((event.target as HTMLInputElement).value);
+  };
+
+  private readonly onSearchKey = (event: KeyboardEvent): void => {
+    const isField = event.target === this.field;
+    if (event.key === 'Enter' && isField) this.goToHit(event.shiftKey ? -1 : 1);
+    else if (event.key === 'ArrowDown' && isField) this.focus();
+    else if (event.key === 'Escape' && this.sought !== '') this.look('');
+    else return;
+    event.preventDefault();
+  };
+
+  private readonly onScroll = (event: Event): void => {
+    const { scrollTop } = event.target as HTMLElement;
+    if (scrollTop === this.top) return;
+    this.top = scrollTop;
+    this.requestUpdate();
+  };
+
+  private readonly onClick = (event: MouseEvent): void => {
+    const node = nodeOf(event);
+    if (node === none) return;
+    const isFold = event
+      .composedPath()
+      .some((each) => each instanceof Element && each.classList.contains('fold'));
+    this.unfolded.keep();
+    this.cursor = node;
+    if (isFold) this.toggle(node);
+    else this.choose(node);
+  };
+
+  private choose(node: number): void {
+    this.unfolded.keep();
+    this.goTo(this.outline.nodes.first[node] ?? 0);
+  }
+
+  private toggle(node: number): void {
+    const { unfolded, outline } = this;
+    if ((outline.nodes.children[node] ?? 0) === 0) return;
+    if (unfolded.isUnfolded(node)) unfolded.fold(node);
+    else unfolded.unfold(node);
+    this.requestUpdate();
+  }
+
+  private readonly onKey = (event: KeyboardEvent): void => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.shiftKey && event.key !== '*') return;
+    const { outline, unfolded } = this;
+    const now = unfolded.nodeAt(Math.max(0, unfolded.rowOf(outline.at(this.view.step))));
+    const from = this.cursor === none ? now : this.cursor;
+    if (event.code === 'Slash') this.field?.focus();
+    else if (event.key === 'Enter') this.choose(from);
+    else {
+      const page = Math.max(1, Math.floor(this.height / this.row) - 1);
+      const to = treeKeys(event.key, from, page, unfolded);
+      if (to === null) return;
+      this.cursor = to;
+      this.bringInSight(unfolded.rowOf(to));
+      this.requestUpdate();
+    }
+    event.preventDefault();
+  };
+
+  override updated(): void {
+    const { tree } = this;
+    if (tree === this.observed) return;
+    this.observer.disconnect();
+    this.observed = tree;
+    if (tree !== null) this.observer.observe(tree);
+  }
+}
+
+const arrow = html`<svg viewBox="0 0 12 12">${svg`<path d="M4 2l4 4-4 4" />`}</svg>`;
+
+/** The node of the row that an event is about. */
+function nodeOf(event: Event): number {
+  const row = event
+    .composedPath()
+    .find((each) => each instanceof HTMLElement && 'node' in each.dataset);
+  return row instanceof HTMLElement ? Number(row.dataset['node']) : none;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-outline': OutlineElement;
+  }
+}

@@ -1,0 +1,265 @@
+import { algorithmOf } from '../algorithm/algorithm.js';
+import { depthChanges } from '../replay/state.js';
+import type { Trace } from '../replay/trace.js';
+import type { Book } from '../time/course.js';
+import { callsFrom, eventNames, kinds, numberOf } from '../trace/events.js';
+import type { EventName, Procedure } from '../trace/events.js';
+import type { Kind, Told } from './outlined.js';
+import { NodeTable, none } from './table.js';
+
+const atOnce = 8192;
+
+/** The kinds of nodes, each at its number in the table. */
+const kindsByNumber: readonly Kind[] = [
+  'hand',
+  'part',
+  ...(Object.keys(callsFrom) as readonly Procedure[]),
+];
+const [hand, part] = [0, 1];
+/** Of a call that has no result yet. */
+const pending = 255;
+
+const call = numberOf.get('call') ?? -1;
+
+/** For each event's name the kind of the procedure whose result it is; 0 if it is none's. */
+const resultOf = eventNames.map((name) => {
+  const { resultOf: procedure } = kinds[name];
+  return procedure === undefined ? 0 : kindsByNumber.indexOf(procedure);
+});
+
+/**
+ * The outline of a run: a tree of what it takes in hand, such as windows in windows, with its parts and the procedures that
+ * were called. It is gathered in one pass over the numbers of the events' names, which a page may spread over frames and which
+ * goes on as the trace grows. What else there is to say of a node is looked up when it is shown.
+ */
+export class Outline {
+  readonly nodes = new NodeTable();
+  private seen = 0;
+  private atTop = 0;
+  /** The nodes that are open: first those in hand, each in the one before it, then perhaps a part, then calls. */
+  private open: number[] = [];
+  /** How many of these are in hand. */
+  private inHand = 0;
+  private readonly closesCall: readonly boolean[];
+  private readonly watch: readonly (((step: number) => void) | undefined)[];
+
+  constructor(readonly trace: Trace) {
+    const { header } = trace;
+    const { course, outline } = algorithmOf(header);
+    this.closesCall = depthChanges(header.detail).map((change) => change === -1);
+    const watched = course(this.book());
+    const parts = new Set(outline.parts);
+    this.watch = eventNames.map((name) =>
+      parts.has(name) ? (step) => this.beginPart(step) : watched[name],
+    );
+  }
+
+  get size(): number {
+    return this.nodes.size;
+  }
+
+  /** How many nodes are in no other one. */
+  get topSize(): number {
+    return this.atTop;
+  }
+
+  /** Whether all of the run that is there was seen. */
+  get isUpToDate(): boolean {
+    return this.seen >= this.trace.timeline.length;
+  }
+
+  get complete(): boolean {
+    return this.trace.complete && this.isUpToDate;
+  }
+
+  /** Goes on for about so long; says whether all that is there was seen. */
+  read(milliseconds = Infinity): boolean {
+    const end = performance.now() + milliseconds;
+    do this.readSome();
+    while (!this.isUpToDate && performance.now() < end);
+    return this.isUpToDate;
+  }
+
+  kindOf(node: number): Kind {
+    const { kind, first } = this.nodes;
+    const known = kindsByNumber[kind[node] ?? hand];
+    if (known !== undefined) return known;
+    const event = this.trace.timeline.eventAlone(first[node] ?? 0);
+    return event?.e === 'call' ? event.of : 'hand';
+  }
+
+  /** The row after a node and all that is in it. */
+  endOf(node: number): number {
+    const end = this.nodes.end[node] ?? 0;
+    return end === 0 ? this.size : end;
+  }
+
+  lastOf(node: number): number {
+    const { end, last } = this.nodes;
+    return end[node] === 0 ? this.seen : (last[node] ?? 0);
+  }
+
+  /** The last node that begins at a step or before it; `none` before the first. */
+  before(step: number): number {
+    const { first, size } = this.nodes;
+    let from = 0;
+    let end = size;
+    while (from < end) {
+      const middle = (from + end) >> 1;
+      if ((first[middle] ?? Infinity) <= step) from = middle + 1;
+      else end = middle;
+    }
+    return from === 0 ? none : from - 1;
+  }
+
+  /** The innermost node that a step is in; `none` where it is in none. */
+  at(step: number): number {
+    let node = this.before(step);
+    while (node !== none && this.lastOf(node) < step) node = this.nodes.parent[node] ?? none;
+    return node;
+  }
+
+  /** A node, and those that it is in, outwards. */
+  *wayUp(node: number): Generator<number> {
+    for (let at = node; at !== none; at = this.nodes.parent[at] ?? none) yield at;
+  }
+
+  /** The node of what is in hand that a node is or is in; `none` where nothing is. */
+  handOf(node: number): number {
+    for (const at of this.wayUp(node)) if (this.nodes.kind[at] === hand) return at;
+    return none;
+  }
+
+  isHand(node: number): boolean {
+    return this.nodes.kind[node] === hand;
+  }
+
+  isPart(node: number): boolean {
+    return this.nodes.kind[node] === part;
+  }
+
+  told(node: number): Told {
+    const { header, timeline } = this.trace;
+    const { first: firsts, part: parts } = this.nodes;
+    const [first, last] = [firsts[node] ?? 0, this.ownLast(node)];
+    return {
+      header,
+      kind: this.kindOf(node),
+      first,
+      last,
+      inHandFrom: firsts[this.handOf(node)] ?? first,
+      part: parts[node] ?? -1,
+      event: (step) => timeline.eventAlone(step),
+      stepsOf: (name, from = first) => stepsOf(timeline.names, name, from, last),
+    };
+  }
+
+  /** The last step of a node before anything else is taken in hand. */
+  private ownLast(node: number): number {
+    const { first, kind } = this.nodes;
+    const end = this.endOf(node);
+    for (let row = node + 1; row < end; row++) {
+      if (kind[row] === hand) return (first[row] ?? 0) - 1;
+    }
+    return this.lastOf(node);
+  }
+
+  private readSome(): void {
+    const { names } = this.trace.timeline;
+    const end = Math.min(this.seen + atOnce, names.length);
+    while (this.seen < end) {
+      const name = names[this.seen] ?? 0;
+      this.seen++;
+      this.watch[name]?.(this.seen);
+      if (name === call) this.begin(this.seen, pending, -1);
+      else if (resultOf[name] !== 0) this.finish(this.seen, name);
+    }
+  }
+
+  /** A node in the innermost one that is open. */
+  private begin(step: number, kind: number, value: number): number {
+    const { nodes, open } = this;
+    const parent = open.at(-1) ?? none;
+    const node = nodes.add();
+    nodes.first[node] = step;
+    nodes.parent[node] = parent;
+    const place = parent === none ? ++this.atTop : (nodes.children[parent] ?? 0) + 1;
+    if (parent !== none) nodes.children[parent] = place;
+    nodes.place[node] = place;
+    nodes.depth[node] = open.length + 1;
+    nodes.kind[node] = kind;
+    nodes.part[node] = value;
+    open.push(node);
+    return node;
+  }
+
+  /** Closes the nodes that are open but so many. */
+  private close(left: number, last: number): void {
+    const { nodes, open } = this;
+    for (const node of open.splice(left)) {
+      nodes.last[node] = last;
+      nodes.end[node] = nodes.size;
+    }
+  }
+
+  private beginPart(step: number): void {
+    this.close(this.inHand, step - 1);
+    this.begin(step, part, -1);
+  }
+
+  /** The result of a procedure ends its call; where the trace has no calls it stands for one. */
+  private finish(step: number, name: number): void {
+    const top = this.open.at(-1) ?? none;
+    const isCalled = this.closesCall[name] === true && this.nodes.kind[top] === pending;
+    const node = isCalled ? top : this.begin(step, pending, -1);
+    this.nodes.kind[node] = resultOf[name] ?? pending;
+    this.close(this.open.length - 1, step);
+  }
+
+  /** What the course of the run tells becomes nodes. */
+  private book(): Book {
+    const { trace } = this;
+    const indices = new Map(trace.header.scene.polygons.map(({ id }, i) => [id, i]));
+    return {
+      header: trace.header,
+      eventAt: (step) => trace.timeline.event(step),
+      indexOf: (polygon) => indices.get(polygon) ?? -1,
+      begin: (step, value, level = 1) => {
+        const left = Math.min(level - 1, this.inHand);
+        this.close(left, step - 1);
+        this.begin(step, hand, value);
+        this.inHand = left + 1;
+      },
+      end: (step) => {
+        this.close(0, step - 1);
+        this.inHand = 0;
+      },
+      decide: (value) => {
+        const node = this.open[this.inHand - 1];
+        if (node !== undefined) this.nodes.part[node] = value;
+      },
+      changeAel: () => undefined,
+    };
+  }
+}
+
+function stepsOf(
+  names: Uint8Array,
+  name: EventName,
+  from: number,
+  last: number,
+): readonly number[] {
+  const wanted = numberOf.get(name);
+  const found: number[] = [];
+  for (let step = from; step <= last; step++) if (names[step - 1] === wanted) found.push(step);
+  return found;
+}
+
+const outlines = new WeakMap<Trace, Outline>();
+
+/** The outline of a run, as far as it was gathered. */
+export function outlineOf(trace: Trace): Outline {
+  const known = outlines.get(trace) ?? new Outline(trace);
+  outlines.set(trace, known);
+  return known;
+}

@@ -1,0 +1,159 @@
+import { algorithmOf } from '../algorithm/algorithm.js';
+import { Mentions } from './mentions.js';
+import type { Outline } from './outline.js';
+import type { Meaning, Term } from './query.js';
+import { none } from './table.js';
+
+const atOnce = 512;
+
+/** One way to take a query: what each of its terms means. */
+type Reading = readonly Meaning[];
+
+/** All ways to take a query. */
+function readingsOf(terms: readonly Term[]): readonly Reading[] {
+  return terms.reduce<readonly Reading[]>(
+    (all, { meanings }) => all.flatMap((some) => meanings.map((one) => [...some, one])),
+    terms.length === 0 ? [] : [[]],
+  );
+}
+
+const mentions = new WeakMap<Outline, Mentions>();
+
+function mentionsIn(outline: Outline): Mentions {
+  const known = mentions.get(outline) ?? new Mentions(outline.trace);
+  mentions.set(outline, known);
+  return known;
+}
+
+/**
+ * Looks for the nodes that a query means in the outline of a whole run: calls, if it names a procedure; else parts, if it names
+ * one; else what is in hand. The other terms are about these or what they are in.
+ */
+export class Search {
+  private readonly readings: readonly Reading[];
+  private mentions: Mentions | null = null;
+  private readonly found: number[] = [];
+  private at = 0;
+  /** For polygons that are meant, which of the nodes in hand have a step that names one of them. */
+  private readonly naming = new Map<ReadonlySet<number>, Uint8Array>();
+  private readonly numbers = new Map<number, number | null>();
+
+  constructor(
+    private readonly outline: Outline,
+    readonly terms: readonly Term[],
+  ) {
+    this.readings = readingsOf(terms);
+  }
+
+  /** The nodes, in their order. */
+  get hits(): readonly number[] {
+    return this.found;
+  }
+
+  get complete(): boolean {
+    return this.readings.length === 0 || this.at >= this.outline.size;
+  }
+
+  /** Goes on for about so long; says whether all was seen. */
+  read(milliseconds = Infinity): boolean {
+    const end = performance.now() + milliseconds;
+    if (!this.complete && !this.readMentions(milliseconds)) return false;
+    do this.readSome();
+    while (!this.complete && performance.now() < end);
+    return this.complete;
+  }
+
+  /** Which polygons are named is looked up only for those who ask for polygons. */
+  private readMentions(milliseconds: number): boolean {
+    if (!this.readings.flat().some(({ facet }) => facet === 'polygon')) return true;
+    this.mentions ??= mentionsIn(this.outline);
+    return this.mentions.read(milliseconds);
+  }
+
+  private readSome(): void {
+    const stop = this.complete ? this.at : Math.min(this.at + atOnce, this.outline.size);
+    for (; this.at < stop; this.at++) {
+      if (this.readings.some((reading) => this.isHit(this.at, reading))) this.found.push(this.at);
+    }
+  }
+
+  private isHit(node: number, reading: Reading): boolean {
+    const { outline } = this;
+    const names = (facet: Meaning['facet']): boolean =>
+      reading.some((meaning) => meaning.facet === facet);
+    const what = outline.isHand(node) ? 'hand' : outline.isPart(node) ? 'part' : 'procedure';
+    const wanted = names('procedure') ? 'procedure' : names('row') ? 'part' : 'hand';
+    return what === wanted && reading.every((meaning) => this.isMeant(node, meaning));
+  }
+
+  private isMeant(node: number, meaning: Meaning): boolean {
+    const { outline } = this;
+    switch (meaning.facet) {
+      case 'procedure': {
+        const kind = outline.kindOf(node);
+        return kind !== 'hand' && kind !== 'part' && meaning.values.has(kind);
+      }
+      case 'row': {
+        const number = this.numberOf(node);
+        return number !== null && meaning.values.has(number);
+      }
+      case 'polygon':
+        return this.concerns(node, meaning.values);
+      case 'case':
+      case 'curve': {
+        const hand = outline.handOf(node);
+        return hand !== none && meaning.values.has(outline.nodes.part[hand] ?? -1);
+      }
+    }
+  }
+
+  /** A call, if its result names a polygon; else what is in hand, if it is that polygon or a step of it names that. */
+  private concerns(node: number, polygons: ReadonlySet<number>): boolean {
+    const { outline, mentions: named } = this;
+    const own = outline.isHand(node) ? -1 : (named?.at(outline.lastOf(node)) ?? -1);
+    if (!outline.isPart(node) && own >= 0) return polygons.has(own);
+    const hand = outline.handOf(node);
+    if (hand === none) return false;
+    const isOfPolygons = algorithmOf(outline.trace.header).lanes.first === 'polygons';
+    if (isOfPolygons && polygons.has(outline.nodes.part[hand] ?? -1)) return true;
+    return this.namingIn(polygons)[hand] === 1;
+  }
+
+  private namingIn(polygons: ReadonlySet<number>): Uint8Array {
+    const known = this.naming.get(polygons);
+    if (known !== undefined) return known;
+    const { outline } = this;
+    const found = new Uint8Array(outline.size);
+    this.naming.set(polygons, found);
+    let hand = none;
+    let next = 0;
+    const { first } = outline.nodes;
+    const { length } = outline.trace.timeline;
+    for (let step = 1; step <= length; step++) {
+      for (; next < outline.size && (first[next] ?? 0) <= step; next++) {
+        if (outline.isHand(next) || outline.nodes.depth[next] === 1) {
+          hand = outline.isHand(next) ? next : none;
+        }
+      }
+      const place = this.mentions?.at(step) ?? -1;
+      if (place >= 0 && hand !== none && polygons.has(place)) found[hand] = 1;
+    }
+    return found;
+  }
+
+  /** The number of the part that a node is or is in. */
+  private numberOf(node: number): number | null {
+    const { outline, numbers } = this;
+    for (const at of outline.wayUp(node)) {
+      if (!outline.isPart(at)) continue;
+      const known = numbers.get(at);
+      if (known !== undefined) return known;
+      const { header, timeline } = outline.trace;
+      const event = timeline.event(outline.nodes.first[at] ?? 0);
+      const number = (event && algorithmOf(header).outline.numberOf?.(event)) ?? null;
+      numbers.set(at, number);
+      return number;
+    }
+    return null;
+  }
+}

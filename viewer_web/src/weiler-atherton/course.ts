@@ -1,0 +1,28 @@
+import type { Book, Watched } from '../time/course.js';
+
+/** What is in hand is a list with its clip polygon, until what is visible is painted. */
+export function course({ begin, end, eventAt, indexOf }: Book): Watched {
+  let level = 1;
+  // The levels of the lists on the stack: parts inside that are tried again are a level below their list, the parts outside are not.
+  const stack: number[] = [];
+  let isPainting = false;
+  const paint = (step: number): void => {
+    if (!isPainting) end(step);
+    isPainting = true;
+  };
+  return {
+    push_list: (step) => {
+      const isAgain = eventAt(step)?.at === 'WA9';
+      stack.push(isAgain ? level + 1 : level);
+    },
+    pop_list: (step) => {
+      level = stack.pop() ?? 1;
+      const event = eventAt(step);
+      if (event?.e === 'pop_list') begin(step, indexOf(event.clip), level);
+    },
+    call: (step) => {
+      if (eventAt(step)?.at === 'WA10') paint(step);
+    },
+    paint,
+  };
+}

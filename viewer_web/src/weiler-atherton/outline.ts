@@ -1,0 +1,32 @@
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { Outlined, Told } from '../outline/outlined.js';
+
+const mostNamed = 4;
+
+/** What came of a list: its clip polygon is visible, or these are in front of it and it is put after them. */
+function outcome({ event, stepsOf }: Told, language: Language): string | null {
+  const { visible, inFront } = texts[language].outline;
+  if (stepsOf('show').length > 0) return visible;
+  const again = stepsOf('push_list')
+    .map((step) => event(step))
+    .find((each) => each?.at === 'WA9');
+  if (again?.e !== 'push_list') return null;
+  const nearer = again.pieces.slice(0, -1).map(([polygon]) => polygon);
+  const named = [...new Set(nearer)];
+  const more = named.length > mostNamed ? ' …' : '';
+  return inFront(named.slice(0, mostNamed).join(', ') + more);
+}
+
+/** The lists, those of parts inside that are tried again below the one that they are from. */
+export const outline: Outlined = {
+  parts: [],
+  say(told, language) {
+    const begins = told.event(told.first);
+    if (told.kind !== 'hand' || begins?.e !== 'pop_list') return null;
+    const say = texts[language].outline;
+    const list = say.list(begins.count, begins.clip);
+    const came = outcome(told, language);
+    return came === null ? list : `${list}: ${came}`;
+  },
+};

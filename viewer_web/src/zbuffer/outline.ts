@@ -1,0 +1,46 @@
+import { countedIn, texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import { short } from '../language/words.js';
+import type { Outlined, Told } from '../outline/outlined.js';
+import { details, kinds } from '../trace/events.js';
+import type { Event } from '../trace/events.js';
+
+const rowOf = (event: Event | null): number | null => (event?.e === 'scanline' ? event.row : null);
+
+function sayPolygon({ header, part, event, stepsOf }: Told, language: Language): string {
+  const { strip, outline: say } = texts[language];
+  const steps = stepsOf('scanline');
+  const [first, last] = [rowOf(event(steps[0] ?? 0)), rowOf(event(steps.at(-1) ?? 0))];
+  const rows = first === null || last === null ? say.noRows : say.rows(short(first), short(last));
+  return `${strip.polygon(header.scene.polygons[part]?.id ?? '')}: ${rows}`;
+}
+
+/** How many edges are active as a row is shown; null where the trace does not tell what joins the AEL. */
+function activeIn({ header, first, inHandFrom, stepsOf, event }: Told): number | null {
+  if (details.indexOf(header.detail) < details.indexOf(kinds.ael_add.from)) return null;
+  const gone = stepsOf('ael_drop', inHandFrom)
+    .filter((step) => step < first)
+    .map((step) => event(step))
+    .reduce((sum, each) => sum + (each?.e === 'ael_drop' ? each.edges.length : 0), 0);
+  return stepsOf('ael_add', inHandFrom).length - gone;
+}
+
+function sayRow(told: Told, language: Language): string | null {
+  const { strip, outline: say } = texts[language];
+  const row = rowOf(told.event(told.first));
+  if (row === null) return null;
+  const active = activeIn(told);
+  const edges = active === null ? [] : [countedIn(language, active, say.edges)];
+  const spans = countedIn(language, told.stepsOf('span').length, say.spans);
+  return `${strip.row(short(row))}: ${[...edges, spans].join(', ')}`;
+}
+
+/** The polygons, and of each the rows. */
+export const outline: Outlined = {
+  parts: ['scanline'],
+  numberOf: rowOf,
+  say(told, language) {
+    if (told.kind === 'hand') return sayPolygon(told, language);
+    return told.kind === 'part' ? sayRow(told, language) : null;
+  },
+};
