@@ -16,7 +16,7 @@ const sizes = [
   [1440, 900, 450, 0.4],
   [1920, 1080, 540, 0.4],
   [1024, 768, 280, 0.4],
-  [390, 844, 280, 0.9],
+  [390, 844, 351, 0.9], // 90 % of the width, too
   [640, 360, 280, 0.9], // 1280 x 720, enlarged to 200 %
 ] as const;
 
@@ -50,10 +50,10 @@ describe('the first screen', () => {
       await page.locator('.offer').waitFor();
       expect((await see(page)).controls.length).toBeLessThanOrEqual(16);
       const filled = await page.locator('vidno-transport button').evaluateAll((all) => {
-        const of = (each: Element): string => getComputedStyle(each).backgroundColor;
+        const colors = all.map((each) => getComputedStyle(each).backgroundColor);
         return all
-          .filter((each) => of(each) !== of(all.at(-1) ?? each))
-          .map((each) => each.className);
+          .filter((_, i) => colors[i] !== colors.at(-1))
+          .map((each) => each.classList.value);
       });
       expect(filled).toEqual(['play']);
     },
@@ -236,6 +236,11 @@ async function centre(page: Page, x: number, y: number): Promise<readonly [numbe
   );
 }
 
+const readout = (page: Page): Promise<string> =>
+  page
+    .locator('vidno-readout')
+    .evaluate((each) => each.shadowRoot?.textContent.replace(/\s+/gu, ' ').trim() ?? '');
+
 describe('axes and readout', () => {
   it('number the columns and rows, and say what is under the pointer', async () => {
     const { page } = await open(browser, '#lang=en');
@@ -246,14 +251,12 @@ describe('axes and readout', () => {
       page.locator(`vidno-axes .${kind}`).allTextContents();
     expect(await numbers('column')).toEqual(['2', '3', '4', '5', '6']);
     expect(await numbers('row')).toEqual(['-1', '0', '1', '2']);
-    const readout = page.locator('vidno-readout');
-    expect((await readout.innerText()).trim()).toBe('5 × 4');
+    expect(await readout(page)).toBe('5 × 4');
     await page.mouse.move(...(await centre(page, 4, 1)));
-    await expect.poll(() => readout.innerText()).toMatch(/^\(4, 1\)\s+\S/);
-    expect(await readout.innerText()).toMatch(/#[0-9a-f]{6}$/);
+    await expect.poll(() => readout(page)).toMatch(/^\(4, 1\) .*#[0-9a-f]{6}$/);
     expect(await page.locator('vidno-axes .pointed').allTextContents()).toEqual(['4', '1']);
     await page.locator(title).hover();
-    await expect.poll(() => readout.innerText()).toBe('5 × 4');
+    await expect.poll(() => readout(page)).toBe('5 × 4');
   });
 
   it('of the Z-buffer say the depth that it holds', async () => {
@@ -265,9 +268,7 @@ describe('axes and readout', () => {
       const { trace, step } = player as HTMLElementTagNameMap['vidno-player'];
       return trace?.timeline.seek(step).screen.z?.at(4 - 2, 1 - -1) ?? null;
     });
-    await expect
-      .poll(() => page.locator('vidno-readout').innerText())
-      .toContain(`z = ${Number(z).toString().slice(0, 4)}`);
+    await expect.poll(() => readout(page)).toContain(`z ≈ ${Number(z).toString().slice(0, 4)}`);
   });
 });
 

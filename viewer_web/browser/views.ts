@@ -12,8 +12,6 @@ export interface Seen {
 /** Looks into every shadow tree; what is covered, scrolled away or out of sight is not counted. */
 export function see(page: Page): Promise<Seen> {
   return page.evaluate(() => {
-    /** What is around an area, as a part of its longer side, on both sides together. */
-    const margins = 0.14;
     const all: HTMLElement[] = [];
     const walk = (root: ParentNode): void => {
       for (const each of root.querySelectorAll<HTMLElement>('*')) {
@@ -46,6 +44,8 @@ export function see(page: Page): Promise<Seen> {
       (each) => each.localName === 'vidno-picture' && each.checkVisibility(),
     );
     const box = picture?.getBoundingClientRect() ?? new DOMRect();
+    // What is around an area, as a part of its longer side, on both sides together.
+    const margins = Math.min(box.width, box.height) < 420 ? 0.1 : 0.14;
     const panel = all.find((each) => each.localName === 'section' && each.matches('.picture'));
     return {
       side: Math.min(box.width, box.height) / (1 + margins),

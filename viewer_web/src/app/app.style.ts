@@ -71,6 +71,9 @@ export const appStyle = css`
     }
   }
   .offer {
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
     min-height: 1.6rem;
     padding: 0 0.7rem;
     border-color: var(--accent);
@@ -115,6 +118,10 @@ export const appStyle = css`
   }
   nav > * {
     flex: none;
+  }
+  vidno-lesson-list {
+    border: 0;
+    padding: 0;
   }
   :host([comparing]) nav {
     display: none;

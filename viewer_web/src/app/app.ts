@@ -92,11 +92,13 @@ export class AppElement extends LitElement implements Shown, Told {
     super.connectedCallback();
     this.followAddress();
     window.addEventListener('keydown', this.onKey);
+    window.addEventListener('pointerdown', this.onElsewhere);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     window.removeEventListener('keydown', this.onKey);
+    window.removeEventListener('pointerdown', this.onElsewhere);
   }
 
   followAddress(): void {
@@ -117,9 +119,22 @@ export class AppElement extends LitElement implements Shown, Told {
     void this.reading.follow(address).finally(() => (this.isOpening = false));
   }
 
+  /** The lessons are over the page: who turns to anything else does not want them any more. */
+  private readonly onElsewhere = (event: Event): void => {
+    const isThere = event
+      .composedPath()
+      .some((each) => each instanceof Element && each.matches('nav, vidno-page-header'));
+    if (!isThere) this.isAtContents = false;
+  };
+
   /** Keys that were pressed outside the player are passed on to it. */
   private readonly onKey = (event: KeyboardEvent): void => {
     if (this.choice.open || this.discard.open || this.session.live.handleKey(event)) return;
+    if (event.key === 'Escape' && this.isAtContents) {
+      this.isAtContents = false;
+      event.preventDefault();
+      return;
+    }
     this.keyboard.handle(event);
     if (!event.composedPath().includes(this.stage)) this.stage.handleKey(event);
   };
@@ -218,7 +233,7 @@ export class AppElement extends LitElement implements Shown, Told {
   }
 
   private get isEdited(): boolean {
-    return this.comparison?.isEdited ?? this.player?.side === 'scene';
+    return this.comparison?.isEdited ?? this.player.side === 'scene';
   }
 
   private ask(what: Asked): void {

@@ -37,7 +37,10 @@ export function contents(page: Told): TemplateResult {
     .read=${reading.lesson?.id ?? null}
     .story=${reading.story?.story[language] ?? null}
     .heading=${reading.reached.heading}
-    @choose=${({ detail }: CustomEvent<LessonTrace>) => page.ways.replace(() => reading.choose(detail))}
+    @choose=${({ detail }: CustomEvent<LessonTrace>) => {
+      page.turnToContents(false);
+      void page.ways.replace(() => reading.choose(detail));
+    }}
     @visit=${({ detail }: CustomEvent<string>) => reading.visit(detail)}
     @leave=${() => page.turnToContents(false)}
     @follow=${({ detail }: CustomEvent<boolean>) => {

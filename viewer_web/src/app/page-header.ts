@@ -68,9 +68,6 @@ export class PageHeaderElement extends LitElement {
           gap: 0 0.35rem;
           height: auto;
         }
-        header > * {
-          min-height: 2.75rem;
-        }
         button {
           padding: 0 0.5rem;
         }
@@ -123,7 +120,8 @@ export class PageHeaderElement extends LitElement {
     return html`<header>
       ${this.button({ ask: 'skip', label: page.skip })}
       <h1>vidno</h1>
-      ${this.button({ ask: 'contents', label: page.lessons }, this.contents)} ${this.text()}
+      ${this.button({ ask: 'contents', label: page.lessons, off: this.comparing }, this.contents)}
+      ${this.text()}
       <slot></slot>
       <button
         class="more"

@@ -114,15 +114,17 @@ export class RunWordsElement extends LitElement {
   }
 
   private meanings(asked: number): TemplateResult {
-    return html`<dl role="status">
-      ${this.words.map(
-        ([word, meaning], i) =>
-          html`<div class=${i === asked ? 'asked' : nothing}>
-            <dt>${word}</dt>
-            <dd>${meaning}</dd>
-          </div>`,
-      )}
-    </dl>`;
+    return html`<div role="status">
+      <dl>
+        ${this.words.map(
+          ([word, meaning], i) =>
+            html`<div class=${i === asked ? 'asked' : nothing}>
+              <dt>${word}</dt>
+              <dd>${meaning}</dd>
+            </div>`,
+        )}
+      </dl>
+    </div>`;
   }
 
   private readonly onClick = ({ target }: Event): void => {

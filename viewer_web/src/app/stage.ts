@@ -23,6 +23,8 @@ export interface Shown {
   readonly session: Session;
   readonly setup: Setup;
   readonly view: PageView;
+  /** Whether the text of a lesson is beside the run. */
+  readonly isReading: boolean;
   /** Whether one has come without an address, to look around. */
   readonly isFirst: boolean;
   /** The parts of the state that the lesson asks for. */
@@ -69,6 +71,7 @@ export function alone(page: Shown): TemplateResult {
       .ask=${setting.ask ?? ''}
       ?presenting=${presenting && trace !== null}
       layout=${page.view}
+      ?beside=${page.isReading}
       .parts=${page.parts}
       ?linked=${session.isLinked}
       .layer=${layer}

@@ -116,7 +116,9 @@ export class DividerElement extends LitElement {
   }
 
   private set(share: number | null): void {
-    const style = this.parentElement?.style;
+    const root = this.getRootNode();
+    const whole = this.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
+    const style = whole instanceof HTMLElement ? whole.style : undefined;
     for (const [name, part] of [
       [`--${this.name}`, share],
       [`--${this.name}-rest`, share === null ? null : 1 - share],

@@ -22,7 +22,6 @@ export interface VerdictTexts {
   readonly comparisons: (n: number) => string;
   readonly regions: (n: number) => string;
   readonly curves: (n: number) => string;
-  readonly crossings: (n: number) => string;
 }
 
 /** A few steps through the page. */

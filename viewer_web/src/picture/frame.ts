@@ -26,8 +26,8 @@ const large = 64;
 const most = 40;
 /** CSS pixels that lines must be apart. */
 const apart = 5;
-/** What is around the area, as a part of its longer side. */
-const margin = 0.07;
+/** What is around the area, as a part of its longer side; and where there is little room. */
+export const margins = { usual: 0.07, small: 0.05 };
 
 /** How the plane lies in a box of the page: the area and a margin around it, in the middle, or a part of that. */
 export class Frame {
@@ -52,15 +52,19 @@ export class Frame {
     readonly wanted: Zoom | null = null,
     /** What the scene takes up. */
     readonly extent: Rectangle = [area.x, area.y, area.width, area.height],
+    readonly margin = margins.usual,
   ) {
     const { x, y, width, height } = area;
-    this.whole = withMargin([x, y, width, height]);
+    this.whole = withMargin([x, y, width, height], margin);
     const reach: Point = [farther(extent, this.whole, 0), farther(extent, this.whole, 1)];
     const isWhole = reach[0] === 0 && reach[1] === 0;
     const [left, top, wide, high] = this.whole;
     this.bounds = isWhole
       ? this.whole
-      : withMargin([left - reach[0], top - reach[1], wide + 2 * reach[0], high + 2 * reach[1]]);
+      : withMargin(
+          [left - reach[0], top - reach[1], wide + 2 * reach[0], high + 2 * reach[1]],
+          margin,
+        );
     const fit = (shown: Rectangle): number =>
       Math.max(Math.min(size.width / shown[2], size.height / shown[3]), 1e-6);
     this.fit = fit(this.whole);
@@ -117,7 +121,7 @@ export class Frame {
 
   /** The same plane and box with another zoom. */
   with(zoom: Zoom | null): Frame {
-    return new Frame(this.area, this.size, zoom, this.extent);
+    return new Frame(this.area, this.size, zoom, this.extent, this.margin);
   }
 
   /** So much larger, with the same place under a point of the box; on the way past the whole one stops there. */
@@ -178,7 +182,7 @@ export class Frame {
   }
 }
 
-function withMargin([x, y, width, height]: Rectangle): Rectangle {
+function withMargin([x, y, width, height]: Rectangle, margin: number): Rectangle {
   const around = Math.max(width, height) * margin;
   return [x - around, y - around, width + 2 * around, height + 2 * around];
 }

@@ -9,7 +9,7 @@ import type { HistoryTexts } from '../language/texts.js';
 import type { Area } from '../trace/header.js';
 import './axes.js';
 import { extentOf } from './extent.js';
-import { Frame } from './frame.js';
+import { Frame, margins } from './frame.js';
 import type { Point, Zoom, Zooming } from './frame.js';
 import { Gestures } from './gestures.js';
 import { OwnSize, pointIn } from './own-size.js';
@@ -17,6 +17,8 @@ import { isIn, isOther, moved, nearestIn } from './pixel.js';
 import type { Pixel } from './pixel.js';
 import './zoom-bar.js';
 
+/** CSS pixels of a box in which the margins are small. */
+const small = 420;
 /** How much larger a key or a button makes the picture. */
 const zoomStep = 1.5;
 
@@ -62,7 +64,9 @@ export abstract class PlaneElement extends LitElement {
       known.size === size.value &&
       known.wanted === zoom;
     if (isSame) return known;
-    return (this.known = new Frame(area, size.value, zoom, extent));
+    const { width, height } = size.value;
+    const margin = Math.min(width, height) < small ? margins.small : margins.usual;
+    return (this.known = new Frame(area, size.value, zoom, extent, margin));
   }
 
   /** Gives the keyboard to the choice of a place. */

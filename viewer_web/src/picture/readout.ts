@@ -66,14 +66,18 @@ export class ReadoutElement extends LitElement {
     [x, y]: Pixel,
   ): TemplateResult | typeof nothing {
     const { short } = numbersOf(this.view);
-    if (depth !== null) return html`<span>z = ${short(depth)}</span>`;
+    if (depth !== null) return html`<span>${equals(short(depth))}</span>`;
     const [id, ...others] = polygons;
     if (id === undefined || others.length > 0 || isBackground) return nothing;
     const polygon = this.view.header.scene.byId.get(id);
     const z = polygon === undefined ? NaN : planeOf(polygon)(x + 0.5, y + 0.5);
-    return Number.isFinite(z) ? html`<span>z ≈ ${short(z)}</span>` : nothing;
+    return Number.isFinite(z) ? html`<span>${equals(`≈${short(z)}`)}</span>` : nothing;
   }
 }
+
+/** Of a number that is marked where it is cut. */
+const equals = (z: string): string =>
+  z.startsWith('≈') ? `z ≈ ${z.replace(/^≈+/u, '')}` : `z = ${z}`;
 
 declare global {
   interface HTMLElementTagNameMap {

@@ -1,7 +1,7 @@
 import type { PageView } from '../base/page-view.js';
 import type { Side } from '../history/side-name.js';
 
-/** What may stand around the picture. */
+/** What may stand beside the picture. */
 export type PanelName = 'listing' | 'side';
 
 /** How much of what the player can do is in sight; keys do all of it in any view. */

@@ -140,11 +140,11 @@ export const playerStyle = css`
   }
   /* The workbench has three columns where there is room. */
   @container (min-width: 1120px) {
-    :host([layout='workbench']) .stage {
+    :host([layout='workbench']:not([beside])) .stage {
       --picture-share: 46fr;
       --beside-share: 54fr;
     }
-    :host([layout='workbench']) .beside {
+    :host([layout='workbench']:not([beside])) .beside {
       grid-template:
         'listing between side' minmax(0, 1fr) / minmax(0, var(--listing, 1fr)) var(--gap)
         minmax(0, var(--listing-rest, 1fr));

@@ -81,6 +81,8 @@ export class PlayerElement extends StageElement {
   @property({ attribute: false }) link: LinkMade | null = null;
   /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
   @property() ask = '';
+  /** Whether a text stands beside it, which leaves room for two columns. */
+  @property({ type: Boolean, reflect: true }) beside = false;
   /** How it is arranged, and which parts of the state a lesson asks for. */
   @property({ reflect: true }) layout: PageView = 'workbench';
   @property({ attribute: false }) parts: readonly StatePart[] = [];

@@ -11,8 +11,8 @@ import type { Header } from '../trace/header.js';
 /** How large a scene may be that is compared with its exact picture unasked. */
 const most = { pixels: 1 << 16, polygons: 200 };
 
-/** What a verdict counts, where the run tells it. */
-const counted = ['windows', 'comparisons', 'regions', 'curves', 'crossings'] as const;
+/** What a verdict counts: the first of these that the run tells. */
+const counted = ['windows', 'regions', 'curves', 'comparisons'] as const;
 
 /** Whether the exact picture of a scene is made as soon as its run is over. */
 export function isComparedUnasked({ scene }: Pick<Header, 'scene'>): boolean {
@@ -29,8 +29,7 @@ function tallyOf(trace: Trace): ReadonlyMap<EventName, number> {
   if (known !== undefined) return known;
   const numbers = new Uint32Array(eventNames.length);
   const { names } = trace.timeline;
-  for (let i = 0; i < names.length; i++) {
-    const name = names[i] ?? 0;
+  for (const name of names) {
     numbers[name] = (numbers[name] ?? 0) + 1;
   }
   const tally = new Map(eventNames.map((name, i) => [name, numbers[i] ?? 0]));
@@ -51,12 +50,13 @@ export function verdictOn(trace: Trace, view: View, exact: Exact): string | null
     return n === 0 ? [] : [verdict[counter](n)];
   });
   const { area, curves } = header.scene;
+  const work = amounts.slice(0, 1);
   const pixels =
     curves === null
       ? [`${verdict.pixels(area.width * area.height)}, ${comparedWith(exact, view)}`]
       : [];
   const untold = curves === null ? [] : [verdict.notCompared];
-  return `${[...pixels, ...amounts, ...untold].join('; ')}.`;
+  return `${[...pixels, ...work, ...untold].join('; ')}.`;
 }
 
 /** Nothing is called exact that was not held against the exact picture. */

@@ -40,7 +40,6 @@ export const verdict: VerdictTexts = {
   comparisons: (n) => count(n, { one: 'depth comparison', other: 'depth comparisons' }),
   regions: (n) => count(n, { one: 'visible region', other: 'visible regions' }),
   curves: (n) => count(n, { one: 'curve', other: 'curves' }),
-  crossings: (n) => count(n, { one: 'intersection', other: 'intersections' }),
 };
 
 export const tour: TourTexts = {

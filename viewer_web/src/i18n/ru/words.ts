@@ -51,11 +51,10 @@ export const verdict: VerdictTexts = {
       other: 'видимых областей',
     }),
   curves: (n) => count(n, { one: 'кривая', few: 'кривые', other: 'кривых' }),
-  crossings: (n) => count(n, { one: 'пересечение', few: 'пересечения', other: 'пересечений' }),
 };
 
 export const tour: TourTexts = {
-  offer: 'Вы здесь впервые? Четыре шага по странице',
+  offer: 'Впервые здесь? Обзор в четыре шага',
   again: 'Показать, что здесь где',
   next: 'Дальше',
   done: 'Готово',
