@@ -247,6 +247,8 @@ TEST_CASE("What is wrong with a lesson is said with file and line") {
              {"lesson.json", R"("warnock")", R"("painter")", "lesson.json:2: /runs/0/method: painter: there is none"},
              {"lesson.json", R"("warnock"})", R"("warnock", "kernel": "half"})",
               "lesson.json:2: /runs/0/kernel: half is not one of "},
+             {"lesson.json", R"("pins")", R"("shows": ["queue"], "pins")",
+              "lesson.json:3: /shows/0: queue: no state has such a part"},
              {"lesson.json", R"("pins")", R"("pins" "x")", "lesson.json:3: line 3, column 11: not valid JSON"},
          }) {
         CAPTURE(each.said);
@@ -310,6 +312,26 @@ TEST_CASE("A course is built from lessons: traces, steps of the pins, an index")
     // plane, call, push of the root, pop: the window is looked at at once.
     CHECK(built["pins"]["all"]["step"] == 3);
     CHECK(built["story"]["ru"]["title"] == json::parse(R"(["Square"])"));
+}
+
+TEST_CASE("A run is named after what it shows: as its lesson says, or by the name of its scene") {
+    const auto title = [](const SquareLesson& lesson) {
+        CHECK(program("lesson build " + lesson.folder + " -o " + lesson.place.file("course")).status == 0);
+        return json::parse(lesson.place.read("course/index.json"))[0]["traces"][0]["title"];
+    };
+    const SquareLesson lesson;
+    lesson.edit("scene.json", R"("window")", R"("name":"One square","window")");
+    CHECK(title(lesson) == json::parse(R"({"en": "One square", "ru": "One square"})"));
+    lesson.edit("lesson.json", R"("warnock")", R"("warnock", "title": {"en": "A square", "ru": "Квадрат"})");
+    CHECK(title(lesson) == json::parse(R"({"en": "A square", "ru": "Квадрат"})"));
+}
+
+TEST_CASE("A lesson says which parts of the state stand beside its text") {
+    const SquareLesson lesson;
+    lesson.edit("lesson.json", R"("pins")", R"("shows": ["stack", "active-polygons"], "pins")");
+    CHECK(program("lesson build " + lesson.folder + " -o " + lesson.place.file("course")).status == 0);
+    const json built = json::parse(lesson.place.read("course/square.lesson.json"));
+    CHECK(built["shows"] == json::parse(R"(["stack", "active-polygons"])"));
 }
 
 TEST_CASE("A new lesson, of a scene, a mesh or a surface, lacks nothing but its words") {
