@@ -8,8 +8,8 @@ export const handlesStyle = css`
     pointer-events: none;
   }
   svg {
-    width: 100%;
-    height: 100%;
+    width: var(--across, 100%);
+    height: var(--down, 100%);
     overflow: hidden;
   }
   svg.drawing {

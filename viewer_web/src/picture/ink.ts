@@ -50,16 +50,32 @@ export function fit(canvas: HTMLCanvasElement, { width, height }: Size, ratio: n
   if (canvas.style.height !== high) canvas.style.height = high;
 }
 
+/** What is on a canvas. */
+interface Inked {
+  readonly shapes: readonly Shape[];
+  readonly frame: Frame;
+  readonly ratio: number;
+}
+
+const areAlike = (some: readonly Shape[], others: readonly Shape[]): boolean =>
+  some === others ||
+  (some.length === others.length &&
+    some.every(({ look, d, color, fill }, i) => {
+      const other = others[i];
+      return other?.d === d && other.look === look && other.color === color && other.fill === fill;
+    }));
+
 /** Draws shapes on a canvas as an SVG document shows them. What is on it already is not drawn again. */
 export class Inker {
-  private last: readonly unknown[] = [];
+  private last: Inked | null = null;
 
   /** The canvas fills the frame's box and has so many dots per CSS pixel. */
   draw(canvas: HTMLCanvasElement, shapes: readonly Shape[], frame: Frame, ratio: number): void {
     const context = canvas.getContext('2d');
-    const now = [shapes, frame, ratio];
-    if (context === null || now.every((each, i) => each === this.last[i])) return;
-    this.last = now;
+    const { last } = this;
+    const isSame = last?.frame === frame && last.ratio === ratio && areAlike(last.shapes, shapes);
+    if (context === null || isSame) return;
+    this.last = { shapes, frame, ratio };
     const { shown, scale } = frame;
     context.resetTransform();
     context.clearRect(0, 0, canvas.width, canvas.height);

@@ -14,8 +14,8 @@ export const pictureStyle = css`
     inset: 0;
   }
   svg {
-    width: 100%;
-    height: 100%;
+    width: var(--across, 100%);
+    height: var(--down, 100%);
     cursor: crosshair;
     touch-action: pan-x pan-y;
   }
@@ -58,6 +58,10 @@ export const pictureStyle = css`
     shape-rendering: crispEdges;
   }
   @media print {
+    :host {
+      --across: 100% !important;
+      --down: 100% !important;
+    }
     canvas {
       display: none;
     }

@@ -42,6 +42,7 @@ export abstract class PlaneElement extends LitElement {
     (frame) => (this.zoom = frame.zoom),
   );
   private known: Frame | null = null;
+  private sized = this.size.value;
   private left: Pixel | null = null;
 
   constructor() {
@@ -72,6 +73,19 @@ export abstract class PlaneElement extends LitElement {
   /** Gives the keyboard to the choice of a place. */
   startChoosing(): void {
     this.stage.focus();
+  }
+
+  /**
+   * What lies over the plane has its size as it was told last: on the way to a layout the browser tries other sizes, and would lay
+   * out all that is drawn for each of them.
+   */
+  override updated(changed: PropertyValues<this>): void {
+    super.updated(changed);
+    const { width, height } = this.size.value;
+    if (this.sized === this.size.value || width === 0 || height === 0) return;
+    this.sized = this.size.value;
+    this.style.setProperty('--across', `${width}px`);
+    this.style.setProperty('--down', `${height}px`);
   }
 
   override willUpdate(changed: PropertyValues<this>): void {

@@ -32,6 +32,9 @@ import './handles.js';
 
 const none: readonly Shape[] = [];
 
+/** Whether it shows how the area is divided; that lies under all marks. */
+const isOfTree = ({ look }: Shape): boolean => look === 'tree' || look === 'casing tree';
+
 /** A drawing, and what it was made of. */
 interface SceneDrawing extends Drawing {
   readonly scene: Scene;
@@ -54,11 +57,12 @@ export class PictureElement extends PlaneElement {
   @property({ attribute: false }) editing: Editing | null = null;
   @query('.cells') private bottom!: HTMLCanvasElement;
   @query('.scene') private scene!: HTMLCanvasElement;
+  @query('.tree') private tree!: HTMLCanvasElement;
   @query('.step') private step!: HTMLCanvasElement;
 
   private readonly printing = new Printing(this);
   private readonly painter = new CellPainter();
-  private readonly inkers = { scene: new Inker(), step: new Inker() };
+  private readonly inkers = { scene: new Inker(), tree: new Inker(), step: new Inker() };
   private ofScene: SceneDrawing | null = null;
   private ofStep: Drawing = { shapes: none, labels: [] };
 
@@ -85,12 +89,20 @@ export class PictureElement extends PlaneElement {
 
   override updated(changed: PropertyValues<this>): void {
     super.updated(changed);
-    const { frame, bottom, scene, step, inkers } = this;
+    const { frame, bottom, scene, tree, step, inkers } = this;
     const ratio = window.devicePixelRatio * this.size.zoom;
-    for (const canvas of [bottom, scene, step]) fit(canvas, frame.size, ratio);
+    for (const canvas of [bottom, scene, tree, step]) fit(canvas, frame.size, ratio);
     this.painter.paint(bottom, this.cells, frame.place(ratio));
     inkers.scene.draw(scene, this.ofScene?.shapes ?? none, frame, ratio);
-    inkers.step.draw(step, this.ofStep.shapes, frame, ratio);
+    const { shapes } = this.ofStep;
+    // There may be thousands of windows, of which few steps make more.
+    inkers.tree.draw(tree, shapes.filter(isOfTree), frame, ratio);
+    inkers.step.draw(
+      step,
+      shapes.filter((shape) => !isOfTree(shape)),
+      frame,
+      ratio,
+    );
   }
 
   /** What the pixels show; null if nothing. */
@@ -117,6 +129,7 @@ export class PictureElement extends PlaneElement {
   protected override below(): unknown {
     return html`<canvas class="cells" aria-hidden="true"></canvas>
       <canvas class="scene" aria-hidden="true"></canvas>
+      <canvas class="tree" aria-hidden="true"></canvas>
       <canvas class="step" aria-hidden="true"></canvas>`;
   }
 
