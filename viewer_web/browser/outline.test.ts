@@ -171,7 +171,7 @@ describe('the search of the outline', () => {
 
   it('takes terms with the names of facets, says what they mean, and takes them away', async () => {
     const page = await outlined(small, '#lang=ru');
-    const field = page.getByRole('searchbox', { name: 'Поиск в структуре' });
+    const field = page.getByRole('combobox', { name: 'Поиск в структуре' });
     await field.fill('polygon:B случай:делится nobody');
     const chips = page.locator('vidno-outline .chip');
     await expect.poll(() => chips.count()).toBe(3);
@@ -191,11 +191,11 @@ describe('the search of the outline', () => {
 
   it('is kept while another panel is shown', async () => {
     const page = await outlined(small);
-    await page.getByRole('searchbox').fill('split');
+    await page.locator('vidno-outline input').fill('split');
     await expect.poll(() => hits(page)).toBeGreaterThan(0);
     await page.locator(title).click();
     await press(page, 'x', 't');
-    expect(await page.getByRole('searchbox').inputValue()).toBe('split');
+    expect(await page.locator('vidno-outline input').inputValue()).toBe('split');
     await expect.poll(() => status(page)).toMatch(/hits$/);
   });
 });
@@ -207,7 +207,7 @@ describe.each(['en', 'ru'] as const)('the outline in %s', (language) => {
     await opened(page, 'small.jsonl', small);
     await page.locator(title).click();
     await press(page, 't');
-    await page.getByRole('searchbox').fill('B split nobody');
+    await page.locator('vidno-outline input').fill('B split nobody');
     await goTo(page, 60);
     await page.locator('vidno-outline .now').waitFor();
     expect(await violations(page)).toEqual([]);

@@ -19,9 +19,11 @@ async function opened(page: Page, name: string, content: string): Promise<void> 
   await expect.poll(isDrawn, { timeout: 60_000 }).toBe(true);
 }
 
-const overview = 'vidno-overview [role=slider]';
-const said = (page: Page): Promise<string | null> =>
-  page.locator(overview).getAttribute('aria-valuetext');
+const overview = 'vidno-overview .bar';
+const strip = 'vidno-slider .strip';
+/** The part that the strip shows, as it says before it says where one is. */
+const said = async (page: Page): Promise<string | undefined> =>
+  (await page.locator(strip).getAttribute('aria-valuetext'))?.split('; ')[0];
 const news = (page: Page): Promise<string | null> =>
   page.locator('vidno-slider [role=status]').textContent();
 const wayBack = (page: Page) => page.locator('vidno-slider .whole');
@@ -113,7 +115,7 @@ describe('the strip', () => {
     await expect.poll(() => said(page)).toMatch(/^Steps (28|29) to (86|87) of 115$/);
   });
 
-  it('is zoomed by keyboard on the overview, and the reader hears what it shows', async () => {
+  it('is zoomed by keyboard, says what it shows, and is stepped through as before', async () => {
     const page = await ready();
     await goTo(page, 23); // a fifth of 115
     await page.locator('.slider').focus();
@@ -122,17 +124,19 @@ describe('the strip', () => {
     expect(await said(page)).toBe('Steps 12 to 69 of 115'); // 57.5, of which a fifth lies before 23: from 11.5 on
     await press(page, '+');
     expect(await said(page)).toBe('Steps 17 to 46 of 115'); // 28.75 from 17.25 on
-    await press(page, 'ArrowRight');
-    expect(await said(page)).toBe('Steps 20 to 49 of 115');
-    await press(page, 'End');
-    expect(await said(page)).toBe('Steps 86 to 115 of 115');
-    await press(page, '-');
-    expect(await said(page)).toBe('Steps 58 to 115 of 115'); // 57.5 to the end
+    await press(page, 'Shift+PageUp');
+    expect(await said(page)).toBe('Steps 43 to 72 of 115'); // 0.9 of 28.75 later: from 43.125 to 71.875
+    await press(page, 'Shift+PageDown', '-');
+    expect(await said(page)).toBe('Steps 12 to 69 of 115');
+    expect(await page.locator(strip).getAttribute('aria-valuetext')).toBe(
+      'Steps 12 to 69 of 115; Step 23 of 115: window 1 × 1 at (6, 1), pixel',
+    );
     await press(page, 'Escape');
     expect(await said(page)).toBe('The whole run');
     await press(page, '+', '0');
     expect(await said(page)).toBe('The whole run');
-    expect(await stepOf(page)).toBe(23);
+    await press(page, 'ArrowRight');
+    expect(await stepOf(page)).toBe(24);
   });
 
   it('follows the step that leaves what it shows, and is not painted anew as long as none does', async () => {

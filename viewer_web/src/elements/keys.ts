@@ -16,7 +16,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['ends', ['Home', 'End']],
   ['play', ['Space']],
   ['speed', ['−', '+']],
-  ['part', ['+', '−', '0']],
+  ['part', ['+', '−', '0', 'Shift PgUp', 'Shift PgDn']],
   ['pixel', ['P']],
   ['cursor', ['← ↑ ↓ →', 'Enter', 'Esc']],
   ['zoom', ['+', '−', '0']],

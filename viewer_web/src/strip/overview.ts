@@ -1,6 +1,6 @@
 import { LitElement, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
-import { customElement, property, query, state } from 'lit/decorators.js';
+import { customElement, property, state } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import type { ZoomTexts } from '../language/texts.js';
 import { placeOf, stepAt } from '../time/columns.js';
@@ -16,8 +16,6 @@ import type { Zoom } from './zoom.js';
 const reach = 8;
 /** CSS pixels that a press may move and still choose nothing. */
 const still = 3;
-/** How much nearer a key brings it, and by which share of what is shown it moves. */
-const [nearer, little, page, far] = [2, 0.1, 0.9, 1e9];
 
 /** What the pointer does: draws another part, or moves the one that is shown, or an end of it. */
 interface Drag {
@@ -29,8 +27,8 @@ interface Drag {
 }
 
 /**
- * The whole run in little, and on it the part that the strip shows: it is drawn anew, moved, or taken by an end. The keyboard
- * moves it as a slider. That it has changed is told by an event `change`.
+ * The whole run in little, and on it the part that the strip shows: it is drawn anew, moved, or taken by an end. That it has
+ * changed is told by an event `change`. The keyboard has the strip.
  */
 @customElement('vidno-overview')
 export class OverviewElement extends LitElement {
@@ -46,12 +44,7 @@ export class OverviewElement extends LitElement {
   @property({ attribute: false }) texts!: ZoomTexts;
   /** The part that is being drawn. */
   @state() private drawn: Range | null = null;
-  @query('.bar') private bar!: HTMLElement;
   private drag: Drag | null = null;
-
-  override focus(): void {
-    this.bar.focus();
-  }
 
   override render(): TemplateResult {
     const { range, length, texts, drawn } = this;
@@ -60,16 +53,8 @@ export class OverviewElement extends LitElement {
     return html`
       <div
         class="bar"
-        role="slider"
-        tabindex="0"
-        aria-label=${texts.part}
-        aria-valuemin="0"
-        aria-valuemax=${length}
-        aria-valuenow=${range.from}
-        aria-valuetext=${texts.shown(range, length)}
+        aria-hidden="true"
         title=${texts.how}
-        @keydown=${this.onKey}
-        @mousedown=${this.keepFocus}
         @pointerdown=${this.onDown}
         @pointermove=${this.onMove}
         @pointerup=${this.onUp}
@@ -97,9 +82,6 @@ export class OverviewElement extends LitElement {
   private stepOf(event: PointerEvent): number {
     return stepAt(shareOf(event), wholeOf(this.length), 1);
   }
-
-  /** Whoever drags here goes on to step by the keys as before. */
-  private readonly keepFocus = (event: Event): void => event.preventDefault();
 
   private readonly onDown = (event: PointerEvent): void => {
     if (event.button !== 0 || !event.isPrimary) return;
@@ -155,32 +137,6 @@ export class OverviewElement extends LitElement {
   private readonly onCancel = (): void => {
     this.drag = null;
     this.drawn = null;
-  };
-
-  private readonly onKey = (event: KeyboardEvent): void => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const { zoom } = this;
-    const actions: Readonly<Record<string, () => void>> = {
-      '+': () => zoom.zoom(nearer),
-      '=': () => zoom.zoom(nearer),
-      '-': () => zoom.zoom(1 / nearer),
-      '0': () => zoom.showWhole(),
-      Escape: () => zoom.showWhole(),
-      ArrowLeft: () => zoom.move(-little),
-      ArrowRight: () => zoom.move(little),
-      ArrowUp: () => zoom.move(little),
-      ArrowDown: () => zoom.move(-little),
-      PageUp: () => zoom.move(page),
-      PageDown: () => zoom.move(-page),
-      Home: () => zoom.move(-far),
-      End: () => zoom.move(far),
-    };
-    const act = actions[event.key];
-    // Where the whole is shown Escape means what it does elsewhere.
-    if (act === undefined || (event.key === 'Escape' && zoom.isWhole)) return;
-    event.preventDefault();
-    act();
-    this.tell();
   };
 
   private show(range: Range): void {

@@ -71,6 +71,9 @@ export const sliderStyle = css`
   .strip vidno-strip {
     height: 100%;
   }
+  .strip:focus-visible {
+    outline-offset: 2px;
+  }
   .now,
   .flag {
     position: absolute;

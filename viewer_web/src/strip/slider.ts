@@ -18,20 +18,20 @@ import { isIn } from '../time/range.js';
 import { flag, lanesOf, stripHeight } from './lanes.js';
 import './hits.js';
 import './overview.js';
-import type { OverviewElement } from './overview.js';
 import { sliderStyle } from './slider.style.js';
 import './strip-element.js';
 import { StripGestures } from './strip-gestures.js';
 import './strip-legend.js';
 import { Zoom } from './zoom.js';
+import { zoomByKey } from './zoom-keys.js';
 
 const mostPerFrame = 8;
 /** Milliseconds that a run must stay: while a scene is dragged none does. */
 const rest = 150;
 
 /**
- * The slider, and along it the strip, which shows the run or a part of it. Both seek; the keyboard has the slider, and what
- * part the strip shows is chosen on the overview between them.
+ * The slider, and along it the strip, which shows the run or a part of it. Both seek. What part the strip shows is chosen on
+ * the overview between them, or on the strip itself.
  */
 @customElement('vidno-slider')
 export class SliderElement extends LitElement {
@@ -56,7 +56,6 @@ export class SliderElement extends LitElement {
   /** What is said of the part that the strip shows, since it was changed. */
   @state() private news = '';
   @query('.strip') private strip!: HTMLElement;
-  @query('vidno-overview') private overview!: OverviewElement;
 
   @state() private rested = false;
 
@@ -111,6 +110,7 @@ export class SliderElement extends LitElement {
     const { view, zoom } = this;
     const { step, length, language } = view;
     const { range } = zoom;
+    const { zoom: say } = texts[language].strip;
     const course = this.trace.complete && this.course.complete ? this.course : null;
     const isShown = ({ step: at }: { readonly step: number }): boolean => isIn(range, at);
     return html`
@@ -125,12 +125,20 @@ export class SliderElement extends LitElement {
         .length=${length}
         .step=${step}
         .course=${course}
-        .texts=${texts[language].strip.zoom}
+        .texts=${say}
         @change=${this.onZoom}
       ></vidno-overview>
       ${this.wayBack()}
       <div
         class="strip"
+        role="slider"
+        tabindex="0"
+        aria-label=${say.part}
+        aria-valuemin=${range.from}
+        aria-valuemax=${range.to}
+        aria-valuenow=${step}
+        aria-valuetext=${`${say.shown(range, length)}; ${this.say(step)}`}
+        @keydown=${this.onZoomKey}
         @wheel=${this.gestures.onWheel}
         @pointerdown=${this.onPress}
         @pointermove=${this.onPoint}
@@ -178,14 +186,20 @@ export class SliderElement extends LitElement {
   /** The button goes; the keyboard, if it was pressed by that, stays near it. */
   private readonly onWhole = ({ detail }: MouseEvent): void => {
     this.zoom.showWhole();
-    if (detail === 0) this.overview.focus();
+    if (detail === 0) this.strip.focus();
     this.onZoom();
   };
 
-  /** The overview says itself what the keyboard has done with it. */
+  private readonly onZoomKey = (event: KeyboardEvent): void => {
+    if (!zoomByKey(event, this.zoom)) return;
+    event.preventDefault();
+    this.onZoom();
+  };
+
+  /** A strip that has the keyboard says itself what has become of it. */
   private readonly onZoom = (): void => {
     const { language, length } = this.view;
-    const isFocused = this.shadowRoot?.activeElement === this.overview;
+    const isFocused = this.shadowRoot?.activeElement === this.strip;
     this.news = isFocused ? '' : texts[language].strip.zoom.shown(this.zoom.range, length);
     this.requestUpdate();
   };

@@ -86,7 +86,7 @@ export const page: PageTexts = {
     ends: 'to the beginning, to the end',
     play: 'play, pause',
     speed: 'slower, faster',
-    part: 'on the bar above the strip: a part of the run, nearer, farther, the whole',
+    part: 'on the strip: nearer, farther, the whole run; later, earlier',
     pixel: 'to the picture, to choose a pixel',
     cursor: 'there: another pixel, choose it, leave',
     zoom: 'there: larger, smaller, the whole picture and then all vertices',

@@ -37,11 +37,11 @@ export const strip: StripTexts = {
     now: 'The step that is shown',
   },
   zoom: {
-    part: 'Part of the run on the strip',
+    part: 'Strip',
     shown: ({ from, to }, length) =>
       from === 0 && to === length ? 'The whole run' : `Steps ${from} to ${to} of ${length}`,
     toWhole: 'Show the whole run',
-    how: 'Drag along this bar to zoom in. Wheel, two fingers, + and − zoom; 0 shows the whole run.',
+    how: 'Drag along this bar to zoom in. On the strip the wheel, two fingers, + and − zoom; 0 shows the whole run.',
   },
   columns:
     'One column of dots is many steps: each colour is as tall as its share of them; pale, the greatest level; dark, the mean. No mark is left out.',
