@@ -5,6 +5,7 @@ import { live } from 'lit/directives/live.js';
 import type { View } from '../algorithm/view.js';
 import { ReadOn } from '../elements/read-on.js';
 import { base } from '../elements/theme.js';
+import { findingSteps } from '../exactness/finding-marks.js';
 import type { Check } from '../exactness/truth.js';
 import { texts } from '../i18n/index.js';
 import type { Trace } from '../replay/trace.js';
@@ -111,6 +112,18 @@ export class SliderElement extends LitElement {
               ${svg`<path d=${flag(stripHeight)} />`}
             </svg>`,
         )}
+        ${
+          this.veiled
+            ? nothing
+            : findingSteps(this.check.findings ?? [], view.length).map(
+                (found) =>
+                  html`<span
+                    class="found ${found.kind}"
+                    .style=${this.at(found.step)}
+                    aria-hidden="true"
+                  ></span>`,
+              )
+        }
         ${this.veiled ? html`<span class="veil" .style=${this.at(step)}></span>` : nothing}
         <span class="now" .style=${this.at(step)}></span>
       </div>
