@@ -1,6 +1,6 @@
 # The folders of trace/, each of which includes only itself and those before it. Run with -P; TRACE is the folder.
 cmake_minimum_required(VERSION 3.25)
-set(folders json choice picture scene format event_table run check state regions import chart stability sign_map homework page
+set(folders json choice picture scene format event_table run check state margin regions import chart stability sign_map homework page
             figure grade lesson wasm cli)
 
 file(GLOB_RECURSE files RELATIVE ${TRACE} ${TRACE}/*.h ${TRACE}/*.cpp)

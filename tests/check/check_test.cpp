@@ -28,7 +28,7 @@ struct Court {
     std::vector<Verdict> verdicts;
     double off = 0;
     Judge judge = [this](const Verdict& verdict) { verdicts.push_back(verdict); };
-    Surveyor survey = [this](double pixels) { off = pixels; };
+    Surveyor survey = [this](const Surveyed& point) { off = point.off; };
     RunTimeKernel kernel;
 
     explicit Court(std::string_view name) : kernel(*kernel_named(name), {&judge, &survey}) {}

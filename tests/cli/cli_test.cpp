@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -330,6 +332,77 @@ TEST_CASE("check: a table and the wrong pixels, exit 1 if anything is wrong, a t
     CHECK(program("check " + trace).text == wrong.text);
     CHECK(program("check " + trace + " --kernel double").status == 0);
     CHECK(program("replay " + trace + " -o " + work.file("a.ppm")).status == 0);
+}
+
+TEST_CASE("check --list: the decisions worth looking at, as lines of JSON or as a table; another name is refused") {
+    const Workplace work;
+    // The corners of the square are on pixel centres, and so exact zeros are: two ends of each of two rows.
+    const std::string scene = work.write(
+        "scene.json", R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":2},"polygons":[)"
+                      R"({"color":"#ff0000","vertices":[[0.5,0.5,0],[1.5,0.5,0],[1.5,1.5,0],[0.5,1.5,0]]}]})");
+    const auto checked = program("check " + scene + " --method zbuffer --list " + work.file("list.jsonl"));
+    CHECK(checked.status == 0);
+    CHECK(checked.text.find("exact zeros: ") != std::string::npos);
+    CHECK(checked.text.find("pixel centres met") != std::string::npos);
+    std::istringstream lines(work.read("list.jsonl"));
+    std::string line;
+    std::getline(lines, line);
+    CHECK(nlohmann::json::parse(line).at("format") == "vidno-decisions/1");
+    int ends = 0;
+    std::size_t count = 0;
+    while (std::getline(lines, line)) {
+        ++count;
+        const auto found = nlohmann::json::parse(line);
+        CHECK(found.at("kind") != "wrong");
+        if (found.at("kind") == "zero") CHECK(found.at("gap") == "0/1");
+        if (found.at("procedure") == "ShowLine" && found.value("coincidence", "") == "on_pixel_centre" &&
+            found.at("kind") == "zero") {
+            ++ends;
+        }
+    }
+    CHECK(ends >= 4);
+    CHECK(program("check " + scene + " --method zbuffer --list " + work.file("list.csv")).status == 0);
+    const std::string table = work.read("list.csv");
+    CHECK(table.starts_with("kind,step,at,procedure,of,polygons,pixels,"));
+    CHECK(std::size_t(std::count(table.begin(), table.end(), '\n')) == count + 1);
+    CHECK(program("check " + scene + " --list " + work.file("list.txt")).status == 2);
+    CHECK_FALSE(fs::exists(work.file("list.txt")));
+}
+
+TEST_CASE("check: a constructed point more than half a pixel off is an error, and its step is said") {
+    const Workplace work;
+    // From -5 to 25 the upper edge of A rises by 6 ulps at 8 = the side of a window: where it meets that is anybody's guess.
+    const std::string scene = work.write(
+        "scene.json",
+        R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":16,"height":16},"polygons":[{"color":"#0072b2","vertices":)"
+        R"([[-5,"0x1.ffffffffffffcp+2",0],[25,"0x1.0000000000002p+3",0],[8,16,0]]},)"
+        R"({"color":"#e69f00","vertices":[[0,0,0.5],[1,0,0.5],[0,1,0.5]]}]})");
+    const auto checked = program("check " + scene + " --method warnock --kernel double");
+    CHECK(checked.status == 1);
+    CHECK(checked.text.find("by more than half a pixel, which is an error") != std::string::npos);
+    CHECK(checked.text.find(", at step ") != std::string::npos);
+}
+
+TEST_CASE("margin: half-planes of a step and a vertex, as text and as JSON; what has none is refused") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string trace = work.file("run.jsonl");
+    REQUIRE(program("trace " + scene + " --detail signs -o " + trace).status == 0);
+    std::istringstream lines(work.read("run.jsonl"));
+    std::string line;
+    int step = -1;
+    while (std::getline(lines, line) && line.find(R"("e":"orient")") == std::string::npos) ++step;
+    const std::string asked = scene + " --step " + std::to_string(step + 1) + " --vertex ";
+    const auto text = program("margin " + asked + "0.1");
+    CHECK(text.status == 0);
+    CHECK(text.text.find("SurroundTest, vertex 0.1 at (1, 0)") != std::string::npos);
+    const auto json = nlohmann::json::parse(program("margin " + asked + "0.1 --json").text);
+    CHECK(json.at("format") == "vidno-margin/1");
+    CHECK(json.at("vertex") == 1);
+    CHECK(json.at("at") == nlohmann::json({1, 0}));
+    CHECK(program("margin " + scene + " --step 1 --vertex 0.1").status == 2);
+    CHECK(program("margin " + asked + "0.4").status == 2);
+    CHECK(program("margin " + asked + "1.0").status == 2);
 }
 
 TEST_CASE("A usual mistake runs by its name: traced, replayed, run again by check, held against the right run") {

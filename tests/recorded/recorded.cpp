@@ -257,6 +257,7 @@ std::string text_of(const DecisionReport& report) {
         text << '\n' << procedure_names[std::size_t(each.procedure)] << ' ' << each.decisions << ' ';
         text << each.wrong_for_operands << ' ' << each.wrong_for_scene << ' ' << each.undefined;
         if (each.first_wrong) text << ' ' << *each.first_wrong;
+        if (each.first_wrong_for_operands) text << " (" << *each.first_wrong_for_operands << ')';
     }
     return text.str();
 }

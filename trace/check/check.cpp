@@ -10,24 +10,32 @@ namespace {
 /// Draws up the report of a judged run while it goes on.
 class Report {
 public:
-    Report(Procedure method, const std::function<void()>& progress, const HearEvent& hear)
-        : counted_(method), progress_(progress), hear_(hear) {}
+    Report(Procedure method, const std::function<void()>& progress, const HearEvent& hear, FindingList* findings)
+        : counted_(method), progress_(progress), hear_(hear), findings_(findings) {}
 
     Followers followers() const { return {&judge_, &survey_, &count_}; }
     EventSink& sink() { return sink_; }
-    DecisionReport decisions() const { return counted_.report(); }
+    DecisionReport decisions() { return counted_.report(); }
 
 private:
     DecisionCount counted_;
     const std::function<void()>& progress_;
     const HearEvent& hear_;
-    Judge judge_ = [this](const Verdict& verdict) { counted_.judge(verdict); };
-    Surveyor survey_ = [this](double pixels) { counted_.survey(pixels); };
+    FindingList* findings_;
+    Judge judge_ = [this](const Verdict& verdict) {
+        counted_.judge(verdict);
+        if (findings_) findings_->judge(verdict);
+    };
+    Surveyor survey_ = [this](const Surveyed& point) {
+        counted_.survey(point);
+        if (findings_) findings_->survey(point);
+    };
     StageCount count_ = [this](FilterStage stage) { counted_.count(stage); };
     HeardBy<HearEvent> sink_{[this](const EventView& event) {
         progress_();
         hear_(event);
         counted_.follow(event);
+        if (findings_) findings_->follow(event);
     }};
 };
 
@@ -37,8 +45,10 @@ Picture right_picture(const Scene& scene, Method method) {
     return run({reference_of(method), exact_kernel(), Edition::corrected, scene});
 }
 
-CheckReport check_run(const RunRequest& request, const Picture& right, const HearEvent& hear) {
-    Report report(choice_of(request.method).procedure, request.progress, hear);
+CheckReport check_run(const RunRequest& request, const Picture& right, const HearEvent& hear, FindingList* findings) {
+    const bool is_always_right = request.kernel.is_always_right();
+    if (is_always_right && findings) find_in(request, *findings);
+    Report report(choice_of(request.method).procedure, request.progress, hear, is_always_right ? nullptr : findings);
     RunRequest judged = request;
     judged.detail = Detail::signs;
     judged.sink = &report.sink();
@@ -47,8 +57,9 @@ CheckReport check_run(const RunRequest& request, const Picture& right, const Hea
     return {report.decisions(), std::move(picture), wrong_pixels};
 }
 
-FloatingHorizonCheckReport check_run(const FloatingHorizonRequest& request, const HearEvent& hear) {
-    Report report(Procedure::floating_horizon, request.progress, hear);
+FloatingHorizonCheckReport check_run(const FloatingHorizonRequest& request, const HearEvent& hear,
+                                     FindingList* findings) {
+    Report report(Procedure::floating_horizon, request.progress, hear, findings);
     FloatingHorizonRequest judged = request;
     judged.detail = Detail::signs;
     judged.sink = &report.sink();

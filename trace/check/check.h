@@ -2,6 +2,7 @@
 #pragma once
 
 #include "check/decision_count.h"
+#include "check/findings.h"
 #include "run/floating_horizon_run.h"
 #include "run/run.h"
 
@@ -19,9 +20,11 @@ Picture right_picture(const Scene& scene, Method method = Method::zbuffer);
 
 /// Runs the request's scene. Under `filtered`, `grid` and `exact` the decisions are compared with those of a run under
 /// `exact`, until they part. The pixels are held against the right picture: of the same scene, or of what it was before it
-/// was snapped. `hear` hears every step.
+/// was snapped. `hear` hears every step; `findings`, if there are to be some, are drawn up of it: under `filtered`, `grid` and `exact` of
+/// the run under `exact`.
 CheckReport check_run(
-    const RunRequest& request, const Picture& right, const HearEvent& hear = [](const auto&) {});
+    const RunRequest& request, const Picture& right, const HearEvent& hear = [](const auto&) {},
+    FindingList* findings = nullptr);
 
 struct FloatingHorizonCheckReport : DecisionReport {
     DrawnLines lines;
@@ -35,6 +38,6 @@ struct FloatingHorizonCheckReport : DecisionReport {
 /// the exact one along the path that was taken; the lines, against those of the corrected procedures in exact arithmetic.
 /// `hear` hears each event of level `signs`.
 FloatingHorizonCheckReport check_run(
-    const FloatingHorizonRequest& request, const HearEvent& hear = [](const auto&) {});
+    const FloatingHorizonRequest& request, const HearEvent& hear = [](const auto&) {}, FindingList* findings = nullptr);
 
 }  // namespace vidno

@@ -4,6 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "check/decision_of.h"
+#include "check/judged_decision.h"
+#include "check/pending.h"
 #include "run/floating_horizon_run.h"
 #include "run/run.h"
 
@@ -12,27 +15,39 @@ namespace vidno {
 /// It hears every event of level `signs`, and before each event the verdicts on its decisions.
 class CheckedTrace final : public EventSink {
 public:
-    CheckedTrace(Detail detail, TraceWriter& writer) : detail_(detail), writer_(&writer) {}
+    /// `operands` has those of each event that tells a decision, in the order of the events; if empty, they are the verdicts' own.
+    CheckedTrace(Detail detail, TraceWriter& writer, std::vector<Operands> operands = {})
+        : detail_(detail), writer_(&writer), operands_(std::move(operands)) {}
 
-    void judge(const Verdict& verdict) { verdicts_.push_back(verdict); }
+    void judge(const Verdict& verdict) {
+        const bool is_told = detail_ == Detail::signs || (detail_ == Detail::polygons && is_told_early(verdict.of));
+        heard_.add(JudgedDecision(verdict, is_told || verdict.wrong()));
+    }
     void count(FilterStage stage) { last_stage_ = std::max(last_stage_.value_or(stage), stage); }
 
     void hear(const EventView& event) override;
 
     /// Those after the last event.
-    void tell_wrong_ones();
+    void tell_rest() { tell_wrong_ones(heard_.rest()); }
 
 private:
     template <class E>
     void write(const E& event);
 
-    /// The truth of the event's decision; of a span's columns from those of its ends. None if it was not judged.
-    std::optional<Truth> truth_of(Decision decision) const;
+    void tell_wrong_ones(const std::vector<JudgedDecision>& decisions);
+
+    /// Whether events of level `polygons` tell decisions of this kind.
+    static bool is_told_early(Decision of);
+
+    /// What stands beside the event's decision.
+    Told told_of(const ToldDecision& told, const std::vector<JudgedDecision>& decisions);
 
     Detail detail_;
     TraceWriter* writer_;
-    std::vector<Verdict> verdicts_;          // since the last event
-    std::optional<FilterStage> last_stage_;  // that was needed since
+    std::vector<Operands> operands_;
+    std::size_t decisions_ = 0;  // that events have told
+    Pending<JudgedDecision> heard_;
+    std::optional<FilterStage> last_stage_;  // that was needed since the last event
     Line at_{};
 };
 

@@ -7,7 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "format/event_sink.h"
+#include "check/pending.h"
+#include "run/followers.h"
 
 namespace vidno {
 
@@ -15,20 +16,31 @@ namespace vidno {
 struct ProcedureVerdicts {
     Procedure procedure{};
     std::uint64_t decisions = 0;
-    std::uint64_t wrong_for_operands = 0;      // the operation rounded
-    std::uint64_t wrong_for_scene = 0;         // that, or its operands had drifted
-    std::uint64_t undefined = 0;               // no truth: after a wrong turn
-    std::optional<std::uint64_t> first_wrong;  // the step, from 1, of level `signs` that tells it or follows it
+    std::uint64_t wrong_for_operands = 0;  // the operation rounded
+    std::uint64_t wrong_for_scene = 0;     // that, or its operands had drifted
+    std::uint64_t undefined = 0;           // no truth: after a wrong turn
+    // The steps, from 1, of level `signs` that tell these first, or follow them. At the first a checked trace has a `disagree`.
+    std::optional<std::uint64_t> first_wrong{};
+    std::optional<std::uint64_t> first_wrong_for_operands{};
+
+    /// The first that is wrong for the scene; if there is none, the first that is wrong for its numbers alone.
+    std::optional<std::uint64_t> first() const { return first_wrong ? first_wrong : first_wrong_for_operands; }
 };
+
+/// A constructed point so many pixels from the exact one is an error.
+inline constexpr double most_pixels_off = 0.5;
 
 struct DecisionReport {
     std::vector<ProcedureVerdicts> procedures{};                        // those that decided, in the order of Procedure
     std::uint64_t intersections = 0;                                    // computed, under `float`, `double`, `bits`
     double farthest_off = 0;                                            // of them, from the exact one, in pixels
+    std::uint64_t farthest_step = 0;                                    // at which it is told
+    std::uint64_t points_off = 0;                                       // of them, by more than most_pixels_off
     std::array<std::uint64_t, filter_stage_names.size()> decided_by{};  // under `filtered`: how many at each stage
 
     bool any_wrong() const {
-        return std::any_of(procedures.begin(), procedures.end(), [](const auto& each) { return each.first_wrong; });
+        return points_off > 0 || std::any_of(procedures.begin(), procedures.end(),
+                                             [](const auto& each) { return each.first().has_value(); });
     }
 };
 
@@ -43,21 +55,40 @@ public:
         own.wrong_for_operands += verdict.right_for_operands ? 0 : 1;
         own.wrong_for_scene += verdict.wrong() ? 1 : 0;
         own.undefined += verdict.truth.answer ? 0 : 1;
-        if ((verdict.wrong() || !verdict.right_for_operands) && !own.first_wrong) own.first_wrong = steps_ + 1;
+        if (!verdict.wrong() && verdict.right_for_operands) return;
+        auto& first = verdict.wrong() ? own.first_wrong : own.first_wrong_for_operands;
+        if (!first) wrong_.add({verdict.of, &first});
     }
-    void survey(double pixels) {
+    void survey(const Surveyed& point) {
         ++report_.intersections;
-        report_.farthest_off = std::max(report_.farthest_off, pixels);
+        report_.points_off += point.off > most_pixels_off ? 1 : 0;
+        if (point.off <= report_.farthest_off) return;
+        report_.farthest_off = point.off;
+        report_.farthest_step = steps_ + 1;
     }
     void count(FilterStage stage) { ++report_.decided_by[std::size_t(stage)]; }
     void follow(const EventView& event);
 
-    DecisionReport report() const;
+    /// Once the run has ended.
+    DecisionReport report();
 
 private:
+    /// A wrong decision: where its step is to be kept, if it is the first.
+    struct Wrong {
+        Decision of;
+        std::optional<std::uint64_t>* first;
+    };
+
+    void keep_step(const std::vector<Wrong>& wrong) {
+        for (const auto& [of, first] : wrong) {
+            if (!*first) *first = steps_;
+        }
+    }
+
     std::vector<Procedure> running_;
     std::array<ProcedureVerdicts, procedure_names.size()> verdicts_;
     std::uint64_t steps_ = 0;
+    Pending<Wrong> wrong_;
     DecisionReport report_;
 };
 

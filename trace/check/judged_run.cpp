@@ -71,6 +71,10 @@ Picture compared_weiler_atherton(const RunRequest& request, const Followers& fol
 
 }  // namespace
 
+Picture exactly_judged_run(const RunRequest& request, const Followers& followers) {
+    return told_run(exactly(request, *request.sink), followers);
+}
+
 Picture judged_run(const RunRequest& request, const Followers& followers) {
     if (!request.kernel.is_always_right()) return told_run(request, followers);
     return request.method == Method::weiler_atherton ? compared_weiler_atherton(request, followers)

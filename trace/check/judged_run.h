@@ -9,4 +9,8 @@ namespace vidno {
 /// those of a run under `exact`, until they part.
 Picture judged_run(const RunRequest& request, const Followers& followers);
 
+/// The same scene under `exact`, each decision told to the judge with the numbers that it was taken on. Its events are those of a run
+/// under any kernel that is always right.
+Picture exactly_judged_run(const RunRequest& request, const Followers& followers);
+
 }  // namespace vidno

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "check/check.h"
+#include "check/findings_text.h"
 #include "cli/commands.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/run_options.h"
@@ -17,8 +18,9 @@ namespace {
 
 /// A scene, or a trace whose scene is run again; what is not given is the trace's own, or the default.
 struct CheckOptions {
-    std::string input;
+    std::string input, list;
     std::optional<std::string> method, kernel, edition;
+    std::size_t narrowest = 20;
 };
 
 /// What a trace says of its run, or for a scene the defaults.
@@ -52,13 +54,23 @@ void print(const DecisionReport& report) {
     };
     row("procedure", "decisions", "wrong for its numbers", "wrong for the scene", "undefined", "first step");
     for (const auto& each : report.procedures) {
-        const std::string first = each.first_wrong ? std::to_string(*each.first_wrong) : "-";
+        std::string first = each.first() ? std::to_string(*each.first()) : "-";
+        if (each.first() && !each.first_wrong) first = '(' + first + ')';
         row(std::string(procedure_names[std::size_t(each.procedure)]), each.decisions, each.wrong_for_operands,
             each.wrong_for_scene, each.undefined, first);
     }
+    const auto is_right_for_scene = [](const auto& each) { return each.first() && !each.first_wrong; };
+    if (std::any_of(report.procedures.begin(), report.procedures.end(), is_right_for_scene)) {
+        std::cout << "(step): wrong for its own numbers, right for the scene; a checked trace has no disagree there\n";
+    }
     if (report.intersections > 0) {
         std::cout << "intersections: " << report.intersections << ", at most " << report.farthest_off
-                  << " pixels from the exact ones\n";
+                  << " pixels from the exact ones";
+        if (report.farthest_step > 0) std::cout << ", at step " << report.farthest_step;
+        if (report.points_off > 0) {
+            std::cout << "; " << report.points_off << " by more than half a pixel, which is an error";
+        }
+        std::cout << '\n';
     }
     if (std::any_of(report.decided_by.begin(), report.decided_by.end(), [](auto count) { return count > 0; })) {
         std::cout << "decided as given: " << report.decided_by[0] << ", by the scene's bound: " << report.decided_by[1]
@@ -67,13 +79,54 @@ void print(const DecisionReport& report) {
     }
 }
 
-/// The report of a run, which `progress` is told of.
-auto checked(auto request, auto&&... right) {
+constexpr std::array<std::string_view, coincidence_names.size()> coincidence_titles{
+    "points on a line",  "equal depths",           "parallel lines",     "shared points",
+    "pixel centres met", "boxes touching windows", "curves on horizons", "equal numbers"};
+
+void print(const FindingList& findings) {
+    std::string zeros;
+    for (std::size_t i = 0; i < findings.zeros().size(); ++i) {
+        const auto& [count, first] = findings.zeros()[i];
+        if (count == 0) continue;
+        zeros += (zeros.empty() ? "" : ", ") + std::to_string(count) + ' ' + std::string(coincidence_titles[i]) +
+                 " (step " + std::to_string(first) + ')';
+    }
+    std::cout << "exact zeros: " << (zeros.empty() ? "none" : zeros) << '\n';
+}
+void print_narrowest(const std::vector<Finding>& findings) {
+    const Finding* narrowest = nullptr;
+    for (const auto& each : findings) {
+        const bool is_narrower = !narrowest || (each.gap && each.gap->ulps < narrowest->gap->ulps);
+        if (each.kind == FindingKind::narrow && is_narrower) narrowest = &each;
+    }
+    if (!narrowest) return;
+    std::cout << "narrowest decision: step " << narrowest->step << ", " << line_names[std::size_t(narrowest->at)]
+              << ", " << narrowest->gap->ulps << " ulps from zero\n";
+}
+
+/// The report of a run, which `progress` is told of; and its findings.
+auto checked(auto request, FindingList& findings, auto&&... right) {
     Progress progress("steps");
     request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };
-    auto report = check_run(request, right...);
+    auto report = check_run(
+        request, right..., [](const auto&) {}, &findings);
     progress.clear();
     return report;
+}
+
+void write_list(const CheckOptions& options, const FindingsHeader& header, const std::vector<Finding>& findings) {
+    if (options.list.empty()) return;
+    const bool is_csv = options.list.ends_with(".csv");
+    write_file(options.list, is_csv ? findings_csv(header, findings) : findings_jsonl(header, findings));
+}
+
+/// Prints what was found, and writes the list.
+void tell(const CheckOptions& options, const DecisionReport& report, FindingList& list, const FindingsHeader& header) {
+    print(report);
+    print(list);
+    const auto findings = list.findings();
+    print_narrowest(findings);
+    write_list(options, header, findings);
 }
 
 int check_header(const CheckOptions& options, TraceHeader run) {
@@ -82,24 +135,30 @@ int check_header(const CheckOptions& options, TraceHeader run) {
     expect_run(kernel, run.method, run.edition);
     const Scene scene = scene_for(kernel, run.scene, options.input);
     expect_admitted(run.method, scene, options.input);
-    const CheckReport report =
-        checked(RunRequest{run.method, kernel, run.edition, scene}, right_picture(run.scene, run.method));
-    print(report);
+    const RunRequest request{run.method, kernel, run.edition, scene};
+    FindingList findings(choice_of(run.method).procedure, scene.area, options.narrowest);
+    const CheckReport report = checked(request, findings, right_picture(run.scene, run.method));
+    tell(options, report, findings, findings_header(request));
     const auto pixels = std::int64_t(scene.area.width) * scene.area.height;
     std::cout << "wrong pixels: " << report.wrong_pixels << " of " << pixels << '\n';
     return report.found_something() ? 1 : 0;
 }
 
-int check_header(const CheckOptions&, const FloatingHorizonHeader& run) {
+int check_header(const CheckOptions& options, const FloatingHorizonHeader& run) {
     const NamedKernel kernel = *kernel_named(run.kernel);
     expect_floating_horizon_run(kernel, run.edition);
-    const FloatingHorizonCheckReport report = checked(FloatingHorizonRequest{kernel, run.edition, run.scene.curves});
-    print(report);
+    const FloatingHorizonRequest request{kernel, run.edition, run.scene.curves};
+    FindingList findings(Procedure::floating_horizon, run.scene.curves.area, options.narrowest);
+    const FloatingHorizonCheckReport report = checked(request, findings);
+    tell(options, report, findings, findings_header(request, run.scene.name));
     std::cout << "wrong columns of curves: " << report.wrong_columns << " of " << report.columns << '\n';
     return report.found_something() ? 1 : 0;
 }
 
 int check(const CheckOptions& options) {
+    if (!options.list.empty() && !options.list.ends_with(".csv") && !options.list.ends_with(".jsonl")) {
+        throw Refused(options.list + ": not .csv or .jsonl");
+    }
     AnyHeader header = run_of(options);
     return std::visit(
         [&](auto& run) {
@@ -126,9 +185,17 @@ void add_check(CLI::App& program, int& status) {
     command.add_option("--edition", options->edition, "Which text of the procedures [corrected, or the trace's]")
         ->check(an_edition())
         ->type_name("EDITION");
+    command
+        .add_option("--list", options->list,
+                    "Where to list the decisions that are wrong, that rest on an exact coincidence, or are narrow "
+                    "(.csv, .jsonl; FORMAT.md says how)")
+        ->type_name("FILE");
+    command.add_option("--narrowest", options->narrowest, "How many of the narrowest decisions to list [20]")
+        ->type_name("N");
     command.footer(
         "A decision is wrong because it rounded, or right for numbers that had drifted and wrong for the scene.\n"
-        "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong.");
+        "The step is that of a trace of level signs. Exit status 1: a decision or a pixel is wrong, or a constructed\n"
+        "point lies more than half a pixel from the exact one.");
     command.callback([options, &status] { status = check(*options); });
 }
 

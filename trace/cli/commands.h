@@ -16,6 +16,7 @@ void add_shrink(CLI::App& program, int& status);
 void add_need(CLI::App& program, int& status);
 void add_choose(CLI::App& program, int& status);
 void add_map(CLI::App& program, int& status);
+void add_margin(CLI::App& program, int& status);
 void add_chart(CLI::App& program, int& status);
 void add_replay(CLI::App& program, int& status);
 void add_figure(CLI::App& program, int& status);
@@ -30,9 +31,9 @@ void add_stability(CLI::App& program, int& status);
 void add_methods(CLI::App& program, int& status);
 
 /// In the order of the help.
-inline constexpr std::array commands{add_trace,     add_render, add_check,     add_shrink, add_need,
-                                     add_choose,    add_map,    add_chart,     add_replay, add_figure,
-                                     add_diff,      add_page,   add_lesson,    add_grade,  add_homework,
-                                     add_worksheet, add_import, add_stability, add_methods};
+inline constexpr std::array commands{add_trace,    add_render,    add_check,  add_shrink,    add_need,
+                                     add_choose,   add_map,       add_margin, add_chart,     add_replay,
+                                     add_figure,   add_diff,      add_page,   add_lesson,    add_grade,
+                                     add_homework, add_worksheet, add_import, add_stability, add_methods};
 
 }  // namespace vidno::cli

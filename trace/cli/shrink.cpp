@@ -55,8 +55,8 @@ std::optional<Procedure> first_wrong(const CheckReport& report) {
     std::optional<Procedure> procedure;
     std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
     for (const auto& each : report.procedures) {
-        if (!each.first_wrong || *each.first_wrong >= first) continue;
-        first = *each.first_wrong;
+        if (!each.first() || *each.first() >= first) continue;
+        first = *each.first();
         procedure = each.procedure;
     }
     return procedure;

@@ -49,8 +49,10 @@ std::string value_text(const FieldDescription& field) {
 }
 
 /// What `--check` adds is the same for every decision, and said once.
-bool is_truth(const FieldDescription& field) {
-    return field.shape.name == shape_name<Truth> || field.shape.name == shape_name<FilterStage>;
+bool is_truth(const EventDescription& event, const FieldDescription& field) {
+    const std::string_view name = field.shape.name;
+    return event.decides &&
+           (name == shape_name<Truth> || name == shape_name<FilterStage> || name == shape_name<Operands>);
 }
 
 std::string field_text(const FieldDescription& field) {
@@ -66,7 +68,7 @@ std::string lines_text(const LineSet& lines) {
 std::string row(const EventDescription& event) {
     std::vector<FieldDescription> fields;
     for (const auto& field : event.fields) {
-        if (!is_truth(field)) fields.push_back(field);
+        if (!is_truth(event, field)) fields.push_back(field);
     }
     std::string says(event.says);
     if (event.decides) says += "; decides " + in_code(decision_names[std::size_t(*event.decides)]);

@@ -54,6 +54,10 @@ inline constexpr std::string_view shape_name<SampleTold> = "sample";
 template <>
 inline constexpr std::string_view shape_name<std::vector<ColumnHeight>> = "heights";
 template <>
+inline constexpr std::string_view shape_name<Fraction> = "fraction";
+template <>
+inline constexpr std::string_view shape_name<Operands> = "operands";
+template <>
 inline constexpr std::string_view shape_name<Answer> = "answer";
 template <>
 inline constexpr std::string_view shape_name<Truth> = "truth";

@@ -114,6 +114,7 @@ inline constexpr Meaning end_columns{"columns"};
 void truth_fields(auto& told, auto&& field) {
     field("exact", told.exact);
     field("by", told.by);
+    field("operands", told.operands);
 }
 
 struct Plane {
@@ -140,11 +141,13 @@ struct Disagree {
     Decision of{};
     Answer taken, exact;
     Cause cause{};
+    std::optional<Operands> operands;
     static void fields(auto& e, auto&& field) {
         field("of", e.of);
         field("taken", e.taken);
         field("exact", e.exact);
         field("cause", e.cause);
+        field("operands", e.operands);
     }
 };
 

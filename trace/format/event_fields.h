@@ -1,6 +1,7 @@
 /// How the values of events stand in a line: enumerations as words, and small structures as lists.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <type_traits>
 
@@ -38,6 +39,8 @@ inline constexpr int list_size<ValueVertex> = 3;
 template <>
 inline constexpr int list_size<PixelRun> = 3;
 template <>
+inline constexpr int list_size<Operand> = 3;
+template <>
 inline constexpr int list_size<PolygonPart> = 3;
 template <>
 inline constexpr int list_size<Window> = 4;
@@ -73,6 +76,13 @@ constexpr bool is_fraction(std::string_view text) {
     if (text.starts_with('-')) text.remove_prefix(1);
     const auto slash = text.find('/');
     return slash != std::string_view::npos && is_digits(text.substr(0, slash)) && is_digits(text.substr(slash + 1));
+}
+
+/// What a machine's number is that is no fraction.
+inline constexpr std::array<std::string_view, 3> not_fractions{"inf", "-inf", "nan"};
+
+constexpr bool is_fraction_or_none(std::string_view text) {
+    return is_fraction(text) || std::find(not_fractions.begin(), not_fractions.end(), text) != not_fractions.end();
 }
 
 }  // namespace vidno

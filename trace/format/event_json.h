@@ -36,6 +36,7 @@ public:
 private:
     void add(const Value& v) { v.fraction ? add(*v.fraction) : add(v.number); }
     void add(const std::string& v) { bytes_ += 6 * v.size() + 2; }  // \u0000 for each byte, in quotes
+    void add(const Fraction& v) { bytes_ += v.text.size() + 4; }    // in quotes, or null
     void add(PolygonPlace v) { bytes_ += names_[std::size_t(v.index)].size(); }
     void add(const Answer&) { add_all(0, 0); }  // two numbers at most
     void add(const Truth&) { add_all(0, 0); }
@@ -115,6 +116,13 @@ private:
     void value(Pen& out, bool v) { out += std::string_view(v ? "true" : "false"); }
     void value(Pen& out, double v) { append_number(out, v, shortest_); }
     void value(Pen& out, const std::string& v) { append_string(out, v); }
+    void value(Pen& out, const Fraction& v) {
+        if (v.text.empty()) {
+            out += std::string_view("null");
+        } else {
+            name(out, v.text);
+        }
+    }
     void value(Pen& out, const Color& v) { append_color(out, v); }
     void value(Pen& out, PolygonPlace v) { out += std::string_view(names_[std::size_t(v.index)]); }
     void value(Pen& out, Sign v) { append_integer(out, int(v)); }

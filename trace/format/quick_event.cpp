@@ -108,6 +108,14 @@ private:
     }
 
     bool value(std::string& target) { return string(target); }
+    bool value(Fraction& target) {
+        target.text.clear();
+        if (skip("null")) return true;
+        const auto text = string();
+        if (!text || !is_fraction_or_none(*text)) return false;
+        target.text = *text;
+        return true;
+    }
     /// The program writes small letters.
     bool value(Color& target) {
         const auto text = string();

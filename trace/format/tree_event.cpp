@@ -86,6 +86,11 @@ private:
         if (!node.is_text()) node.refuse("not a text");
         target = node.text();
     }
+    void value(const JsonNode& node, Fraction& target) const {
+        if (node.is_null()) return;
+        if (!node.is_text() || !is_fraction_or_none(node.text())) node.refuse("not a fraction");
+        target.text = node.text();
+    }
     void value(const JsonNode& node, Color& target) const {
         const auto color = node.is_text() ? color_of_hex(node.text()) : std::nullopt;
         if (!color) node.refuse("not a colour #rrggbb");

@@ -4,10 +4,14 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
+#include "format/value.h"
+#include "vidno/kernel.h"
 #include "vidno/kernels/filter_stage.h"
 
 namespace vidno {
@@ -42,21 +46,76 @@ struct Truth {
     bool operator==(const Truth&) const = default;
 };
 
+/// A number as a fraction "p/q" in lowest terms; "inf", "-inf" or "nan" of a machine's number that is none. Empty: undefined.
+struct Fraction {
+    std::string text;
+    bool operator==(const Fraction&) const = default;
+};
+
+/// A number that a decision was taken on: as the run had it, and as it should have been along the path that was taken.
+struct Operand {
+    std::string name;
+    Fraction used, exact;
+    bool operator==(const Operand&) const = default;
+};
+using Operands = std::vector<Operand>;
+
 /// What a checked trace tells beside a decision; another trace, nothing.
 struct Told {
-    std::optional<Truth> exact;
-    std::optional<FilterStage> by;  // under `filtered`: what decided
+    std::optional<Truth> exact{};
+    std::optional<FilterStage> by{};  // under `filtered`: what decided
+    std::optional<Operands> operands{};
 };
 
 /// Why a decision is wrong: its operation rounded, or it is right for operands that had drifted before.
 enum class Cause : unsigned char { rounded, drifted };
 inline constexpr std::array<std::string_view, 2> cause_names{"rounded", "drifted"};
 
+/// What it means that the two numbers of a decision are equal.
+enum class Coincidence : unsigned char {
+    point_on_line,
+    equal_depths,
+    parallel_lines,
+    shared_points,
+    on_pixel_centre,
+    box_on_window,
+    curve_on_horizon,
+    equal_numbers
+};
+inline constexpr std::array<std::string_view, 8> coincidence_names{
+    "point_on_line",   "equal_depths",  "parallel_lines",   "shared_points",
+    "on_pixel_centre", "box_on_window", "curve_on_horizon", "equal_numbers"};
+
+/// What a decision comes down to: which of two numbers is the greater. The gap between them is the first less the second.
+struct Gap {
+    Coincidence if_zero{};
+    Value computed;  // by the run's arithmetic
+    Fraction exact;
+    Sign sign{};                 // of the exact one
+    double ulps = 0;             // the exact one, in ulps of the run's numbers at the greater of the two
+    std::optional<int> pixel{};  // the column or row, if the second number is the centre of one
+};
+
+/// What a decision was computed from. It refers to the run's own numbers, and is asked while the judge hears the verdict.
+class Calculator {
+public:
+    virtual Operands operands() const = 0;
+    /// None where the truth is undefined, or a number is none.
+    virtual std::optional<Gap> gap() const = 0;
+
+protected:
+    Calculator() = default;
+    Calculator(const Calculator&) = default;
+    Calculator& operator=(const Calculator&) = default;
+    ~Calculator() = default;
+};
+
 struct Verdict {
     Decision of{};
     Answer taken;
     Truth truth;
     bool right_for_operands = true;
+    const Calculator* calculator = nullptr;  // while the judge hears it
 
     bool wrong() const { return truth.answer && *truth.answer != taken; }
     Cause cause() const { return right_for_operands ? Cause::drifted : Cause::rounded; }  // if wrong

@@ -8,8 +8,12 @@
 
 namespace vidno {
 
-/// Hears how far a computed intersection lies from the exact one, in pixels.
-using Surveyor = std::function<void(double)>;
+/// A point that a run constructed: an intersection, a vertex that clipping made.
+struct Surveyed {
+    double off;                    // from the exact one, in pixels
+    const Calculator* calculator;  // of its x and y, while the surveyor hears of it
+};
+using Surveyor = std::function<void(const Surveyed&)>;
 
 /// Hears under `filtered` what decided each comparison.
 using StageCount = std::function<void(FilterStage)>;

@@ -3,12 +3,12 @@
 ///
 /// A judged run takes every decision three times: by the run's arithmetic on the numbers in use, exactly on these same
 /// numbers, and exactly on the truth beside them. The first answer is the run's; the judge hears which of the others differ from
-/// it. Orientation and clip sides are judged by CGAL's predicate, all else by exact rationals.
+/// it, and may ask what the decision was computed from. Orientation and clip sides are judged by CGAL's predicate, all else by exact
+/// rationals. An exact run takes each decision once.
 #pragma once
 
-#include <CGAL/Simple_cartesian.h>
-
 #include <cmath>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -16,9 +16,8 @@
 #include "choice/kernel_choice.h"
 #include "format/value.h"
 #include "run/followers.h"
-#include "run/run_time_number.h"
+#include "run/questions.h"
 #include "vidno/kernels/depth_bits.h"
-#include "vidno/weiler_atherton/weiler_atherton_kernel.h"
 
 namespace vidno {
 
@@ -66,16 +65,7 @@ private:
     static Answer answer(Sign sign) { return int(sign); }
     static Answer answer(const auto& found) { return found; }
 
-    static Sign orientation(const RunTimeNumbers& kernel, const auto& pivot, const auto& a, const auto& b) {
-        if (!kernel.arithmetic.is_exact()) return kernel.sign(kernel.cross(pivot, a, b));
-        const auto point = [](const auto& p) {
-            return typename CGAL::Simple_cartesian<Rational>::Point_2(p.x.rational(), p.y.rational());
-        };
-        return Sign{int(CGAL::orientation(point(pivot), point(a), point(b)))};
-    }
     static Point<Number> flat(const auto& p) { return {p.x, p.y}; }
-
-    static double off(const Number& v) { return CGAL::to_double(Rational(v.value()) - *v.truth()); }
 
     // What a decision is taken on, number by number.
     static constexpr auto value_exactly = [](const Number& v) { return Number(Rational(v.value())); };
@@ -125,22 +115,131 @@ private:
     }
     static bool all(const Depth& z, auto holds) { return !z.number || holds(*z.number); }
 
+    static Operand constant(const char* name, double value) {
+        const Fraction exact = fraction_of(value);
+        return {name, exact, exact};
+    }
+    static void tell_numbers(auto&& tell, const char* name, const Depth& z) {
+        if (z.number) return tell(name, *z.number);
+        tell.operands.push_back({name, {"-inf"}, {"-inf"}});
+    }
+    static void tell_numbers(auto&& tell, const char* name, const auto& operand) {
+        question::tell_numbers(tell, name, operand);
+    }
+
+    /// Two numbers that a question compares.
+    struct Pair {
+        Number left, right;
+        std::optional<int> pixel;
+    };
+
+    /// What a question compares, of operands in the numbers of a kernel.
+    template <class Question>
+    static std::vector<Pair> compared(const RunTimeNumbers& kernel, const Question& question, const auto&... operands) {
+        std::vector<Pair> pairs;
+        const auto tell = [&](const Number& left, const Number& right, std::optional<int> pixel = {}) {
+            pairs.push_back({left, right, pixel});
+        };
+        question.compare(kernel, tell, operands...);
+        return pairs;
+    }
+
+    /// By the pair that decides; of a wrong decision, by the first whose order the run has wrong.
+    Gap deciding(question::Deciding by, Coincidence if_zero, const std::vector<Pair>& exact,
+                 const std::vector<Pair>& used, bool is_wrong) const {
+        std::vector<Gap> found;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            const auto& [left, right, pixel] = exact[i];
+            Gap& each = found.emplace_back(gap_of(if_zero, left.rational(), right.rational(), arithmetic.digits()));
+            each.pixel = pixel;
+            each.computed = Value(each.exact.text);
+            if (arithmetic.is_exact()) continue;
+            if (i >= used.size()) {
+                each.computed = Value(std::numeric_limits<double>::quiet_NaN());
+                continue;
+            }
+            const Number other = pixel ? not_judged().centre(*pixel) : used[i].right;
+            each.computed = Value((used[i].left - other).value());
+            const auto sign = [](double v) { return Sign{int(v > 0) - int(v < 0)}; };
+            if (is_wrong && sign(each.computed.number) != each.sign) return each;
+        }
+        const auto nearer_to_zero = [](const auto& a, const auto& b) { return a.ulps < b.ulps; };
+        if (by == question::Deciding::farthest) return *std::max_element(found.begin(), found.end(), nearer_to_zero);
+        if (by == question::Deciding::nearest) return *std::min_element(found.begin(), found.end(), nearer_to_zero);
+        const auto decides = [](const auto& each) { return each.sign != Sign::zero; };
+        const auto first = std::find_if(found.begin(), found.end(), decides);
+        return first == found.end() ? found.back() : *first;
+    }
+
+    /// What a decision was computed from.
+    template <class Question, class... Asked>
+    class Asking final : public Calculator {
+    public:
+        Asking(const RunTimeKernel& kernel, const Verdict& verdict, const Question& question, const Asked&... operands)
+            : kernel_(kernel), verdict_(verdict), question_(question), operands_(operands...) {}
+
+        Operands operands() const override {
+            Operands found;
+            struct Tell {
+                Operands& operands;
+                void operator()(const std::string& name, const Number& v) const { operands.push_back(v.operand(name)); }
+            };
+            std::size_t i = 0;
+            std::apply([&](const auto&... each) { (tell_numbers(Tell{found}, Question::names[i++], each), ...); },
+                       operands_);
+            question_.constants([&](const char* name, double value) { found.push_back(constant(name, value)); });
+            return found;
+        }
+        std::optional<Gap> gap() const override {
+            return std::apply([&](const auto&... each) { return gap(each...); }, operands_);
+        }
+
+    private:
+        std::optional<Gap> gap(const Asked&... operands) const {
+            if (!(all(operands, is_defined) && ...)) return std::nullopt;
+            const auto exact = compared(exactly(), question_, mapped(operands, truth_of)...);
+            if (exact.empty()) return std::nullopt;
+            std::vector<Pair> used;
+            const bool has_numbers = (all(operands, is_finite) && ...);
+            if (!kernel_.arithmetic.is_exact() && has_numbers) {
+                used = compared(kernel_.not_judged(), question_, mapped(operands, value_of)...);
+            }
+            return kernel_.deciding(Question::deciding, Question::if_zero, exact, used, verdict_.wrong());
+        }
+
+        const RunTimeKernel& kernel_;
+        const Verdict& verdict_;
+        const Question& question_;
+        std::tuple<const Asked&...> operands_;
+    };
+
 protected:
     bool is_judged() const { return judge != nullptr; }
 
-    /// Takes `decision(kernel, operands...)`: of a judged run, three times.
-    auto decide(Decision of, auto decision, const auto&... operands) const {
+    /// Takes a decision: of a judged run, three times.
+    template <class Question, class... Asked>
+    auto decide(const Question& question, const Asked&... operands) const {
         const RunTimeNumbers& numbers = *this;
-        if constexpr (!(std::same_as<std::remove_cvref_t<decltype(operands)>, Depth> || ...)) {
-            if (!is_judged()) return decision(numbers, operands...);
+        if constexpr (!(std::same_as<Asked, Depth> || ...)) {
+            if (!is_judged()) return question.answer(numbers, operands...);
         }
-        const auto taken = decision(not_judged(), mapped(operands, value_of)...);
-        Verdict verdict{of, answer(taken), {}};
+        Verdict verdict{Question::of, {}, {}};
+        const Asking<Question, Asked...> asking(*this, verdict, question, operands...);
+        verdict.calculator = &asking;
+        if (arithmetic.is_exact()) {
+            const auto taken = question.answer(exactly(), mapped(operands, truth_of)...);
+            verdict.taken = answer(taken);
+            verdict.truth.answer = verdict.taken;
+            (*judge)(verdict);
+            return taken;
+        }
+        const auto taken = question.answer(not_judged(), mapped(operands, value_of)...);
+        verdict.taken = answer(taken);
         if ((all(operands, is_finite) && ...)) {
-            verdict.right_for_operands = taken == decision(exactly(), mapped(operands, value_exactly)...);
+            verdict.right_for_operands = taken == question.answer(exactly(), mapped(operands, value_exactly)...);
         }
         if ((all(operands, is_defined) && ...)) {
-            verdict.truth.answer = answer(decision(exactly(), mapped(operands, truth_of)...));
+            verdict.truth.answer = answer(question.answer(exactly(), mapped(operands, truth_of)...));
         }
         (*judge)(verdict);
         return taken;
@@ -149,9 +248,10 @@ protected:
     void survey(const auto& intersection) const {
         const auto& x = intersection.x;
         const auto& y = intersection.y;
-        if (survey_ && is_defined(x) && is_defined(y) && is_finite(x) && is_finite(y)) {
-            (*survey_)(std::hypot(off(x), off(y)));
-        }
+        if (!survey_ || arithmetic.is_exact() || !is_defined(x) || !is_defined(y)) return;
+        const PointConstructed constructed(x, y);
+        const auto off = [](const Number& v) { return CGAL::to_double(Rational(v.value()) - *v.truth()); };
+        if (is_finite(x) && is_finite(y)) (*survey_)({std::hypot(off(x), off(y)), &constructed});
     }
 
 public:
@@ -163,6 +263,17 @@ public:
         if (kernel.kind() == KernelKind::depth) depth_bits_ = DepthBits(kernel.parameter);
     }
 
+    static Arithmetic arithmetic_of(const NamedKernel& kernel) {
+        switch (kernel.kind()) {
+            case KernelKind::binary32: return {Arithmetic::Kind::binary32};
+            case KernelKind::binary64:
+            case KernelKind::depth: return {Arithmetic::Kind::binary64};
+            case KernelKind::bits: return {Arithmetic::Kind::bits, kernel.parameter};
+            case KernelKind::exact: return exact_arithmetic;
+            default: throw std::invalid_argument(kernel.name() + " is no kernel of numbers");
+        }
+    }
+
     Sign sign(const Number& value) const {
         const Sign taken = value.sign();
         if (hear_sign_) (*hear_sign_)(taken);
@@ -172,8 +283,7 @@ public:
     /// The decision is judged where the value is made, once.
     Number cross(const auto& pivot, const auto& a, const auto& b) const {
         if (is_judged()) {
-            const auto side = [](const auto& kernel, const auto&... points) { return orientation(kernel, points...); };
-            decide(Decision::orientation, side, flat(pivot), flat(a), flat(b));
+            decide(question::Orientation{}, flat(pivot), flat(a), flat(b));
         }
         return RunTimeNumbers::cross(pivot, a, b);
     }
@@ -201,46 +311,28 @@ public:
     }
     bool nearer(const Depth& z, const Depth& than, const auto& at) const {
         if (!is_judged()) return z.number && nearer(*z.number, than, at);
-        const auto nearer_one = [](const auto& kernel, const auto& a, const auto& b) {
-            return kernel.nearer(a, b, Pixel{});
-        };
-        return decide(Decision::nearer, nearer_one, z, than);
+        return decide(question::Nearer{}, z, than);
     }
 
     bool outside(const Box<Number>& box, const Window& window) const {
-        return decide(
-            Decision::outside, [&](const auto& kernel, const auto& b) { return kernel.outside(b, window); }, box);
+        return decide(question::Outside{{window}}, box);
     }
-    bool inside(const Box<Number>& box, const Window& window) const {
-        return decide(
-            Decision::inside, [&](const auto& kernel, const auto& b) { return kernel.inside(b, window); }, box);
-    }
+    bool inside(const Box<Number>& box, const Window& window) const { return decide(question::Inside{{window}}, box); }
 
     int first_centre(const Number& value, int low, int end) const {
-        return decide(
-            Decision::first_centre, [&](const auto& kernel, const auto& v) { return kernel.first_centre(v, low, end); },
-            value);
+        return decide(question::FirstCentre{{low, end}}, value);
     }
     int last_centre(const Number& value, int low, int end) const {
-        return decide(
-            Decision::last_centre, [&](const auto& kernel, const auto& v) { return kernel.last_centre(v, low, end); },
-            value);
+        return decide(question::LastCentre{{low, end}}, value);
     }
     Rows rows_of(const Outline& outline, int low, int end) const {
-        const auto rows = [&](const auto& kernel, const auto& o) {
-            const Rows found = kernel.rows_of(o, low, end);
-            return std::pair(found.first, found.end);
-        };
-        const auto [first, last] = decide(Decision::rows, rows, outline);
+        const auto [first, last] = decide(question::RowsOf{{low, end}}, outline);
         return {first, last};
     }
     Columns<Number> columns_of(const Outline& outline, int row, int low, int end) const {
         if (!is_judged()) return RunTimeNumbers::columns_of(outline, row, low, end);
-        const auto columns = [&](const auto& kernel, const auto& o) {
-            const auto found = kernel.columns_of(o, row, low, end);
-            return std::pair(found.first, found.end);
-        };
-        const auto [first, last] = decide(Decision::columns, columns, outline);
+        const auto [first, last] = decide(question::ColumnsOf{{low, end}, row}, outline);
+        if (arithmetic.is_exact()) return exactly().columns_of(mapped(outline, truth_of), row, low, end);
         const auto shown = not_judged().columns_of(mapped(outline, value_of), row, low, end);
         const auto undefined = [&](const Number& v) { return Number::without_truth(arithmetic, v.value(), judge); };
         return {undefined(shown.left), undefined(shown.right), first, last};
@@ -254,15 +346,8 @@ public:
         if (arithmetic.is_exact() && b.sign() == Sign::zero) throw DivisionByZero{};
         return a / b;
     }
-    bool same_rounded(const Number& v, const Number& w) const {
-        return decide(
-            Decision::same_rounded,
-            [](const auto& kernel, const auto& a, const auto& b) { return kernel.same_rounded(a, b); }, v, w);
-    }
-    int pixel_of(const Number& value) const {
-        return decide(
-            Decision::pixel, [](const auto& kernel, const auto& v) { return kernel.pixel_of(v); }, value);
-    }
+    bool same_rounded(const Number& v, const Number& w) const { return decide(question::SameRounded{}, v, w); }
+    int pixel_of(const Number& value) const { return decide(question::PixelOf{}, value); }
 
     /// As a trace tells it.
     static Value told(const Number& number) {
@@ -271,17 +356,6 @@ public:
     static Value told(const Depth& z) { return z.number ? told(*z.number) : Value::minus_infinite(); }
 
 private:
-    static Arithmetic arithmetic_of(const NamedKernel& kernel) {
-        switch (kernel.kind()) {
-            case KernelKind::binary32: return {Arithmetic::Kind::binary32};
-            case KernelKind::binary64:
-            case KernelKind::depth: return {Arithmetic::Kind::binary64};
-            case KernelKind::bits: return {Arithmetic::Kind::bits, kernel.parameter};
-            case KernelKind::exact: return exact_arithmetic;
-            default: throw std::invalid_argument(kernel.name() + " is no kernel of numbers");
-        }
-    }
-
     std::optional<DepthBits> depth_bits_;
     const Surveyor* survey_;
     const HearSign* hear_sign_;
@@ -296,41 +370,24 @@ struct RunTimeRegionNumbers : RunTimeKernel {
 template <>
 struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     using Base = OnRegions<RunTimeRegionNumbers>;
-    using Formulas = OnRegions<RunTimeNumbers>;
 
     explicit OnRegions(const RunTimeKernel& kernel) : Base(RunTimeRegionNumbers(kernel)) {}
 
     bool parallel(const Planes& p, const Planes& q) const {
-        if (!is_judged()) return Base::parallel(p, q);
-        const auto are_parallel = [](const RunTimeNumbers& kernel, const auto& a, const auto& b) {
-            // A plane of rounded numbers may be upright, which to exact ones is a division by zero.
-            const bool divides_by_zero =
-                kernel.arithmetic.is_exact() && (a.c.sign() == Sign::zero || b.c.sign() == Sign::zero);
-            return !divides_by_zero && Formulas(kernel).parallel(a, b);
-        };
-        return decide(Decision::parallel, are_parallel, p, q);
+        return is_judged() ? decide(question::ParallelPlanes{}, p, q) : Base::parallel(p, q);
     }
     bool parallel(const Edge& line, const Edge& other) const {
-        if (!is_judged()) return Base::parallel(line, other);
-        return decide(
-            Decision::parallel,
-            [](const auto& kernel, const auto&... lines) { return Formulas(kernel).parallel(lines...); }, line, other);
+        return is_judged() ? decide(question::ParallelEdges{}, line, other) : Base::parallel(line, other);
     }
 
     Sign side(const Edge& line, const Place& p) const {
-        if (!is_judged()) return Base::side(line, p);
-        return decide(
-            Decision::orientation,
-            [](const auto& kernel, const auto& a, const auto& b) { return Formulas(kernel).side(a, b); }, line, p);
+        return is_judged() ? decide(question::Side{}, line, p) : Base::side(line, p);
     }
     Sign side(const Edge& line, const LoopVertex<Number>& v) const {
         return v.on(line) ? Sign::zero : side(line, v.at);
     }
     bool left_of(const Place& p, const Edge& line) const {
-        if (!is_judged()) return Base::left_of(p, line);
-        return decide(
-            Decision::left_of,
-            [](const auto& kernel, const auto& a, const auto& b) { return Formulas(kernel).left_of(a, b); }, p, line);
+        return is_judged() ? decide(question::LeftOf{}, p, line) : Base::left_of(p, line);
     }
 
     Place meet(const Edge& line, const Edge& other) const {
@@ -340,10 +397,7 @@ struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     }
 
     Sign order(const Place& p, const Place& q) const {
-        if (!is_judged()) return Base::order(p, q);
-        return decide(
-            Decision::comparison,
-            [](const auto& kernel, const auto&... places) { return Formulas(kernel).order(places...); }, p, q);
+        return is_judged() ? decide(question::Order{}, p, q) : Base::order(p, q);
     }
     Sign order_of_rows(const Place& p, const Place& q) const { return compare(p.y, q.y); }
     bool same_place(const LoopVertex<Number>& v, const LoopVertex<Number>& w) const {
@@ -351,16 +405,10 @@ struct OnRegions<RunTimeKernel> : OnRegions<RunTimeRegionNumbers> {
     }
 
     Sign turn(const Place& pivot, const Place& p, const Place& q) const {
-        if (!is_judged()) return Base::turn(pivot, p, q);
-        return decide(
-            Decision::orientation,
-            [](const auto& kernel, const auto&... places) { return Formulas(kernel).turn(places...); }, pivot, p, q);
+        return is_judged() ? decide(question::Turn{}, pivot, p, q) : Base::turn(pivot, p, q);
     }
     Sign compare(const Number& v, const Number& w) const {
-        if (!is_judged()) return Base::compare(v, w);
-        return decide(
-            Decision::comparison,
-            [](const auto& kernel, const auto&... values) { return Formulas(kernel).compare(values...); }, v, w);
+        return is_judged() ? decide(question::Compare{}, v, w) : Base::compare(v, w);
     }
 };
 

@@ -3,8 +3,10 @@
 /// In a judged run it also carries the truth: the same expression in exact rationals, along the path that was taken.
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -23,6 +25,12 @@ struct Arithmetic {
 
     bool is_exact() const { return kind == Kind::exact; }
 
+    /// How many significant bits its numbers have; of exact ones those of a double.
+    int digits() const {
+        if (kind == Kind::bits) return bits;
+        return kind == Kind::binary32 ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
+    }
+
     double rounded(double given) const {
         switch (kind) {
             case Kind::binary32: return double(float(given));
@@ -36,6 +44,21 @@ struct Arithmetic {
         return rounded(operation(a, b));
     }
 };
+
+inline Fraction fraction_of(double value) {
+    if (std::isfinite(value)) return {Exact::fraction(Rational(value))};
+    return {std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"};
+}
+
+/// Of the numbers left and right, in ulps of the greater one.
+inline Gap gap_of(Coincidence if_zero, const Rational& left, const Rational& right, int digits) {
+    const Rational exact = left - right;
+    Gap gap{if_zero, {}, {Exact::fraction(exact)}, Sign{int(CGAL::sign(exact))}};
+    if (gap.sign == Sign::zero) return gap;
+    const double greatest = std::max(std::abs(CGAL::to_double(left)), std::abs(CGAL::to_double(right)));
+    gap.ulps = std::abs(CGAL::to_double(exact)) / std::ldexp(1, std::ilogb(greatest) + 1 - digits);
+    return gap;
+}
 
 class RunTimeNumber {
 public:
@@ -92,6 +115,14 @@ public:
     /// The number that is computed with, as if nobody judged it.
     RunTimeNumber not_judged() const { return {arithmetic_, value_, nullptr, nullptr}; }
 
+    /// As a decision was taken on it, under a name.
+    Operand operand(std::string name) const {
+        const auto exact = truth();
+        const Fraction right{exact ? Exact::fraction(*exact) : ""};
+        if (is_exact()) return {std::move(name), right, right};
+        return {std::move(name), fraction_of(value_), right};
+    }
+
     /// The same number in an arithmetic of which it is a constant.
     RunTimeNumber in(const Arithmetic& arithmetic, const Judge* judge) const {
         return is_constant() ? RunTimeNumber(arithmetic, value_, judge) : *this;
@@ -115,7 +146,7 @@ public:
         return computed(a, b, std::multiplies<>());
     }
     friend RunTimeNumber operator/(const RunTimeNumber& a, const RunTimeNumber& b) {
-        const bool undefined = judge_of(a, b) && b.rational_ && CGAL::is_zero(*b.rational_);
+        const bool undefined = judge_of(a, b) && !common(a, b).is_exact() && b.rational_ && CGAL::is_zero(*b.rational_);
         if (!undefined) return computed(a, b, std::divides<>());
         const Arithmetic& arithmetic = common(a, b);
         return {arithmetic, arithmetic.result(a.value_, b.value_, std::divides<>()), nullptr, judge_of(a, b)};
@@ -176,8 +207,8 @@ private:
             });
         };
         const Arithmetic& arithmetic = common(a, b);
-        if (arithmetic.is_exact()) return {arithmetic, 0, exactly(), nullptr};
         const Judge* judge = judge_of(a, b);
+        if (arithmetic.is_exact()) return {arithmetic, 0, exactly(), judge};
         return {arithmetic, arithmetic.result(a.value_, b.value_, operation), judge ? exactly() : nullptr, judge};
     }
 
@@ -190,20 +221,55 @@ private:
             return of_rationals<std::optional<bool>>(
                 a, b, [&](const Rational& p, const Rational& q) { return std::optional<bool>(relation(p, q)); });
         };
-        if (common(a, b).is_exact()) return *exactly();
-        const bool taken = relation(a.value_, b.value_);
-        if (const Judge* judge = judge_of(a, b)) {
-            Verdict verdict{Decision::comparison, taken, {}};
-            if (const auto right = exactly()) verdict.truth.answer = *right;
+        const Judge* judge = judge_of(a, b);
+        if (!judge && common(a, b).is_exact()) return *exactly();
+        const auto right = exactly();
+        const bool taken = common(a, b).is_exact() ? *right : relation(a.value_, b.value_);
+        if (judge) {
+            const NumbersCompared compared(a, b);
+            Verdict verdict{Decision::comparison, taken, {}, true, &compared};
+            if (right) verdict.truth.answer = *right;
             (*judge)(verdict);
         }
         return taken;
     }
 
+    class NumbersCompared final : public Calculator {
+    public:
+        NumbersCompared(const RunTimeNumber& a, const RunTimeNumber& b) : a_(a), b_(b) {}
+
+        Operands operands() const override { return {a_.operand("a"), b_.operand("b")}; }
+        std::optional<Gap> gap() const override {
+            const auto left = a_.truth(), right = b_.truth();
+            if (!left || !right) return std::nullopt;
+            const Arithmetic& arithmetic = common(a_, b_);
+            Gap found = gap_of(Coincidence::equal_numbers, *left, *right, arithmetic.digits());
+            found.computed = arithmetic.is_exact() ? Value(found.exact.text)
+                                                   : Value(arithmetic.result(a_.value_, b_.value_, std::minus<>()));
+            return found;
+        }
+
+    private:
+        const RunTimeNumber& a_;
+        const RunTimeNumber& b_;
+    };
+
     double value_ = 0;
     Arithmetic arithmetic_;
     Kept rational_;                 // the number itself if it is exact; else its truth
     const Judge* judge_ = nullptr;  // of the run that the number belongs to; none for a constant
+};
+
+/// What a constructed point is, and should be.
+class PointConstructed final : public Calculator {
+public:
+    PointConstructed(const RunTimeNumber& x, const RunTimeNumber& y) : x_(x), y_(y) {}
+    Operands operands() const override { return {x_.operand("x"), y_.operand("y")}; }
+    std::optional<Gap> gap() const override { return std::nullopt; }
+
+private:
+    const RunTimeNumber& x_;
+    const RunTimeNumber& y_;
 };
 
 }  // namespace vidno

@@ -15,25 +15,82 @@ std::optional<Rational> truth_of(const RunTimeNumber& height) { return height.tr
 std::optional<Rational> truth_of(double) { return std::nullopt; }
 std::optional<Rational> truth_of(const auto& height) { return height.exactly(); }
 
-/// What Visibility should say of heights.
-Truth true_flag(const auto& set, const auto& y, const auto& upper, const auto& lower) {
-    using enum VisibilityFlag;
-    const auto of = [](const auto& cell) { return cell ? truth_of(*cell) : std::nullopt; };
-    const std::optional<Rational> height = truth_of(y), up = of(upper), low = of(lower);
-    const bool undefined = !height || up.has_value() != upper.has_value() || low.has_value() != lower.has_value();
-    if (undefined) return {};
-    const OnColumns<Exact> exact;
-    const bool reaches_upper = reaches_horizon(exact, *height, up, above);
-    const bool reaches_lower = reaches_horizon(exact, *height, low, below);
-    if (reaches_upper && reaches_lower) return {int(set.flag_on_both())};
-    if (reaches_upper) return {int(above)};
-    return {int(reaches_lower ? below : hidden)};
-}
+/// A height in use, and what it should be.
+struct JudgedHeight {
+    double used;
+    std::optional<Rational> exact;
+
+    Operand operand(std::string name) const {
+        return {std::move(name), fraction_of(used), {exact ? Exact::fraction(*exact) : ""}};
+    }
+};
+/// That of an exact number is a fraction.
+bool is_exact(const RunTimeNumber& height) { return height.is_exact(); }
+bool is_exact(const auto&) { return false; }
+
+/// How Visibility decides: by a height of the curve and those of the horizons, where these are.
+class HeightsCompared final : public Calculator {
+public:
+    HeightsCompared() = default;
+    HeightsCompared(const auto& y, const auto& upper, const auto& lower, int digits)
+        : y_{double(y), truth_of(y)},
+          upper_(judged(upper)),
+          lower_(judged(lower)),
+          is_exact_(is_exact(y)),
+          digits_(digits) {}
+
+    /// What it should say.
+    Truth true_flag(const auto& set) const {
+        using enum VisibilityFlag;
+        const auto undefined = [](const auto& of) { return of && !of->exact; };
+        if (!y_.exact || undefined(upper_) || undefined(lower_)) return {};
+        const auto height = [](const auto& of) { return of ? of->exact : std::nullopt; };
+        const OnColumns<Exact> exact;
+        const bool reaches_upper = reaches_horizon(exact, *y_.exact, height(upper_), above);
+        const bool reaches_lower = reaches_horizon(exact, *y_.exact, height(lower_), below);
+        if (reaches_upper && reaches_lower) return {int(set.flag_on_both())};
+        if (reaches_upper) return {int(above)};
+        return {int(reaches_lower ? below : hidden)};
+    }
+
+    Operands operands() const override {
+        Operands found{operand(y_, "y")};
+        if (upper_) found.push_back(operand(*upper_, "upper"));
+        if (lower_) found.push_back(operand(*lower_, "lower"));
+        return found;
+    }
+    std::optional<Gap> gap() const override {
+        std::optional<Gap> nearest;
+        for (const auto* horizon : {&upper_, &lower_}) {
+            if (!*horizon || !(*horizon)->exact || !y_.exact) continue;
+            Gap found = gap_of(Coincidence::curve_on_horizon, *y_.exact, *(*horizon)->exact, digits_);
+            found.computed = is_exact_ ? Value(found.exact.text) : Value(y_.used - (*horizon)->used);
+            if (!nearest || found.ulps < nearest->ulps) nearest = found;
+        }
+        return nearest;
+    }
+
+private:
+    static std::optional<JudgedHeight> judged(const auto& cell) {
+        return cell ? std::optional(JudgedHeight{double(*cell), truth_of(*cell)}) : std::nullopt;
+    }
+    Operand operand(const JudgedHeight& height, std::string name) const {
+        Operand found = height.operand(std::move(name));
+        if (is_exact_) found.used = found.exact;
+        return found;
+    }
+
+    JudgedHeight y_{};
+    std::optional<JudgedHeight> upper_, lower_;
+    bool is_exact_ = false;
+    int digits_ = 0;
+};
 
 /// What followers hear of a run beside its events.
 struct Judging {
     const Judge* judge;
     const Surveyor* survey;
+    int digits = 0;              // of the run's numbers
     bool in_visibility = false;  // there not each comparison is judged, but what comes of them
 };
 
@@ -51,12 +108,14 @@ public:
         Base::call(at, procedure);
     }
     void height(Line at, int column, const auto& y, const auto& upper, const auto& lower) {
-        if (judging_->judge) truth_ = true_flag(set_, y, upper, lower);
+        if (judging_->judge) heights_ = HeightsCompared(y, upper, lower, judging_->digits);
         Base::height(at, column, y, upper, lower);
     }
     void visibility(Line at, const auto& segment, int column, VisibilityFlag flag) {
         judging_->in_visibility = false;
-        if (judging_->judge) (*judging_->judge)({Decision::visibility, int(flag), truth_});
+        if (judging_->judge) {
+            (*judging_->judge)({Decision::visibility, int(flag), heights_.true_flag(set_), true, &heights_});
+        }
         Base::visibility(at, segment, column, flag);
     }
     void intersection(Line at, const auto& segment, const auto& end) {
@@ -69,13 +128,14 @@ private:
         const auto known = [](const auto& v) { return !v.is_exact() && v.has_truth() && std::isfinite(v.value()); };
         if (!known(p.x) || !known(p.y)) return;
         const auto off = [](const auto& v) { return CGAL::to_double(Rational(v.value()) - *v.truth()); };
-        (*judging_->survey)(std::hypot(off(p.x), off(p.y)));
+        const PointConstructed constructed(p.x, p.y);
+        (*judging_->survey)({std::hypot(off(p.x), off(p.y)), &constructed});
     }
     void survey(const auto&) {}  // right, or rounded where nobody sees it
 
     Judging* judging_;
     Set set_;
-    Truth truth_;  // of the flag to come
+    HeightsCompared heights_;  // of the flag to come
 };
 
 template <Kernel K>
@@ -95,8 +155,10 @@ DrawnLines told(const FloatingHorizonRequest& request, const K& kernel, Judging&
 
 DrawnLines told_floating_horizon(const FloatingHorizonRequest& request, const Followers& followers) {
     assert(request.sink);
-    Judging judging{followers.judge, followers.survey};
     const KernelKind kind = request.kernel.kind();
+    const int digits = kind == KernelKind::filtered ? std::numeric_limits<double>::digits
+                                                    : RunTimeKernel::arithmetic_of(request.kernel).digits();
+    Judging judging{followers.judge, followers.survey, digits};
     if (kind == KernelKind::filtered) return told(request, FilteredBy(StageTally{followers.count}), judging);
     if (kind == KernelKind::binary64 && !followers.judge) return told(request, Double{}, judging);
     const Judge judge_comparison = [&](const Verdict& verdict) {

@@ -13,6 +13,12 @@
 ///     {"kernel":"double","side":48}
 ///     {"format":"vidno-question/1",...}
 ///
+/// For the list of a run's decisions, what a trace is asked by. For a margin, the run, a step of level signs and a vertex; and the scene's
+/// file:
+///
+///     {"method":"warnock","edition":"corrected","kernel":"double","step":12,"polygon":"A","vertex":2}
+///     {"format":"vidno-scene/1",...}
+///
 /// To read a trace, its first line; then block after block of whole lines. README.md says why and how fast.
 
 #include <memory>
@@ -20,8 +26,10 @@
 #include <string_view>
 
 #include "check/checked_trace.h"
+#include "check/findings_text.h"
 #include "choice/method.h"
 #include "json/json_node.h"
+#include "margin/margin.h"
 #include "run/write_trace.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
@@ -128,6 +136,77 @@ void make_trace(Live& live) {
     }
 }
 
+/// A page shows no more zeros, and a run with more events takes too long.
+constexpr std::size_t most_zeros = 2000;
+constexpr std::size_t most_narrow = 20;
+
+/// Ends a run that has told so many events; 0: none.
+std::function<void()> limit(std::uint64_t most_events) {
+    return [most_events, told = std::uint64_t{0}]() mutable {
+        if (most_events > 0 && ++told > most_events) throw EventLimitReached{};
+    };
+}
+
+void make_findings(Live& live) {
+    const auto [line, file] = parts(live.request);
+    const Kind kind = is_surface(file) ? Kind::curves : Kind::polygons;
+    const Options options = read_json(line, "request", [&](const JsonNode& root) { return read_options(root, kind); });
+    const auto find = [&](auto request, Procedure method, const Area& area, const FindingsHeader& header) {
+        FindingList findings(method, area, most_narrow, most_zeros);
+        request.progress = limit(options.most_events);
+        try {
+            find_in(request, findings);
+        } catch (const EventLimitReached&) {
+            live.messages += "the run is too long: the list ends before it\n";
+        }
+        live.made += findings_jsonl(header, findings.findings());
+    };
+    if (kind == Kind::curves) {
+        const Surface surface = read_surface(file, "scene");
+        const FloatingHorizonRequest request{options.kernel, options.edition, surface.curves};
+        find(request, Procedure::floating_horizon, surface.curves.area, findings_header(request, surface.name));
+    } else {
+        const Scene scene = read_scene_for(options.kernel, file, live.messages);
+        if (const auto reason = refusal_of(options.method, scene)) throw Refused("scene: " + *reason);
+        const RunRequest request{options.method, options.kernel, options.edition, scene};
+        find(request, choice_of(options.method).procedure, scene.area, findings_header(request));
+    }
+}
+
+struct MarginOptions {
+    Method method;
+    Edition edition;
+    NamedKernel kernel;
+    std::uint64_t step;
+    std::string polygon;
+    int vertex;
+};
+
+MarginOptions read_margin_options(const JsonNode& root) {
+    root.require_keys({"method", "edition", "kernel", "step", "polygon", "vertex"});
+    constexpr int most = std::numeric_limits<int>::max();
+    return {Method(place_of(root.at("method"), method_names)),
+            Edition(place_of(root.at("edition"), edition_names)),
+            read_kernel(root.at("kernel")),
+            std::uint64_t(root.at("step").whole_number(0, most)),
+            root.at("polygon").text(),
+            root.at("vertex").whole_number(0, most)};
+}
+
+void make_margin(Live& live) {
+    const auto [line, file] = parts(live.request);
+    const MarginOptions options = read_json(line, "request", read_margin_options);
+    const Scene scene = read_scene_for(options.kernel, file, live.messages);
+    const auto polygon = std::find_if(scene.polygons.begin(), scene.polygons.end(),
+                                      [&](const auto& each) { return each.id == options.polygon; });
+    if (polygon == scene.polygons.end() || options.vertex >= int(polygon->vertices.size())) {
+        throw Refused("no such vertex");
+    }
+    const RunRequest request{options.method, options.kernel, options.edition, scene};
+    const PolygonPlace place{int(polygon - scene.polygons.begin())};
+    live.made += margin_json(margin_of(request, options.step, place, options.vertex), scene);
+}
+
 void make_map(Live& live) {
     const auto [line, file] = parts(live.request);
     const auto [kernel, side] = read_json(line, "request", [](const JsonNode& root) {
@@ -183,6 +262,12 @@ extern "C" {
 /// Makes the map that is asked for, or is refused likewise: a character a place, '0' to '8', the row of p first. It is three
 /// times the computed sign and once the exact one, of which each is 0, negative, 1, zero, or 2, positive.
 [[clang::export_name("map")]] bool vidno_map() { return vidno::make(vidno::make_map); }
+
+/// Makes the list of decisions that is asked for, `vidno-decisions/1`, or is refused likewise.
+[[clang::export_name("findings")]] bool vidno_findings() { return vidno::make(vidno::make_findings); }
+
+/// Makes the margin that is asked for, `vidno-margin/1`, or is refused likewise.
+[[clang::export_name("margin")]] bool vidno_margin() { return vidno::make(vidno::make_margin); }
 
 /// Begins to read the trace of which the request is the first line. False if it was refused.
 [[clang::export_name("open")]] bool vidno_open() { return vidno::make(vidno::open_trace); }

@@ -1,6 +1,7 @@
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import type { PageTexts, Texts } from '../language/texts.js';
+import type { Mark } from '../picture/mark.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Columns } from '../replay/columns.js';
 import type { Line, Lines } from '../replay/lines.js';
@@ -35,10 +36,12 @@ export interface View {
   readonly pointed: string | null;
   /** What the question in hand is about, in the same form. */
   readonly asked?: readonly string[];
+  /** What is marked of the decisions worth looking at. */
+  readonly found?: readonly Mark[];
 }
 
 /** What of a view is chosen rather than told by the trace. */
-export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked'>;
+export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked' | 'found'>;
 
 export function viewOf({ header, timeline }: Trace, step: number, choice: Choice): View {
   const { language } = choice;

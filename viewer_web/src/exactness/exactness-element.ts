@@ -10,7 +10,10 @@ import type { ExactTexts } from '../language/exact-texts.js';
 import type { Trace } from '../replay/trace.js';
 import type { Answer } from '../trace/values.js';
 import { askCheck } from './ask-check.js';
+import { calculation, hasDrifted } from './calculation.js';
+import type { Column } from './calculation.js';
 import { exactnessStyle } from './exactness.style.js';
+import './findings-element.js';
 import './lens.js';
 import { mappedDecisionOf } from './mapped-decision.js';
 import type { MappedDecision } from './mapped-decision.js';
@@ -29,6 +32,7 @@ interface Drawn {
 
 /** Longer numbers, fractions most of all, are shown in part. */
 const longest = 60;
+const longestLine = 160;
 
 /** A run with more steps is checked only when that is asked for: it takes seconds. */
 const longestAtOnce = 200_000;
@@ -69,7 +73,10 @@ export class ExactnessElement extends LitElement {
   override updated(): void {
     const { check, maps, trace, view } = this;
     const isShort = view.length <= longestAtOnce;
-    if (check.is === 'unchecked' && maps !== null && trace.complete && isShort) askCheck(this);
+    const isWanted = check.is === 'unchecked' || check.findings === undefined;
+    if (isWanted && check.is !== 'checking' && maps !== null && trace.complete && isShort) {
+      askCheck(this);
+    }
   }
 
   private async ask(mapped: MappedDecision, maps: SignMapSource): Promise<void> {
@@ -84,12 +91,20 @@ export class ExactnessElement extends LitElement {
     const verdict = verdictBy(this.check, this.trace, this.view.step);
     if (verdict === null && mapped === null) {
       return html`${this.checked()}
-        <section><p class="hint">${this.texts.nothing} ${this.hintOfWrong()}</p></section>`;
+        <section><p class="hint">${this.texts.nothing} ${this.hintOfWrong()}</p></section>
+        ${this.list()}`;
     }
     return html`
       ${this.checked()} ${verdict && this.decision(verdict)}
       ${mapped === null ? this.noLens(this.texts.noLens) : this.lens(mapped, verdict)}
+      ${this.list()}
     `;
+  }
+
+  private list(): TemplateResult | typeof nothing {
+    const { findings } = this.check;
+    if (findings === undefined) return nothing;
+    return html`<vidno-findings .view=${this.view} .findings=${findings}></vidno-findings>`;
   }
 
   /** Whether the run was checked, and by whom, where the trace does not say so. */
@@ -155,6 +170,30 @@ export class ExactnessElement extends LitElement {
         }
       </dl>
       ${this.judgement(verdict)}
+    </section>
+    ${this.byHand(verdict)}`;
+  }
+
+  /** The calculation line by line: with the numbers of the run too, if they are not the right ones. */
+  private byHand({ of, operands }: Verdict): TemplateResult | typeof nothing {
+    if (operands === undefined) return nothing;
+    const say = this.texts;
+    const columns: readonly Column[] = hasDrifted(operands) ? ['used', 'exact'] : ['exact'];
+    return html`<section class="by-hand">
+      <h3>${say.byHand}</h3>
+      ${columns.map((column) => {
+        const lines = calculation(of, operands, column);
+        return html`
+          ${columns.length > 1 ? html`<h4>${say.byHandWith[column]}</h4>` : nothing}
+          ${
+            lines === null
+              ? html`<p class="hint">${say.noNumbers}</p>`
+              : html`<ol class="lines">
+                  ${lines.map((line) => html`<li title=${line}>${written(line, longestLine)}</li>`)}
+                </ol>`
+          }
+        `;
+      })}
     </section>`;
   }
 
@@ -226,8 +265,8 @@ function isAlike({ asked }: MappedDecision, drawn: Drawn | null): boolean {
 }
 
 /** In full, so that the last bit is seen. */
-function written(text: string): string {
-  return text.length > longest ? `${text.slice(0, longest)}…` : text;
+function written(text: string, most = longest): string {
+  return text.length > most ? `${text.slice(0, most)}…` : text;
 }
 
 /** A power of two as such. */

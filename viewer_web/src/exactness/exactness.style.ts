@@ -77,4 +77,19 @@ export const exactnessStyle = css`
       max-width: 13rem;
     }
   }
+  .by-hand h4 {
+    margin: 0.5rem 0 0.15rem;
+    font-size: 0.75rem;
+    font-weight: 600;
+    color: var(--soft);
+  }
+  .lines {
+    margin: 0;
+    padding: 0;
+    list-style: none;
+    font-family: var(--mono, ui-monospace, monospace);
+    font-size: 0.75rem;
+    line-height: 1.5;
+    overflow-wrap: anywhere;
+  }
 `;

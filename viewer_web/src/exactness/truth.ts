@@ -2,6 +2,7 @@ import type { Timeline } from '../replay/timeline.js';
 import type { Trace } from '../replay/trace.js';
 import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
+import type { Finding } from './finding.js';
 import { toldOf } from './told.js';
 import type { Told } from './told.js';
 import { verdictOf } from './verdict.js';
@@ -55,15 +56,16 @@ function isSame(one: Timeline, step: number, checked: Timeline, place: number): 
 const written = (event: Event): string =>
   JSON.stringify(
     Object.entries(event)
-      .filter(([key]) => key !== 'exact' && key !== 'by')
+      .filter(([key]) => key !== 'exact' && key !== 'by' && key !== 'operands')
       .sort(([a], [b]) => (a < b ? -1 : 1)),
   );
 
 /** Why the library cannot check a run. */
 export type Unable = 'otherRun' | 'notHere' | 'tooLong' | 'failed';
 
-/** How a run's decisions are known to be right or wrong. */
-export type Check =
+/** How a run's decisions are known to be right or wrong; and, once they were asked for, those that are worth looking at. */
+export type Check = Known & { readonly findings?: readonly Finding[] };
+type Known =
   | { readonly is: Told | 'checking' }
   | { readonly is: 'found'; readonly truth: Truth }
   | { readonly is: 'unable'; readonly why: Unable; readonly messages: string };

@@ -33,6 +33,7 @@ it('a wrong decision and the step that tells so have one verdict', async () => {
     taken: -1,
     exact: 0,
     by: undefined,
+    operands: undefined,
     cause: 'rounded',
   });
   expect(verdictOf(trace, 2)).toEqual(verdict);

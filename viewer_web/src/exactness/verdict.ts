@@ -1,7 +1,7 @@
 import type { Trace } from '../replay/trace.js';
 import { kinds } from '../trace/events.js';
 import type { Deciding, Decision, Event } from '../trace/events.js';
-import type { Answer, N } from '../trace/values.js';
+import type { Answer, N, Operands } from '../trace/values.js';
 
 /** Whose sign, or which two numbers compared, a decision went by; as the listing calls them. */
 type Number = readonly [name: string, value: N];
@@ -15,6 +15,8 @@ export interface Verdict {
   readonly exact: Answer | null | undefined;
   /** What decided, in a run that knows its errors. */
   readonly by: Stage | undefined;
+  /** The numbers that it can be taken again with; undefined where the run was not checked. */
+  readonly operands: Operands | undefined;
   /** Of a wrong one. */
   readonly cause: Event<'disagree'>['cause'] | undefined;
 }
@@ -101,14 +103,24 @@ export function verdictOf({ timeline }: Trace, step: number): Verdict | null {
 
 function ownVerdict(event: Event | null, before: Event | null): Verdict | null {
   if (event === null || !isDeciding(event)) return null;
-  const { exact, by } = event;
+  const { exact, by, operands } = event;
   const how = decided[event.e] as (event: Event, before: Event | null) => Decided;
-  return { of: kinds[event.e].decides, ...how(event, before), exact, by, cause: undefined };
+  return {
+    of: kinds[event.e].decides,
+    ...how(event, before),
+    exact,
+    by,
+    operands,
+    cause: undefined,
+  };
 }
 
 /** A step may decide more than one thing, or one that has no event of its own: the wrong one is what counts. */
-function judged(own: Verdict | null, { of, taken, exact, cause }: Event<'disagree'>): Verdict {
-  return { numbers: own?.numbers ?? [], by: undefined, of, taken, exact, cause };
+function judged(
+  own: Verdict | null,
+  { of, taken, exact, cause, operands }: Event<'disagree'>,
+): Verdict {
+  return { numbers: own?.numbers ?? [], by: undefined, of, taken, exact, cause, operands };
 }
 
 /** Whether an answer is not the right one; where that is not known it is taken for right. */

@@ -1,3 +1,5 @@
+import type { Column } from '../exactness/calculation.js';
+import type { Coincidence, FindingKind, Order } from '../exactness/finding.js';
 import type { Cell } from '../exactness/sign-map.js';
 import type { Unable } from '../exactness/truth.js';
 import type { Stage } from '../exactness/verdict.js';
@@ -28,6 +30,22 @@ export interface ExactTexts {
   readonly unable: Readonly<Record<Unable, string>>;
   readonly certain: string;
   readonly check: string;
+  /** The list of decisions worth looking at. */
+  readonly findings: {
+    readonly title: string;
+    readonly count: (count: number) => string;
+    readonly withNumbers: string;
+    readonly more: string;
+    readonly polygons: string;
+    readonly columns: Readonly<Record<Order, string>>;
+    readonly kinds: Readonly<Record<FindingKind, string>>;
+    readonly coincidences: Readonly<Record<Coincidence, string>>;
+    readonly pixels: (off: string) => string;
+  };
+  /** Above the calculation line by line, and its two ways. */
+  readonly byHand: string;
+  readonly byHandWith: Readonly<Record<Column, string>>;
+  readonly noNumbers: string;
   readonly nothing: string;
   readonly findWrong: string;
   readonly lens: (at: string) => string;

@@ -23,7 +23,9 @@ export type Role =
   | 'point'
   | 'pointed'
   | 'chosen'
-  | 'cursor';
+  | 'cursor'
+  | 'zero'
+  | 'narrow';
 
 interface PathMark {
   readonly kind: 'path';

@@ -155,4 +155,15 @@ export const marksStyle = css`
     stroke: #10131c;
     stroke-width: 2.5;
   }
+  .zero {
+    stroke: #0b7a4b;
+    stroke-width: 2;
+    fill: #0b7a4b;
+    fill-opacity: 0.12;
+  }
+  .narrow {
+    stroke: #b25e00;
+    stroke-width: 2;
+    stroke-dasharray: 2 3;
+  }
 `;

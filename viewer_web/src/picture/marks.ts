@@ -41,5 +41,5 @@ function pointedMarks(view: View): readonly Mark[] {
 export function marksOf(view: View, sight: Sight): readonly Mark[] {
   const chosen = view.pixel === null ? [] : [target('chosen', view.pixel)];
   const own = algorithmOf(view.header).marks(view, sight);
-  return [...own, ...pointedMarks(view), ...chosen].filter(isFinite);
+  return [...own, ...(view.found ?? []), ...pointedMarks(view), ...chosen].filter(isFinite);
 }

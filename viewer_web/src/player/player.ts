@@ -11,6 +11,7 @@ import type { Editing } from '../editor/editor.js';
 import type { LinkMade } from '../editor/live.js';
 import { announcerStyle } from '../elements/announcer.style.js';
 import '../elements/divider.js';
+import { findingMarks } from '../exactness/finding-marks.js';
 import { hiddenStyle } from '../elements/hidden.style.js';
 import type { Actions } from '../elements/keyboard.js';
 import { isOnlyEdited } from '../elements/only-edited.js';
@@ -114,7 +115,10 @@ export class PlayerElement extends StageElement {
     const pixel = this.chosen.history?.pixel ?? null;
     const { things: asked } = this.predictor;
     const step = trace === null ? 0 : this.pilot.follow(trace, this.step);
-    this.view = trace && viewOf(trace, step, { language, pixel, pointed: this.pointing.at, asked });
+    const findings = trace && this.side === 'exact' ? this.checkOf(trace).findings : undefined;
+    const found = findings && findingMarks(findings, step);
+    const choice = { language, pixel, pointed: this.pointing.at, asked, ...(found && { found }) };
+    this.view = trace && viewOf(trace, step, choice);
   }
 
   override updated(changed: PropertyValues<this>): void {

@@ -1,6 +1,8 @@
+import type { Finding } from '../exactness/finding.js';
 import { toldCheck, Truth } from '../exactness/truth.js';
 import type { Check, Unable } from '../exactness/truth.js';
 import type { Trace } from '../replay/trace.js';
+import { Finder } from './finder.js';
 import { runs } from './options.js';
 import type { Options } from './options.js';
 import { Tracer } from './tracer.js';
@@ -15,6 +17,8 @@ const unable = (why: Unable, messages = ''): Check => ({ is: 'unable', why, mess
 export class Checks {
   private readonly tracer: Tracer;
   private readonly found = new WeakMap<Trace, Check>();
+  private readonly finder: Finder;
+  private readonly findings = new WeakMap<Trace, readonly Finding[]>();
   private wanted: Trace | null = null;
   private running: { readonly trace: Trace; readonly since: number } | null = null;
 
@@ -27,14 +31,26 @@ export class Checks {
       (traced) => this.take(traced),
       () => this.settle(unable('failed')),
     );
+    this.finder = new Finder(library, (trace, findings) => {
+      this.findings.set(trace, findings);
+      this.found.set(trace, this.with(trace, this.of(trace)));
+      changed();
+    });
   }
 
   of(trace: Trace): Check {
     return this.found.get(trace) ?? toldCheck(trace);
   }
 
+  /** With the decisions worth looking at, once they are known. */
+  private with(trace: Trace, check: Check): Check {
+    const findings = this.findings.get(trace);
+    return findings === undefined ? check : { ...check, findings };
+  }
+
   /** Checks a run that was read whole. Of those that wait only the newest is checked. */
   ask(trace: Trace): void {
+    if (trace.complete && !this.findings.has(trace)) this.finder.ask(trace);
     if (this.of(trace).is !== 'unchecked' || !trace.complete) return;
     const { wanted, running } = this;
     if (wanted !== null) this.found.delete(wanted);
@@ -73,7 +89,8 @@ export class Checks {
   }
 
   private settle(check: Check): void {
-    if (this.running !== null) this.found.set(this.running.trace, check);
+    const trace = this.running?.trace;
+    if (trace !== undefined) this.found.set(trace, this.with(trace, check));
     this.running = null;
     this.next();
     this.changed();

@@ -8,6 +8,8 @@ import type { HeightFunction } from './height-function.js';
 interface Exports extends Basics {
   run(): number;
   map(): number;
+  findings(): number;
+  margin(): number;
   made(): number;
   made_size(): number;
   messages(): number;
@@ -54,6 +56,18 @@ export class Library {
   map(request: string): Outcome<string> {
     const { map, made, made_size } = this.instance.exports;
     return this.outcome(request, map, () => this.instance.text(made(), made_size()));
+  }
+
+  /** The list of a run's decisions, `vidno-decisions/1`. */
+  findings(request: string): Outcome<string> {
+    const { findings, made, made_size } = this.instance.exports;
+    return this.outcome(request, findings, () => this.instance.text(made(), made_size()));
+  }
+
+  /** Where a vertex may be moved to, `vidno-margin/1`. */
+  margin(request: string): Outcome<string> {
+    const { margin, made, made_size } = this.instance.exports;
+    return this.outcome(request, margin, () => this.instance.text(made(), made_size()));
   }
 
   private outcome<T>(request: string, make: () => number, take: () => T): Outcome<T> {

@@ -195,4 +195,17 @@ export const sliderStyle = css`
       height: 1.5rem;
     }
   }
+  .found {
+    position: absolute;
+    bottom: 0;
+    left: calc(var(--at) * 100%);
+    width: 2px;
+    height: 5px;
+    background: #0b7a4b;
+    pointer-events: none;
+  }
+  .found.narrow {
+    bottom: 5px;
+    background: #b25e00;
+  }
 `;

@@ -6,6 +6,7 @@ import type { View } from '../algorithm/view.js';
 import { hiddenStyle } from '../elements/hidden.style.js';
 import { ReadOn } from '../elements/read-on.js';
 import { base } from '../elements/theme.js';
+import { findingSteps } from '../exactness/finding-marks.js';
 import type { Check } from '../exactness/truth.js';
 import { texts } from '../i18n/index.js';
 import type { Trace } from '../replay/trace.js';
@@ -156,6 +157,20 @@ export class SliderElement extends LitElement {
                 ${svg`<path d=${flag(stripHeight)} />`}
               </svg>`,
           )}
+        ${
+          this.veiled
+            ? nothing
+            : findingSteps(this.check.findings ?? [], view.length)
+                .filter(isShown)
+                .map(
+                  (found) =>
+                    html`<span
+                      class="found ${found.kind}"
+                      .style=${this.at(found.step)}
+                      aria-hidden="true"
+                    ></span>`,
+                )
+        }
         ${this.veiled ? html`<span class="veil" .style=${this.at(step)}></span>` : nothing}
         ${isShown(view) ? html`<span class="now" .style=${this.at(step)}></span>` : nothing}
       </div>

@@ -60,11 +60,20 @@ const nothing = written<null>('null', (value, path) => {
 /** The right answer; null where it is undefined. */
 export const truth = either(nothing, answer);
 
+/** Of a decision, under every kernel: a fraction, or what a number of the machine is that is none. */
+export const fraction = written<string>(plainWord, (value, path) => {
+  if (typeof value === 'string' && word.test(value)) return value;
+  throw new Refusal(path, 'kernelNumber', describe(value));
+});
+/** The numbers that a decision was taken on: as the run has them, and as they should be, which may be undefined. */
+export const operands = list(tuple(text, fraction, either(nothing, fraction)));
+
 /** The label of any line, by the letters of the procedures. */
 export const label = (letters: readonly string[]): Check<string> =>
   matching(new RegExp(`^(?:${letters.join('|')})[1-9]\\d?$`), 'label');
 
 export type Answer = Checked<typeof answer>;
+export type Operands = Checked<typeof operands>;
 export type Color = Checked<typeof color>;
 export type Corner = (typeof corners)[number];
 export type Point = Checked<typeof point>;

@@ -1,0 +1,144 @@
+#include "check/findings.h"
+
+#include <algorithm>
+#include <concepts>
+
+#include "check/decision_count.h"
+#include "check/judged_run.h"
+
+namespace vidno {
+
+namespace {
+
+bool is_wider(const Finding& a, const Finding& b) { return a.gap->ulps < b.gap->ulps; }
+
+/// The depths of two polygons are compared as numbers by Weiler and Atherton's algorithm.
+Coincidence meaning(Coincidence coincidence, const EventView& event) {
+    const bool of_depths = event.get_if<event::Behind>() || event.get_if<event::Order>();
+    return of_depths && coincidence == Coincidence::equal_numbers ? Coincidence::equal_depths : coincidence;
+}
+
+}  // namespace
+
+FindingList::FindingList(Procedure method, const Area& area, std::size_t narrowest, std::size_t most_zeros)
+    : running_{method}, whereabouts_(area), most_narrow_(narrowest), most_zeros_(most_zeros) {}
+
+bool FindingList::is_narrow(const Gap& gap) const {
+    return most_narrow_ > 0 && (narrow_.size() < most_narrow_ || gap.ulps < narrow_.front().gap->ulps);
+}
+
+void FindingList::judge(const Verdict& verdict) {
+    const auto gap = verdict.calculator ? verdict.calculator->gap() : std::nullopt;
+    const bool is_wrong = verdict.wrong() || !verdict.right_for_operands;
+    FindingKind kind = FindingKind::wrong;
+    if (!is_wrong) {
+        if (!gap) return;
+        kind = gap->sign == Sign::zero ? FindingKind::zero : FindingKind::narrow;
+        if (kind == FindingKind::narrow && !is_narrow(*gap)) return;
+    }
+    heard_.add(
+        {verdict.of, {.kind = kind, .procedure = running_.back(), .decision = JudgedDecision(verdict), .gap = gap}});
+}
+
+void FindingList::survey(const Surveyed& point) {
+    if (point.off <= most_pixels_off) return;
+    Verdict of_point;
+    of_point.calculator = point.calculator;
+    heard_.add({{},
+                {.kind = FindingKind::point,
+                 .procedure = running_.back(),
+                 .decision = JudgedDecision(of_point),
+                 .off = point.off}});
+}
+
+void FindingList::follow(const EventView& event) {
+    ++steps_;
+    event.visit([&]<class E>(const E& told) {
+        at_ = told.at;
+        if constexpr (std::same_as<E, event::Draw>) {
+            for (std::size_t i = filling_; i < findings_.size(); ++i) {
+                if (findings_[i].procedure == Procedure::fill_polygon) findings_[i].polygons = {told.polygon};
+            }
+            for (auto& each : narrow_) {
+                const bool is_of_this = each.procedure == Procedure::fill_polygon && each.polygons.empty();
+                if (is_of_this) each.polygons = {told.polygon};
+            }
+        }
+    });
+    for (auto& heard : heard_.told_by(event)) place(std::move(heard.finding), event);
+    event.visit([&]<class E>(const E& told) {
+        if constexpr (std::same_as<E, event::Call>) {
+            running_.push_back(told.of);
+            if (told.of == Procedure::fill_polygon) filling_ = findings_.size();
+        }
+        if constexpr (requires { E::result_of; }) running_.pop_back();
+    });
+    whereabouts_.follow(event);
+}
+
+void FindingList::place(Finding finding, const EventView& event) {
+    finding.step = steps_;
+    finding.at = at_;
+    auto& gap = finding.gap;
+    if (gap) gap->if_zero = meaning(gap->if_zero, event);
+    const bool draws = event.get_if<event::Draw>();
+    if (finding.procedure != Procedure::fill_polygon || draws) finding.polygons = whereabouts_.polygons(event);
+    finding.pixels = whereabouts_.pixels(event, gap ? gap->pixel : std::nullopt);
+    if (finding.kind == FindingKind::narrow) return keep_narrow(std::move(finding));
+    if (gap && gap->sign == Sign::zero) {
+        Zeros& zeros = zeros_[std::size_t(gap->if_zero)];
+        if (zeros.count++ == 0) zeros.first = steps_;
+    }
+    if (finding.kind == FindingKind::zero) {
+        if (most_zeros_ == 0) return;
+        --most_zeros_;
+    }
+    findings_.push_back(std::move(finding));
+}
+
+void FindingList::keep_narrow(Finding finding) {
+    if (!is_narrow(*finding.gap)) return;
+    if (narrow_.size() == most_narrow_) {
+        std::pop_heap(narrow_.begin(), narrow_.end(), is_wider);
+        narrow_.pop_back();
+    }
+    narrow_.push_back(std::move(finding));
+    std::push_heap(narrow_.begin(), narrow_.end(), is_wider);
+}
+
+std::vector<Finding> FindingList::findings() {
+    for (auto& heard : heard_.rest()) {
+        heard.finding.step = steps_;
+        heard.finding.at = at_;
+        (heard.finding.kind == FindingKind::narrow ? narrow_ : findings_).push_back(std::move(heard.finding));
+    }
+    std::vector<Finding> all = std::move(findings_);
+    std::move(narrow_.begin(), narrow_.end(), std::back_inserter(all));
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
+    return all;
+}
+
+namespace {
+
+/// `run(request, followers)` makes the run.
+void find(auto& request, FindingList& findings, auto&& run) {
+    const Judge judge = [&](const Verdict& verdict) { findings.judge(verdict); };
+    const Surveyor survey = [&](const Surveyed& point) { findings.survey(point); };
+    HeardBy sink([&](const EventView& event) {
+        request.progress();
+        findings.follow(event);
+    });
+    request.detail = Detail::signs;
+    request.sink = &sink;
+    run(request, Followers{.judge = &judge, .survey = &survey});
+}
+
+}  // namespace
+
+void find_in(RunRequest request, FindingList& findings) {
+    find(request, findings, request.kernel.is_always_right() ? exactly_judged_run : judged_run);
+}
+
+void find_in(FloatingHorizonRequest request, FindingList& findings) { find(request, findings, told_floating_horizon); }
+
+}  // namespace vidno

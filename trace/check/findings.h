@@ -1,0 +1,82 @@
+/// Findings: the decisions of a judged run that are worth looking at: those that are wrong, those that rest on an exact coincidence, and
+/// the narrowest of the others; and constructed points that are an error. FORMAT.md says how a file of them looks.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "check/judged_decision.h"
+#include "check/pending.h"
+#include "check/whereabouts.h"
+#include "run/floating_horizon_run.h"
+#include "run/run.h"
+
+namespace vidno {
+
+/// Why a decision is listed.
+enum class FindingKind : unsigned char { wrong, zero, narrow, point };
+inline constexpr std::array<std::string_view, 4> finding_kind_names{"wrong", "zero", "narrow", "point"};
+
+struct Finding {
+    FindingKind kind{};
+    std::uint64_t step = 0;  // of level `signs`, from 1: the event that tells it or is the first to follow it
+    Line at{};
+    Procedure procedure{};
+    std::vector<PolygonPlace> polygons{};
+    PixelRectangle pixels{};  // whose colour it may change
+    JudgedDecision decision;  // of a point, its coordinates are the operands
+    std::optional<Gap> gap{};
+    double off = 0;  // of a point
+};
+
+/// Draws up a list of findings while a run goes on. It hears each event of level `signs`, and before it what followers hear.
+class FindingList {
+public:
+    /// `narrowest`: so many of the narrowest decisions are listed. Of zeros only the first `most_zeros` are, but all are counted.
+    FindingList(Procedure method, const Area& area, std::size_t narrowest = 20,
+                std::size_t most_zeros = std::size_t(-1));
+
+    void judge(const Verdict& verdict);
+    void survey(const Surveyed& point);
+    void follow(const EventView& event);
+
+    /// Once the run has ended: step by step.
+    std::vector<Finding> findings();
+
+    /// How many decisions rest on each kind of coincidence, and the step of the first.
+    struct Zeros {
+        std::uint64_t count = 0, first = 0;
+    };
+    const std::array<Zeros, coincidence_names.size()>& zeros() const { return zeros_; }
+
+private:
+    /// What was heard before its event came.
+    struct Heard {
+        Decision of;
+        Finding finding;
+    };
+
+    bool is_narrow(const Gap& gap) const;
+    void place(Finding finding, const EventView& event);
+    void keep_narrow(Finding finding);
+
+    std::vector<Procedure> running_;
+    Whereabouts whereabouts_;
+    std::size_t most_narrow_, most_zeros_;
+    std::uint64_t steps_ = 0;
+    Line at_{};
+    Pending<Heard> heard_;
+    std::vector<Finding> findings_;  // all but the narrow ones
+    std::vector<Finding> narrow_;    // a heap: the widest first
+    std::size_t filling_ = 0;        // where the findings of the FillPolygon that is running begin
+    std::array<Zeros, coincidence_names.size()> zeros_{};
+};
+
+/// Makes a run for its findings: of a kernel that is always right, the run under `exact`, which decides and tells the same.
+void find_in(RunRequest request, FindingList& findings);
+void find_in(FloatingHorizonRequest request, FindingList& findings);
+
+}  // namespace vidno

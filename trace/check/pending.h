@@ -1,0 +1,38 @@
+/// Pending: what was heard of decisions since the last event, until the event comes that tells them or is the first to follow them.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "format/event_sink.h"
+
+namespace vidno {
+
+/// `T` has the decision as `of`.
+template <class T>
+class Pending {
+public:
+    void add(T heard) { heard_.push_back(std::move(heard)); }
+
+    /// Those of this event, in their order. ShowLine finds its columns before it tells the slope, and tells them after it.
+    std::vector<T> told_by(const EventView& event) {
+        if (heard_.empty() || !event.get_if<event::Slope>()) return rest();
+        const auto waits = [](const T& each) {
+            return each.of == Decision::first_centre || each.of == Decision::last_centre;
+        };
+        const auto waiting = std::stable_partition(heard_.begin(), heard_.end(), std::not_fn(waits));
+        std::vector<T> later(std::make_move_iterator(waiting), std::make_move_iterator(heard_.end()));
+        heard_.erase(waiting, heard_.end());
+        return std::exchange(heard_, std::move(later));
+    }
+    /// Those that no event follows.
+    std::vector<T> rest() { return std::exchange(heard_, {}); }
+
+private:
+    std::vector<T> heard_;
+};
+
+}  // namespace vidno

@@ -1,0 +1,73 @@
+#include "margin/margin.h"
+
+#include <charconv>
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
+#include "refused.h"
+
+namespace vidno::cli {
+
+namespace {
+
+struct MarginOptions : RunOptions {
+    std::uint64_t step = 0;
+    std::string vertex;
+    bool json = false;
+};
+
+/// A polygon and one of its vertices, "A.2"; an id may have dots.
+std::pair<PolygonPlace, int> vertex_in(const Scene& scene, const std::string& name) {
+    const auto dot = name.rfind('.');
+    const std::string id = name.substr(0, dot);
+    const auto polygon = std::find_if(scene.polygons.begin(), scene.polygons.end(),
+                                      [&](const ScenePolygon& each) { return each.id == id; });
+    if (dot == std::string::npos || polygon == scene.polygons.end()) {
+        throw Refused("--vertex " + name + ": no polygon of the scene and one of its vertices, as A.2");
+    }
+    int vertex = -1;
+    const char* const end = name.data() + name.size();
+    const auto [rest, error] = std::from_chars(name.data() + dot + 1, end, vertex);
+    const int count = int(polygon->vertices.size());
+    if (error != std::errc{} || rest != end || vertex < 0 || vertex >= count) {
+        throw Refused("--vertex " + name + ": the vertices of " + id + " are 0 to " + std::to_string(count - 1));
+    }
+    return {{int(polygon - scene.polygons.begin())}, vertex};
+}
+
+int margin(const MarginOptions& options) {
+    const NamedKernel kernel = kernel_of(options);
+    const Scene scene = scene_for(kernel, scene_from(options.scene), options.scene);
+    expect_admitted(method_of(options), scene, options.scene);
+    const auto [polygon, vertex] = vertex_in(scene, options.vertex);
+    const Margin found = margin_of(request_of(options, kernel, scene), options.step, polygon, vertex);
+    std::cout << (options.json ? margin_json(found, scene) : margin_text(found, scene));
+    return 0;
+}
+
+}  // namespace
+
+void add_margin(CLI::App& program, int& status) {
+    auto& command =
+        *program.add_subcommand("margin", "Where a vertex may be moved to so that no sign of a step changes");
+    const auto options = std::make_shared<MarginOptions>();
+    add_run_options(command, *options, "A scene file, vidno-scene/1; - for standard input", "Which algorithm",
+                    words(method_names));
+    command
+        .add_option("--step", options->step,
+                    "A step with a sign, in a trace of level signs: in a test whether a polygon "
+                    "surrounds a point, or where one is clipped")
+        ->required();
+    command.add_option("--vertex", options->vertex, "The vertex, from 0: A.2 is the third of the polygon A")
+        ->required();
+    command.add_flag("--json", options->json, "As JSON, vidno-margin/1");
+    command.footer(
+        "The region is where all the half-planes meet; each line says which signs change beyond it. All numbers are "
+        "exact.\n"
+        "Example: vidno margin scene.json --step 12 --vertex A.2");
+    command.callback([options, &status] { status = margin(*options); });
+}
+
+}  // namespace vidno::cli

@@ -1,0 +1,45 @@
+import { expect, it } from 'vitest';
+import { findingMarks, findingSteps } from './finding-marks.js';
+import { findingsIn, isSeen, sortedBy } from './finding.js';
+
+const lines = [
+  '{"format":"vidno-decisions/1","method":"zbuffer","edition":"corrected","kernel":"float","scene":""}',
+  '{"kind":"zero","step":7,"at":"L4","procedure":"ShowLine","polygons":["A"],"pixels":[2,0,1,1],"of":"last_centre","taken":2,"exact":2,"coincidence":"on_pixel_centre","computed":0,"gap":"0/1","sign":0,"ulps":0,"operands":[["x","5/2","5/2"],["low","0/1","0/1"],["end","4/1","4/1"]]}',
+  '{"kind":"wrong","step":9,"at":"L4","procedure":"ShowLine","polygons":["A"],"pixels":[0,0,1,1],"of":"first_centre","taken":0,"exact":1,"cause":"drifted","coincidence":"on_pixel_centre","computed":0,"gap":"1/1073741824","sign":1,"ulps":0.015625,"operands":[["x","1/2",null]]}',
+  '{"kind":"zero","step":3,"at":"Z3","procedure":"Z-buffer","polygons":["A"],"pixels":[0,0,4,1],"of":"comparison","taken":true,"exact":true,"coincidence":"equal_numbers","computed":0,"gap":"0/1","sign":0,"ulps":0,"operands":[]}',
+  '{"kind":"point","step":12,"at":"PL5","procedure":"PolygonClip","polygons":[],"pixels":[0,0,4,1],"off":1.5,"operands":[["x","1/2","2/1"]]}',
+  '',
+].join('\n');
+
+it('reads the list that the library makes', () => {
+  const found = findingsIn(lines);
+  expect(found.map(({ step }) => step)).toEqual([7, 9, 3, 12]);
+  expect(found[1]?.operands).toEqual([['x', '1/2', null]]);
+  expect(found[3]?.off).toBe(1.5);
+  expect(() => findingsIn('\n{"kind":"other"}')).toThrow();
+});
+
+it('sorts by step, by kind and by how narrow a decision is', () => {
+  const steps = (order: 'step' | 'kind' | 'ulps') =>
+    sortedBy(order, findingsIn(lines)).map(({ step }) => step);
+  expect(steps('step')).toEqual([3, 7, 9, 12]);
+  expect(steps('kind')).toEqual([9, 12, 3, 7]);
+  // A point has no ulps: it comes last.
+  expect(steps('ulps')).toEqual([3, 7, 9, 12]);
+});
+
+it('leaves out equal numbers of sorts and boxes', () => {
+  expect(findingsIn(lines).filter(isSeen).map(({ step }) => step)).toEqual([7, 9, 12]);
+});
+
+it('marks single pixels always, and larger areas at their step', () => {
+  const found = findingsIn(lines);
+  expect(findingMarks(found, 0)).toEqual([{ kind: 'box', role: 'zero', box: [2, 0, 1, 1] }]);
+  expect(findingMarks(found, 3)).toHaveLength(2);
+});
+
+it('marks each place of the strip once for each kind', () => {
+  const found = findingsIn(lines);
+  expect(findingSteps(found, 12).map(({ step }) => step)).toEqual([7, 3]);
+  expect(findingSteps(found, 12, 1)).toEqual([{ step: 7, kind: 'zero' }]);
+});

@@ -1,0 +1,69 @@
+import { finite, part } from '../trace/check.js';
+import type { Check, Checked } from '../trace/check.js';
+import { decisions } from '../trace/event-table.js';
+import { answer, fraction, list, number, oneOf, operands, optional, rect, text, whole } from '../trace/values.js';
+
+export const findingKinds = ['wrong', 'point', 'zero', 'narrow'] as const;
+export type FindingKind = (typeof findingKinds)[number];
+
+export const coincidences = [
+  'point_on_line',
+  'equal_depths',
+  'parallel_lines',
+  'shared_points',
+  'on_pixel_centre',
+  'box_on_window',
+  'curve_on_horizon',
+  'equal_numbers',
+] as const;
+export type Coincidence = (typeof coincidences)[number];
+
+/** A decision that is worth looking at; FORMAT.md says what the fields mean. */
+const finding = part({
+  kind: oneOf(...findingKinds),
+  step: whole,
+  at: text,
+  procedure: text,
+  polygons: list(text),
+  pixels: rect,
+  off: optional(finite),
+  of: optional(oneOf(...decisions)),
+  taken: optional(answer),
+  exact: optional(answer),
+  cause: optional(oneOf('rounded', 'drifted')),
+  coincidence: optional(oneOf(...coincidences)),
+  computed: optional(number),
+  gap: optional(fraction),
+  sign: optional(oneOf(-1, 0, 1)),
+  ulps: optional(finite),
+  operands,
+}) satisfies Check<unknown>;
+export type Finding = Checked<typeof finding>;
+
+/** The list of a run, as `vidno check --list` writes it: after a line that says which run. */
+export function findingsIn(lines: string): readonly Finding[] {
+  return lines
+    .split('\n')
+    .slice(1)
+    .filter((line) => line !== '')
+    .map((line) => finding(JSON.parse(line) as unknown, ''));
+}
+
+/** By what the list can be sorted. */
+export const orders = ['step', 'kind', 'ulps'] as const;
+export type Order = (typeof orders)[number];
+
+const widths = ({ ulps = Infinity }: Finding): number => ulps;
+const comparers: Readonly<Record<Order, (a: Finding, b: Finding) => number>> = {
+  step: () => 0,
+  kind: (a, b) => findingKinds.indexOf(a.kind) - findingKinds.indexOf(b.kind),
+  ulps: (a, b) => (widths(a) === widths(b) ? 0 : widths(a) - widths(b)),
+};
+
+/** Sorted; those alike step by step. */
+export const sortedBy = (order: Order, findings: readonly Finding[]): readonly Finding[] =>
+  [...findings].sort((a, b) => comparers[order](a, b) || a.step - b.step);
+
+/** Equal numbers of a sort or a box are no coincidence that one sees. */
+export const isSeen = ({ kind, coincidence }: Finding): boolean =>
+  kind !== 'zero' || coincidence !== 'equal_numbers';

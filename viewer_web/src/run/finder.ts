@@ -1,0 +1,47 @@
+import { findingsIn } from '../exactness/finding.js';
+import type { Finding } from '../exactness/finding.js';
+import type { Trace } from '../replay/trace.js';
+import { Maker } from './maker.js';
+import { runs } from './options.js';
+import { sceneText } from './sketch.js';
+
+/** A run with more events is listed up to there. */
+const mostEvents = 1_000_000;
+
+/** Lists the decisions of runs that are worth looking at, by the library that the page brings along: one run at a time. */
+export class Finder {
+  private readonly maker: Maker<'findings'>;
+  private wanted: Trace | null = null;
+  private readonly asked = new WeakSet<Trace>();
+
+  constructor(
+    library: Blob,
+    private readonly tell: (trace: Trace, findings: readonly Finding[]) => void,
+  ) {
+    this.maker = new Maker(
+      library,
+      'findings',
+      ({ made }) => this.take(made),
+      () => this.take(null),
+    );
+  }
+
+  /** Of those that wait only the newest is listed. */
+  ask(trace: Trace): void {
+    const { method, edition, kernel, detail, scene } = trace.header;
+    const options = { method, edition, kernel, detail, check: true };
+    if (!runs(options) || this.asked.has(trace)) return;
+    this.asked.add(trace);
+    if (this.wanted !== null) this.asked.delete(this.wanted);
+    this.wanted = trace;
+    const request = JSON.stringify({ ...options, most_events: mostEvents });
+    this.maker.ask(`${request}\n${sceneText(scene)}`);
+  }
+
+  private take(made: string | null): void {
+    const { wanted } = this;
+    if (this.maker.isBusy || wanted === null) return;
+    this.wanted = null;
+    if (made !== null) this.tell(wanted, findingsIn(made));
+  }
+}
