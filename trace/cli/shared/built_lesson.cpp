@@ -56,7 +56,7 @@ BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
         Json trace{{"file", file},
                    {"method", run.method},
                    {"kernel", run.kernel},
-                   {"edition", edition_names[std::size_t(run.edition)]},
+                   {"edition", name_of(run.edition)},
                    {"detail", detail_names[std::size_t(run.detail)]}};
         if (!run.other_scene().empty()) trace["scene"] = run.other_scene();
         traces.push_back(std::move(trace));
