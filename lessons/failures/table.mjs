@@ -27,6 +27,7 @@ step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
     windows: ([more, fewer]) => `${more} windows, not ${fewer}`,
     off: ([x, right]) => `an intersection at x = ${x}, not ${right}`,
     column: ([curve, x, drawn]) => `curve ${curve} is ${drawn ? 'drawn' : 'not drawn'} over column ${x}`,
+    place: ([curve, x, drawn]) => `curve ${curve} is ${drawn ? 'drawn' : 'not drawn'} at x = ${x}`,
     test: 'a test of its own',
   },
   ru: {
@@ -45,6 +46,7 @@ step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
     windows: ([more, fewer]) => `окон ${more}, а не ${fewer}`,
     off: ([x, right]) => `пересечение при x = ${x}, а не ${right}`,
     column: ([curve, x, drawn]) => `кривая ${curve} над столбцом ${x} ${drawn ? 'нарисована' : 'не нарисована'}`,
+    place: ([curve, x, drawn]) => `кривая ${curve} при x = ${String(x).replace('.', ',')} ${drawn ? 'нарисована' : 'не нарисована'}`,
     test: 'отдельный тест',
   },
 };
@@ -100,16 +102,25 @@ function farthestCut(failing, holding) {
   return pairs.reduce((farthest, pair) => (far(pair) > far(farthest) ? pair : farthest));
 }
 
-/** Which step draws a curve over a column or, if none does, is the last at which its segment there is looked at. */
-function drawing(events, [curve, x]) {
+const overColumn = ({ fromColumns, toColumns }, x) => fromColumns[1] <= x && x <= toColumns[0];
+
+/** A number as a trace has it, perhaps a fraction. */
+const numberOf = (value) => {
+  const [above, below = 1] = String(value).split('/').map(Number);
+  return above / below;
+};
+const overPlace = ({ from, to }, x) => numberOf(from[0]) <= x && x <= numberOf(to[0]);
+
+/** Which step draws a curve over a column or a place or, if none does, is the last at which its segment there is looked at. */
+function drawing(events, [curve, x], there, over) {
   const begin = events.findIndex((event) => event.e === 'curve' && event.curve === curve);
   const end = events.findIndex((event, i) => i > begin && event.e === 'curve');
   const steps = events
     .map((event, i) => ({ event, step: i + 1 }))
     .slice(begin, end < 0 ? undefined : end);
-  const drawn = steps.find(({ event: { e, fromColumns, toColumns } }) => e === 'draw_line' && fromColumns[1] <= x && x <= toColumns[0]);
+  const drawn = steps.find(({ event }) => event.e === 'draw_line' && over(event, x));
   const looked = steps.findLast(({ event: { e, segment } }) => e === 'visibility' && segment[0] <= x && x <= segment[1]);
-  return { step: (drawn ?? looked).step, there: 'column', value: [curve, x, drawn !== undefined] };
+  return { step: (drawn ?? looked).step, there, value: [curve, x, drawn !== undefined] };
 }
 
 /** Where the failure is seen. */
@@ -128,7 +139,8 @@ function seen({ scene, fails, holds, shows }) {
   const checked = trace('checked', file, fails, '--check');
   const wrong = checked.findIndex(({ e }) => e === 'disagree');
   if (fails.edition === 'corrected' && wrong >= 0) return { step: wrong, there: 'wrong', value: checked[wrong] };
-  if (shows.column) return drawing(failing, shows.column);
+  if (shows.column) return drawing(failing, shows.column, 'column', overColumn);
+  if (shows.place) return drawing(failing, shows.place, 'place', overPlace);
   const painted = painting(scene, failing, shows.pixel);
   return { step: painted.step, there: 'pixel', value: [painted.id, painting(scene, holding, shows.pixel).id] };
 }

@@ -74,11 +74,38 @@ struct Corrected : CorrectedPolygons,
     /// Z1: what Z starts at: every depth is nearer.
     static auto first_depth(const auto& kernel) { return kernel.farthest(); }
 
+    /// Z5: where the scanline of a row is: through the centres of its pixels.
+    static auto scanline(const auto& kernel, const auto& /*polygon*/, int row) { return kernel.centre(row); }
+
+    /// Z16: the first row at which an edge that ends at y is over.
+    static int row_after(const auto& kernel, const auto& y, int top, int bottom) {
+        return kernel.first_centre(y, top, bottom);
+    }
+
+    /// L1: the end of the rows that are scanned.
+    static int rows_end(const Area& area) { return area.bottom(); }
+
+    /// L2: is a line passed over that would show these columns.
+    static bool misses(int first, int end) { return first >= end; }
+
+    /// L3: how the depth changes along a line of one point.
+    static auto slope_of_point(const auto& kernel, const auto& /*left*/, const auto& /*right*/) {
+        return kernel.zero();
+    }
+
+    /// L4: where in its first column a line is looked at.
+    static auto start_of(const auto& run, const auto& /*left*/, int column) { return run.kernel.centre(column); }
+
     /// L4: the columns first <= x < end that a line shows: those whose centres lie between its ends, these included.
     static std::pair<int, int> columns_shown(const auto& run, int row, const auto& left, const auto& right,
                                              const auto& /*polygon*/) {
         return {run.kernel.first_column(left, row, run.area.x, run.area.right()),
                 run.kernel.last_column(right, row, run.area.x, run.area.right()) + 1};
+    }
+
+    /// L6: is a depth shown where another is stored.
+    static bool shows(const auto& kernel, const auto& depth, const auto& stored, const Pixel& pixel) {
+        return kernel.nearer(depth, stored, pixel);
     }
 };
 

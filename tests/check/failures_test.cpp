@@ -60,16 +60,16 @@ Method method_named(const std::string& name) {
     return Method(found - method_names.begin());
 }
 
-Edition edition_named(const std::string& name) {
-    const auto found = std::find(edition_names.begin(), edition_names.end(), name);
-    REQUIRE(found != edition_names.end());
-    return Edition(found - edition_names.begin());
+Edition edition_in(const json& run) {
+    const auto edition = edition_named(run.at("edition").get<std::string>());
+    REQUIRE(edition);
+    return *edition;
 }
 
 NamedKernel kernel_in(const json& run) { return *kernel_named(run.at("kernel").get<std::string>()); }
 
 RunRequest request_of(const json& run, const Scene& scene) {
-    return {method_named(run.at("method")), kernel_in(run), edition_named(run.at("edition")), scene, Detail::signs};
+    return {method_named(run.at("method")), kernel_in(run), edition_in(run), scene, Detail::signs};
 }
 
 /// What a run shows of its failure.
@@ -181,17 +181,31 @@ CurveScene true_curves(json surface) {
     return read_surface(surface.dump(), "surface").curves;
 }
 
+/// Whether a curve is drawn at x, which may lie between columns.
+bool is_drawn(const DrawnLines& lines, std::size_t curve, double x) {
+    return std::any_of(lines.begin(), lines.end(), [&](const auto& line) {
+        return line.segment.curve == int(curve) && line.from.point.x.number <= x && x <= line.to.point.x.number;
+    });
+}
+
 void check_entry(const json& entry, const Surface& surface) {
     const CurveScene& curves = surface.curves;
-    const auto drawn = [](const json& told, const CurveScene& scene) {
+    const auto lines = [](const json& told, const CurveScene& scene) {
         REQUIRE(told.at("method") == floating_horizon_method);
-        return columns_drawn(run(FloatingHorizonRequest{kernel_in(told), edition_named(told.at("edition")), scene}),
-                             scene);
+        return run(FloatingHorizonRequest{kernel_in(told), edition_in(told), scene});
+    };
+    const auto drawn = [&](const json& told, const CurveScene& scene) {
+        return columns_drawn(lines(told, scene), scene);
     };
     const ColumnsDrawn right = right_columns(true_curves(entry.at("scene"))), fails = drawn(entry.at("fails"), curves);
     for (const auto& [form, told] : entry.at("shows").items()) {
-        REQUIRE(form == "column");
         const std::size_t curve = told[0];
+        if (form == "place") {
+            CHECK(is_drawn(lines(entry.at("fails"), curves), curve, told[1]) !=
+                  is_drawn(lines(entry.at("holds"), curves), curve, told[1]));
+            continue;
+        }
+        REQUIRE(form == "column");
         const auto column = std::size_t(told[1].get<int>() - curves.curves[curve].samples.front().x);
         CHECK(fails[curve][column] != right[curve][column]);
     }

@@ -222,6 +222,12 @@ TEST_CASE("Wrong calls are refused in one line, exit 2") {
              "trace " + scene + " --detail all" + output,
              "trace " + scene + " --max-events -1" + output,
              "trace " + scene + " --kernel filtered --edition printed" + output,
+             "trace " + scene + " --kernel filtered --edition printed:x-w2" + output,
+             "trace " + scene + " --edition printed:x-z1" + output,
+             "trace " + scene + " --edition printed:x-w2+x-z1" + output,
+             "trace " + scene + " --edition printed:x-w10" + output,
+             "trace " + scene + " --edition printed:" + output,
+             "trace " + scene + " --method warnock-full --edition printed:x-w2" + output,
              "trace " + scene + " --kernel depth:16 --method warnock" + output,
              "trace " + scene + " --kernel float --edition one-list" + output,
              "trace " + scene + " --method warnock-full --edition printed" + output,
@@ -769,6 +775,9 @@ TEST_CASE("methods --json: which edition of which method runs under which kernel
     CHECK(choices["kernels"]["grid"]["alwaysRight"] == true);
     CHECK(choices["kernels"]["double"]["alwaysRight"] == false);
     CHECK(choices["editions"]["one-list"]["isMistake"] == true);
+    CHECK(choices["deviations"]["one-list"]["defect"] == "x-w9");
+    CHECK(choices["deviations"]["printed:x-w5"]["lines"] == nlohmann::json{"W3", "W13"});
+    CHECK(choices["deviations"]["printed:x-h4"]["methods"] == nlohmann::json{"floating-horizon"});
 }
 
 TEST_CASE("stability: shards put together and a run taken up are the run in one go, byte for byte") {

@@ -129,7 +129,7 @@ TEST_CASE("surfaces: what is refused, and says why") {
     CHECK(refusal("trace " + surface + " --kernel filtered --edition printed" + output) ==
           "vidno: --edition printed: not under --kernel filtered, whose decisions are always right\n");
     CHECK(refusal("trace " + surface + " --edition one-list" + output) ==
-          "vidno: --edition one-list: a mistake of methods that paint polygons\n");
+          "vidno: --edition one-list: a mistake of --method warnock alone\n");
     CHECK(refusal("render " + surface + " -o " + work.file("a.ppm")).starts_with("vidno: " + work.file("a.ppm")));
     CHECK(refusal("check " + trace + " --method warnock") ==
           "vidno: --method warnock: " + trace + " is a trace of curves\n");

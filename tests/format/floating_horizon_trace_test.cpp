@@ -93,7 +93,7 @@ TEST_CASE("Curves: the lines are rebuilt at every level, and their hash is that 
     const Surface surface = some_surface();
     for (const auto& choice : all_choices()) {
         CAPTURE(choice.kernel);
-        CAPTURE(int(choice.edition));
+        CAPTURE(name_of(choice.edition));
         const DrawnLines own = lines_of_run(surface, choice);
         for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
             CAPTURE(int(detail));
@@ -284,7 +284,7 @@ TEST_CASE("Curves: a checked run is the run, and every flag has its truth beside
     const Surface surface = some_surface();
     for (const auto& choice : all_choices()) {
         CAPTURE(choice.kernel);
-        CAPTURE(int(choice.edition));
+        CAPTURE(name_of(choice.edition));
         const CheckedEvents found = checked(surface, choice);
         CHECK(text_of(found.plain) == text_of(events_of(traced(surface, choice, Detail::signs).text)));
         for (const auto& flag : found.flags) CHECK(flag.told.exact.has_value());

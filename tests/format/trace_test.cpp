@@ -113,7 +113,7 @@ TEST_CASE("Sufficient: the picture at every level") {
     for (const auto& choice : all_choices()) {
         for (const Detail detail : {Detail::windows, Detail::polygons, Detail::signs}) {
             CAPTURE(choice.kernel);
-            CAPTURE(int(choice.edition));
+            CAPTURE(name_of(choice.edition));
             CAPTURE(int(detail));
             const auto [text, picture] = traced(scene, choice, detail);
             TraceReader reader = reader_of(text);

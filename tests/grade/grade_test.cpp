@@ -219,12 +219,12 @@ TEST_CASE("Judging: what is no number is no answer") {
 }
 
 TEST_CASE("Judging: the library's own usual mistakes are found, and named") {
-    for (const EditionChoice& choice : edition_choices) {
-        const auto edition = Edition(&choice - edition_choices.data());
+    for (const NamedEdition& named : named_editions) {
+        const Edition edition = named.edition;
         if (!is_mistake(edition)) continue;
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             if (!kernel_named("double")->choice->runs(method, edition)) continue;
-            CAPTURE(choice.name);
+            CAPTURE(named.name);
             CAPTURE(int(method));
             std::vector<StudentRun> runs;
             std::vector<Judgement> judgements;

@@ -10,7 +10,6 @@
 #include "check/check.h"
 #include "output.h"
 #include "scene/scene_json.h"
-#include "support/editions.h"
 #include "support/reference.h"
 #include "support/scenes.h"
 #include "support/stage.h"
@@ -22,16 +21,16 @@ using namespace vidno::test;
 
 namespace {
 
-std::vector<Edition> all_mistakes() {
-    std::vector<Edition> mistakes;
-    for (const Edition edition : all_editions()) {
-        if (is_mistake(edition)) mistakes.push_back(edition);
+std::vector<Deviation> all_mistakes() {
+    std::vector<Deviation> mistakes;
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        if (is_mistake(Deviation(i))) mistakes.push_back(Deviation(i));
     }
     return mistakes;
 }
 
 /// What the mistake paints, by a method and under a kernel that run it.
-void for_each_picture(Edition mistake, const Scene& scene, auto&& look) {
+void for_each_picture(Deviation mistake, const Scene& scene, auto&& look) {
     int looked = 0;
     for (std::size_t place = 0; place < method_names.size(); ++place) {
         const auto method = Method(place);
@@ -44,7 +43,7 @@ void for_each_picture(Edition mistake, const Scene& scene, auto&& look) {
             ++looked;
         }
     }
-    CHECK(looked == (choice_of(mistake).only ? 2 : 4));
+    CHECK(looked == 2 * int(choice_of(mistake).methods.size()));
 }
 
 /// The entry of the atlas.
@@ -67,8 +66,8 @@ Color color_of(const Scene& scene, const std::string& id) {
 }
 
 /// The witness is right but for these pixels.
-void check_witness(Edition mistake, std::initializer_list<Wrong> wrong) {
-    const std::string name(choice_of(mistake).name);
+void check_witness(Deviation mistake, std::initializer_list<Wrong> wrong) {
+    const std::string name(choice_of(mistake).mistake);
     CAPTURE(name);
     const Scene scene = witness(name);
     const Picture right = Reference(scene).picture();
@@ -81,7 +80,7 @@ void check_witness(Edition mistake, std::initializer_list<Wrong> wrong) {
     });
 }
 
-void check_harmless(Edition mistake, const Scene& scene) {
+void check_harmless(Deviation mistake, const Scene& scene) {
     const Picture right = Reference(scene).picture();
     REQUIRE(right != Picture(scene.area, scene.background));
     for_each_picture(mistake, scene, [&](const Picture& painted, const auto&) { CHECK(painted == right); });
@@ -104,72 +103,74 @@ Scene two_squares(double first_z, double second_z) {
 TEST_CASE("One list: what the first part removes is missing in the last") {
     // Of the four windows of 1 x 1 the lower right one is on top of the stack. A ends at x = 0.75, left of it, and leaves the
     // list; it holds the centre (1/2, 1/2), where at x = 3/4 (1 - 1/4) = 9/16 its side passes.
-    check_witness(Edition::one_list, {{0, 0, ""}});
+    check_witness(Deviation::one_list, {{0, 0, ""}});
 }
 
 TEST_CASE("One list: a window that is not split has no brothers") {
-    check_harmless(Edition::one_list, SceneBuilder(area_16).polygon({{1, 2, 0}, {15, 4, 1}, {6, 13, 0}}).build());
+    check_harmless(Deviation::one_list, SceneBuilder(area_16).polygon({{1, 2, 0}, {15, 4, 1}, {6, 13, 0}}).build());
 }
 
 TEST_CASE("Depths not cleared: what lies behind z = 0 never shows") {
     // z = x - 1: -1/2 at the centre of the first pixel, 1/2 at that of the second.
-    check_witness(Edition::depths_not_cleared, {{0, 0, ""}});
+    check_witness(Deviation::depths_not_cleared, {{0, 0, ""}});
     // z = 0 itself is not nearer than 0.
     const Scene level = SceneBuilder({0, 0, 1, 1}).quad(0, 0, 1, 1, 0).build();
-    for_each_picture(Edition::depths_not_cleared, level,
+    for_each_picture(Deviation::depths_not_cleared, level,
                      [&](const Picture& painted, const auto&) { CHECK(painted.at(0, 0) == level.background); });
 }
 
 TEST_CASE("Depths not cleared: what lies before z = 0 shows") {
-    check_harmless(Edition::depths_not_cleared, two_squares(.25, .5));
+    check_harmless(Deviation::depths_not_cleared, two_squares(.25, .5));
 }
 
 TEST_CASE("Clip order reversed: a polygon that reaches over the window is clipped away") {
     // x / 4 + y / 2 <= 1 holds for the centres (1/2, 1/2), (3/2, 1/2) and (1/2, 3/2).
-    check_witness(Edition::clip_order_reversed, {{0, 0, ""}, {1, 0, ""}, {0, 1, ""}});
+    check_witness(Deviation::clip_order_reversed, {{0, 0, ""}, {1, 0, ""}, {0, 1, ""}});
 }
 
 TEST_CASE("Clip order reversed: a polygon inside the window is not clipped") {
-    check_harmless(Edition::clip_order_reversed,
+    check_harmless(Deviation::clip_order_reversed,
                    SceneBuilder(area_16).polygon({{1, 2, 0}, {15, 4, 1}, {6, 13, 0}}).build());
 }
 
 TEST_CASE("y flipped: row 0 is at the bottom") {
     // The centre (1/2, 1/2) is held; upside down (0, 2), (2, 2), (0, 1) holds (1/2, 3/2).
-    check_witness(Edition::y_flipped, {{0, 0, ""}, {0, 1, "A"}});
+    check_witness(Deviation::y_flipped, {{0, 0, ""}, {0, 1, "A"}});
     // The area's own middle is what the picture is turned about: y becomes 20 + 24 - y.
     const Scene moved = SceneBuilder({7, 20, 3, 4}).quad(7, 20, 9, 21, 0).build();
-    for_each_picture(Edition::y_flipped, moved, [&](const Picture& painted, const auto&) {
+    for_each_picture(Deviation::y_flipped, moved, [&](const Picture& painted, const auto&) {
         CHECK(painted == Reference(SceneBuilder({7, 20, 3, 4}).quad(7, 23, 9, 24, 0).build()).picture());
     });
 }
 
 TEST_CASE("y flipped: a picture that is its own mirror image stays") {
-    check_harmless(Edition::y_flipped, SceneBuilder(area_16).polygon({{1, 8, 0}, {14, 2, .5}, {14, 14, .5}}).build());
+    check_harmless(Deviation::y_flipped, SceneBuilder(area_16).polygon({{1, 8, 0}, {14, 2, .5}, {14, 14, .5}}).build());
 }
 
-TEST_CASE("Depth sign reversed: the farther one shows") { check_witness(Edition::depth_sign_reversed, {{0, 0, "A"}}); }
+TEST_CASE("Depth sign reversed: the farther one shows") {
+    check_witness(Deviation::depth_sign_reversed, {{0, 0, "A"}});
+}
 
 TEST_CASE("Depth sign reversed: without an overlap depths do not matter, nor do equal ones") {
-    check_harmless(Edition::depth_sign_reversed,
+    check_harmless(Deviation::depth_sign_reversed,
                    SceneBuilder(area_16).quad(1, 1, 5, 5, 1).quad(6, 6, 9, 9, -1).build());
-    check_harmless(Edition::depth_sign_reversed, two_squares(.5, .5));
+    check_harmless(Deviation::depth_sign_reversed, two_squares(.5, .5));
 }
 
 TEST_CASE("Boundary outside: the centre on a shared edge belongs to nobody") {
     // x + y = 1 at (1/2, 1/2).
-    check_witness(Edition::boundary_outside, {{0, 0, ""}});
+    check_witness(Deviation::boundary_outside, {{0, 0, ""}});
 }
 
 TEST_CASE("Boundary outside: no centre lies on an outline of whole coordinates along the axes") {
-    check_harmless(Edition::boundary_outside, two_squares(.25, .5));
+    check_harmless(Deviation::boundary_outside, two_squares(.25, .5));
 }
 
 TEST_CASE("Boundary outside: a shared edge along a row is a row of holes by both methods") {
     // Both squares have the side from (2, 5 1/2) to (9, 5 1/2): the centres of columns 2 to 8 of row 5 lie on it. Those of row 6
     // lie inside the lower one alone.
     const Scene scene = SceneBuilder(area_16).quad(2, 1, 9, 5.5, 0).quad(2, 5.5, 9, 9, 0).build();
-    for_each_picture(Edition::boundary_outside, scene, [&](const Picture& painted, const auto&) {
+    for_each_picture(Deviation::boundary_outside, scene, [&](const Picture& painted, const auto&) {
         for (int x = 2; x < 9; ++x) {
             CHECK(painted.at(x, 4) == scene.polygons[0].color);
             CHECK(painted.at(x, 5) == scene.background);
@@ -180,61 +181,61 @@ TEST_CASE("Boundary outside: a shared edge along a row is a row of holes by both
 
 TEST_CASE("Integer division: of three columns two are looked at") {
     // 3 / 2 = 1: the windows are those of columns 0 and 1. B holds (5/2, 1/2).
-    check_witness(Edition::integer_division, {{2, 0, ""}});
+    check_witness(Deviation::integer_division, {{2, 0, ""}});
     // The same on its side: of 1 x 3 pixels the last is lost, and the run ends.
     const Scene upright =
         SceneBuilder({0, 0, 1, 3}).polygon({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}).quad(0, 2, 1, 3, 0).build();
-    for_each_picture(Edition::integer_division, upright, [&](const Picture& painted, const auto&) {
+    for_each_picture(Deviation::integer_division, upright, [&](const Picture& painted, const auto&) {
         CHECK(painted.at(0, 0) == upright.polygons[0].color);
         CHECK(painted.at(0, 2) == upright.background);
     });
 }
 
 TEST_CASE("Integer division: the halves of a power of two are whole") {
-    check_harmless(Edition::integer_division, two_squares(.25, .5));
-    check_harmless(Edition::integer_division,
+    check_harmless(Deviation::integer_division, two_squares(.25, .5));
+    check_harmless(Deviation::integer_division,
                    SceneBuilder({3, -2, 8, 2}).quad(4, -2, 6, 0, 0).quad(5, -1, 9, 0, 1).build());
 }
 
 TEST_CASE("Surround kept: a nearer polygon inside the window is overlooked") {
     // B holds the centre, 1/4 + 1/2 < 1, and not the corner (1, 1).
-    check_witness(Edition::surround_kept, {{0, 0, "A"}});
+    check_witness(Deviation::surround_kept, {{0, 0, "A"}});
 }
 
 TEST_CASE("Surround kept: with the near polygon first there is nothing to take back") {
-    check_harmless(Edition::surround_kept, SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build());
+    check_harmless(Deviation::surround_kept, SceneBuilder(area_16).polygon(near_square).polygon(far_quad).build());
 }
 
 TEST_CASE("Vertex counted twice: what a ray leaves through a vertex is taken to be outside") {
     // The ray from (1/2, 1/2) meets the outline of A in the vertex (3, 1/2) alone, where it is pierced. The outline is around the
     // window: on x = 1 it is at y = -1/4 and y = 5/4.
-    check_witness(Edition::vertex_counted_twice, {{0, 0, ""}});
+    check_witness(Deviation::vertex_counted_twice, {{0, 0, ""}});
 }
 
 TEST_CASE("Vertex counted twice: a ray that meets edges alone, or touches, is counted right") {
     // The heights of vertices are no multiples of 1/2, as those of all windows' centres are.
-    check_harmless(Edition::vertex_counted_twice,
+    check_harmless(Deviation::vertex_counted_twice,
                    SceneBuilder(area_16).quad(-1, -1.25, 17, 17.25, 0).quad(2, 3.75, 12, 9.25, .5).build());
     // From the centre (4, 4) of the upper left quarter the ray touches the vertex of the triangle, (12, 4).
-    check_harmless(Edition::vertex_counted_twice, SceneBuilder(area_16)
-                                                      .quad(-1, -1.25, 17, 17.25, 0)
-                                                      .polygon({{12, 4, .5}, {15.25, 9.25, .5}, {6.25, 10.75, .5}})
-                                                      .build());
+    check_harmless(Deviation::vertex_counted_twice, SceneBuilder(area_16)
+                                                        .quad(-1, -1.25, 17, 17.25, 0)
+                                                        .polygon({{12, 4, .5}, {15.25, 9.25, .5}, {6.25, 10.75, .5}})
+                                                        .build());
 }
 
 TEST_CASE("Octants not split: what lies around a corner is taken to surround") {
     // The edge from (1, -1) to (-1, 1) passes through the corner (0, 0), with A beyond it.
-    check_witness(Edition::octants_not_split, {{0, 0, "A"}});
+    check_witness(Deviation::octants_not_split, {{0, 0, "A"}});
 }
 
 TEST_CASE("Octants not split: edges along the axes are never seen under half of a full angle") {
-    check_harmless(Edition::octants_not_split, two_squares(.25, .5));
+    check_harmless(Deviation::octants_not_split, two_squares(.25, .5));
 }
 
 TEST_CASE("Line for edge: windows are split in vain, and the picture is right") {
     // The line y = x + 1 passes through the window from (0, 1) to (1, 2); the edge of B on it ends at (0, 1). Taken to be two,
     // the polygons have the window split into its four pixels, where A alone is drawn at once.
-    check_witness(Edition::line_for_edge, {});
+    check_witness(Deviation::line_for_edge, {});
     const Scene scene = witness("line-for-edge");
     CHECK(windows_of<mistakes::LineForEdge>(scene) == 1 + 4);
     CHECK(windows_of<family::Full>(scene) == 1);
@@ -243,11 +244,11 @@ TEST_CASE("Line for edge: windows are split in vain, and the picture is right") 
 TEST_CASE(
     "Every mistake has a witness in the atlas, wrong at its pixel by each method and kernel that can make the "
     "mistake") {
-    for (const Edition mistake : all_mistakes()) {
-        const std::string_view name = choice_of(mistake).name;
+    for (const Deviation mistake : all_mistakes()) {
+        const std::string_view name = choice_of(mistake).mistake;
         CAPTURE(name);
-        const auto& only = choice_of(mistake).only;
-        CHECK_MESSAGE(choice_of(mistake).advice.empty() == (only && is_family(*only)), "students write no variant");
+        const bool is_of_variant = is_family(choice_of(mistake).methods.front());
+        CHECK_MESSAGE(choice_of(mistake).advice.empty() == is_of_variant, "students write no variant");
         const auto entry = entry_of(name);
         const Scene scene = witness(name);
         const Picture right = Reference(scene).picture();
@@ -264,13 +265,13 @@ TEST_CASE(
 
 TEST_CASE("Every mistake ends on every scene, and is told as it is painted") {
     RandomScenes random(20261122);
-    std::map<Edition, int> differing, harmless;
+    std::map<Deviation, int> differing, harmless;
     for (int i = 0; i < 40; ++i) {
         CAPTURE(i);
         const Scene scene = random.scene();
         const Picture right = Reference(scene).picture();
-        for (const Edition mistake : all_mistakes()) {
-            CAPTURE(choice_of(mistake).name);
+        for (const Deviation mistake : all_mistakes()) {
+            CAPTURE(choice_of(mistake).mistake);
             for_each_picture(mistake, scene, [&](const Picture& painted, RunRequest request) {
                 request.edition = mistake;
                 CHECK(check_run(request, right).picture == painted);
@@ -278,9 +279,9 @@ TEST_CASE("Every mistake ends on every scene, and is told as it is painted") {
             });
         }
     }
-    for (const Edition mistake : all_mistakes()) {
-        CAPTURE(choice_of(mistake).name);
-        const bool costs_time_alone = entry_of(choice_of(mistake).name)["shows"].contains("more_windows");
+    for (const Deviation mistake : all_mistakes()) {
+        CAPTURE(choice_of(mistake).mistake);
+        const bool costs_time_alone = entry_of(choice_of(mistake).mistake)["shows"].contains("more_windows");
         CHECK_MESSAGE((differing[mistake] > 0) != costs_time_alone, "it is seen on some");
         CHECK_MESSAGE(harmless[mistake] > 0, "and not on others");
     }

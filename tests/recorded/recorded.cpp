@@ -149,8 +149,7 @@ struct FloatingHorizonMethod {
 
 /// As options of the program.
 std::string options_of(std::string_view method, Edition edition, const NamedKernel& kernel) {
-    return "--method " + std::string(method) + " --edition " + std::string(edition_names[std::size_t(edition)]) +
-           " --kernel " + kernel.name();
+    return "--method " + std::string(method) + " --edition " + name_of(edition) + " --kernel " + kernel.name();
 }
 std::string options_of(const PolygonMethod& each) {
     return options_of(method_names[std::size_t(each.method)], each.edition, each.kernel);
@@ -160,9 +159,9 @@ std::string options_of(const FloatingHorizonMethod& each) {
 }
 
 void for_each_choice(auto&& use) {
-    for (std::size_t edition = 0; edition < edition_names.size(); ++edition) {
+    for (const auto& named : named_editions) {
         for (const auto& choice : kernel_choices) {
-            for (const int number : numbers_of(choice)) use(Edition(edition), NamedKernel{&choice, number});
+            for (const int number : numbers_of(choice)) use(named.edition, NamedKernel{&choice, number});
         }
     }
 }

@@ -1,4 +1,4 @@
-/// The editions, for tests that run all of them.
+/// The editions with a name of their own, for tests that run all of them.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@ namespace vidno::test {
 
 inline std::vector<Edition> all_editions() {
     std::vector<Edition> editions;
-    for (std::size_t place = 0; place < edition_choices.size(); ++place) editions.push_back(Edition(place));
+    for (const auto& named : named_editions) editions.push_back(named.edition);
     return editions;
 }
 

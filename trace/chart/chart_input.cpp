@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "chart/chart_input.h"
+#include "choice/read_edition.h"
 #include "json/json_node.h"
 
 namespace vidno {
@@ -59,7 +60,7 @@ ChartRun run_of(const JsonNode& node) {
                        "operations", "bits", "counts", "wrongPixels", "area", "decisions", "wrongDecisions",
                        "depthUlps", "front"});
     ChartRun run{{Method(place_of(node.at("method"), method_names)), kernel_in(node.at("kernel"))}, {}, {}};
-    run.way.edition = Edition(place_of(node.at("edition"), edition_names));
+    run.way.edition = read_edition(node.at("edition"));
     run.way.smallest_window = node.at("window").whole_number(1, largest_side);
     if (!node.at("knob").is_null()) {
         run.way.knob = Knob(place_of(node.at("knob"), knob_names));
@@ -81,7 +82,7 @@ SurfaceChartRun surface_chart_run_of(const JsonNode& node) {
     node.require_keys({"method", "kernel", "edition", "knob", "value", "seconds", "time", "operations", "samples",
                        "counts", "wrongColumns", "height", "decisions", "wrongDecisions", "front"});
     SurfaceChartRun run{{kernel_in(node.at("kernel"))}, {}, {}};
-    run.way.edition = Edition(place_of(node.at("edition"), edition_names));
+    run.way.edition = read_edition(node.at("edition"));
     if (!node.at("knob").is_null()) {
         run.way.knob = SamplingKnob(place_of(node.at("knob"), sampling_knob_names));
         run.way.value = node.at("value").number();

@@ -34,7 +34,7 @@ Json json_of(const ChartRun& run) {
     const auto& [way, cost, found, on_front] = run;
     return {{"method", method_names[std::size_t(way.method)]},
             {"kernel", way.kernel.name()},
-            {"edition", edition_names[std::size_t(way.edition)]},
+            {"edition", name_of(way.edition)},
             {"window", way.smallest_window},
             {"knob", way.knob ? Json(knob_names[std::size_t(*way.knob)]) : Json()},
             {"value", way.knob ? Json(way.value) : Json()},
@@ -56,7 +56,7 @@ Json json_of(const SurfaceChartRun& run) {
     const auto& [way, cost, found, on_front] = run;
     return {{"method", floating_horizon_method},
             {"kernel", way.kernel.name()},
-            {"edition", edition_names[std::size_t(way.edition)]},
+            {"edition", name_of(way.edition)},
             {"knob", way.knob ? Json(sampling_knob_names[std::size_t(*way.knob)]) : Json()},
             {"value", way.knob ? Json(way.value) : Json()},
             {"seconds", cost.seconds},

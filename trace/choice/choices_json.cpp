@@ -11,15 +11,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The editions of a method, each with the kernels under which `runs` says that it runs.
+/// The named editions of a method, each with the kernels under which `runs` says that it runs.
 Json editions_of(auto&& runs) {
     Json editions;
-    for (std::size_t i = 0; i < edition_choices.size(); ++i) {
+    for (const auto& named : named_editions) {
         Json kernels = Json::array();
         for (const auto& kernel : kernel_choices) {
-            if (runs(kernel, Edition(i))) kernels.push_back(kernel.name);
+            if (runs(kernel, named.edition)) kernels.push_back(kernel.name);
         }
-        if (!kernels.empty()) editions[std::string(edition_names[i])] = kernels;
+        if (!kernels.empty()) editions[std::string(named.name)] = kernels;
     }
     return editions;
 }
@@ -41,10 +41,20 @@ Json kernel_json(const KernelChoice& choice) {
     return kernel;
 }
 
+Json deviation_json(const DeviationChoice& choice) {
+    Json deviation{{"title", json_of(choice.title)}, {"says", json_of(choice.says)}};
+    if (!choice.defect.empty()) deviation["defect"] = choice.defect;
+    for (const Line line : choice.lines) deviation["lines"].push_back(line_names[std::size_t(line)]);
+    for (const Method method : choice.methods) deviation["methods"].push_back(method_names[std::size_t(method)]);
+    if (choice.methods.empty()) deviation["methods"].push_back(floating_horizon_method);
+    deviation["witness"] = choice.witness;
+    return deviation;
+}
+
 }  // namespace
 
 std::string choices_json() {
-    Json methods, kernels, editions;
+    Json methods, kernels, editions, all_deviations;
     for (std::size_t i = 0; i < method_choices.size(); ++i) {
         methods[std::string(method_names[i])] = method_json(
             method_choices[i],
@@ -54,12 +64,28 @@ std::string choices_json() {
         floating_horizon_choice,
         editions_of([](const KernelChoice& kernel, Edition edition) { return kernel.runs_floating_horizon(edition); }));
     for (const auto& choice : kernel_choices) kernels[std::string(choice.name)] = kernel_json(choice);
-    for (std::size_t i = 0; i < edition_choices.size(); ++i) {
-        editions[std::string(edition_names[i])] = {{"rule", edition_choices[i].rule},
-                                                   {"title", json_of(edition_choices[i].title)},
-                                                   {"isMistake", is_mistake(Edition(i))}};
+    for (const auto& [edition, name, rule, title] : named_editions) {
+        editions[std::string(name)] = {{"rule", rule}, {"title", json_of(title)}, {"isMistake", is_mistake(edition)}};
     }
-    return Json{{"methods", methods}, {"kernels", kernels}, {"editions", editions}}.dump(2) + "\n";
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        all_deviations[name_of(Deviation(i))] = deviation_json(deviations[i]);
+    }
+    return Json{{"methods", methods}, {"kernels", kernels}, {"editions", editions}, {"deviations", all_deviations}}
+               .dump(2) +
+           "\n";
+}
+
+std::string witnesses_json(const std::function<std::string(std::string_view)>& read) {
+    Json witnesses;
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        const Json entry = Json::parse(read(deviations[i].witness));
+        const Json& fails = entry.at("fails");
+        witnesses[name_of(Deviation(i))] = {{"method", fails.at("method")},
+                                            {"kernel", fails.at("kernel")},
+                                            {"title", entry.at("title")},
+                                            {"scene", entry.at("scene")}};
+    }
+    return witnesses.dump() + "\n";
 }
 
 }  // namespace vidno

@@ -39,15 +39,20 @@ struct KernelChoice {
 
     /// The floating horizon: it takes samples as they are, and has no depths to store.
     constexpr bool runs_floating_horizon(Edition edition) const {
-        return constructs_points && !is_mistake(edition) && (runs_printed || edition != Edition::printed);
+        return constructs_points && has_text_of_curves(edition) && runs_text(edition);
     }
 
     bool runs(Method method, Edition edition) const {
-        const auto only = choice_of(edition).only;
-        if (method == Method::weiler_atherton) return constructs_points && edition == Edition::corrected;
-        if (is_family(method) && !(runs_family && (edition == Edition::corrected || only == method))) return false;
-        return (runs_warnock || method != Method::warnock) && (runs_printed || edition != Edition::printed) &&
-               (runs_mistakes || !is_mistake(edition)) && (!only || *only == method);
+        return runs(method) && has_text(edition, method) && runs_text(edition);
+    }
+
+private:
+    constexpr bool runs(Method method) const {
+        if (method == Method::weiler_atherton) return constructs_points;
+        return is_family(method) ? runs_family : runs_warnock || method != Method::warnock;
+    }
+    constexpr bool runs_text(Edition edition) const {
+        return edition == Edition::corrected || (is_mistake(edition) ? runs_mistakes : runs_printed);
     }
 };
 

@@ -162,7 +162,7 @@ int check(const CheckOptions& options) {
     AnyHeader header = run_of(options);
     return std::visit(
         [&](auto& run) {
-            if (options.edition) run.edition = Edition(place_in(edition_names, *options.edition));
+            if (options.edition) run.edition = *edition_named(*options.edition);
             run.kernel = options.kernel.value_or(run.kernel);
             return check_header(options, run);
         },

@@ -106,7 +106,7 @@ PageFile page_file(const std::string& title, const TraceHeader& header, const st
     return {title,
             std::string(method_names[std::size_t(header.method)]),
             header.kernel,
-            std::string(choice_of(header.edition).name),
+            name_of(header.edition),
             std::string(detail_names[std::size_t(header.detail)]),
             gzipped(trace),
             false};
@@ -204,8 +204,8 @@ int grade(const GradeOptions& options) {
     std::cout << "\nWrong on " << wrong << " of " << grades.size() << ", first on " << quoted(first.scene) << ":\n";
     print_failure(first, limits);
     if (const auto mistake = usual_mistake(grades)) {
-        const EditionChoice& choice = choice_of(*mistake);
-        std::cout << "\nIt behaves like a usual mistake, " << choice.name << ": " << choice.advice << ".\n";
+        std::cout << "\nIt behaves like a usual mistake, " << name_of(*mistake) << ": "
+                  << choice_of(*single_deviation(*mistake)).advice << ".\n";
     }
     if (is_trace(options.program) || !first.run.header) {
         if (!options.output.empty()) write_page(first, options.output);

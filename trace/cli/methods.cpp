@@ -16,6 +16,21 @@ void print(std::string_view name, const MethodChoice& choice) {
     std::cout << '\n';
 }
 
+/// Where the deviation is: its lines, and its methods.
+void print_place(const DeviationChoice& choice) {
+    std::string_view before = "; ";
+    for (const Line line : choice.lines) {
+        std::cout << before << line_names[std::size_t(line)];
+        before = ", ";
+    }
+    before = " of ";
+    for (const Method method : choice.methods) {
+        std::cout << before << method_names[std::size_t(method)];
+        before = " and ";
+    }
+    if (choice.methods.empty()) std::cout << before << floating_horizon_method;
+}
+
 int print_methods(bool as_json) {
     if (as_json) {
         std::cout << choices_json();
@@ -35,9 +50,16 @@ int print_methods(bool as_json) {
     }
     std::cout << "editions    (from the third on with one usual mistake, under "
               << kernels_that(&KernelChoice::runs_mistakes) << ")\n";
-    for (const auto& [name, rule, title, only, advice] : edition_choices) {
+    for (const auto& [edition, name, rule, title] : named_editions) {
         std::cout << "  " << name << std::string(21 - name.size(), ' ') << rule;
-        if (only) std::cout << "; " << method_names[std::size_t(*only)] << " only";
+        if (const auto mistake = single_deviation(edition)) print_place(choice_of(*mistake));
+        std::cout << '\n';
+    }
+    std::cout << "single defects of the printed text    (--edition printed:x-w2+x-w4 has two of them)\n";
+    for (const auto& choice : deviations) {
+        if (choice.defect.empty()) continue;
+        std::cout << "  " << choice.defect << std::string(21 - choice.defect.size(), ' ') << choice.says.english;
+        print_place(choice);
         std::cout << '\n';
     }
     std::cout << "levels of detail (each adds events to the one before)\n"

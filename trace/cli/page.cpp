@@ -55,7 +55,7 @@ PageFile trace_file(const std::string& file, bool& whole) {
         return {title_of(header.scene, file),
                 std::string(method_in(header)),
                 header.kernel,
-                std::string(edition_names[std::size_t(header.edition)]),
+                name_of(header.edition),
                 std::string(detail_names[std::size_t(header.detail)]),
                 {},
                 false};

@@ -71,6 +71,19 @@ std::string kernel_pattern() {
     return "^(" + names + ")$";
 }
 
+/// The names of the editions that `exist`: those with a name of their own, and single defects.
+std::string edition_pattern(auto&& exist) {
+    std::string names, defects;
+    for (const auto& named : named_editions) {
+        if (exist(named.edition)) names += std::string(named.name) + "|";
+    }
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        const auto& defect = deviations[i].defect;
+        if (!defect.empty() && exist(Deviation(i))) defects += (defects.empty() ? "" : "|") + std::string(defect);
+    }
+    return "^(" + names + "printed:(" + defects + ")([+](" + defects + "))*)$";
+}
+
 /// What fits goes on one line.
 std::string written(const Json& value, std::size_t indent, bool breaks = true) {
     if (!value.is_structured()) return value.dump();
@@ -110,7 +123,9 @@ std::string with_event_schema(const std::string& schema) {
     Json& header = document["$defs"]["header"]["properties"];
     header["method"]["enum"] = method_names;
     header["method"]["enum"].push_back(floating_horizon_method);
-    header["edition"]["enum"] = edition_names;
+    header["edition"] = {{"type", "string"}, {"pattern", edition_pattern([](Edition) { return true; })}};
+    document["$defs"]["header"]["then"]["properties"]["edition"] = {
+        {"pattern", edition_pattern([](Edition edition) { return has_text_of_curves(edition); })}};
     header["kernel"]["pattern"] = kernel_pattern();
     header["detail"]["enum"] = detail_names;
     document["$defs"]["events"] = events;

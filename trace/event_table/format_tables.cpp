@@ -102,18 +102,18 @@ std::string procedure_table() {
 /// The kernels under which each edition of a method runs: editions with the same kernels share a row.
 std::string method_rows(std::string_view method, auto&& runs) {
     std::vector<std::vector<std::string_view>> editions, kernels;
-    for (std::size_t i = 0; i < edition_choices.size(); ++i) {
+    for (const auto& named : named_editions) {
         std::vector<std::string_view> found;
         for (const auto& kernel : kernel_choices) {
-            if (runs(kernel, Edition(i))) found.push_back(kernel.name);
+            if (runs(kernel, named.edition)) found.push_back(kernel.name);
         }
         if (found.empty()) continue;
         const auto same = std::find(kernels.begin(), kernels.end(), found);
         if (same == kernels.end()) {
             kernels.push_back(found);
-            editions.push_back({edition_names[i]});
+            editions.push_back({named.name});
         } else {
-            editions[std::size_t(same - kernels.begin())].push_back(edition_names[i]);
+            editions[std::size_t(same - kernels.begin())].push_back(named.name);
         }
     }
     std::string rows;
@@ -137,8 +137,21 @@ std::string method_table() {
 
 std::string edition_table() {
     std::string text = "| edition | text |\n| --- | --- |\n";
-    for (const auto& choice : edition_choices) {
-        text += "| " + in_code(choice.name) + " | " + std::string(choice.rule) + " |\n";
+    for (const auto& named : named_editions) {
+        text += "| " + in_code(named.name) + " | " + std::string(named.rule) + " |\n";
+    }
+    return text;
+}
+
+/// The defects of the printed text, and the lines that they change.
+std::string defect_table() {
+    std::string text = "| defect | lines | text |\n| --- | --- | --- |\n";
+    for (const auto& choice : deviations) {
+        if (choice.defect.empty()) continue;
+        std::vector<std::string_view> lines;
+        for (const Line line : choice.lines) lines.push_back(line_names[std::size_t(line)]);
+        text += "| " + in_code(choice.defect) + " | " + joined_texts(lines, ", ", in_code) + " | " +
+                std::string(choice.says.english) + " |\n";
     }
     return text;
 }
@@ -172,6 +185,7 @@ std::string with_format_tables(const std::string& format) {
     std::string text = format;
     replace_part(text, "methods", method_table());
     replace_part(text, "editions", edition_table());
+    replace_part(text, "defects", defect_table());
     replace_part(text, "kernels", kernel_table());
     replace_part(text, "procedures", procedure_table());
     for (const auto& group : event_table()) replace_part(text, group.title, table(group));

@@ -1,7 +1,7 @@
 // Writes what follows from the tables of events and choices:
 //
-//     vidno_event_table page LISTINGS FOLDER   the page's table of events, and its choices
-//     vidno_event_table documents TRACE        the derived parts of FORMAT.md and of the schemas, in the folder trace/
+//     vidno_event_table page LISTINGS FAILURES FOLDER   the page's table of events, its choices, and the witnesses of deviations
+//     vidno_event_table documents TRACE                 the derived parts of FORMAT.md and of the schemas, in the folder trace/
 
 #include <iostream>
 #include <stdexcept>
@@ -15,16 +15,19 @@
 int main(int count, char** words) try {
     using namespace vidno;
     const std::vector<std::string> arguments(words + 1, words + count);
-    if (arguments.size() == 3 && arguments[0] == "page") {
-        write_file(arguments[2] + "/event-table.ts", event_types(read_file(arguments[1])));
-        write_file(arguments[2] + "/choices.json", choices_json());
+    if (arguments.size() == 4 && arguments[0] == "page") {
+        write_file(arguments[3] + "/event-table.ts", event_types(read_file(arguments[1])));
+        write_file(arguments[3] + "/choices.json", choices_json());
+        write_file(arguments[3] + "/witnesses.json", witnesses_json([&](std::string_view witness) {
+                       return read_file(arguments[2] + "/" + std::string(witness) + ".json");
+                   }));
     } else if (arguments.size() == 2 && arguments[0] == "documents") {
         for (const auto& [name, derived] : derived_documents()) {
             const std::string file = arguments[1] + "/" + std::string(name);
             write_file(file, derived(read_file(file)));
         }
     } else {
-        throw std::runtime_error("page LISTINGS FOLDER, or documents TRACE");
+        throw std::runtime_error("page LISTINGS FAILURES FOLDER, or documents TRACE");
     }
 } catch (const std::exception& error) {
     std::cerr << "vidno_event_table: " << error.what() << '\n';

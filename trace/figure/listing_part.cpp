@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "listings_text.h"
@@ -47,6 +49,25 @@ std::vector<std::string> wrapped(const std::string& text, double width, double f
     return lines;
 }
 
+/// Whether the edition has a line as it is printed.
+bool is_as_printed(const json& line, Edition edition) {
+    if (!line.contains("printed")) return false;
+    if (edition == Edition::printed) return true;
+    for (std::string defect : line.at("printed").at("defects")) {
+        std::transform(defect.begin(), defect.end(), defect.begin(), [](unsigned char c) { return std::tolower(c); });
+        const auto named = defect_named(defect);
+        if (named && edition.has(*named)) return true;
+    }
+    return false;
+}
+
+/// A line as the edition has it.
+const json& text_in(const json& line, Edition edition) {
+    const std::string name = name_of(edition);
+    if (line.contains("mistakes") && line.at("mistakes").contains(name)) return line.at("mistakes").at(name);
+    return is_as_printed(line, edition) ? line.at("printed") : line;
+}
+
 }  // namespace
 
 Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style& style, double width) {
@@ -76,8 +97,7 @@ Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style
     rule(y, 0.75);
     y += 0.4;
     for (const json& line : procedure.at("lines")) {
-        const bool printed = edition == Edition::printed && line.contains("printed");
-        const std::string text = (printed ? line.at("printed") : line).at(language);
+        const std::string text = text_in(line, edition).at(language);
         const double left = text_at + level * int(line.at("indent"));
         const auto pieces = wrapped(text, (width - left - hanging) / style.letters, (width - left) / style.letters);
         if (frame.at && line.at("at") == line_names[std::size_t(*frame.at)]) {

@@ -8,7 +8,7 @@ std::string header_json(const FloatingHorizonHeader& header) {
     std::string text = R"({"format":"vidno-trace/1","method":")";
     text += floating_horizon_method;
     text += R"(","edition":")";
-    text += edition_names[std::size_t(header.edition)];
+    text += name_of(header.edition);
     text += R"(","kernel":")" + header.kernel + R"(","detail":")";
     text += detail_names[std::size_t(header.detail)];
     text += R"(","scene":)" + surface_json(header.scene) + "}\n";

@@ -1,6 +1,7 @@
 #include "format/trace_header.h"
 
 #include "choice/kernel_choice.h"
+#include "choice/read_edition.h"
 #include "format/tree_event.h"
 #include "scene/scene_json.h"
 
@@ -16,7 +17,7 @@ std::string read_kernel(const JsonNode& node) {
 /// What headers of both kinds have.
 void read_run(const JsonNode& object, auto& header) {
     expect_keys(object, {"format", "method", "edition", "kernel", "detail", "scene"});
-    header.edition = Edition(place_of_word(member(object, "edition"), edition_names));
+    header.edition = read_edition(member(object, "edition"));
     header.kernel = read_kernel(member(object, "kernel"));
     header.detail = Detail(place_of_word(member(object, "detail"), detail_names));
 }

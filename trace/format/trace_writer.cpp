@@ -10,7 +10,7 @@ std::string header_json(const TraceHeader& header) {
     std::string text = R"({"format":"vidno-trace/1","method":")";
     text += method_names[std::size_t(header.method)];
     text += R"(","edition":")";
-    text += edition_names[std::size_t(header.edition)];
+    text += name_of(header.edition);
     text += R"(","kernel":")" + header.kernel + R"(","detail":")";
     text += detail_names[std::size_t(header.detail)];
     text += R"(","scene":)" + scene_json(header.scene) + "}\n";

@@ -31,8 +31,7 @@ bool paints_as(const Observation& observed, Edition edition) {
 std::optional<Edition> most_frequent(std::size_t scenes, auto&& count) {
     std::optional<Edition> best;
     std::ptrdiff_t most = 0;
-    for (std::size_t i = 0; i < edition_choices.size(); ++i) {
-        const auto edition = Edition(i);
+    for (const auto& [edition, name, rule, title] : named_editions) {
         if (!is_mistake(edition)) continue;
         const std::ptrdiff_t counted = count(edition);
         if (counted <= most || 3 * std::size_t(counted) < 2 * scenes) continue;
@@ -55,15 +54,15 @@ std::optional<Edition> by_pictures(const std::vector<Observation>& observed) {
 
 std::optional<Edition> mistake_of(Symptom symptom) {
     switch (symptom) {
-        case Symptom::overlooked: return Edition::one_list;
-        case Symptom::start: return Edition::depths_not_cleared;
+        case Symptom::overlooked: return Deviation::one_list;
+        case Symptom::start: return Deviation::depths_not_cleared;
         case Symptom::clipped_away:
-        case Symptom::clipped_inside: return Edition::clip_order_reversed;
-        case Symptom::off_window: return Edition::y_flipped;
-        case Symptom::comparison: return Edition::depth_sign_reversed;
-        case Symptom::hole: return Edition::boundary_outside;
-        case Symptom::parts_missing: return Edition::integer_division;
-        case Symptom::surrounded: return Edition::surround_kept;
+        case Symptom::clipped_inside: return Deviation::clip_order_reversed;
+        case Symptom::off_window: return Deviation::y_flipped;
+        case Symptom::comparison: return Deviation::depth_sign_reversed;
+        case Symptom::hole: return Deviation::boundary_outside;
+        case Symptom::parts_missing: return Deviation::integer_division;
+        case Symptom::surrounded: return Deviation::surround_kept;
         default: return std::nullopt;
     }
 }

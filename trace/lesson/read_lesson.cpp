@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "choice/method.h"
+#include "choice/read_edition.h"
 #include "json/json_node.h"
 #include "lesson.h"
 #include "output.h"
@@ -105,7 +106,7 @@ private:
         const auto methods = lesson_methods();
         run.method = methods[choice(node, "method", methods)];
         run.detail = Detail(choice(node, "detail", detail_names, std::size_t(Detail::signs)));
-        run.edition = Edition(choice(node, "edition", edition_names, std::size_t(Edition::corrected)));
+        if (node.has("edition")) run.edition = read_edition(node.at("edition"));
         if (node.has("kernel")) run.kernel = node.at("kernel").text();
         const auto kernel = kernel_named(run.kernel);
         if (!kernel) node.at("kernel").refuse(run.kernel + " is not one of " + kernel_names());

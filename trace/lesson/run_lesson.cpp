@@ -64,10 +64,9 @@ std::string LessonRun::other_scene() const {
 
 std::string LessonRun::trace_file(const std::string& lesson) const {
     std::string file = lesson + (other_scene().empty() ? "" : '.' + other_scene());
-    for (const std::string_view part : {std::string_view(method), std::string_view(kernel),
-                                        edition_names[std::size_t(edition)], detail_names[std::size_t(detail)]}) {
-        file += '.';
-        file += part;
+    for (const std::string& part :
+         {std::string(method), kernel, name_of(edition), std::string(detail_names[std::size_t(detail)])}) {
+        file += '.' + part;
     }
     std::replace(file.begin(), file.end(), ':', '-');
     return file + (check ? ".checked.jsonl.gz" : ".jsonl.gz");

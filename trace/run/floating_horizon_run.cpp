@@ -19,7 +19,8 @@ DrawnLines run(const FloatingHorizonRequest& request) {
     if (!request.kernel.choice->runs_floating_horizon(request.edition)) {
         throw std::invalid_argument(request.kernel.name() + " draws no curves in this edition");
     }
-    return request.sink ? told_floating_horizon(request) : untraced_run(request);
+    if (request.sink) return told_floating_horizon(request);
+    return is_compiled_untraced(request.edition) ? untraced_run(request) : told_to_nobody(request);
 }
 
 ColumnsDrawn columns_drawn(const DrawnLines& lines, const CurveScene& scene) {

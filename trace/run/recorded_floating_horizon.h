@@ -1,48 +1,48 @@
 /// The procedure set of recorded and judged runs over curves: the edition is chosen at run time (recorded_set.h does so for polygons).
 #pragma once
 
-#include "run/rules.h"
+#include "choice/edition.h"
 #include "vidno/printed_floating_horizon.h"
 
 namespace vidno {
 
 struct AnyFloatingHorizon : CorrectedFloatingHorizon {
-    Rules rules;
+    Edition edition;
 
-    explicit AnyFloatingHorizon(Rules by) : rules(by) {}
+    explicit AnyFloatingHorizon(Edition text) : edition(text) {}
 
-    bool has(Rule rule) const { return rules.has(rule); }
+    bool has(Deviation deviation) const { return edition.has(deviation); }
 
     template <class K>
     Horizons<K> first_horizons(const K& kernel, const Area& area) const {
-        return has(Rule::x_h3) ? PrintedFloatingHorizon::first_horizons(kernel, area)
-                               : CorrectedFloatingHorizon::first_horizons(kernel, area);
+        return has(Deviation::x_h3) ? PrintedFloatingHorizon::first_horizons(kernel, area)
+                                    : CorrectedFloatingHorizon::first_horizons(kernel, area);
     }
     const auto& horizons_before(const auto& horizons, auto& kept) const {
-        return has(Rule::x_h4) ? PrintedFloatingHorizon::horizons_before(horizons, kept)
-                               : CorrectedFloatingHorizon::horizons_before(horizons, kept);
+        return has(Deviation::x_h4) ? PrintedFloatingHorizon::horizons_before(horizons, kept)
+                                    : CorrectedFloatingHorizon::horizons_before(horizons, kept);
     }
     std::pair<int, int> edge_columns(const Segment& edge) const {
-        return has(Rule::x_h4) ? PrintedFloatingHorizon::edge_columns(edge)
-                               : CorrectedFloatingHorizon::edge_columns(edge);
+        return has(Deviation::x_h4) ? PrintedFloatingHorizon::edge_columns(edge)
+                                    : CorrectedFloatingHorizon::edge_columns(edge);
     }
     int next_column(const Segment& segment, int column) const {
-        return has(Rule::x_h5) ? PrintedFloatingHorizon::next_column(segment, column)
-                               : CorrectedFloatingHorizon::next_column(segment, column);
+        return has(Deviation::x_h5) ? PrintedFloatingHorizon::next_column(segment, column)
+                                    : CorrectedFloatingHorizon::next_column(segment, column);
     }
     VisibilityFlag flag_on_both() const {
-        return has(Rule::x_h6) ? PrintedFloatingHorizon::flag_on_both() : CorrectedFloatingHorizon::flag_on_both();
+        return has(Deviation::x_h6) ? PrintedFloatingHorizon::flag_on_both() : CorrectedFloatingHorizon::flag_on_both();
     }
     bool draws(VisibilityFlag side) const {
-        return has(Rule::x_h1) ? PrintedFloatingHorizon::draws(side) : CorrectedFloatingHorizon::draws(side);
+        return has(Deviation::x_h1) ? PrintedFloatingHorizon::draws(side) : CorrectedFloatingHorizon::draws(side);
     }
     bool no_edge_yet(const std::optional<Sample>& edge) const {
-        return has(Rule::x_h1) ? PrintedFloatingHorizon::no_edge_yet(edge)
-                               : CorrectedFloatingHorizon::no_edge_yet(edge);
+        return has(Deviation::x_h1) ? PrintedFloatingHorizon::no_edge_yet(edge)
+                                    : CorrectedFloatingHorizon::no_edge_yet(edge);
     }
     VisibilityFlag horizon_met(VisibilityFlag was, VisibilityFlag is) const {
-        return has(Rule::x_h2) ? PrintedFloatingHorizon::horizon_met(was, is)
-                               : CorrectedFloatingHorizon::horizon_met(was, is);
+        return has(Deviation::x_h2) ? PrintedFloatingHorizon::horizon_met(was, is)
+                                    : CorrectedFloatingHorizon::horizon_met(was, is);
     }
 };
 

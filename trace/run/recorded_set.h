@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "run/rules.h"
+#include "choice/edition.h"
 #include "vidno/family/family.h"
 #include "vidno/mistakes/boundary_outside.h"
 #include "vidno/mistakes/clip_order_reversed.h"
@@ -19,6 +19,7 @@
 #include "vidno/mistakes/vertex_counted_twice.h"
 #include "vidno/mistakes/y_flipped.h"
 #include "vidno/printed.h"
+#include "vidno/printed/z_buffer_defects.h"
 
 namespace vidno {
 
@@ -69,103 +70,151 @@ struct AnyMethod : family::Full {
     }
 };
 
-/// The same by rules, for kernels that run the printed text. Where several rules concern one function the first one counts.
+/// The same with the deviations of an edition, for kernels that run the printed text. Where several deviations concern one function the
+/// first one counts.
 struct AnyEdition : AnyMethod {
-    Rules rules;
+    using ZBufferDefects = printed::ZBufferDefects;
 
-    AnyEdition(Method chosen, Rules by) : AnyMethod(chosen), rules(by) {}
+    Edition edition;
 
-    /// A defect of the printed text, or the edition of a usual mistake.
-    bool has(auto rule) const { return rules.has(rule); }
+    AnyEdition(Method chosen, Edition text) : AnyMethod(chosen), edition(text) {}
+
+    bool has(Deviation deviation) const { return edition.has(deviation); }
 
     // Warnock
 
     bool takes_part(auto& run, const auto& polygon) const {
-        return has(Rule::x_w8) ? Printed::takes_part(run, polygon) : AnyMethod::takes_part(run, polygon);
+        return has(Deviation::x_w8) ? Printed::takes_part(run, polygon) : AnyMethod::takes_part(run, polygon);
     }
     Window root_window(const Area& area) const {
-        if (has(Rule::x_w5)) return Printed::root_window(area);
-        return has(Edition::integer_division) ? mistakes::IntegerDivision::root_window(area)
-                                              : AnyMethod::root_window(area);
+        if (has(Deviation::x_w5)) return Printed::root_window(area);
+        return has(Deviation::integer_division) ? mistakes::IntegerDivision::root_window(area)
+                                                : AnyMethod::root_window(area);
     }
     std::vector<Window> parts(const Window& window) const {
-        return has(Edition::integer_division) ? mistakes::IntegerDivision::parts(window) : Corrected::parts(window);
+        return has(Deviation::integer_division) ? mistakes::IntegerDivision::parts(window) : Corrected::parts(window);
     }
     template <class List>
     std::shared_ptr<List> list_for_part(const std::shared_ptr<List>& list) const {
-        if (has(Rule::x_w9)) return Printed::list_for_part(list);
-        return has(Edition::one_list) ? mistakes::OneList::list_for_part(list) : Corrected::list_for_part(list);
+        return has(Deviation::one_list) ? mistakes::OneList::list_for_part(list) : Corrected::list_for_part(list);
     }
     auto first_corner_depth(const auto& kernel) const {
-        return has(Rule::x_w2) ? Printed::first_corner_depth(kernel) : Corrected::first_corner_depth(kernel);
+        return has(Deviation::x_w2) ? Printed::first_corner_depth(kernel) : Corrected::first_corner_depth(kernel);
     }
     bool discards(bool surrounding, bool outside) const {
-        return has(Rule::x_w1) ? Printed::discards(surrounding, outside) : Corrected::discards(surrounding, outside);
+        return has(Deviation::x_w1) ? Printed::discards(surrounding, outside)
+                                    : Corrected::discards(surrounding, outside);
     }
     bool uncovers(int k) const {
-        if (has(Rule::x_w3)) return Printed::uncovers(k);
-        return has(Edition::surround_kept) ? mistakes::SurroundKept::uncovers(k) : Corrected::uncovers(k);
+        if (has(Deviation::x_w3)) return Printed::uncovers(k);
+        return has(Deviation::surround_kept) ? mistakes::SurroundKept::uncovers(k) : Corrected::uncovers(k);
     }
     auto corners_around(const auto& kernel, const Window& window) const {
-        return has(Edition::clip_order_reversed) ? mistakes::ClipOrderReversed::corners_around(kernel, window)
-                                                 : Corrected::corners_around(kernel, window);
+        return has(Deviation::clip_order_reversed) ? mistakes::ClipOrderReversed::corners_around(kernel, window)
+                                                   : Corrected::corners_around(kernel, window);
     }
     bool opposite(const auto& kernel, const auto& p, const auto& q) const {
-        return has(Rule::x_w7) ? Printed::opposite(kernel, p, q) : Corrected::opposite(kernel, p, q);
+        return has(Deviation::x_w7) ? Printed::opposite(kernel, p, q) : Corrected::opposite(kernel, p, q);
     }
     bool surround_test(auto& run, const auto& point, const auto& polygon) const {
-        if (has(Rule::x_w4)) return Printed::surround_test(run, point, polygon);
-        return has(Edition::boundary_outside) ? mistakes::BoundaryOutside::surround_test(run, point, polygon)
-                                              : AnyMethod::surround_test(run, point, polygon);
+        if (has(Deviation::x_w4)) return Printed::surround_test(run, point, polygon);
+        return has(Deviation::boundary_outside) ? mistakes::BoundaryOutside::surround_test(run, point, polygon)
+                                                : AnyMethod::surround_test(run, point, polygon);
     }
     auto depth(auto& run, const auto& polygon, const auto& point) const {
-        return has(Edition::depth_sign_reversed) ? mistakes::DepthSignReversed::depth(run, polygon, point)
-                                                 : AnyMethod::depth(run, polygon, point);
+        if (has(Deviation::x_w6)) expect_depth(run.kernel, polygon.plane);
+        return has(Deviation::depth_sign_reversed) ? mistakes::DepthSignReversed::depth(run, polygon, point)
+                                                   : AnyMethod::depth(run, polygon, point);
     }
     auto initialize_polygon(auto& run, const auto& vertices) const {
-        return has(Rule::x_w6) ? Printed::initialize_polygon(run, vertices)
-                               : Corrected::initialize_polygon(run, vertices);
+        return has(Deviation::x_w6) ? Printed::initialize_polygon(run, vertices)
+                                    : Corrected::initialize_polygon(run, vertices);
     }
     auto on_screen(const auto& kernel, const Area& area, const glm::dvec3& vertex) const {
-        return has(Edition::y_flipped) ? mistakes::YFlipped::on_screen(kernel, area, vertex)
-                                       : Corrected::on_screen(kernel, area, vertex);
+        return has(Deviation::y_flipped) ? mistakes::YFlipped::on_screen(kernel, area, vertex)
+                                         : Corrected::on_screen(kernel, area, vertex);
+    }
+
+    /// A plane of three collinear vertices has no depth. As printed it does not take part, for its c is 0.
+    static void expect_depth(const auto& kernel, const auto& plane) {
+        try {
+            kernel.divide(plane.d, plane.c);
+        } catch (const DivisionByZero&) {
+            throw Fault{Line::D1, "division by zero"};
+        }
     }
 
     // The Warnock family
 
     int crossings_at_vertex(bool touches) const {
-        return has(Edition::vertex_counted_twice) ? mistakes::VertexCountedTwice::crossings_at_vertex(touches)
-                                                  : family::Full::crossings_at_vertex(touches);
+        return has(Deviation::vertex_counted_twice) ? mistakes::VertexCountedTwice::crossings_at_vertex(touches)
+                                                    : family::Full::crossings_at_vertex(touches);
     }
     bool needs_split(int difference) const {
-        return has(Edition::octants_not_split) ? mistakes::OctantsNotSplit::needs_split(difference)
-                                               : family::Full::needs_split(difference);
+        return has(Deviation::octants_not_split) ? mistakes::OctantsNotSplit::needs_split(difference)
+                                                 : family::Full::needs_split(difference);
     }
     bool ends_before(const auto& from, const auto& to, const auto& upper_left, const auto& lower_right) const {
-        return has(Edition::line_for_edge) ? mistakes::LineForEdge::ends_before(from, to, upper_left, lower_right)
-                                           : family::Full::ends_before(from, to, upper_left, lower_right);
+        return has(Deviation::line_for_edge) ? mistakes::LineForEdge::ends_before(from, to, upper_left, lower_right)
+                                             : family::Full::ends_before(from, to, upper_left, lower_right);
     }
 
     // The Z-buffer
 
-    void z_buffer(auto& run) const { has(Rule::x_z) ? Printed::z_buffer(run) : Corrected::z_buffer(run); }
+    /// With all of its defects it is the printed text.
+    void z_buffer(auto& run) const {
+        using enum Deviation;
+        constexpr Edition all = Edition(x_z1) + x_z2 + x_z3 + x_z4 + x_z5 + x_z6 + x_z7;
+        edition.has(all) ? Printed::z_buffer(run) : Corrected::z_buffer(run);
+    }
+    auto scanline(const auto& kernel, const auto& polygon, int row) const {
+        return has(Deviation::x_z6) ? ZBufferDefects::scanline(kernel, polygon, row)
+                                    : Corrected::scanline(kernel, polygon, row);
+    }
+    int row_after(const auto& kernel, const auto& y, int top, int bottom) const {
+        return has(Deviation::x_z1) ? ZBufferDefects::row_after(kernel, y, top, bottom)
+                                    : Corrected::row_after(kernel, y, top, bottom);
+    }
+    int rows_end(const Area& area) const {
+        return has(Deviation::x_z3) ? ZBufferDefects::rows_end(area) : Corrected::rows_end(area);
+    }
     auto first_depth(const auto& kernel) const {
-        return has(Edition::depths_not_cleared) ? mistakes::DepthsNotCleared::first_depth(kernel)
-                                                : Corrected::first_depth(kernel);
+        if (has(Deviation::x_z7)) return ZBufferDefects::first_depth(kernel);
+        return has(Deviation::depths_not_cleared) ? mistakes::DepthsNotCleared::first_depth(kernel)
+                                                  : Corrected::first_depth(kernel);
     }
     /// The printed Z-buffer has a y, a number; the corrected one has a row.
     template <class Row>
     void show_line(auto& run, const Row& row, const auto& from, const auto& to, const auto& polygon) const {
-        if constexpr (std::is_integral_v<Row>) {
-            Corrected::show_line(run, row, from, to, polygon);
-        } else {
+        if constexpr (!std::is_integral_v<Row>) {
             Printed::show_line(run, row, from, to, polygon);
+        } else if (has(Deviation::x_z3)) {
+            ZBufferDefects::show_line(run, row, from, to, polygon);
+        } else {
+            Corrected::show_line(run, row, from, to, polygon);
         }
+    }
+    bool misses(int first, int end) const {
+        return has(Deviation::x_z2) ? ZBufferDefects::misses(first, end) : Corrected::misses(first, end);
+    }
+    auto slope_of_point(const auto& kernel, const auto& left, const auto& right) const {
+        return has(Deviation::x_z4) ? ZBufferDefects::slope_of_point(kernel, left, right)
+                                    : Corrected::slope_of_point(kernel, left, right);
+    }
+    auto start_of(const auto& run, const auto& left, int column) const {
+        return has(Deviation::x_z5) ? ZBufferDefects::start_of(run, left, column)
+                                    : Corrected::start_of(run, left, column);
     }
     std::pair<int, int> columns_shown(const auto& run, int row, const auto& left, const auto& right,
                                       const auto& polygon) const {
-        return has(Edition::boundary_outside) ? mistakes::BoundaryOutside::columns_shown(run, row, left, right, polygon)
-                                              : Corrected::columns_shown(run, row, left, right, polygon);
+        if (has(Deviation::x_z5)) return ZBufferDefects::columns_shown(run, row, left, right, polygon);
+        return has(Deviation::boundary_outside)
+                   ? mistakes::BoundaryOutside::columns_shown(run, row, left, right, polygon)
+                   : Corrected::columns_shown(run, row, left, right, polygon);
+    }
+    bool shows(const auto& kernel, const auto& depth, const auto& stored, const Pixel& pixel) const {
+        return has(Deviation::x_z7) ? ZBufferDefects::shows(kernel, depth, stored, pixel)
+                                    : Corrected::shows(kernel, depth, stored, pixel);
     }
 };
 

@@ -20,8 +20,7 @@ Picture run(const RunRequest& request) {
         throw std::invalid_argument(request.kernel.name() + " does not run this method in this edition");
     }
     if (request.sink) return told_run(request);
-    // The usual mistakes are compiled for told runs alone.
-    return is_mistake(request.edition) ? told_to_nobody(request) : untraced_run(request);
+    return is_compiled_untraced(request.edition) ? untraced_run(request) : told_to_nobody(request);
 }
 
 }  // namespace vidno

@@ -145,7 +145,7 @@ DrawnLines told(const FloatingHorizonRequest& request, const K& kernel, Judging&
         return lines_drawn(request, kernel, FloatingHorizonRecorder<Set, K>(recording, judging, set), set);
     };
     if constexpr (PrintedKernel<K>) {
-        return by(AnyFloatingHorizon(rules_of(request.edition)));
+        return by(AnyFloatingHorizon(request.edition));
     } else {
         return by(CorrectedFloatingHorizon{});
     }

@@ -15,7 +15,7 @@ Picture told(const RunRequest& request, const K& kernel) {
         return render(request.method, request.scene, kernel, recorder, request.smallest_window, set);
     };
     if constexpr (PrintedKernel<K>) {
-        return run_set(AnyEdition(request.method, rules_of(request.edition)));
+        return run_set(AnyEdition(request.method, request.edition));
     } else {
         return run_set(AnyMethod(request.method));
     }

@@ -6,7 +6,12 @@
 
 namespace vidno {
 
-/// The request has no sink and is no mistake's.
+/// Usual mistakes and single defects are compiled for told runs alone: without a trace they are told to nobody.
+constexpr bool is_compiled_untraced(Edition edition) {
+    return edition == Edition::corrected || edition == Edition::printed;
+}
+
+/// The request has no sink, and its edition is compiled untraced.
 Picture untraced_run(const RunRequest&);
 DrawnLines untraced_run(const FloatingHorizonRequest&);
 

@@ -28,6 +28,7 @@
 #include "check/checked_trace.h"
 #include "check/findings_text.h"
 #include "choice/method.h"
+#include "choice/read_edition.h"
 #include "json/json_node.h"
 #include "margin/margin.h"
 #include "run/write_trace.h"
@@ -85,7 +86,7 @@ Options read_options(const JsonNode& root, Kind kind) {
     } else if (root.at("method").text() != floating_horizon_method) {
         root.at("method").refuse("draws no surface");
     }
-    options.edition = Edition(place_of(root.at("edition"), edition_names));
+    options.edition = read_edition(root.at("edition"));
     options.kernel = read_kernel(root.at("kernel"));
     const KernelChoice& choice = *options.kernel.choice;
     const bool runs = kind == Kind::curves ? choice.runs_floating_horizon(options.edition)

@@ -54,7 +54,6 @@ struct ShowLine {
         }
     }
 
-private:
     static auto slope(const auto& kernel, const auto& from, const auto& to) {
         try {
             return kernel.divide(to.z - from.z, to.x - from.x);
@@ -63,6 +62,7 @@ private:
         }
     }
 
+private:
     static void show_pixel(auto& run, int x, int y, const auto& z, const Color& color) {
         if (!run.area.contains(x, y)) {
             run.trace.fault(Line::L6, "outside the area", x, y);

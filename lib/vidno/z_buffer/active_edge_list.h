@@ -41,23 +41,24 @@ PolygonEdge<typename Run::Arithmetic> edge_between(const Run& run, const Polygon
                                                    int index, auto upper, auto lower) {
     if (lower.y < upper.y || (lower.y == upper.y && lower.x < upper.x)) std::swap(upper, lower);
     const int top = run.area.y;
-    const int bottom = run.area.bottom();
+    const int bottom = run.set.rows_end(run.area);
     const int first_row = run.kernel.first_centre(upper.y, top, bottom);
     const int last_row = lower.y == polygon.box.ymax ? run.kernel.last_centre(lower.y, top, bottom)
-                                                     : run.kernel.first_centre(lower.y, top, bottom) - 1;
+                                                     : run.set.row_after(run.kernel, lower.y, top, bottom) - 1;
     return {index, upper, lower, first_row, last_row};
 }
 
 /// The entry of an edge that is not level, stepped to its first row.
 template <class Run>
-ActiveEdge<typename Run::Arithmetic> entry_of(const Run& run, const PolygonEdge<typename Run::Arithmetic>& edge) {
+ActiveEdge<typename Run::Arithmetic> entry_of(const Run& run, const Polygon<typename Run::Arithmetic>& polygon,
+                                              const PolygonEdge<typename Run::Arithmetic>& edge) {
     using Number = typename Run::Number;
     using Interpolated = typename Run::Interpolated;
     const auto& [x1, y1, z1] = edge.upper;
     const auto& [x2, y2, z2] = edge.lower;
     const Number dx = (x2 - x1) / (y2 - y1);
     const auto dz = Interpolated((z2 - z1) / (y2 - y1));
-    const Number rows = run.kernel.centre(edge.first_row) - y1;
+    const Number rows = run.set.scanline(run.kernel, polygon, edge.first_row) - y1;
     return {edge, x1 + rows * dx, dx, Interpolated(z1 + rows * dz), dz};
 }
 

@@ -20,14 +20,15 @@ struct ShowLine {
         trace.line(L1, row, left, right);
 
         auto [x, end] = run.set.columns_shown(run, row, left, right, polygon);
-        if (x >= end) {
+        if (run.set.misses(x, end)) {
             trace.miss(L2);
             return;
         }
         const bool is_point = kernel.same_place(left, right, row);
-        const Interpolated dz = is_point ? kernel.zero() : Interpolated((right.z - left.z) / (right.x - left.x));
+        const Interpolated dz = is_point ? run.set.slope_of_point(kernel, left, right)
+                                         : Interpolated((right.z - left.z) / (right.x - left.x));
         trace.slope(L3, dz);
-        const auto first_z = Interpolated(left.z + (kernel.centre(x) - left.x) * dz);
+        const auto first_z = Interpolated(left.z + (run.set.start_of(run, left, x) - left.x) * dz);
         auto z = kernel.to_step(first_z, polygon.plane, Pixel{x, row});
         trace.columns(L4, x, end, z);
         const auto depths = run.depth_buffer.row(row);
@@ -36,7 +37,7 @@ struct ShowLine {
         for (; x < end; ++x, z += dz) {
             auto&& stored = depths[x];
             const auto& depth = kernel.to_store(z);
-            const bool nearer = kernel.nearer(depth, stored, Pixel{x, row});
+            const bool nearer = run.set.shows(kernel, depth, stored, Pixel{x, row});
             trace.pixel(L6, x, row, depth, stored, nearer);
             if (!nearer) continue;
             stored = depth;

@@ -32,8 +32,9 @@ private:
         auto& trace = run.trace;
 
         const auto& box = polygon.box;
-        int row = run.kernel.first_centre(box.ymin, run.area.y, run.area.bottom());  // y_t
-        const int last_row = run.kernel.last_centre(box.ymax, run.area.y, run.area.bottom());
+        const int bottom = run.set.rows_end(run.area);
+        int row = run.kernel.first_centre(box.ymin, run.area.y, bottom);  // y_t
+        const int last_row = run.kernel.last_centre(box.ymax, run.area.y, bottom);
         auto edges = sorted_edges(run, polygon);  // S
         trace.extent(Z4, box.ymin, box.ymax);
 
@@ -41,14 +42,14 @@ private:
         int next_start = row;
         int next_end = no_row;
         while (row <= last_row) {
-            trace.scanline(Z6, run.kernel.centre(row), row);
+            trace.scanline(Z6, run.set.scanline(run.kernel, polygon, row), row);
             if (row == next_start) {
                 const auto later = [&](const auto& edge) { return edge.first_row > row; };
                 const auto starting = std::find_if(edges.begin(), edges.end(), later);
                 for (auto edge = edges.begin(); edge != starting; ++edge) {
                     if (edge->last_row < edge->first_row) continue;
                     if (!edge->level()) {
-                        active_edges.push_back(entry_of(run, *edge));
+                        active_edges.push_back(entry_of(run, polygon, *edge));
                         trace.ael_add(Z8, active_edges.back());
                     } else {
                         trace.horizontal(Z9, *edge);

@@ -63,7 +63,7 @@ BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
         Json trace{{"file", file},
                    {"method", run.method},
                    {"kernel", run.kernel},
-                   {"edition", edition_names[std::size_t(run.edition)]},
+                   {"edition", name_of(run.edition)},
                    {"detail", detail_names[std::size_t(run.detail)]}};
         const Json title = title_of(lesson, run);
         if (title["en"] != "") trace["title"] = title;

@@ -17,7 +17,11 @@ CLI::Validator a_kernel() {
         kernel_names());
 }
 
-CLI::Validator an_edition() { return CLI::IsMember(words(edition_names)).description(""); }
+CLI::Validator an_edition() {
+    return CLI::Validator(
+        [](const std::string& name) { return edition_named(name) ? "" : name + " is no edition: see vidno methods"; },
+        "");
+}
 
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& scene, const std::string& method,
                      const std::vector<std::string>& methods) {
@@ -36,6 +40,39 @@ void add_any_run_options(CLI::App& command, RunOptions& options) {
     add_run_options(command, options, "A scene file, vidno-scene/1 or vidno-surface/1; - for standard input",
                     "Which algorithm [warnock, of a surface floating-horizon]", all_methods());
 }
+
+namespace {
+
+/// Why there is no such text: the first deviation that is none of the method's.
+Refused refused_text(Edition edition, auto&& concerns) {
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        const auto& [defect, mistake, title, says, lines, methods, witness, advice] = deviations[i];
+        if (!edition.has(Deviation(i)) || concerns(methods)) continue;
+        std::string text = "--edition " + name_of(edition) + ": ";
+        text += is_mistake(edition) ? "a mistake" : std::string(defect) + " is a defect";
+        std::string_view before = " of --method ";
+        for (const Method method : methods) {
+            (text += before) += method_names[std::size_t(method)];
+            before = " and ";
+        }
+        if (methods.empty()) (text += before) += floating_horizon_method;
+        return Refused(text + " alone");
+    }
+    return Refused("--edition " + name_of(edition) + ": no text of this method");
+}
+
+/// Refuses an edition that the kernel does not run, of whatever method.
+void expect_text(const NamedKernel& kernel, Edition edition) {
+    const std::string refused = "--edition " + name_of(edition) + ": not under --kernel " + kernel.name();
+    if (is_mistake(edition) && !kernel.choice->runs_mistakes) {
+        throw Refused(refused + ", but under " + kernels_that(&KernelChoice::runs_mistakes));
+    }
+    if (edition != Edition::corrected && !kernel.choice->runs_printed) {
+        throw Refused(refused + ", whose decisions are always right");
+    }
+}
+
+}  // namespace
 
 NamedKernel kernel_of(const RunOptions& options) {
     const NamedKernel kernel = *kernel_named(options.kernel);
@@ -58,38 +95,27 @@ void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     if (is_warnock(method) && !kernel.choice->runs_warnock) {
         throw Refused(named_method + ": not under --kernel " + kernel.name() + ", for it has no Z-buffer");
     }
-    const auto only = choice_of(edition).only;
-    if (is_family(method) && edition != Edition::corrected && !only) {
-        throw Refused(named_method + ": only --edition corrected, and mistakes of this method alone");
-    }
-    if (method == Method::weiler_atherton && edition != Edition::corrected) {
-        throw Refused(named_method + ": only --edition corrected");
-    }
     if (!is_of_course(method) && !kernel.choice->runs(method, Edition::corrected)) {
         throw Refused(named_method + ": not under --kernel " + kernel.name());
     }
-    if (edition == Edition::printed && !kernel.choice->runs_printed) {
-        throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
+    if (!has_text(edition, method)) {
+        if (method == Method::weiler_atherton) throw Refused(named_method + ": only --edition corrected");
+        if (is_family(method)) {
+            throw Refused(named_method + ": only --edition corrected, and mistakes of this method alone");
+        }
+        throw refused_text(edition, [method](const auto& methods) {
+            return std::find(methods.begin(), methods.end(), method) != methods.end();
+        });
     }
-    const std::string named = "--edition " + std::string(choice_of(edition).name);
-    if (is_mistake(edition) && !kernel.choice->runs_mistakes) {
-        throw Refused(named + ": not under --kernel " + kernel.name() + ", but under " +
-                      kernels_that(&KernelChoice::runs_mistakes));
-    }
-    if (only && *only != method) {
-        throw Refused(named + ": a mistake of --method " + std::string(method_names[std::size_t(*only)]) + " alone");
-    }
+    expect_text(kernel, edition);
 }
 
 void expect_floating_horizon_run(const NamedKernel& kernel, Edition edition) {
     if (kernel.choice->runs_floating_horizon(edition)) return;
-    const std::string edition_name(choice_of(edition).name);
-    if (is_mistake(edition)) {
-        throw Refused("--edition " + edition_name + ": a mistake of methods that paint polygons");
+    if (!has_text_of_curves(edition)) {
+        throw refused_text(edition, [](const auto& methods) { return methods.empty(); });
     }
-    if (kernel.choice->runs_floating_horizon(Edition::corrected)) {
-        throw Refused("--edition printed: not under --kernel " + kernel.name() + ", whose decisions are always right");
-    }
+    expect_text(kernel, edition);
     throw Refused("--kernel " + kernel.name() + ": for polygons alone");
 }
 

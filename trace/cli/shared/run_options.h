@@ -43,7 +43,7 @@ std::size_t place_in(const auto& names, const std::string& name) {
 inline Method method_of(const RunOptions& options) {
     return Method(place_in(method_names, options.method.value_or("warnock")));
 }
-inline Edition edition_of(const RunOptions& options) { return Edition(place_in(edition_names, options.edition)); }
+inline Edition edition_of(const RunOptions& options) { return *edition_named(options.edition); }
 inline Detail detail_of(const RunOptions& options) { return Detail(place_in(detail_names, options.detail)); }
 
 /// The kernel of the options, if it runs their method and edition.

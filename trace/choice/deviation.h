@@ -1,0 +1,317 @@
+/// Deviation: one place of a procedure that may be run otherwise than corrected. The defects of the printed text and the usual mistakes
+/// are one table: editions, command line, page and atlas take them from it.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "choice/bilingual.h"
+#include "vidno/line.h"
+#include "vidno/method.h"
+
+namespace vidno {
+
+/// First the defects of the printed text (vidno/printed.h), then the usual mistakes (vidno/mistakes/).
+enum class Deviation : unsigned char {
+    x_w1,
+    x_w2,
+    x_w3,
+    x_w4,
+    x_w5,
+    x_w6,
+    x_w7,
+    x_w8,
+    x_z1,
+    x_z2,
+    x_z3,
+    x_z4,
+    x_z5,
+    x_z6,
+    x_z7,
+    x_h1,
+    x_h2,
+    x_h3,
+    x_h4,
+    x_h5,
+    x_h6,
+    one_list,  // the text has it as well: X-W9
+    depths_not_cleared,
+    clip_order_reversed,
+    y_flipped,
+    depth_sign_reversed,
+    boundary_outside,
+    integer_division,
+    surround_kept,
+    vertex_counted_twice,
+    octants_not_split,
+    line_for_edge
+};
+
+struct DeviationChoice {
+    std::string_view defect{};        // its id, if the printed text has it
+    std::string_view mistake{};       // its name as an edition, if it is a usual mistake
+    Bilingual title;                  // of a defect, its id
+    Bilingual says;                   // what it does
+    std::span<const Line> lines;      // of the listings, which it changes
+    std::span<const Method> methods;  // none: the floating horizon
+    std::string_view witness;         // the file of lessons/failures that shows it, without its ending
+    std::string_view advice{};  // to those whose program makes the mistake; none where students write no such method
+};
+
+namespace deviation {
+
+template <Line... labels>
+inline constexpr std::array at{labels...};
+template <Method... each>
+inline constexpr std::array of{each...};
+inline constexpr std::span<const Method> of_curves{};
+
+constexpr Bilingual untranslated(std::string_view text) { return {text, text}; }
+
+}  // namespace deviation
+
+/// By the places of Deviation.
+inline constexpr auto deviations = [] {
+    using namespace deviation;
+    using enum Line;
+    using enum Method;
+    return std::to_array<DeviationChoice>({
+        {.defect = "x-w1",
+         .title = untranslated("X-W1"),
+         .says = {"a polygon leaves the list if it surrounds the window, and one outside stays in it",
+                  "из списка уходит охватывающий многоугольник, а внешний остаётся"},
+         .lines = at<PW3>,
+         .methods = of<warnock>,
+         .witness = "x-w1"},
+        {.defect = "x-w2",
+         .title = untranslated("X-W2"),
+         .says = {"the corner depths start at 0, so what lies behind z = 0 is never the nearest",
+                  "глубины в углах начинаются с 0, и лежащее за z = 0 никогда не ближайшее"},
+         .lines = at<PW1>,
+         .methods = of<warnock>,
+         .witness = "x-w2"},
+        {.defect = "x-w3",
+         .title = untranslated("X-W3"),
+         .says = {"a polygon that is nearest at all four corners leaves the surrounding one before it in force",
+                  "многоугольник, ближайший во всех четырёх углах, не отменяет охватывающий, найденный до него"},
+         .lines = at<PW7>,
+         .methods = of<warnock>,
+         .witness = "x-w3"},
+        {.defect = "x-w4",
+         .title = untranslated("X-W4"),
+         .says = {"the search for the first sign runs past the last edge",
+                  "поиск первого знака не останавливается на последнем ребре"},
+         .lines = at<S2>,
+         .methods = of<warnock>,
+         .witness = "x-w4"},
+        {.defect = "x-w5",
+         .title = untranslated("X-W5"),
+         .says = {"an area of any size is halved, so that windows end inside pixels",
+                  "пополам делится область любого размера, и границы окон проходят внутри пикселей"},
+         .lines = at<W3, W13>,
+         .methods = of<warnock>,
+         .witness = "x-w5"},
+        {.defect = "x-w6",
+         .title = untranslated("X-W6"),
+         .says = {"the plane is that of the first three vertices, even if these are collinear",
+                  "плоскость строится по первым трём вершинам, даже если они лежат на одной прямой"},
+         .lines = at<I1>,
+         .methods = of<warnock, zbuffer>,
+         .witness = "x-w6"},
+        {.defect = "x-w7",
+         .title = untranslated("X-W7"),
+         .says = {"signs are compared by a product, which becomes 0 if both factors are tiny",
+                  "знаки сравниваются по произведению, а оно при малых множителях обращается в 0"},
+         .lines = at<PL5>,
+         .methods = of<warnock>,
+         .witness = "x-w7"},
+        {.defect = "x-w8",
+         .title = untranslated("X-W8"),
+         .says = {"c as computed decides whether a polygon is edge-on",
+                  "повёрнут ли многоугольник ребром, решает вычисленное значение c"},
+         .lines = at<W2>,
+         .methods = of<warnock>,
+         .witness = "x-w8"},
+        {.defect = "x-z1",
+         .title = untranslated("X-Z1"),
+         .says = {"edges enter by rounded y and leave by unrounded y, so that three may be active at once",
+                  "рёбра входят по округлённому y, а уходят по неокруглённому: активных бывает и три"},
+         .lines = at<Z8, Z16>,
+         .methods = of<zbuffer>,
+         .witness = "x-z1-alone"},
+        {.defect = "x-z2",
+         .title = untranslated("X-Z2"),
+         .says = {"a line is passed over only if it lies to the left and to the right of the area at once: never",
+                  "строка пропускается, только если лежит сразу и левее, и правее области, то есть никогда"},
+         .lines = at<L2>,
+         .methods = of<zbuffer>,
+         .witness = "x-z2"},
+        {.defect = "x-z3",
+         .title = untranslated("X-Z3"),
+         .says = {"the row and the column just past the area are included",
+                  "строка и столбец сразу за областью тоже развёртываются"},
+         .lines = at<L1, L5>,
+         .methods = of<zbuffer>,
+         .witness = "x-z3-alone"},
+        {.defect = "x-z4",
+         .title = untranslated("X-Z4"),
+         .says = {"the slope of a span of one point is 0 divided by 0",
+                  "наклон отрезка из одной точки есть 0, делённый на 0"},
+         .lines = at<L3>,
+         .methods = of<zbuffer>,
+         .witness = "x-z4-alone"},
+        {.defect = "x-z5",
+         .title = untranslated("X-Z5"),
+         .says = {"a span starts at its left end, not at a pixel's centre",
+                  "отрезок начинается в своём левом конце, а не в центре пикселя"},
+         .lines = at<L4>,
+         .methods = of<zbuffer>,
+         .witness = "x-z5"},
+        {.defect = "x-z6",
+         .title = untranslated("X-Z6"),
+         .says = {"the scanline starts at the polygon's ymin, not at a row's centre",
+                  "развёртка начинается с ymin многоугольника, а не с центра строки пикселей"},
+         .lines = at<Z5>,
+         .methods = of<zbuffer>,
+         .witness = "x-z6-alone"},
+        {.defect = "x-z7",
+         .title = untranslated("X-Z7"),
+         .says = {"the last of equally near polygons shows, and Z starts at −1",
+                  "из одинаково близких виден последний, а Z начинается с −1"},
+         .lines = at<Z1, L6>,
+         .methods = of<zbuffer>,
+         .witness = "x-z7"},
+        {.defect = "x-h1",
+         .title = untranslated("X-H1"),
+         .says = {"a minus is lost: what lies below is not drawn, and an edge at x = 1 is taken for none",
+                  "потерян минус: лежащее снизу не рисуется, а ребро при x = 1 считается отсутствующим"},
+         .lines = at<FH1, FH6, SE1>,
+         .methods = of_curves,
+         .witness = "x-h1"},
+        {.defect = "x-h2",
+         .title = untranslated("X-H2"),
+         .says = {"what emerges below is cut by the upper horizon", "выходящее снизу обрезается верхним горизонтом"},
+         .lines = at<FH8>,
+         .methods = of_curves,
+         .witness = "x-h2"},
+        {.defect = "x-h3",
+         .title = untranslated("X-H3"),
+         .says = {"the horizons start at the sides of the screen, and are never empty",
+                  "горизонты начинаются от сторон экрана и не бывают пустыми"},
+         .lines = at<FH1>,
+         .methods = of_curves,
+         .witness = "x-h3"},
+        {.defect = "x-h4",
+         .title = untranslated("X-H4"),
+         .says = {"a curve is compared with horizons that it has raised itself",
+                  "кривая сравнивается с горизонтами, которые сама же подняла"},
+         .lines = at<FH4, SE2>,
+         .methods = of_curves,
+         .witness = "x-h4"},
+        {.defect = "x-h5",
+         .title = untranslated("X-H5"),
+         .says = {"samples alone are looked at, not the columns between them",
+                  "рассматриваются только отсчёты, а не столбцы между ними"},
+         .lines = at<FH5>,
+         .methods = of_curves,
+         .witness = "x-h5"},
+        {.defect = "x-h6",
+         .title = untranslated("X-H6"),
+         .says = {"a point on both horizons counts as one above", "точка на обоих горизонтах считается лежащей сверху"},
+         .lines = at<V2>,
+         .methods = of_curves,
+         .witness = "x-h6"},
+        {.defect = "x-w9",
+         .mistake = "one-list",
+         .title = {"one list for all parts", "один список на все части"},
+         .says = {"all parts of a window share one list", "у всех частей окна один общий список"},
+         .lines = at<W13>,
+         .methods = of<warnock>,
+         .witness = "mistake-one-list",
+         .advice = "one APL is shared by all parts of a window: what leaves it in one part is gone in the "
+                   "others. Give each part a copy"},
+        {.mistake = "depths-not-cleared",
+         .title = {"Z not cleared", "Z не очищен"},
+         .says = {"Z starts at 0, as a new array does", "Z начинается с 0, как новый массив"},
+         .lines = at<Z1>,
+         .methods = of<zbuffer>,
+         .witness = "mistake-depths-not-cleared",
+         .advice = "the depths are not cleared: they start at 0, and what lies behind that never shows. Start "
+                   "below all depths"},
+        {.mistake = "clip-order-reversed",
+         .title = {"clip order reversed", "обратный порядок отсечения"},
+         .says = {"the window's corners are taken in the opposite order, so that inside and outside change places",
+                  "углы окна берутся в обратном порядке, и внутренняя сторона становится внешней"},
+         .lines = at<PL1>,
+         .methods = of<warnock>,
+         .witness = "mistake-clip-order-reversed",
+         .advice = "the sides of the window are gone round the other way when clipping, so that inside and "
+                   "outside are exchanged. Turn the order of its corners or the sign round"},
+        {.mistake = "y-flipped",
+         .title = {"y flipped", "y перевёрнут"},
+         .says = {"y grows upward: the picture is upside down", "y растёт вверх: изображение перевёрнуто"},
+         .lines = at<I1>,
+         .methods = of<warnock, zbuffer>,
+         .witness = "mistake-y-flipped",
+         .advice = "the picture is upside down: y grows downward, row 0 is the uppermost"},
+        {.mistake = "depth-sign-reversed",
+         .title = {"sign of z reversed", "обратный знак z"},
+         .says = {"the smaller z is the nearer", "ближе тот, у кого z меньше"},
+         .lines = at<D1>,
+         .methods = of<warnock, zbuffer>,
+         .witness = "mistake-depth-sign-reversed",
+         .advice = "the sign of z is reversed: the greater z is the nearer"},
+        {.mistake = "boundary-outside",
+         .title = {"boundary outside", "граница снаружи"},
+         .says = {"points on the outline count as outside", "точки границы считаются внешними"},
+         .lines = at<S3, L4>,
+         .methods = of<warnock, zbuffer>,
+         .witness = "mistake-boundary-outside",
+         .advice = "points on an outline count as outside of both polygons that share it: pixels there belong "
+                   "to nobody. Let a product of 0 count as inside, or give such points to one of the two"},
+        {.mistake = "integer-division",
+         .title = {"integer division", "деление нацело"},
+         .says = {"the area is halved in whole numbers, and the rest is lost",
+                  "область делится пополам нацело, и остаток теряется"},
+         .lines = at<W3, W13>,
+         .methods = of<warnock>,
+         .witness = "mistake-integer-division",
+         .advice = "a window is halved in whole numbers: of an odd number of pixels one is lost. Begin with a "
+                   "square of 2^m pixels a side that covers the area"},
+        {.mistake = "surround-kept",
+         .title = {"hasSurround never reset", "hasSurround не сбрасывается"},
+         .says = {"hasSurround is never reset", "hasSurround никогда не сбрасывается"},
+         .lines = at<PW7>,
+         .methods = of<warnock>,
+         .witness = "mistake-surround-kept",
+         .advice = "hasSurround is never reset: a polygon that lies before the surrounding one in a part of "
+                   "the window is overlooked. Set it to false wherever a nearer polygon is found"},
+        {.mistake = "vertex-counted-twice",
+         .title = {"pierced vertex counted twice", "проткнутая вершина за два"},
+         .says = {"a ray crosses a vertex twice, whether it is pierced or touched",
+                  "луч пересекает вершину дважды, проткнута она или задета"},
+         .lines = at<CR3>,
+         .methods = of<warnock_full>,
+         .witness = "mistake-vertex-counted-twice"},
+        {.mistake = "octants-not-split",
+         .title = {"half angle not split", "развёрнутый угол не разбит"},
+         .says = {"an edge seen under half of a full angle is not split",
+                  "ребро, видимое под развёрнутым углом, не разбивается"},
+         .lines = at<OA4>,
+         .methods = of<warnock_angles>,
+         .witness = "mistake-octants-not-split"},
+        {.mistake = "line-for-edge",
+         .title = {"line taken for edge", "прямая вместо ребра"},
+         .says = {"an edge is taken for the whole line on which it lies",
+                  "вместо ребра берётся вся прямая, на которой оно лежит"},
+         .lines = at<TF3>,
+         .methods = of<warnock_full>,
+         .witness = "mistake-line-for-edge"},
+    });
+}();
+static_assert(deviations.size() == std::size_t(Deviation::line_for_edge) + 1);
+
+constexpr const DeviationChoice& choice_of(Deviation deviation) { return deviations[std::size_t(deviation)]; }
+
+}  // namespace vidno
