@@ -15,7 +15,7 @@ async function openLesson(
   options: Parameters<typeof open>[2] = {},
   hash = '',
 ): Promise<Opened> {
-  const found = await open(browser, `#lang=en&trace=${trace}${hash}`, options);
+  const found = await open(browser, `#lang=en&trace=${trace}&view=workbench${hash}`, options);
   await found.page.locator(title, { hasText: /./u }).waitFor();
   await whole(found.page);
   return found;
@@ -35,17 +35,29 @@ const box = (page: Page) =>
   });
 
 describe('the choice of a layer', () => {
-  it.each([390, 1280, 1920])('and what it says stand above the legend at %d px', async (width) => {
-    const viewport = { width, height: width < 500 ? 844 : 800 };
-    const { page } = await openLesson(printed('zbuffer'), { viewport }, '&reader=off');
-    await choice(page).selectOption('difference');
-    await expect.poll(() => status(page).textContent()).toContain('wrong');
-    const legend = (await page.locator('vidno-legend').boundingBox())?.y ?? 0;
-    for (const part of [choice(page), status(page)]) {
-      const { y, height } = (await part.boundingBox()) ?? { y: Infinity, height: 0 };
-      expect(y + height).toBeLessThanOrEqual(legend + 1);
-    }
-  });
+  it.each([390, 1280, 1920])(
+    'and what it says stand below the picture, in its panel, at %d px',
+    async (width) => {
+      const viewport = { width, height: width < 500 ? 844 : 800 };
+      const { page } = await openLesson(printed('zbuffer'), { viewport }, '&reader=off');
+      await choice(page).selectOption('difference');
+      await expect.poll(() => status(page).textContent()).toContain('wrong');
+      const picture = await page.locator('vidno-picture').boundingBox();
+      const panel = await page.locator('section.picture').boundingBox();
+      if (picture === null || panel === null) throw new Error('no picture');
+      for (const part of [
+        choice(page),
+        status(page),
+        page.locator('vidno-legend button').first(),
+      ]) {
+        const found = (await part.boundingBox()) ?? { x: NaN, y: NaN, width: NaN, height: NaN };
+        expect(found.y).toBeGreaterThanOrEqual(picture.y + picture.height - 1);
+        expect(found.y + found.height).toBeLessThanOrEqual(panel.y + panel.height);
+        expect(found.x).toBeGreaterThanOrEqual(panel.x);
+        expect(found.x + found.width).toBeLessThanOrEqual(panel.x + panel.width);
+      }
+    },
+  );
 });
 
 describe('the difference', () => {
@@ -142,7 +154,7 @@ describe('the choice of a layer', () => {
     // Beside the text the player is narrow; on a telephone there is the one or the other.
     const reader = width < 500 ? '&reader=off' : '';
     const { page } = await openLesson(trace, { viewport: { width, height: 800 } }, reader);
-    await page.getByRole('button', { name: language, exact: true }).click();
+    if (language === 'RU') await page.locator('vidno-languages [lang=ru]').click();
     const before = await box(page);
     for (const layer of ['depths', 'exact', 'difference']) {
       await choice(page).selectOption(layer);

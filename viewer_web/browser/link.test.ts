@@ -15,7 +15,7 @@ describe('a link', () => {
     const button = opening.page.locator('vidno-lesson-list button').first();
     if ((await button.count()) === 0) return null;
     const id = (await button.getAttribute('data-trace')) ?? '';
-    const { page, faults } = await open(browser, `#lang=en&trace=${id}&${hash}`);
+    const { page, faults } = await open(browser, `#lang=en&trace=${id}&view=workbench&${hash}`);
     await page.locator('.title h2').getByText(/./).waitFor();
     return { page, faults };
   }

@@ -90,7 +90,7 @@ describe('a corner', () => {
     const after = await run(page);
     expect(after.polygons[1]?.vertices).not.toEqual([[6, 6, 0.25]]);
     expect(before.polygons[0]).toEqual(after.polygons[0]);
-    await page.getByRole('button', { name: 'RU' }).click();
+    await page.locator('vidno-languages [lang=ru]').click();
     expect(await page.locator('.message').textContent()).toContain('B: не выпуклый');
   });
 });

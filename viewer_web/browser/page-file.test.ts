@@ -4,7 +4,7 @@ import { pathToFileURL } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
 import { run } from './live.js';
-import { openUrl, whole } from './page.js';
+import { openContents, openUrl, whole } from './page.js';
 
 /** A page that the program made of the scene of lesson 5 and the trace of lesson 7. */
 const file = join(process.env['VIDNO_STATES'] ?? '', 'page.html');
@@ -19,11 +19,14 @@ describe.runIf(existsSync(file))('a page made by the program', () => {
 
     const buttons = page.locator('vidno-lesson-list button');
     expect(await buttons.count()).toBe(2);
+    await openContents(page);
     await buttons.last().click();
-    await buttons.last().and(page.locator('[aria-pressed="true"]')).waitFor();
+    const pressed = buttons.last().and(page.locator('[aria-pressed="true"]'));
+    await pressed.waitFor({ state: 'attached' });
     await whole(page);
     expect((await run(page)).method).toBe('zbuffer');
     await page.waitForFunction(() => location.hash.includes('trace=2'));
+    await openContents(page);
     await buttons.first().click();
     await page.waitForFunction(() => location.hash.includes('scene='));
     expect((await run(page)).lines).toEqual(scene.lines);

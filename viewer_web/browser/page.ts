@@ -112,7 +112,7 @@ export function lessonTraces(page: Page): Promise<readonly string[]> {
   });
 }
 
-/** Opens a trace of a lesson by its address, and waits until it is shown. */
+/** Opens a trace of a lesson by its address, in the workbench, and waits until it is shown. */
 export async function openLesson(page: Page, trace: string): Promise<void> {
   await page.evaluate(async (hash) => {
     // What the page itself writes may take its place before it is read.
@@ -122,7 +122,7 @@ export async function openLesson(page: Page, trace: string): Promise<void> {
         window.addEventListener('hashchange', resolve, { once: true });
       });
     } while (location.hash !== hash);
-  }, `#trace=${trace}`);
+  }, `#trace=${trace}&view=workbench`);
   const button = page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`);
   await button.waitFor({ state: 'attached' });
 }

@@ -29,7 +29,7 @@ describe('on paper', () => {
     await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
     await page.locator('.pixels').first().waitFor();
-    for (const shown of ['h2', 'vidno-picture', '.sentence', 'vidno-listing .now', '.side']) {
+    for (const shown of ['main h2', 'vidno-picture', '.sentence', 'vidno-listing .now', '.side']) {
       expect(await page.locator(shown).first().isVisible(), shown).toBe(true);
     }
     for (const hidden of [

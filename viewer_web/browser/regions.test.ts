@@ -91,8 +91,9 @@ describe('a run of Weiler and Atherton’s algorithm', () => {
     'lists everything in full, in a window of any width: %s',
     async (language) => {
       const trace = '14-weiler-atherton.cycle.weiler-atherton.exact.corrected.polygons';
-      const { page } = await open(browser, `#lang=${language}&trace=${trace}`);
-      await page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`).waitFor();
+      const { page } = await open(browser, `#lang=${language}&trace=${trace}&view=workbench`);
+      const button = page.locator(`button[data-trace="${trace}"][aria-pressed="true"]`);
+      await button.waitFor({ state: 'attached' });
       await whole(page);
       const { length } = await shown(page);
       for (const width of [360, 390, 768, 961, 1024, 1280, 1500, 1920]) {

@@ -80,6 +80,9 @@ export const appStyle = css`
     color: var(--accent);
     font-size: 0.8125rem;
   }
+  .on-paper {
+    display: none;
+  }
   .nothing {
     margin: auto;
     color: var(--soft);
@@ -221,6 +224,13 @@ export const appStyle = css`
     main {
       flex: 1;
       overflow: visible;
+    }
+    .on-paper {
+      display: block;
+      margin-bottom: 3mm;
+      color: var(--ink);
+      font-size: 1rem;
+      overflow-wrap: anywhere;
     }
     vidno-player,
     vidno-comparison {

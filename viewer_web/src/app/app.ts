@@ -337,6 +337,7 @@ export class AppElement extends LitElement implements Shown, Told {
         >${heading(session, this.name, language)}</vidno-page-header
       >
       <main>
+        <h2 class="on-paper">${trace === null ? '' : this.name}</h2>
         ${notices(session, language)} ${alone(this)} ${isCompared ? besides(this) : nothing}
         ${this.isOpening ? nothing : invitation(session, language)}
       </main>

@@ -58,14 +58,13 @@ export class PicturePanelElement extends LitElement {
       }
       @container (max-width: 520px) {
         vidno-readout {
-          grid-column: 1 / -1;
-          min-height: 1.5rem;
+          grid-column: 1 / 3;
+          min-height: 1.75rem;
         }
         vidno-layers {
+          grid-column: 1 / -1;
+          order: 4;
           padding-left: 0.6rem;
-        }
-        vidno-legend {
-          grid-column: 3;
         }
       }
       .switches,

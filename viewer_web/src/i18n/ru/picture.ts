@@ -2,7 +2,7 @@ import type { PictureTexts } from '../../language/picture-texts.js';
 
 export const picture: PictureTexts = {
   zoom: 'Масштаб',
-  legend: 'Обозначения',
+  legend: 'Легенда',
   readout: { unpainted: 'ещё не закрашен', background: 'фон', or: ' или ' },
   out: 'Мельче',
   in: 'Крупнее',
