@@ -2,7 +2,9 @@ import { availableParallelism } from 'node:os';
 import { defineConfig } from 'vitest/config';
 
 /** What measures time: nothing else runs meanwhile. */
-const timed = ['history-speed', 'million', 'pauses'].map((name) => `browser/${name}.test.ts`);
+const timed = ['frame', 'history-speed', 'million', 'pauses'].map(
+  (name) => `browser/${name}.test.ts`,
+);
 
 /** The page as it was built, in a real browser. */
 export default defineConfig({

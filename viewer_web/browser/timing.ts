@@ -1,0 +1,122 @@
+import type { CDPSession, Page } from 'playwright-core';
+
+/** Milliseconds of the processor that the page's main thread spent, and of these in style and in layout. */
+export interface Cost {
+  readonly task: number;
+  readonly style: number;
+  readonly layout: number;
+}
+
+/** What one event took, in milliseconds. */
+export interface Measured {
+  /** Until the frame is drawn that shows what it did. */
+  readonly drawn: number;
+  /** Until the frame after that begins: two frames of 60 a second, if the page keeps up with them. */
+  readonly next: number;
+  readonly cost: Cost;
+}
+
+const partOf: Readonly<Record<string, keyof Cost>> = {
+  TaskDuration: 'task',
+  RecalcStyleDuration: 'style',
+  LayoutDuration: 'layout',
+};
+
+type Noted = Window & { noted: Promise<{ drawn: number; next: number }>; trace: unknown };
+
+/**
+ * Measures what events cost a page in time of the processor, which other programs on the machine change less, and how soon it has
+ * drawn what they did.
+ */
+export class Meter {
+  private constructor(
+    private readonly page: Page,
+    private readonly session: CDPSession,
+  ) {}
+
+  static async of(page: Page): Promise<Meter> {
+    const session = await page.context().newCDPSession(page);
+    await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+    return new Meter(page, session);
+  }
+
+  private async spent(): Promise<Cost> {
+    const { metrics } = await this.session.send('Performance.getMetrics');
+    const cost = { task: 0, style: 0, layout: 0 };
+    for (const { name, value } of metrics) {
+      const part = partOf[name];
+      if (part !== undefined) cost[part] = 1000 * value;
+    }
+    return cost;
+  }
+
+  /** Does what sends the page a key, or moves the mouse; of the latter the page is to show another run. */
+  async measure(what: 'keydown' | 'pointermove', act: () => Promise<void>): Promise<Measured> {
+    // The event comes at any time between two frames.
+    await this.page.waitForTimeout(Math.random() * 17);
+    await this.page.evaluate(note, what);
+    const before = await this.spent();
+    await act();
+    const { drawn, next } = await this.page.evaluate(() => (window as unknown as Noted).noted);
+    const after = await this.spent();
+    const cost = {
+      task: after.task - before.task,
+      style: after.style - before.style,
+      layout: after.layout - before.layout,
+    };
+    return { drawn, next, cost };
+  }
+}
+
+/** Runs in the page: from the next event on, keeps when its frame is drawn, and when the frame after it begins. */
+function note(what: 'keydown' | 'pointermove'): void {
+  const noted = window as unknown as Noted;
+  const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
+  const { trace } = player ?? { trace: null };
+  noted.noted = new Promise((resolve) => {
+    const onEvent = (event: Event): void => {
+      // A move is told at the beginning of a frame, however early it was made.
+      const start = what === 'keydown' ? event.timeStamp : performance.now();
+      const onFrame = (): void => {
+        if (what === 'pointermove' && player?.trace === trace) {
+          requestAnimationFrame(onFrame);
+          return;
+        }
+        const since = (): number => performance.now() - start;
+        const { port1, port2 } = new MessageChannel();
+        const drawn = new Promise<number>((done) => (port1.onmessage = () => done(since())));
+        const next = new Promise<number>((done) => requestAnimationFrame(() => done(since())));
+        // A message that is posted in a frame comes when its style, layout and paint are done.
+        port2.postMessage(null);
+        void Promise.all([drawn, next]).then((times) => {
+          port1.close();
+          resolve({ drawn: times[0], next: times[1] });
+        });
+      };
+      requestAnimationFrame(onFrame);
+    };
+    window.addEventListener(what, onEvent, { capture: true, once: true });
+  });
+}
+
+/** The value that so large a part of some values does not exceed. */
+function quantile(values: readonly number[], part: number): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[Math.max(0, Math.ceil(part * sorted.length) - 1)] ?? NaN;
+}
+
+export const median = (values: readonly number[]): number => quantile(values, 0.5);
+
+/** The median and the value that 19 of 20 do not exceed. */
+const spread = (values: readonly number[]): string =>
+  `${median(values).toFixed(1)} (p95 ${quantile(values, 0.95).toFixed(1)})`;
+
+/** The figures of some events, each as its median and p95. */
+export function told(all: readonly Measured[]): string {
+  const of = (figure: (each: Measured) => number): string => spread(all.map(figure));
+  return (
+    `drawn ${of(({ drawn }) => drawn)} ms, next frame ${of(({ next }) => next)} ms, ` +
+    `main thread ${of(({ cost }) => cost.task)} ms, ` +
+    `of which style ${of(({ cost }) => cost.style)} ms, layout ${of(({ cost }) => cost.layout)} ms`
+  );
+}
