@@ -95,6 +95,9 @@ export class SideElement extends LitElement {
         display: flex;
         margin-left: auto;
       }
+      .asides button {
+        padding-inline: 0.08rem;
+      }
       .predict span {
         display: inline-block;
         width: 1.3rem;
@@ -103,13 +106,13 @@ export class SideElement extends LitElement {
         line-height: 1.05rem;
       }
       .outline svg {
-        width: 1.3rem;
-        height: 1.1rem;
+        width: 1.1rem;
+        height: 0.9rem;
         fill: none;
         stroke: currentColor;
         stroke-width: 2;
         stroke-linecap: round;
-        vertical-align: -0.2em;
+        vertical-align: -0.15em;
       }
       .bookmarks svg {
         width: 9px;

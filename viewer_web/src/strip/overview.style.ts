@@ -5,13 +5,13 @@ export const overviewStyle = css`
   :host {
     position: relative;
     display: block;
-    height: 0.75rem;
+    height: 0.5625rem;
     touch-action: none;
     user-select: none;
     cursor: crosshair;
   }
   vidno-strip {
-    height: 0.5rem;
+    height: 0.4375rem;
     border-radius: 2px;
     overflow: hidden;
   }
@@ -58,7 +58,7 @@ export const overviewStyle = css`
   .outside {
     position: absolute;
     top: 0;
-    height: 0.5rem;
+    height: 0.4375rem;
     background: color-mix(in srgb, var(--panel) 62%, transparent);
     pointer-events: none;
   }
@@ -75,7 +75,7 @@ export const overviewStyle = css`
     top: 0;
     left: calc(var(--at) * 100%);
     width: 2px;
-    height: 0.5rem;
+    height: 0.4375rem;
     margin-left: -1px;
     background: var(--ink);
     pointer-events: none;
