@@ -1,6 +1,7 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { texts } from '../i18n/index.js';
+import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';
 import '../run/notice.js';
 import type { Notice } from '../run/notice.js';
@@ -28,7 +29,7 @@ function runOf({ trace }: Session, language: Language): TemplateResult | typeof 
   const { page, scene } = texts[language];
   const { method, edition, kernel, detail } = trace.header;
   return html`<p>
-    ${page.methods[method]} · ${page.editions[edition]} · ${page.kernel}: ${kernel} ·
+    ${page.methods[method]} · ${editionName(page.editions, edition)} · ${page.kernel}: ${kernel} ·
     ${page.detail}: ${scene.details[detail]}
   </p>`;
 }

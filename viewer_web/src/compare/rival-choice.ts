@@ -4,6 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { quickRuns } from './quick.js';
 import type { With } from './rival.js';
+import { editionName } from '../language/family-texts.js';
 import type { CompareTexts } from '../language/compare-texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
@@ -155,8 +156,7 @@ export class RivalChoiceElement extends LitElement {
       </p>
       <div class="row other">
         ${this.select('method', methodNames(methods, wanted))}
-        ${this.select('edition', offeredNames(wanted.method, editions))}
-        ${this.select('kernel', numbers)}
+        ${this.select('edition', offeredNames(wanted, editions))} ${this.select('kernel', numbers)}
         <button name="run" @click=${() => this.choose({ kind: 'run', options: wanted })}>
           ${say.run}
         </button>
@@ -190,7 +190,7 @@ export class RivalChoiceElement extends LitElement {
     const { page } = texts[language];
     const all = lessons.flatMap(({ traces }) => traces);
     const nameOf = ({ method, kernel, edition }: LessonTrace): string =>
-      [page.methods[method], page.editions[edition], kernel].join(' · ');
+      [page.methods[method], editionName(page.editions, edition), kernel].join(' · ');
     return html`<div class="row">
       <label class="lesson">
         <span>${say.ofLessons}</span>

@@ -1,3 +1,4 @@
+import { editionName } from '../language/family-texts.js';
 import type { PageTexts } from '../language/texts.js';
 import type { LessonTrace } from './lessons.js';
 
@@ -7,7 +8,7 @@ export function runName(
   page: PageTexts,
 ): { readonly method: string; readonly variant: string } {
   const unusual = [
-    ...(edition === 'corrected' ? [] : [page.editions[edition]]),
+    ...(edition === 'corrected' ? [] : [editionName(page.editions, edition)]),
     ...(kernel === 'double' ? [] : [kernel]),
     ...(file.includes('.checked.') ? [page.checked] : []),
     ...(scene === undefined ? [] : [page.scene(scene)]),

@@ -75,6 +75,8 @@ export class PlayerElement extends StageElement {
   /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) link: LinkMade | null = null;
+  /** Whether lines of the listing can be broken: `vidno-break` asks for that. */
+  @property({ type: Boolean }) breakable = false;
   /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
   @property() ask = '';
   /** Whether the text of a lesson is beside it. */
@@ -195,7 +197,11 @@ export class PlayerElement extends StageElement {
           ></vidno-picture-panel>
         </section>
         <section class="listing" aria-label=${texts.listing}>
-          <vidno-listing .trace=${this.trace} .view=${view}></vidno-listing>
+          <vidno-listing
+            .trace=${this.trace}
+            .view=${view}
+            ?breakable=${this.breakable && !isOpen && !isForced}
+          ></vidno-listing>
         </section>
         <section class="side ${this.side}" aria-label=${texts.state}>
           <vidno-side
