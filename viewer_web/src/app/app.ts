@@ -34,6 +34,7 @@ import '../solid/solid-element.js';
 import { appStyle } from './app.style.js';
 import { contents, reader } from './beside.js';
 import type { Told } from './beside.js';
+import { Breaking } from './breaking.js';
 import { heading, invitation, notices } from './heading.js';
 import { Navigation } from './navigation.js';
 import './page-header.js';
@@ -73,6 +74,7 @@ export class AppElement extends LitElement implements Shown, Told {
   @state() private isOpening = false;
   readonly lessons = embeddedLessons(document);
   readonly ways: Navigation = new Navigation(this);
+  readonly breaking: Breaking = new Breaking(this);
   readonly session = new Session(this, () => {
     this.requestUpdate();
     this.ways.write();
@@ -110,6 +112,7 @@ export class AppElement extends LitElement implements Shown, Told {
     const { session } = this;
     const beside = this.isAsked ? null : rival;
     if (beside !== session.rival.word) session.rival.choose(withOf(beside ?? '', document));
+    this.breaking.openAt(address.witness ?? null);
     this.isOpening = true;
     this.isFirst = namesNothing(address);
     if (this.isFirst && !setup.setting.embed && memory.get('tour') === null) {
@@ -268,7 +271,7 @@ export class AppElement extends LitElement implements Shown, Told {
   /** To another run beside this one, and back. */
   private compare(): void {
     const { rival, trace } = this.session;
-    if (rival.chosen !== null) rival.choose(null);
+    if (rival.chosen !== null) this.breaking.leave();
     else if (this.isAsked) this.player.refuse('noComparison');
     else if (trace !== null) this.choice.show();
   }

@@ -1,6 +1,7 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import { textOf } from '../base/text-file.js';
 import { Rival } from '../compare/rival.js';
+import { Witness } from '../compare/witness.js';
 import { Live } from '../editor/live.js';
 import type { Carried } from '../editor/live.js';
 import { embeddedFile, idOf } from '../lessons/lessons.js';
@@ -44,6 +45,7 @@ export class Session implements ReactiveController {
   readonly maps: SignMaps | null;
   readonly checks: Checks | null;
   readonly rival: Rival;
+  readonly witness: Witness;
 
   /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
   private goal: Place | null = null;
@@ -63,6 +65,7 @@ export class Session implements ReactiveController {
     this.checks = library && new Checks(library, changed);
     this.exact = new ExactPicture(library, changed);
     this.rival = new Rival(library, changed);
+    this.witness = new Witness(library, changed);
     this.live = new Live(library, {
       changed,
       began: () => (this.earlier = this.trace),
@@ -206,6 +209,7 @@ export class Session implements ReactiveController {
   }
 
   private show(trace: Trace, name: string, lesson: string | null, place: Place): void {
+    if (this.trace !== null) this.witness.close();
     this.trace = trace;
     this.steps = trace.timeline.length;
     this.name = name;

@@ -29,10 +29,19 @@ const written = (
   live: Carried | null,
   trace: string | null,
 ): string => {
-  const { place, rival } = session;
+  const { place, rival, witness } = session;
   const lesson = reading.lesson?.story === undefined ? null : reading.lesson.id;
   const at = reading.reached.place;
-  return formatAddress({ setup, ...place, lesson, at, trace, live, rival: rival.word });
+  return formatAddress({
+    setup,
+    ...place,
+    lesson,
+    at,
+    trace,
+    live,
+    rival: rival.word,
+    witness: witness.word,
+  });
 };
 
 /** The address of what is shown, where it is known at once. */

@@ -15,6 +15,10 @@ import '../player/player.js';
 import { isComparedUnasked } from '../player/verdict.js';
 import type { Setup } from '../reader/address.js';
 import type { Bookmarks } from '../time/bookmarks.js';
+import { deviationOf } from '../trace/editions.js';
+import type { Edition } from '../trace/editions.js';
+import { brokenBeside } from './breaking.js';
+import type { Breaking } from './breaking.js';
 import type { Navigation } from './navigation.js';
 import type { Session } from './session.js';
 
@@ -33,6 +37,8 @@ export interface Shown {
   turned(): void;
   change(part: Partial<Setup>): void;
   copyLink(): Promise<void>;
+  requestUpdate(): void;
+  readonly breaking: Breaking;
   readonly ways: Navigation;
 }
 
@@ -80,6 +86,8 @@ export function alone(page: Shown): TemplateResult {
       .check=${trace && (session.checks?.of(trace) ?? null)}
       .editing=${live.editing}
       .link=${live.link}
+      ?breakable=${session.canRun}
+      @vidno-break=${({ detail }: CustomEvent<Edition>) => page.breaking.break(detail)}
       @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
       @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
       @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
@@ -96,9 +104,41 @@ export function alone(page: Shown): TemplateResult {
   `;
 }
 
+/** The smallest scene that shows how a line is broken: its right run beside the broken one. */
+function smallest(page: Shown): TemplateResult {
+  const { witness } = page.session;
+  const { right, broken, place, edition, title } = witness;
+  const { language, presenting, layer, setting } = page.setup;
+  return html`<vidno-comparison
+    .trace=${right}
+    .length=${right?.timeline.length ?? 0}
+    .step=${place.step}
+    .rival=${broken}
+    .rivalLength=${broken?.timeline.length ?? 0}
+    complete
+    .lang=${language}
+    .pixel=${place.pixel}
+    .bookmarks=${[]}
+    .speed=${setting.speed}
+    ?presenting=${presenting}
+    .layer=${layer}
+    .broken=${edition && deviationOf(edition)}
+    .smallest=${title?.[language] ?? ''}
+    ?seeks=${page.breaking.seeks}
+    @vidno-broken=${({ detail }: CustomEvent<string>) => page.breaking.follow(detail)}
+    @vidno-sought=${() => page.breaking.found()}
+    @vidno-step=${({ detail: step }: CustomEvent<number>) => witness.move({ step })}
+    @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => witness.move({ pixel })}
+    @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}
+    @vidno-present=${({ detail }: CustomEvent<boolean>) => page.change({ presenting: detail })}
+    @vidno-keys=${({ detail: keys }: CustomEvent<string>) => page.change({ setting: { ...setting, keys } })}
+  ></vidno-comparison>`;
+}
+
 /** The run beside another one. */
 export function besides(page: Shown): TemplateResult {
   const { session } = page;
+  if (session.witness.isOpen) return smallest(page);
   const { place, live, rival } = session;
   const { language, presenting, layer, setting } = page.setup;
   return html`<vidno-comparison
@@ -119,6 +159,12 @@ export function besides(page: Shown): TemplateResult {
     ?presenting=${presenting}
     .layer=${layer}
     .editing=${live.editing}
+    .broken=${brokenBeside(session)}
+    ?breakable=${session.canRun}
+    ?seeks=${page.breaking.seeks && session.witness.edition === null}
+    @vidno-break=${({ detail }: CustomEvent<Edition>) => page.breaking.break(detail)}
+    @vidno-broken=${({ detail }: CustomEvent<string>) => page.breaking.follow(detail)}
+    @vidno-sought=${() => page.breaking.found()}
     @vidno-step=${(event: CustomEvent<number>) => page.ways.moved(event)}
     @vidno-pixel=${({ detail: pixel }: CustomEvent<Pixel | null>) => session.move({ pixel })}
     @vidno-layer=${({ detail }: CustomEvent<Layer>) => page.change({ layer: detail })}

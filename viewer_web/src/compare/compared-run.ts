@@ -8,6 +8,7 @@ import type { Exact, Layer } from '../picture/layers.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Trace } from '../replay/trace.js';
 import type { View } from '../algorithm/view.js';
+import { editionName } from '../language/family-texts.js';
 import { comparedStyle } from './compared-run.style.js';
 import '../listing/listing-element.js';
 import type { ListingElement } from '../listing/listing-element.js';
@@ -36,6 +37,8 @@ export class ComparedRunElement extends LitElement {
   /** Whether it is stepped by itself. */
   @property({ type: Boolean }) alone = false;
   @property({ type: Boolean }) playing = false;
+  /** Whether its lines can be broken. */
+  @property({ type: Boolean }) breakable = false;
 
   @query('vidno-picture-panel') private picture!: PicturePanelElement;
   @query('vidno-listing') private listing!: ListingElement;
@@ -73,7 +76,7 @@ export class ComparedRunElement extends LitElement {
         ></vidno-picture-panel>
       </section>
       <section class="listing" aria-label="${say.listing}: ${name}">
-        <vidno-listing .trace=${trace} .view=${view}></vidno-listing>
+        <vidno-listing .trace=${trace} .view=${view} ?breakable=${this.breakable}></vidno-listing>
       </section>
       <p class="sentence" aria-live=${this.playing ? 'off' : 'polite'} aria-atomic="true">
         <span class="at">${event?.at ?? '·'}</span><span>${view.sentence}</span>
@@ -84,7 +87,7 @@ export class ComparedRunElement extends LitElement {
   private name(): string {
     const { texts: say, header } = this.view;
     const { method, edition, kernel } = header;
-    return [say.methods[method], say.editions[edition], kernel].join(' · ');
+    return [say.methods[method], editionName(say.editions, edition), kernel].join(' · ');
   }
 
   private step(): TemplateResult {

@@ -25,7 +25,9 @@ import type { Line } from '../replay/lines.js';
 import type { Trace } from '../replay/trace.js';
 import { marked } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
+import type { Deviation } from '../trace/editions.js';
 import type { TravelElement } from '../time/travel.js';
+import './broken-line.js';
 import './compared-run.js';
 import type { ComparedRunElement } from './compared-run.js';
 import { Comparison } from './comparison.js';
@@ -76,6 +78,14 @@ export class ComparisonElement extends StageElement {
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) layer: Layer = 'picture';
   @property({ attribute: false }) editing: Editing | null = null;
+  /** How the other run is broken, if it is the same but for that. */
+  @property({ attribute: false }) broken: Deviation | null = null;
+  /** The title of the smallest scene that shows it, where that is shown. */
+  @property({ attribute: false }) smallest: string | null = null;
+  /** Whether lines of the first run can be broken. */
+  @property({ type: Boolean }) breakable = false;
+  /** Whether the first difference is looked for, to go there; an event `vidno-sought` tells that it was found, or that there is none. */
+  @property({ type: Boolean }) seeks = false;
   @state() private linked = true;
   /** Whether the corners of the scene can be dragged, in the first picture. */
   @state() isEdited = false;
@@ -104,6 +114,18 @@ export class ComparisonElement extends StageElement {
     this.otherRipening.follow(rival);
     this.pair(this.comparison, rival);
     this.halves = this.look(trace, rival);
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    super.updated(changed);
+    if (this.seeks) this.seek();
+  }
+
+  private seek(): void {
+    const parting = this.comparison?.parting ?? null;
+    if (parting === null || (parting.text === null && !parting.complete)) return;
+    this.dispatchEvent(new CustomEvent('vidno-sought'));
+    if (parting.text !== null) this.moveTo(parting.text[0]);
   }
 
   protected override actions(event: KeyboardEvent): Actions {
@@ -157,6 +179,7 @@ export class ComparisonElement extends StageElement {
     const check = this.checkOf(trace);
     const steps: Steps = [view.step, other.view.step];
     return html`
+      ${this.broken === null ? nothing : this.brokenLine(comparison, this.broken)}
       <div class="runs" @pointerover=${this.pointing.onOver} @pointerleave=${this.pointing.onLeave}>
         ${halves.map((half) => this.half(half))}
         <vidno-comparison-facts
@@ -180,6 +203,24 @@ export class ComparisonElement extends StageElement {
     `;
   }
 
+  private brokenLine(comparison: Comparison, broken: Deviation): TemplateResult {
+    const tell = ({ type }: Event): unknown =>
+      this.dispatchEvent(new CustomEvent<string>('vidno-broken', { detail: type }));
+    return html`<vidno-broken-line
+      .deviation=${broken}
+      .comparison=${comparison}
+      .language=${this.language}
+      .smallest=${this.smallest}
+      .atEnd=${comparison.differsAtEnd}
+      .text=${comparison.parting?.text ?? null}
+      ?complete=${comparison.parting?.complete === true}
+      @go=${({ detail }: CustomEvent<number>) => this.moveTo(detail)}
+      @smallest=${tell}
+      @own=${tell}
+      @back=${tell}
+    ></vidno-broken-line>`;
+  }
+
   private half({ side, trace, view, against }: Half): TemplateResult {
     const isOne = side === 'one';
     return html`<vidno-compared-run
@@ -192,6 +233,7 @@ export class ComparisonElement extends StageElement {
       .note=${isOne ? '' : this.rivalNote}
       ?alone=${!isOne && !this.linked}
       ?playing=${this.clock.playing}
+      ?breakable=${isOne && this.breakable}
       @pixel=${({ detail }: CustomEvent<Pixel>) => this.choosePixel(detail)}
       @step=${({ detail }: CustomEvent<number>) => (this.otherStep = detail)}
     ></vidno-compared-run>`;

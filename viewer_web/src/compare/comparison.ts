@@ -52,8 +52,10 @@ export class Comparison {
 
   /** The other run's step beside one of this run; null as long as that is not known. */
   paired(step: number): number | null {
-    const deed = this.parting?.deed ?? null;
+    const { text = null, deed = null } = this.parting ?? {};
     if (deed?.[0] === step) return deed[1];
+    const isOneDetail = this.one.header.detail === this.other.header.detail;
+    if (isOneDetail && text?.[0] === step) return text[1]; // up to there they are the same
     return this.pairing?.other(step) ?? null;
   }
 

@@ -4,6 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { quickRuns } from './quick.js';
 import type { With } from './rival.js';
+import { editionName } from '../language/family-texts.js';
 import type { CompareTexts } from '../language/compare-texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
@@ -156,8 +157,7 @@ export class RivalChoiceElement extends LitElement {
       </p>
       <div class="row other">
         ${this.select('method', methodNames(methods, wanted))}
-        ${this.select('edition', offeredNames(wanted.method, editions))}
-        ${this.select('kernel', numbers)}
+        ${this.select('edition', offeredNames(wanted, editions))} ${this.select('kernel', numbers)}
         <button name="run" @click=${() => this.choose({ kind: 'run', options: wanted })}>
           ${say.run}
         </button>

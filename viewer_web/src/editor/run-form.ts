@@ -27,7 +27,7 @@ export class RunFormElement extends FormElement {
         <h3>${say.run}</h3>
         <div class="fields">
           ${this.select('method', methodNames(methods, editing.options))}
-          ${this.select('edition', offeredNames(editing.options.method, editions))}
+          ${this.select('edition', offeredNames(editing.options, editions))}
           ${this.select('kernel', this.kernelNames())} ${this.select('detail', levels)}
         </div>
         <p class="rule">${texts[this.language].family.rules[editing.options.method]}</p>

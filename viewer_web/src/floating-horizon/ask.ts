@@ -5,6 +5,7 @@ import type { Asker } from '../predict/asker.js';
 import { between } from '../predict/question.js';
 import type { Option } from '../predict/question.js';
 import type { Trace } from '../replay/trace.js';
+import { hasDefect } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 import type { N } from '../trace/values.js';
 import { sideBeside } from './sides.js';
@@ -129,7 +130,7 @@ export const meeting: Asker<'meeting'> = {
     const was = sideBeside(from[1], to[1]);
     const is = sideBeside(to[1], from[1]);
     const isUpper = (result.event.at === 'FH7' ? was : is) === 'above';
-    const isFirstOfPrinted = trace.header.edition === 'printed' && was === 'hidden'; // X-H2
+    const isFirstByDefect = hasDefect(trace.header.edition, 'x-h2') && was === 'hidden'; // X-H2
     const { columns } = result.event;
     const spot = columns[0] === columns[1] ? String(columns[0]) : between;
     return {
@@ -141,7 +142,7 @@ export const meeting: Asker<'meeting'> = {
         {
           asks: 'meets',
           options: [{ value: 'upper' }, { value: 'lower' }],
-          right: [isUpper || isFirstOfPrinted ? 'upper' : 'lower'],
+          right: [isUpper || isFirstByDefect ? 'upper' : 'lower'],
           given: known.map(({ x, y, upper, lower }) => ({
             ...columnOption(x, y, upper, lower),
             of: 'column',

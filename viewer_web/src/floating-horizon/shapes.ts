@@ -6,6 +6,7 @@ import { boxData, circleData, pathData } from '../picture/shapes.js';
 import type { Shape } from '../picture/shapes.js';
 import { curveThing, thingOf } from '../algorithm/pointed.js';
 import type { Grid } from '../replay/grid.js';
+import { hasDefect } from '../trace/editions.js';
 import type { CurveEvents, Event } from '../trace/events.js';
 import type { Area, Curve } from '../trace/header.js';
 import type { N } from '../trace/values.js';
@@ -110,10 +111,9 @@ const layers: Readonly<Record<Layer, Draw>> = {
       d: horizonData(heights, scene.area),
     });
     // The printed text compares with the horizons themselves.
-    const compared =
-      edition === 'printed'
-        ? []
-        : [drawn('upper before', before.upper), drawn('lower before', before.lower)];
+    const compared = hasDefect(edition, 'x-h4')
+      ? []
+      : [drawn('upper before', before.upper), drawn('lower before', before.lower)];
     return [...compared, drawn('upper', horizons.upper), drawn('lower', horizons.lower)];
   },
   columns: (view, { scale }) => {

@@ -1,3 +1,4 @@
+import { hasDefect } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 import type { Flag } from './events.js';
@@ -13,7 +14,7 @@ export function sideBeside(flag: Flag, neighbour: Flag): Side {
   return flag === 1 ? 'above' : 'below';
 }
 
-/** Which horizon a segment meets; null where that is not the same in both editions (X-H2), or not told. */
+/** Which horizon a segment meets; null where that is not the same in all editions (X-H2), or not told. */
 export function metBy(
   at: Event<'intersection'>['at'],
   state: Pick<FloatingHorizon, 'place'> | null,
@@ -29,4 +30,4 @@ export function metBy(
 
 /** Whether the printed text says of a point that it lies below, and need not draw it (X-H1). */
 export const isLostBelow = (flag: Flag, edition: Edition): boolean =>
-  flag === -1 && edition === 'printed';
+  flag === -1 && hasDefect(edition, 'x-h1');

@@ -44,6 +44,28 @@ export interface CompareTexts {
   readonly soFar: string;
   readonly inAll: string;
   readonly counts: Readonly<Record<Counter, string>>;
+  readonly broken: BrokenTexts;
+}
+
+/** What is said where a line of a procedure is broken. */
+export interface BrokenTexts {
+  readonly offer: string;
+  readonly explained: string;
+  readonly offerAt: (line: string) => string;
+  readonly printed: string;
+  readonly mistake: string;
+  readonly is: (lines: string) => string;
+  readonly first: (step: string) => string;
+  readonly pixels: (n: string, all: string) => string;
+  readonly columns: (n: string) => string;
+  readonly stepsAlone: string;
+  readonly nothing: string;
+  readonly smallest: string;
+  readonly isSmallest: (name: string) => string;
+  readonly own: string;
+  readonly back: string;
+  readonly right: string;
+  readonly wrong: string;
 }
 
 /** What there is to compare with at once. */

@@ -7,7 +7,7 @@ import {
   methodSays,
   methodTitle,
 } from '../trace/editions.js';
-import type { Edition } from '../trace/editions.js';
+import type { Edition, NamedEdition } from '../trace/editions.js';
 import type { Method, Procedure } from '../trace/events.js';
 import type { Language } from './language.js';
 
@@ -29,11 +29,24 @@ export const methodTitles = (language: Language): Readonly<Record<Method, string
 export const editionTitles = (
   language: Language,
   mistake: string,
-): Readonly<Record<Edition, string>> =>
+): Readonly<Record<NamedEdition, string>> =>
   textsOf(
     editions,
     (edition) => (isMistake(edition) ? mistake : '') + editionTitle(edition)[language],
   );
+
+/** What an edition is called, given the names of those with a name of their own: "as printed: X-W2, X-W4". */
+export function editionName(
+  names: Readonly<Record<NamedEdition, string>>,
+  edition: Edition,
+): string {
+  if (Object.hasOwn(names, edition)) return names[edition as NamedEdition];
+  const ids = edition
+    .toUpperCase()
+    .replace(/^PRINTED:/u, '')
+    .split('+');
+  return `${names.printed}: ${ids.join(', ')}`;
+}
 export const variantTitles = (language: Language): Names =>
   textsOf(methodNames.filter(isFamily) as Variant[], (method) => methodTitle(method)[language]);
 

@@ -7,7 +7,7 @@ import type { LaneName } from '../strip/lanes.js';
 import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
 import type { Range } from '../time/range.js';
-import type { Edition } from '../trace/editions.js';
+import type { NamedEdition } from '../trace/editions.js';
 import type { CommonEvents, Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Corner } from '../trace/values.js';
@@ -188,7 +188,7 @@ export interface PageTexts extends FileTexts {
   readonly shortened: Readonly<Record<Ended['why'], (line: number) => string>>;
   readonly wrongLine: (line: number, where: string, reason: string) => string;
   readonly methods: Readonly<Record<Method, string>>;
-  readonly editions: Readonly<Record<Edition, string>>;
+  readonly editions: Readonly<Record<NamedEdition, string>>;
   /** Of a run: its decisions were held against exact arithmetic. */
   readonly checked: string;
   readonly kernel: string;

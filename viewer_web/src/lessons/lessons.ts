@@ -1,7 +1,7 @@
 import { fileIn } from '../base/base64.js';
 import { bool, list, oneOf, optional, part, text } from '../trace/check.js';
 import type { Checked } from '../trace/check.js';
-import { editions } from '../trace/editions.js';
+import { edition } from '../trace/editions.js';
 import { details, methods } from '../trace/events.js';
 
 /**
@@ -12,7 +12,7 @@ const entry = part({
   file: text,
   method: oneOf(...methods),
   kernel: text,
-  edition: oneOf(...editions),
+  edition,
   detail: oneOf(...details),
   /** Whether a scene is run with every decision held against exact arithmetic. */
   check: optional(bool),

@@ -1,3 +1,4 @@
+import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';
 import type { PageTexts } from '../language/texts.js';
 import type { LessonTrace } from './lessons.js';
@@ -10,7 +11,7 @@ export function runName(
 ): { readonly title: string; readonly way: string } {
   const way = [
     page.methods[method],
-    ...(edition === 'corrected' ? [] : [page.editions[edition]]),
+    ...(edition === 'corrected' ? [] : [editionName(page.editions, edition)]),
     ...(kernel === 'double' ? [] : [kernel]),
     ...(file.includes('.checked.') ? [page.checked] : []),
   ].join(', ');

@@ -1,6 +1,6 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
-import { customElement, property, state } from 'lit/decorators.js';
+import { customElement, property, query, state } from 'lit/decorators.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { base } from '../elements/theme.js';
@@ -9,8 +9,12 @@ import type { Trace } from '../replay/trace.js';
 import './cpp.js';
 import { valuesInPlay } from './in-play.js';
 import { listingStyle } from './listing.style.js';
-import { listingsOf } from './listings.js';
+import { texts } from '../i18n/index.js';
+import { deviationOf } from '../trace/editions.js';
+import { listingsOf, wrongLines } from './listings.js';
 import type { Line, Listing } from './listings.js';
+import './wrong-lines.js';
+import type { WrongLine, WrongLinesElement } from './wrong-lines.js';
 
 /** The procedures, the current line and the lines that wait for a result. */
 @customElement('vidno-listing')
@@ -20,19 +24,31 @@ export class ListingElement extends LitElement {
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
 
+  /** Whether lines can be broken: an event `vidno-break` asks for the run of an edition beside this one. */
+  @property({ type: Boolean }) breakable = false;
   /** Whether the C++ of the same procedures is shown instead. */
   @state() private source = false;
 
   private listings: readonly Listing[] = [];
   private shown = '';
   private values: ReadonlyMap<string, string> = new Map();
+  private wrong: readonly WrongLine[] = [];
+  @query('vidno-wrong-lines') private wrongLines!: WrongLinesElement;
 
   override willUpdate(): void {
     const { header, language } = this.view;
-    const shown = [header.method, header.edition, header.detail, language].join();
+    const { method, edition, kernel, detail } = header;
+    const shown = [method, edition, kernel, detail, language, this.breakable].join();
     if (shown === this.shown) return;
     this.shown = shown;
     this.listings = listingsOf(header, language);
+    const wrong = this.breakable ? wrongLines(header) : new Map<string, never>();
+    this.wrong = this.listings
+      .flatMap(({ lines }) => lines)
+      .flatMap(({ at, text }) => {
+        const ways = wrong.get(at);
+        return ways === undefined ? [] : [{ at, text, wrong: ways }];
+      });
   }
 
   override render(): TemplateResult {
@@ -42,6 +58,7 @@ export class ListingElement extends LitElement {
         <ol class="calls" aria-label=${texts.callStack}>
           ${after.calls.map(({ of, at }) => html`<li>${of} <b>${at ?? ''}</b></li>`)}
         </ol>
+        ${this.wrong.length > 0 ? this.breakButton() : nothing}
         <button
           aria-pressed=${this.source ? 'true' : 'false'}
           title=${texts.source}
@@ -51,7 +68,34 @@ export class ListingElement extends LitElement {
         </button>
       </div>
       ${this.source ? html`<vidno-cpp .view=${this.view}></vidno-cpp>` : this.procedures()}
+      <vidno-wrong-lines .language=${this.view.language} .lines=${this.wrong}></vidno-wrong-lines>
     `;
+  }
+
+  private breakButton(): TemplateResult {
+    const { broken } = texts[this.view.language].compare;
+    return html`<button
+      class="break"
+      title=${broken.explained}
+      aria-label=${broken.offer}
+      aria-haspopup="dialog"
+      @click=${() => void this.wrongLines.show(null)}
+    >
+      ≠
+    </button>`;
+  }
+
+  /** The mark of a line that can be broken: for the pointer; keys have the button above the procedures. */
+  private mark(at: string): TemplateResult | typeof nothing {
+    if (!this.wrong.some((each) => each.at === at)) return nothing;
+    const { broken } = texts[this.view.language].compare;
+    return html`<i
+      class="mark"
+      aria-hidden="true"
+      title=${broken.offerAt(at)}
+      @click=${() => void this.wrongLines.show(at)}
+      >≠</i
+    >`;
   }
 
   toggleSource(): void {
@@ -102,7 +146,7 @@ export class ListingElement extends LitElement {
     const kind = now && !this.isCaller(at) ? 'now' : this.isCaller(at) ? 'caller' : '';
     return html`
       <li class=${kind} aria-current=${now ? 'step' : nothing}>
-        <span class="at">${at}</span>
+        <span class="at">${at}${this.mark(at)}</span>
         <code .style=${`--indent: ${indent}`}>${text}${speaks ? this.said(at) : nothing}</code>
         ${defects.map((id) => this.defect(id))}
       </li>
@@ -116,7 +160,9 @@ export class ListingElement extends LitElement {
   }
 
   private defect(id: string): TemplateResult {
-    return html`<abbr class="defect" title=${this.view.texts.defect(id)}>${id}</abbr>`;
+    const { header, language, texts: say } = this.view;
+    const says = deviationOf(header.edition)?.says[language] ?? say.defect(id);
+    return html`<abbr class="defect" title=${says}>${id}</abbr>`;
   }
 
   override updated(changed: PropertyValues<this>): void {

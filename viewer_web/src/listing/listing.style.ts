@@ -121,6 +121,29 @@ export const listingStyle = css`
   .now :is(.at, var) {
     color: inherit;
   }
+  .mark {
+    display: inline-block;
+    width: 1.1em;
+    margin-left: 0.15em;
+    color: var(--faint, var(--soft));
+    font: normal 0.75rem / 1 var(--mono);
+    text-align: center;
+    opacity: 0.55;
+    cursor: pointer;
+  }
+  li:hover .mark,
+  .now .mark {
+    color: var(--accent);
+    opacity: 1;
+  }
+  @media (forced-colors: active) {
+    .mark {
+      opacity: 1;
+    }
+  }
+  .break {
+    margin-right: 0.35rem;
+  }
   .caller {
     background: var(--caller);
     box-shadow: inset 3px 0 color-mix(in srgb, var(--now-edge) 45%, transparent);
@@ -145,6 +168,9 @@ export const listingStyle = css`
   }
   /* Only the procedures that run: those of the line and of its callers. */
   @media print {
+    .mark {
+      display: none;
+    }
     .procedures {
       overflow: hidden;
     }

@@ -1,7 +1,8 @@
 import listings from '../../../trace/listings/listings.json' with { type: 'json' };
 import type { Language } from '../language/language.js';
 import type { Method } from '../trace/events.js';
-import type { Edition } from '../trace/editions.js';
+import { deviations, hasDefect, runsUnder } from '../trace/editions.js';
+import type { Deviation, Edition } from '../trace/editions.js';
 import type { Header } from '../trace/header.js';
 import { speaks } from './notes.js';
 
@@ -10,7 +11,7 @@ export interface Line {
   readonly at: string;
   readonly indent: number;
   readonly text: string;
-  /** The defects of the printed text in this line, if that is what is shown. */
+  /** The defects of the printed text in this line, if that is what is shown; of a usual mistake, ≠. */
   readonly defects: readonly string[];
   /** Whether it ever says something that is written beside it. */
   readonly speaks: boolean;
@@ -28,6 +29,8 @@ interface SourceLine extends Both {
   readonly at: string;
   readonly indent: number;
   readonly printed?: Both & { readonly defects: readonly string[] };
+  /** With a usual mistake, by its edition. */
+  readonly mistakes?: Readonly<Record<string, Both>>;
 }
 interface Source {
   readonly name: string;
@@ -36,12 +39,16 @@ interface Source {
   readonly lines: readonly SourceLine[];
 }
 
-const sources: readonly Source[] = listings.procedures;
+const sources = listings.procedures as readonly Source[];
 
 function line(source: SourceLine, edition: Edition, language: Language): Omit<Line, 'speaks'> {
-  const printed = edition === 'printed' ? source.printed : undefined;
-  const { at, indent } = source;
-  return { at, indent, text: (printed ?? source)[language], defects: printed?.defects ?? [] };
+  const { at, indent, printed, mistakes } = source;
+  const mistaken = mistakes?.[edition];
+  if (mistaken !== undefined) return { at, indent, text: mistaken[language], defects: ['≠'] };
+  const isOf = (id: string): boolean => hasDefect(edition, id.toLowerCase());
+  const defects = edition === 'printed' ? printed?.defects : printed?.defects.filter(isOf);
+  const shown = printed !== undefined && defects?.length ? printed : source;
+  return { at, indent, text: shown[language], defects: defects ?? [] };
 }
 
 /** The procedures of a method in the order in which they call one another. */
@@ -63,4 +70,28 @@ export function listingsOf(
         speaks: speaks(each.at, method, detail),
       })),
     }));
+}
+
+/** By the labels of lines the ways in which a run may have them wrong; none where the run is not a right one. */
+export function wrongLines({
+  method,
+  edition,
+  kernel,
+}: Pick<Header, 'method' | 'edition' | 'kernel'>): ReadonlyMap<string, readonly Deviation[]> {
+  const lines = new Map<string, readonly Deviation[]>();
+  if (edition !== 'corrected') return lines;
+  const names = new Set(namesOf(method));
+  const labels = sources
+    .filter(({ name }) => names.has(name))
+    .flatMap((source) => source.lines.map(({ at }) => at));
+  for (const label of labels) {
+    const wrong = deviations.filter(
+      (each) =>
+        each.lines.includes(label) &&
+        each.methods.includes(method) &&
+        runsUnder(method, each.edition, kernel),
+    );
+    if (wrong.length > 0) lines.set(label, wrong);
+  }
+  return lines;
 }

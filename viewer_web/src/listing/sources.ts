@@ -1,4 +1,4 @@
-import { isMistake } from '../trace/editions.js';
+import { hasDefect, isMistake } from '../trace/editions.js';
 import type { Edition, Mistake } from '../trace/editions.js';
 import { isFamily } from '../trace/events.js';
 import type { Event, Method } from '../trace/events.js';
@@ -47,11 +47,24 @@ const linesOf = (text: string): readonly SourceLine[] =>
 
 const mistakePath = (mistake: Mistake): string => `mistakes/${mistake.replaceAll('-', '_')}.h`;
 
-/** The rules of an edition: those that are as usual, and the mistake. */
-const rulesOf = (method: Method, edition: Edition): readonly string[] => [
-  ...(isFamily(method) ? ['family/family.h'] : []),
-  ...(isMistake(edition) ? ['corrected.h', mistakePath(edition)] : [`${edition}.h`]),
-];
+/** The rules of an edition: those that are as usual, and what it has otherwise. */
+function rulesOf(method: Method, edition: Edition): readonly string[] {
+  const usual = [...(isFamily(method) ? ['family/family.h'] : []), 'corrected.h'];
+  if (edition === 'corrected') return usual;
+  if (edition === 'printed') return ['printed.h'];
+  if (isMistake(edition)) return [...usual, mistakePath(edition)];
+  return [...usual, method === 'zbuffer' ? 'printed/z_buffer_defects.h' : 'printed.h'];
+}
+
+/** The procedures of which the printed text as a whole is a single defect. */
+const wholeDefects: Readonly<Record<string, string>> = {
+  'surround_test.h': 'x-w4',
+  'initialize_polygon.h': 'x-w6',
+};
+
+/** Whether an edition has a procedure as it is printed. */
+const isAsPrinted = (file: string, edition: Edition): boolean =>
+  edition === 'printed' || hasDefect(edition, wholeDefects[file] ?? '');
 
 /** Whether a mistake has a procedure of its own, which does not ask for the usual one. */
 function replaces(edition: Edition, procedure: string): boolean {
@@ -65,18 +78,15 @@ export function sourcesOf({
   method,
   edition,
 }: Pick<Header, 'method' | 'edition'>): readonly Source[] {
-  const folders = [
-    ...(edition === 'printed' ? ['printed/'] : []),
-    'warnock/',
-    'z_buffer/',
-    'family/',
-    'floating_horizon/',
-    'weiler_atherton/',
-  ];
+  const folders = ['warnock/', 'z_buffer/', 'family/', 'floating_horizon/', 'weiler_atherton/'];
   const paths = namesOf(method)
     .flatMap(filesOf)
     .filter((file) => !replaces(edition, file.replace('.h', '')))
-    .map((file) => folders.map((folder) => folder + file).find((path) => root + path in texts));
+    .map((file) =>
+      [...(isAsPrinted(file, edition) ? ['printed/'] : []), ...folders]
+        .map((folder) => folder + file)
+        .find((path) => root + path in texts),
+    );
   return [...paths, ...rulesOf(method, edition)]
     .filter((path) => path !== undefined)
     .map((path) => ({ path, lines: linesOf(texts[root + path] ?? '') }));

@@ -80,6 +80,8 @@ export class PlayerElement extends StageElement {
   /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) link: LinkMade | null = null;
+  /** Whether lines of the listing can be broken: `vidno-break` asks for that. */
+  @property({ type: Boolean }) breakable = false;
   /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
   @property() ask = '';
   /** Whether a text stands beside it, which leaves room for two columns. */
@@ -240,7 +242,11 @@ export class PlayerElement extends StageElement {
         ></vidno-divider>
         <div class="beside">
           <section class="listing" aria-label=${texts.listing}>
-            <vidno-listing .trace=${this.trace} .view=${view}></vidno-listing>
+            <vidno-listing
+              .trace=${this.trace}
+              .view=${view}
+              ?breakable=${this.breakable && !veiled}
+            ></vidno-listing>
           </section>
           ${isShown('side', this.layout, this.side, this.parts.length > 0) ? this.sidePanel(view, check, history, veiled) : nothing}
         </div>

@@ -39,6 +39,8 @@ export interface Address {
   readonly live: Carried | null;
   /** What it is compared with: another embedded trace, or how else the scene is run. */
   readonly rival: string | null;
+  /** Of the smallest scene that shows how the other run is broken, where that is shown, the step. */
+  readonly witness?: number | null;
   /** Null: that of the place in the text, or the beginning. */
   readonly step: number | null;
   readonly pixel: Pixel | null;
@@ -73,6 +75,7 @@ export function parseAddress(hash: string): Address {
     trace: fields.get('trace'),
     live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
     rival: fields.get('with'),
+    ...(fields.has('witness') ? { witness: stepIn(fields.get('witness')) } : {}),
     step: stepIn(fields.get('step')),
     pixel: parsePixel(fields.get('pixel')),
     bookmarks: parseBookmarks(fields.get('bookmarks') ?? ''),
@@ -84,7 +87,7 @@ export const namesNothing = ({ lesson, trace, live }: Address): boolean =>
   lesson === null && trace === null && live === null;
 
 export function formatAddress(address: Address): string {
-  const { setup, lesson, at, trace, live, rival, step, pixel, bookmarks } = address;
+  const { setup, lesson, at, trace, live, rival, witness = null, step, pixel, bookmarks } = address;
   const { language, view, presenting, layer, setting, reader, follows } = setup;
   const shown = [view ?? [], presenting ? 'present' : []].flat();
   const fields = new URLSearchParams();
@@ -102,6 +105,7 @@ export function formatAddress(address: Address): string {
     if (follows) fields.set('follow', 'on');
     writeSetting(setting, fields);
     if (rival !== null) fields.set('with', rival);
+    if (rival !== null && witness !== null) fields.set('witness', String(witness));
     if (shown.length > 0) fields.set('view', shown.join('.'));
     if (pixel !== null) fields.set('pixel', pixel.join());
     if (layer !== 'picture') fields.set('layer', layer);

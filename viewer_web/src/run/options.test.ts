@@ -43,7 +43,9 @@ it('runs a usual mistake in the methods that can make it, in double and exact nu
 it('offers the editions that a method has', () => {
   const names = Object.fromEntries(editions.map((edition) => [edition, edition]));
   const offered = (method: Options['method']): readonly string[] =>
-    Object.keys(offeredNames(method, names as Parameters<typeof offeredNames>[1]));
+    Object.keys(
+      offeredNames({ method, edition: 'corrected' }, names as Parameters<typeof offeredNames>[1]),
+    );
   const always = ['corrected', 'printed'];
   expect(offered('warnock')).toEqual(expect.arrayContaining([...always, 'one-list', 'y-flipped']));
   expect(offered('warnock')).not.toContain('depths-not-cleared');
@@ -71,6 +73,32 @@ it('keeps a usual mistake, in double numbers, while the method can make it', () 
     edition: 'corrected',
     kernel: 'exact',
   });
+});
+
+it('offers single defects of the printed text where they are chosen', () => {
+  const names = Object.fromEntries(editions.map((edition) => [edition, edition]));
+  const edition = 'printed:x-w2+x-w4';
+  const offered = offeredNames(
+    { method: 'warnock', edition },
+    names as Parameters<typeof offeredNames>[1],
+  );
+  expect(offered[edition]).toBe('printed: X-W2, X-W4');
+});
+
+it('runs single defects where the text runs as printed, in the methods that have them', () => {
+  expect(missing({ edition: 'printed:x-w2+x-w4' })).toEqual(missing({ edition: 'printed' }));
+  expect(missing({ method: 'zbuffer', edition: 'printed:x-w2' })).toEqual(kernels);
+  expect(missing({ method: 'zbuffer', edition: 'printed:x-w6+x-z5' })).not.toContain('depth:8');
+  expect(runnable({ ...usual, edition: 'printed:x-w2', kernel: 'filtered' }).kernel).toBe('double');
+  expect(runnable({ ...usual, edition: 'printed:x-z5' }).edition).toBe('corrected');
+});
+
+it('brings single defects through an address', () => {
+  const broken: Options = { ...usual, edition: 'printed:x-w2+x-w4', kernel: 'float' };
+  expect(optionsOf(wordOf(broken))).toEqual(broken);
+  for (const none of ['printed:', 'printed:x-w2+', 'printed:one-list', 'printed:x-z8']) {
+    expect(optionsOf(`warnock.${none}.double.signs`).edition).toBe('corrected');
+  }
 });
 
 it('comes through an address', () => {

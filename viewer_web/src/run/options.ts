@@ -1,6 +1,7 @@
-import { editions, kernelsOf, kindOfKernel } from '../trace/editions.js';
+import { editions, kernelsOf, runsUnder } from '../trace/editions.js';
 export { offeredKernels as kernels } from '../trace/editions.js';
-import type { Edition } from '../trace/editions.js';
+import { editionName } from '../language/family-texts.js';
+import type { Edition, NamedEdition } from '../trace/editions.js';
 import type { Detail, Method } from '../trace/events.js';
 
 /** How a scene is run. */
@@ -21,16 +22,17 @@ export const usual: Options = {
   check: false,
 };
 
-/** The editions of a method's text. */
-export const editionsOf = (method: Method): readonly Edition[] =>
+/** The editions of a method's text that have a name of their own. */
+export const editionsOf = (method: Method): readonly NamedEdition[] =>
   editions.filter((edition) => kernelsOf(method)[edition] !== undefined);
 
-/** Of the editions' names those that a method has. */
+/** Of the editions' names those that a method has, and that of the one that is chosen. */
 export function offeredNames(
-  method: Method,
-  names: Readonly<Record<Edition, string>>,
+  { method, edition: chosen }: Pick<Options, 'method' | 'edition'>,
+  names: Readonly<Record<NamedEdition, string>>,
 ): Record<string, string> {
-  return Object.fromEntries(editionsOf(method).map((edition) => [edition, names[edition]]));
+  const offered = new Set<Edition>([...editionsOf(method), chosen]);
+  return Object.fromEntries([...offered].map((edition) => [edition, editionName(names, edition)]));
 }
 
 /** Of the methods' names those that draw a scene of polygons, or one of curves. */
@@ -44,13 +46,12 @@ export function methodNames(
 
 /** Whether a method and an edition run under a kernel. */
 export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'check'>): boolean {
-  return kernelsOf(method)[edition]?.includes(kindOfKernel(kernel)) ?? false;
+  return runsUnder(method, edition, kernel);
 }
 
 /** The nearest to some options that can be run: the kernel gives way, and an edition that the method does not have. */
 export function runnable(options: Options): Options {
   if (runs(options)) return options;
-  return editionsOf(options.method).includes(options.edition)
-    ? { ...options, kernel: usual.kernel }
-    : runnable({ ...options, edition: usual.edition });
+  const plainly = { ...options, kernel: usual.kernel };
+  return runs(plainly) ? plainly : runnable({ ...options, edition: usual.edition });
 }

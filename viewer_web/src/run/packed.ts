@@ -1,7 +1,6 @@
 import { fromBase64, toBase64Url } from '../base/base64.js';
 import { boundedText } from '../base/bounded-text.js';
-import { editions } from '../trace/editions.js';
-import type { Edition } from '../trace/editions.js';
+import { isEdition } from '../trace/editions.js';
 import { details, eventsOf } from '../trace/events.js';
 import type { Detail, Method } from '../trace/events.js';
 import { runnable, usual } from './options.js';
@@ -40,7 +39,7 @@ export function optionsOf(word: string): Options {
   const [method = '', edition = '', kernel = usual.kernel, detail = '', check] = word.split('.');
   return runnable({
     method: Object.hasOwn(eventsOf, method) ? (method as Method) : usual.method,
-    edition: editions.includes(edition as Edition) ? (edition as Edition) : usual.edition,
+    edition: isEdition(edition) ? edition : usual.edition,
     kernel,
     detail: details.includes(detail as Detail) ? (detail as Detail) : usual.detail,
     check: check === 'check',

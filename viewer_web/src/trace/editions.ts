@@ -1,4 +1,7 @@
+import { written } from './check.js';
+import type { Check } from './check.js';
 import choices from './choices.json' with { type: 'json' };
+import { Refusal, describe } from './refusal.js';
 
 /** What `vidno methods --json` says: the editions of the procedures, and under which kernels they run. */
 
@@ -7,13 +10,77 @@ interface Bilingual {
   readonly ru: string;
 }
 
-export type Edition = keyof typeof choices.editions;
-export const editions = Object.keys(choices.editions) as readonly Edition[];
+/** The editions with a name of their own. */
+export type NamedEdition = keyof typeof choices.editions;
+export const editions = Object.keys(choices.editions) as readonly NamedEdition[];
+
+/** Single defects of the printed text are named one after the other: "printed:x-w2+x-w4". */
+type SingleDefects = `printed:${string}`;
+export type Edition = NamedEdition | SingleDefects;
+const singles = 'printed:';
+
+/** Where a procedure is run otherwise than corrected: a defect of the printed text, or a usual mistake. */
+export interface Deviation {
+  readonly edition: Edition;
+  /** Its id in the printed text, if that has it. */
+  readonly defect: string | null;
+  readonly title: Bilingual;
+  /** What it does. */
+  readonly says: Bilingual;
+  /** The lines of the listings that it changes. */
+  readonly lines: readonly string[];
+  readonly methods: readonly string[];
+}
+export const deviations: readonly Deviation[] = Object.entries(choices.deviations).map(
+  ([edition, { title, says, lines, methods, ...more }]) => ({
+    edition: edition as Edition,
+    defect: 'defect' in more ? more.defect : null,
+    title,
+    says,
+    lines,
+    methods,
+  }),
+);
+
+const isNamed = (edition: string): edition is NamedEdition =>
+  Object.hasOwn(choices.editions, edition);
+
+/** The ids of the defects that are named one by one. */
+function singlesIn(edition: string): readonly string[] {
+  return edition.startsWith(singles) ? edition.slice(singles.length).split('+') : [];
+}
+
+const withDefect = (id: string): Deviation | undefined =>
+  deviations.find(({ defect }) => defect === id);
+
+export function isEdition(name: string): name is Edition {
+  const ids = singlesIn(name);
+  return isNamed(name) || (ids.length > 0 && ids.every((id) => withDefect(id) !== undefined));
+}
+
+/** The check of an edition as files name it. */
+export const edition: Check<Edition> = written(
+  `"(?:${editions.join('|')}|${singles}[-a-z0-9+]+)"`,
+  (value, path) => {
+    if (typeof value === 'string' && isEdition(value)) return value;
+    throw new Refusal(path, 'oneOf', editions.join(', '), describe(value));
+  },
+);
 
 /** The usual mistakes, each in procedures that are else the corrected ones. */
-export type Mistake = Exclude<Edition, 'corrected' | 'printed'>;
-export const isMistake = (edition: Edition): edition is Mistake =>
-  choices.editions[edition].isMistake;
+export type Mistake = Exclude<NamedEdition, 'corrected' | 'printed'>;
+export const isMistake = (name: Edition): name is Mistake =>
+  isNamed(name) && choices.editions[name].isMistake;
+
+/** The deviation that an edition consists of, if it is a single one. */
+export const deviationOf = (name: Edition): Deviation | null =>
+  deviations.find((each) => each.edition === name) ?? null;
+
+/** Whether an edition has a defect of the printed text, by its id. */
+export function hasDefect(name: Edition, id: string): boolean {
+  const named = deviationOf(name)?.defect ?? null;
+  return name === 'printed' || named === id || singlesIn(name).includes(id);
+}
 
 export type MethodName = keyof typeof choices.methods;
 export const methodNames = Object.keys(choices.methods) as readonly MethodName[];
@@ -22,14 +89,22 @@ export const methodNames = Object.keys(choices.methods) as readonly MethodName[]
 export const isFamily = (method: MethodName): boolean => method.startsWith('warnock-');
 
 /** What the program calls editions and methods, and says of these, by languages. */
-export const editionTitle = (edition: Edition): Bilingual => choices.editions[edition].title;
+export const editionTitle = (name: NamedEdition): Bilingual => choices.editions[name].title;
 export const methodTitle = (method: MethodName): Bilingual => choices.methods[method].title;
 export const methodSays = (method: MethodName): Bilingual => choices.methods[method].says;
 
 /** By editions of a method's text the kernels under which it runs. */
 export const kernelsOf = (
   method: MethodName,
-): Readonly<Partial<Record<Edition, readonly string[]>>> => choices.methods[method].editions;
+): Readonly<Partial<Record<NamedEdition, readonly string[]>>> => choices.methods[method].editions;
+
+/** Whether a method runs in an edition under a kernel: in single defects where it does as printed. */
+export function runsUnder(method: MethodName, name: Edition, kernel: string): boolean {
+  const ids = singlesIn(name);
+  const isOfMethod = ids.every((id) => withDefect(id)?.methods.includes(method) === true);
+  const like = isNamed(name) ? name : 'printed';
+  return isOfMethod && kernelsOf(method)[like]?.includes(kindOfKernel(kernel)) === true;
+}
 
 interface Kernel {
   readonly alwaysRight: boolean;

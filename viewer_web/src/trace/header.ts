@@ -12,7 +12,7 @@ import {
   whole,
 } from './check.js';
 import type { Check, Checked } from './check.js';
-import { editions, kernelName } from './editions.js';
+import { edition as anEdition, kernelName } from './editions.js';
 import { details, methods } from './events.js';
 import { Refusal } from './refusal.js';
 import { color } from './values.js';
@@ -63,7 +63,7 @@ const surfaceFile = record({
 const header = record({
   format: oneOf('vidno-trace/1'),
   method: oneOf(...methods),
-  edition: oneOf(...editions),
+  edition: anEdition,
   kernel: matching(kernelName, 'kernel'),
   detail: oneOf(...details),
   scene: plainObject,

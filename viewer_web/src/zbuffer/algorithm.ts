@@ -5,6 +5,7 @@ import type { Entry } from '../history/entry.js';
 import type { Reason } from '../history/why.js';
 import { cells } from '../language/words.js';
 import { figureOf } from '../picture/figure.js';
+import { hasDefect } from '../trace/editions.js';
 import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { abouts } from './about.js';
@@ -30,7 +31,7 @@ function things({ after: { zbuffer } }: View): readonly string[] {
 function why({ event, known }: Entry, { edition }: Header): Reason {
   if (event.e !== 'span') return { why: 'untouched', polygon: null };
   const polygon = known.zbuffer?.polygon ?? null;
-  return { why: edition === 'printed' ? 'notFarther' : 'nearest', polygon };
+  return { why: hasDefect(edition, 'x-z7') ? 'notFarther' : 'nearest', polygon };
 }
 
 /** A polygon is taken once, and has a row once. */

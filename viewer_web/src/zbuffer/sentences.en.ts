@@ -1,6 +1,7 @@
 import { columnsOf, takes } from '../i18n/en/phrases.js';
 import type { Sentences } from '../language/texts.js';
 import { capital, cells, listed, orderOf, point, short, shortApart } from '../language/words.js';
+import { hasDefect } from '../trace/editions.js';
 import type { ZBufferEvents } from '../trace/events.js';
 
 /** "Edge 1 leaves", "Edges 1 and 0 leave". */
@@ -48,7 +49,7 @@ export const sentences: Pick<Sentences, keyof ZBufferEvents> = {
   pixel: ({ x, y, z, stored, shown }, { header }) => {
     const [depth, before] = shortApart(z, stored);
     const order = orderOf(z, stored);
-    if (header.edition === 'printed' && shown !== (order === 1)) {
+    if (hasDefect(header.edition, 'x-z7') && shown !== (order === 1)) {
       return shown
         ? `Pixel ${point([x, y])}: ${depth} is as near as ${before}, so it shows.`
         : `Pixel ${point([x, y])}: ${depth} is nearer than ${before} but greater than 1, so it stays hidden.`;

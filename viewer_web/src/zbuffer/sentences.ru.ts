@@ -2,6 +2,7 @@ import { point, short, shortApart } from '../i18n/ru/numbers.js';
 import { columnsOf, takes } from '../i18n/ru/phrases.js';
 import type { Sentences } from '../language/texts.js';
 import { capital, cells, listed, orderOf, rangeOf } from '../language/words.js';
+import { hasDefect } from '../trace/editions.js';
 import type { ZBufferEvents } from '../trace/events.js';
 
 /** «Ребро 1 удаляется», «Рёбра 1 и 0 удаляются». */
@@ -47,7 +48,7 @@ export const sentences: Pick<Sentences, keyof ZBufferEvents> = {
   pixel: ({ x, y, z, stored, shown }, { header }) => {
     const [depth, before] = shortApart(z, stored);
     const order = orderOf(z, stored);
-    if (header.edition === 'printed' && shown !== (order === 1)) {
+    if (hasDefect(header.edition, 'x-z7') && shown !== (order === 1)) {
       return shown
         ? `Пиксель ${point([x, y])}: ${depth} так же близко, как ${before}, — он виден.`
         : `Пиксель ${point([x, y])}: ${depth} ближе, чем ${before}, но больше 1, — он закрыт.`;

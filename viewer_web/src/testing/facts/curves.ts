@@ -1,3 +1,4 @@
+import { hasDefect } from '../../trace/editions.js';
 import type { CurveEvents } from '../../trace/events.js';
 import { answered, none, only, said } from './fact.js';
 import type { Facts } from './fact.js';
@@ -13,7 +14,7 @@ export const curveFacts: Facts<keyof CurveEvents> = {
   visibility: ({ x, flag }, { height, edition }) => ({
     numbers: [x, flag, ...(height?.x === x ? [height.y] : [])],
     says:
-      edition === 'printed' && flag === -1
+      hasDefect(edition, 'x-h1') && flag === -1
         ? [said(/below it \(−1\)\.$/u, /ниже него \(−1\)\.$/u)]
         : answered(flag === 0, said(/hidden/u, /не видна/u), said(/visible/u, /: видна/u)),
   }),

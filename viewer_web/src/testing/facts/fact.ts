@@ -1,4 +1,5 @@
 import type { Language } from '../../language/language.js';
+import type { Edition } from '../../trace/editions.js';
 import type { Event, EventName } from '../../trace/events.js';
 import type { Box, N } from '../../trace/values.js';
 
@@ -20,7 +21,7 @@ type Piece = readonly [string, readonly (readonly (readonly N[])[])[], boolean];
 export interface Moment {
   readonly after: ProgramState;
   readonly detail: string;
-  readonly edition: string;
+  readonly edition: Edition;
   readonly scene: {
     readonly background: string;
     readonly polygons?: readonly { readonly id: string; readonly color: string }[];

@@ -1,9 +1,10 @@
+import type { Edition } from '../../trace/editions.js';
 import type { Event, EventName } from '../../trace/events.js';
 import type { Moment, ProgramState } from './fact.js';
 
 interface FileHeader {
   readonly detail: string;
-  readonly edition: string;
+  readonly edition: Edition;
   readonly scene: Moment['scene'];
 }
 

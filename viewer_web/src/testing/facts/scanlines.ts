@@ -1,3 +1,4 @@
+import { hasDefect } from '../../trace/editions.js';
 import type { ZBufferEvents } from '../../trace/events.js';
 import type { N } from '../../trace/values.js';
 import { answered, none, of, only, said, total } from './fact.js';
@@ -39,7 +40,7 @@ export const scanlineFacts: Facts<keyof ZBufferEvents> = {
   pixel: ({ x, y, z, stored, shown }, { edition }) => {
     const isNearer = value(z) > value(stored);
     const isBeyond = isNearer && !shown && value(z) > 1;
-    const isTie = edition === 'printed' && shown && value(z) === value(stored);
+    const isTie = hasDefect(edition, 'x-z7') && shown && value(z) === value(stored);
     return {
       ...only(x, y, z, stored, ...(isBeyond ? [1] : [])),
       says: [

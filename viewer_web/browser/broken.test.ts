@@ -1,0 +1,228 @@
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { violations } from './axe.js';
+import { browser } from './browser.js';
+import { sentences, stepsOf } from './compare.js';
+import { editing, handle } from './live.js';
+import { goTo, open, openFile, openUrl, shown, whole } from './page.js';
+
+/** N, a near square of 8 x 8 pixels, in the middle of Q, a far quad over the whole area. */
+const warnock = 'trace=09-usual-mistakes.warnock.double.corrected.signs';
+
+const result = (page: Page): Promise<string | null> =>
+  page.locator('vidno-broken-line .result').textContent();
+const title = (page: Page): Promise<string> =>
+  page
+    .locator('vidno-broken-line h2')
+    .evaluate((heading) => heading.textContent.replace(/\s+/gu, ' ').trim());
+
+async function openRun(hash: string): Promise<{ page: Page; faults: readonly string[] }> {
+  const opened = await open(browser, `#lang=en&${hash}`);
+  await opened.page.locator('main > .title h2', { hasText: /./u }).waitFor();
+  await whole(opened.page);
+  return opened;
+}
+
+/** Breaks a line by its mark, and waits until all is known. */
+async function breakLine(page: Page, at: string, edition: string): Promise<void> {
+  const line = page.locator('vidno-listing li', {
+    has: page.locator(`.at:text-matches("^${at}")`),
+  });
+  await line.first().locator('.mark').click();
+  await page.locator(`vidno-wrong-lines dialog[open] button[name="${edition}"]`).click();
+  await known(page);
+}
+
+async function known(page: Page): Promise<void> {
+  await page.locator('vidno-broken-line .result', { hasNotText: /searching|поиск/u }).waitFor();
+  await page.locator('vidno-broken-line button[name=first]').waitFor();
+}
+
+/** How many cells of the small pictures are not faint, by their middles. */
+const changed = (page: Page, which: 'right' | 'wrong'): Promise<readonly string[]> =>
+  page.locator(`vidno-broken-line canvas.${which}`).evaluate((element) => {
+    const shown = element as HTMLCanvasElement;
+    const canvas = new OffscreenCanvas(shown.width, shown.height);
+    const context = canvas.getContext('2d', { willReadFrequently: true });
+    context?.drawImage(shown, 0, 0);
+    const colors: string[] = [];
+    for (let j = 0; j < 16; j++) {
+      for (let i = 0; i < 16; i++) {
+        const [x, y] = [(i + 0.5) / 16, (j + 0.5) / 16];
+        const at = [Math.floor(x * canvas.width), Math.floor(y * canvas.height)] as const;
+        const [r, g, b] = context?.getImageData(...at, 1, 1).data ?? [];
+        colors.push([r, g, b].join());
+      }
+    }
+    return colors.filter((color) => color !== '222,226,230');
+  });
+
+describe('a line that is broken', () => {
+  it('as it is printed runs beside the right one, at the first difference', async () => {
+    const { page, faults } = await openRun(`${warnock}&step=5`);
+    await breakLine(page, 'PW7', 'printed:x-w3');
+    expect(await title(page)).toBe('Broken: PW7 X-W3');
+    // Two planes, push, pop, call, corners, box, count, four depths, four comparisons, nearer: then k = 4, so that PW7 uncovers;
+    // with X-W3 only 0 < k < 4 would.
+    await expect.poll(() => stepsOf(page)).toEqual([18, 18]);
+    expect(await sentences(page)).toEqual(['PW7', 'PW8']);
+    // Q stays in force: all of N is lost.
+    expect(await result(page)).toBe('64 of 256 pixels change.');
+    const [right, wrong] = [await changed(page, 'right'), await changed(page, 'wrong')];
+    expect([right.length, wrong.length]).toEqual([64, 64]);
+    expect(new Set(right).size).toBe(1);
+    expect(new Set(wrong)).not.toEqual(new Set(right));
+    await page.getByRole('button', { name: 'Back to the right run' }).click();
+    await page.locator('vidno-comparison').waitFor({ state: 'detached' });
+    expect((await shown(page)).step).toBe(5);
+    await page.waitForURL((url) => !/with=|layer=/u.test(url.href));
+    expect(faults).toEqual([]);
+  });
+
+  it('by a usual mistake does, too', async () => {
+    const { page, faults } = await openRun(warnock);
+    await breakLine(page, 'PW1', 'printed:x-w2');
+    // All depths are above 0: no window is decided otherwise. The corners start at 0 in step 6.
+    expect(await result(page)).toBe('The picture stays the same; steps differ.');
+    await expect.poll(() => stepsOf(page)).toEqual([6, 6]);
+    expect(await sentences(page)).toEqual(['PW1', 'PW1']);
+    // Another line of the right run is broken from here.
+    await breakLine(page, 'W13', 'one-list');
+    expect(await title(page)).toBe('Broken: W13 one list for all parts');
+    // Q is in all windows, N beside some: it leaves the one list there, and is lost.
+    expect(await result(page)).toBe('64 of 256 pixels change.');
+    await expect.poll(() => sentences(page)).toEqual(['W13', 'W13']);
+    expect(faults).toEqual([]);
+  });
+
+  it('shows the smallest scene, goes back to the scene, and to the right run', async () => {
+    const { page, faults } = await openRun(`${warnock}&step=7`);
+    await breakLine(page, 'D1', 'depth-sign-reversed');
+    await page.getByRole('button', { name: 'Smallest scene that shows it' }).click();
+    await page.locator('vidno-broken-line button[name=own]').waitFor();
+    await expect.poll(() => result(page)).toBe('1 of 1 pixels change.');
+    await expect.poll(() => sentences(page)).toEqual(['PW5', 'PW5']);
+    await page.waitForURL(/witness=[1-9]/u);
+    // It is part of the link.
+    const link = page.url();
+    const other = await openUrl(browser, link);
+    await other.page.locator('vidno-broken-line button[name=own]').waitFor();
+    expect(await stepsOf(other.page)).toEqual(await stepsOf(page));
+    expect(other.faults).toEqual([]);
+    await page.getByRole('button', { name: 'Back to the scene' }).click();
+    await expect.poll(() => result(page)).toMatch(/of 256 pixels change\.$/u);
+    await page.getByRole('button', { name: 'Back to the right run' }).click();
+    await page.locator('vidno-comparison').waitFor({ state: 'detached' });
+    expect((await shown(page)).step).toBe(7);
+    expect(faults).toEqual([]);
+  });
+
+  it('is chosen, followed and mended by keys alone', async () => {
+    const { page, faults } = await openRun(warnock);
+    await page.locator('vidno-listing .procedures').focus();
+    await page.keyboard.press('Shift+Tab');
+    await page.keyboard.press('Shift+Tab');
+    await page.keyboard.press('Enter');
+    const focused = page.locator('vidno-wrong-lines button:focus');
+    await focused.waitFor();
+    const names: (string | null)[] = [];
+    for (let i = 0; i < 3; i++) {
+      names.push(await focused.getAttribute('name'));
+      await page.keyboard.press('ArrowDown');
+    }
+    expect(names).toEqual(['printed:x-w8', 'printed:x-w5', 'integer-division']);
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('ArrowUp');
+    expect(await focused.getAttribute('name')).toBe('printed:x-w5');
+    await page.keyboard.press('Enter');
+    await page.locator('vidno-broken-line .result', { hasNotText: /searching/u }).waitFor();
+    // 16 x 16 is a square of a power of two: its halves are whole either way.
+    expect(await result(page)).toBe('On this scene the line makes no difference.');
+    await page.locator('vidno-broken-line button[name=smallest]').focus();
+    await page.keyboard.press('Enter');
+    await page.locator('vidno-broken-line button[name=own]').waitFor();
+    await page.keyboard.press('d');
+    await page.locator('vidno-comparison').waitFor({ state: 'detached' });
+    expect(faults).toEqual([]);
+  });
+
+  it('of a scene that is edited runs again as a corner moves', async () => {
+    const { page, faults } = await editing(browser);
+    await breakLine(page, 'D1', 'depth-sign-reversed');
+    expect(await result(page)).toMatch(/of 64 pixels change\.$/u);
+    await page.keyboard.press('e');
+    await page.locator(handle(0, 0)).first().focus();
+    await page.keyboard.press('ArrowRight');
+    // Both runs have the corner, which was at x = 1, a quarter of a pixel farther.
+    const corners = (): Promise<unknown> =>
+      page.evaluate(() => {
+        const app = document.querySelector('vidno-app')?.shadowRoot;
+        const pair = app?.querySelector('vidno-comparison');
+        return [pair?.trace, pair?.rival].map((run) => [
+          run?.header.edition,
+          run?.header.scene.polygons[0]?.vertices[0]?.[0],
+        ]);
+      });
+    await expect.poll(corners).toEqual([
+      ['corrected', 1.25],
+      ['depth-sign-reversed', 1.25],
+    ]);
+    await known(page);
+    expect(faults).toEqual([]);
+  });
+
+  it('of the Z-buffer and of curves is offered at their lines', async () => {
+    const { page, faults } = await openRun(
+      'trace=09-usual-mistakes.zbuffer.double.corrected.signs',
+    );
+    await breakLine(page, 'Z1', 'depths-not-cleared');
+    expect(await title(page)).toBe('Broken: Z1 Z not cleared');
+    await page.getByRole('button', { name: 'Back to the right run' }).click();
+    await page.locator('vidno-comparison').waitFor({ state: 'detached' });
+    const curves = JSON.stringify({
+      format: 'vidno-surface/1',
+      name: 'A line below another',
+      window: { x: 0, y: 0, width: 4, height: 5 },
+      curves: [
+        [
+          [0, 1],
+          [3, 1],
+        ],
+        [
+          [0, 2],
+          [3, 2],
+        ],
+      ],
+    });
+    await openFile(page, 'below.json', curves);
+    await page.locator('main > .title h2', { hasText: 'A line below another' }).waitFor();
+    await breakLine(page, 'FH6', 'printed:x-h1');
+    // The second line lies below the first over all four columns, and is not drawn.
+    expect(await result(page)).toBe('Curves change over 4 columns.');
+    expect(faults).toEqual([]);
+  });
+
+  it('is not offered where the numbers are always right, nor where the text is as printed', async () => {
+    const { page } = await openRun(warnock);
+    expect(await page.locator('vidno-listing .mark').count()).toBeGreaterThan(5);
+    await page.locator('vidno-page-header').waitFor();
+    const { page: printed } = await openRun('trace=09-usual-mistakes.warnock.double.printed.signs');
+    expect(await printed.locator('vidno-listing .mark').count()).toBe(0);
+    expect(await printed.locator('vidno-listing .break').count()).toBe(0);
+  });
+
+  it('is told in Russian, and to those who do not see it', async () => {
+    const { page } = await openRun(warnock);
+    await breakLine(page, 'PW7', 'surround-kept');
+    // What the comparison has is not this test's.
+    const own = (await violations(page)).filter((each) => !each.includes('name="mark"'));
+    expect(own).toEqual([]);
+    await page.goto(page.url().replace('lang=en', 'lang=ru'));
+    await known(page);
+    expect(await result(page)).toBe('Меняются пиксели: 64 из 256.');
+    expect(await page.locator('vidno-broken-line .says').textContent()).toContain(
+      'hasSurround никогда не сбрасывается',
+    );
+    await goTo(page, 1);
+  });
+});

@@ -1,0 +1,84 @@
+import { runs } from '../run/options.js';
+import type { Options } from '../run/options.js';
+import { deviationOf } from '../trace/editions.js';
+import type { Deviation, Edition } from '../trace/editions.js';
+import type { Layer } from '../picture/layers.js';
+import type { Shown } from './stage.js';
+
+/** How the run beside the one that is open is broken; null if it is any other. */
+export function brokenBeside({ trace, rival }: Shown['session']): Deviation | null {
+  const { chosen } = rival;
+  if (trace === null || chosen?.kind !== 'run') return null;
+  const { method, edition, kernel } = chosen.options;
+  const { header } = trace;
+  const isElseSame =
+    header.method === method && header.edition === 'corrected' && header.kernel === kernel;
+  return isElseSame ? deviationOf(edition) : null;
+}
+
+/** Breaks a line of the run that is open, and puts it together again. */
+export class Breaking {
+  /** Whether the first difference is to be shown as soon as it is known. */
+  seeks = false;
+  /** What was shown before, where the line was broken here. */
+  private before: { readonly step: number; readonly layer: Layer } | null = null;
+
+  constructor(private readonly page: Shown) {}
+
+  /** Runs the scene that is open with a line broken, and shows where that is seen first. */
+  break(edition: Edition): void {
+    const { session, setup } = this.page;
+    const { trace, rival, place, witness } = session;
+    if (trace === null) return;
+    const { method, kernel, detail } = trace.header;
+    const options: Options = { method, edition, kernel, detail, check: false };
+    if (!runs(options)) return;
+    if (rival.chosen === null) this.before = { step: place.step, layer: setup.layer };
+    this.seeks = true;
+    witness.close();
+    rival.choose({ kind: 'run', options });
+    this.page.change({ layer: 'difference' });
+  }
+
+  /** To the smallest scene that shows the broken line, back from there, or back to the right run. */
+  follow(way: string): void {
+    const { session } = this.page;
+    const { chosen } = session.rival;
+    if (way === 'smallest' && chosen?.kind === 'run') {
+      this.seeks = true;
+      session.witness.open(chosen.options);
+    } else if (way === 'own') {
+      session.witness.close();
+      session.move({});
+    } else this.leave();
+  }
+
+  /** Shows the smallest scene at a step, as an address has it; null: not that scene. */
+  openAt(step: number | null): void {
+    const { witness, rival } = this.page.session;
+    const options = rival.chosen?.kind === 'run' ? rival.chosen.options : null;
+    const isThere = witness.edition === options?.edition && witness.place.step === step;
+    if (step === null || options === null) witness.close();
+    else if (!isThere) witness.open(options, step);
+  }
+
+  /** The first difference was found, or there is none. */
+  found(): void {
+    this.seeks = false;
+    this.page.requestUpdate();
+  }
+
+  /** Leaves the other run; if that was broken here, to where one was before. */
+  leave(): void {
+    const { session } = this.page;
+    const { before } = this;
+    const wasBroken = brokenBeside(session) !== null;
+    this.before = null;
+    this.seeks = false;
+    session.witness.close();
+    session.rival.choose(null);
+    if (!wasBroken) return;
+    this.page.change({ layer: before?.layer ?? 'picture' });
+    if (before !== null) session.move({ step: before.step });
+  }
+}

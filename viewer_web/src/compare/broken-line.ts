@@ -1,0 +1,213 @@
+import { LitElement, css, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query } from 'lit/decorators.js';
+import { base } from '../elements/theme.js';
+import { texts } from '../i18n/index.js';
+import type { BrokenTexts } from '../language/compare-texts.js';
+import type { Language } from '../language/language.js';
+import { opaque, paint } from '../picture/paint.js';
+import { isPainted } from '../replay/grid.js';
+import type { Grid } from '../replay/grid.js';
+import type { Deviation } from '../trace/editions.js';
+import type { Comparison } from './comparison.js';
+import { pictureAt } from './difference.js';
+import type { Steps } from './parting.js';
+
+/** The side of a picture, in CSS pixels. */
+const side = 72;
+/** Cells that are the same in both. */
+const same = 0xffe6e2de;
+const unpainted = 0xffffffff;
+
+/**
+ * Says which line is broken, how, and what comes of it. Events: `go` with the step of the first difference, `smallest` for the
+ * smallest scene that shows it, `own` to leave that, `back` to the right run.
+ */
+@customElement('vidno-broken-line')
+export class BrokenLineElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        flex: none;
+        flex-wrap: wrap;
+        gap: 0.5rem 1.25rem;
+        align-items: center;
+        padding: 0.5rem 0.9rem;
+        border: 1px solid var(--bad);
+        border-radius: var(--radius);
+        background: var(--panel);
+        font-size: 0.8125rem;
+      }
+      .says {
+        flex: 1 1 20rem;
+        min-width: 0;
+      }
+      h2 {
+        font-size: 0.9375rem;
+      }
+      .line {
+        padding: 0 0.35em;
+        border-radius: 4px;
+        background: var(--bad-wash);
+        color: var(--bad);
+        font: 600 0.8125rem / 1.5 var(--mono);
+      }
+      .pictures {
+        display: flex;
+        gap: 0.6rem;
+      }
+      canvas {
+        display: block;
+        border: 1px solid var(--line);
+      }
+      figcaption {
+        color: var(--soft);
+        font-size: 0.6875rem;
+        text-align: center;
+      }
+      .ways {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 0.4rem;
+      }
+      button {
+        padding: 0 0.8rem;
+      }
+      @media print {
+        .ways {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) deviation!: Deviation;
+  @property({ attribute: false }) comparison!: Comparison;
+  @property({ attribute: false }) language: Language = 'en';
+  /** The title of the smallest scene, where that is shown. */
+  @property({ attribute: false }) smallest: string | null = null;
+  /** What is known of the comparison so far. */
+  @property({ attribute: false }) atEnd: number | null = null;
+  @property({ attribute: false }) text: Steps | null = null;
+  @property({ type: Boolean }) complete = false;
+  @query('canvas.right') private right!: HTMLCanvasElement | null;
+  @query('canvas.wrong') private wrong!: HTMLCanvasElement | null;
+  private painted: Comparison | null = null;
+
+  private get say(): BrokenTexts {
+    return texts[this.language].compare.broken;
+  }
+
+  override render(): TemplateResult {
+    const { say, deviation, language, smallest } = this;
+    const { lines, title, says } = deviation;
+    return html`
+      <div class="says">
+        <h2>
+          ${say.is('')}${lines.map((at) => html`<span class="line">${at}</span> `)}
+          ${title[language]}
+        </h2>
+        <p>${says[language]}</p>
+        ${smallest === null ? nothing : html`<p><i>${say.isSmallest(smallest)}</i></p>`}
+        <p class="result" role="status">${this.result()}</p>
+      </div>
+      ${this.hasPictures ? this.pictures() : nothing}
+      <div class="ways">
+        ${this.first()}
+        ${
+          smallest === null
+            ? html`<button name="smallest" @click=${() => this.ask('smallest')}>
+                ${say.smallest}
+              </button>`
+            : html`<button name="own" @click=${() => this.ask('own')}>${say.own}</button>`
+        }
+        <button name="back" @click=${() => this.ask('back')}>${say.back}</button>
+      </div>
+    `;
+  }
+
+  private first(): TemplateResult | typeof nothing {
+    const { text, say, language } = this;
+    if (text === null) return nothing;
+    return html`<button name="first" @click=${() => this.ask('go', text[0])}>
+      ${say.first(text[0].toLocaleString(language))}
+    </button>`;
+  }
+
+  /** What the broken line changes in the end. */
+  private result(): string {
+    const { say, comparison, language, atEnd, text, complete } = this;
+    if (atEnd === null) return texts[language].compare.searching;
+    if (atEnd > 0) {
+      const { area, curves } = comparison.one.header.scene;
+      const n = atEnd.toLocaleString(language);
+      if (curves !== null) return say.columns(n);
+      return say.pixels(n, (area.width * area.height).toLocaleString(language));
+    }
+    if (text !== null) return say.stepsAlone;
+    return complete ? say.nothing : texts[language].compare.searching;
+  }
+
+  private get hasPictures(): boolean {
+    return this.comparison.one.header.scene.curves === null && (this.atEnd ?? 0) > 0;
+  }
+
+  private pictures(): TemplateResult {
+    const { say } = this;
+    const picture = (name: 'right' | 'wrong'): TemplateResult =>
+      html`<figure>
+        <canvas class=${name} role="img" aria-label=${say[name]}></canvas>
+        <figcaption aria-hidden="true">${say[name]}</figcaption>
+      </figure>`;
+    return html`<div class="pictures">${picture('right')}${picture('wrong')}</div>`;
+  }
+
+  override updated(): void {
+    const { comparison, right, wrong } = this;
+    if (right === null || wrong === null) {
+      this.painted = null;
+      return;
+    }
+    if (this.painted === comparison) return;
+    this.painted = comparison;
+    const { one, other } = comparison;
+    const pictures = [one, other].map((run) => pictureAt(run, run.timeline.length));
+    const [rightly, wrongly] = pictures;
+    if (rightly === undefined || wrongly === undefined) return;
+    paintChanges(right, rightly, wrongly);
+    paintChanges(wrong, wrongly, rightly);
+  }
+
+  private ask(what: 'go' | 'smallest' | 'own' | 'back', detail = 0): void {
+    this.dispatchEvent(new CustomEvent<number>(what, { detail }));
+  }
+}
+
+/** Paints a picture where it is not that of the other run; all else is faint. */
+function paintChanges(canvas: HTMLCanvasElement, own: Grid<number>, other: Grid<number>): void {
+  const { width, height } = own;
+  const scale = side / Math.max(width, height);
+  const ratio = devicePixelRatio;
+  const [across, down] = [width, height].map((cells) => Math.max(1, Math.round(cells * scale)));
+  canvas.style.width = `${across}px`;
+  canvas.style.height = `${down}px`;
+  canvas.width = Math.round((across ?? 1) * ratio);
+  canvas.height = Math.round((down ?? 1) * ratio);
+  const ink = (i: number, j: number): number => {
+    const pixel = own.at(i, j);
+    if (opaque(pixel) === opaque(other.at(i, j)) && isPainted(pixel) === isPainted(other.at(i, j)))
+      return same;
+    return isPainted(pixel) ? opaque(pixel) : unpainted;
+  };
+  const row = (j: number, columns: readonly number[]): ArrayLike<number> =>
+    Uint32Array.from(columns, (i) => ink(i, j));
+  paint(canvas, { width, height, row }, { x: 0, y: 0, scale: scale * ratio, ratio });
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-broken-line': BrokenLineElement;
+  }
+}
