@@ -181,17 +181,13 @@ export const playerStyle = css`
       margin-top: var(--gap);
       contain: none;
     }
-    .beside:has(> .side.solid) {
-      grid-template-rows: 19rem 22rem;
-    }
-    /* What was asked for comes first. */
+    /* What was asked for comes first; what grows from step to step scrolls within its panel. */
     .beside:has(> .side:not(.state)) {
       grid-template-areas: 'side' 'listing';
       grid-template-rows: minmax(20rem, auto) 19rem;
     }
-    /* Its rows are drawn as they come into sight. */
-    .side.outline {
-      height: 22rem;
+    .beside:has(> .side:is(.pixel, .outline, .bookmarks, .solid)) {
+      grid-template-rows: 22rem 19rem;
     }
     .dock {
       position: sticky;
