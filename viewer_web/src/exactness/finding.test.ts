@@ -29,7 +29,11 @@ it('sorts by step, by kind and by how narrow a decision is', () => {
 });
 
 it('leaves out equal numbers of sorts and boxes', () => {
-  expect(findingsIn(lines).filter(isSeen).map(({ step }) => step)).toEqual([7, 9, 12]);
+  expect(
+    findingsIn(lines)
+      .filter(isSeen)
+      .map(({ step }) => step),
+  ).toEqual([7, 9, 12]);
 });
 
 it('marks single pixels always, and larger areas at their step', () => {

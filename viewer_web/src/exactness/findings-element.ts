@@ -128,9 +128,7 @@ export class FindingsElement extends LitElement {
     const say = this.texts.findings;
     const what = coincidence === undefined ? '' : say.coincidences[coincidence];
     return html`<tr aria-current=${step === this.view.step ? 'step' : nothing}>
-      <td class="number">
-        <button @click=${() => this.seek(step)}>${step}</button> ${at}
-      </td>
+      <td class="number"><button @click=${() => this.seek(step)}>${step}</button> ${at}</td>
       <td>${say.kinds[kind]}${what === '' ? '' : ': '}${what}</td>
       <td class="number">${off === undefined ? width(ulps) : say.pixels(width(off))}</td>
       <td>${polygons.join(', ')}</td>
