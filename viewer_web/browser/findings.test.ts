@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
-import { edit, rerun, run, title } from './live.js';
+import { rerun, run, title } from './live.js';
 import { goTo, open, openFile } from './page.js';
 
 /** The corners of the square lie on the centres of the pixels at the corners of a 2 x 2 area. */
@@ -64,7 +64,7 @@ describe('the margin of a vertex', () => {
     await rerun(page, () => openFile(page, 'square.json', JSON.stringify(square)));
     const { lines } = await run(page);
     await goTo(page, lines.findIndex((line) => line.includes('"e":"orient"')) + 1);
-    await edit(page);
+    await page.locator('vidno-side button.scene').click();
     await page.locator('vidno-handles [data-spot="0,3"]').focus();
     await page.locator('vidno-picture svg .margin').first().waitFor({ state: 'attached' });
   });

@@ -145,7 +145,9 @@ export class FindingsElement extends LitElement {
 /** Short: what counts is how small it is. */
 function width(value: number | undefined): string {
   if (value === undefined) return '';
-  return String(Number(value.toPrecision(3))).replace('-', '−');
+  const [digits = '', power] = value.toExponential(2).split('e');
+  if (Math.abs(Number(power)) > 5) return `${digits} · 10^${power?.replace('+', '') ?? ''}`;
+  return String(Number(value.toPrecision(3)));
 }
 
 declare global {
