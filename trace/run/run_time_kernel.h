@@ -115,16 +115,16 @@ private:
     }
     static bool all(const Depth& z, auto holds) { return !z.number || holds(*z.number); }
 
-    static Operand constant(const char* name, double value) {
+    static Operand constant(const char* called, double value) {
         const Fraction exact = fraction_of(value);
-        return {name, exact, exact};
+        return {called, exact, exact};
     }
-    static void tell_numbers(auto&& tell, const char* name, const Depth& z) {
-        if (z.number) return tell(name, *z.number);
-        tell.operands.push_back({name, {"-inf"}, {"-inf"}});
+    static void tell_numbers(auto&& tell, const char* called, const Depth& z) {
+        if (z.number) return tell(called, *z.number);
+        tell.operands.push_back({called, {"-inf"}, {"-inf"}});
     }
-    static void tell_numbers(auto&& tell, const char* name, const auto& operand) {
-        question::tell_numbers(tell, name, operand);
+    static void tell_numbers(auto&& tell, const char* called, const auto& operand) {
+        question::tell_numbers(tell, called, operand);
     }
 
     /// Two numbers that a question compares.
@@ -182,12 +182,14 @@ private:
             Operands found;
             struct Tell {
                 Operands& operands;
-                void operator()(const std::string& name, const Number& v) const { operands.push_back(v.operand(name)); }
+                void operator()(const std::string& called, const Number& v) const {
+                    operands.push_back(v.operand(called));
+                }
             };
             std::size_t i = 0;
             std::apply([&](const auto&... each) { (tell_numbers(Tell{found}, Question::names[i++], each), ...); },
                        operands_);
-            question_.constants([&](const char* name, double value) { found.push_back(constant(name, value)); });
+            question_.constants([&](const char* called, double value) { found.push_back(constant(called, value)); });
             return found;
         }
         std::optional<Gap> gap() const override {

@@ -10,7 +10,10 @@ import type { Address } from '../reader/address.js';
 import { openTrace } from '../replay/open.js';
 import type { Readers } from '../replay/open.js';
 import type { Trace } from '../replay/trace.js';
+import type { Margin } from '../exactness/margin.js';
 import { Checks } from '../run/checks.js';
+import { Margins } from '../run/margins.js';
+import type { Spot } from '../run/sketch.js';
 import { ExactPicture } from '../run/exact.js';
 import { embeddedLibrary, moduleOf } from '../run/maker.js';
 import { noticeOf } from '../run/notice.js';
@@ -44,6 +47,7 @@ export class Session implements ReactiveController {
   readonly exact: ExactPicture;
   readonly maps: SignMaps | null;
   readonly checks: Checks | null;
+  readonly margins: Margins | null;
   readonly rival: Rival;
   readonly witness: Witness;
 
@@ -63,6 +67,7 @@ export class Session implements ReactiveController {
     if (library !== null) requestIdleCallback(() => void moduleOf(library).catch(() => undefined));
     this.maps = library && new SignMaps(library);
     this.checks = library && new Checks(library, changed);
+    this.margins = library && new Margins(library, changed);
     this.exact = new ExactPicture(library, changed);
     this.rival = new Rival(library, changed);
     this.witness = new Witness(library, changed);
@@ -76,6 +81,11 @@ export class Session implements ReactiveController {
       },
       failed: (error) => this.fail(this.asked, error),
     });
+  }
+
+  /** Where a vertex may be moved to; null while that is not known. */
+  marginAt(trace: Trace, spot: Spot): Margin | null {
+    return this.margins?.of(trace, this.place.step, spot) ?? null;
   }
 
   /** Whether an address can lead here again. */

@@ -83,6 +83,7 @@ export function alone(page: Shown): TemplateResult {
       .layer=${layer}
       .exact=${exactOf(page)}
       .maps=${session.maps}
+      .margin=${live.editing?.chosen ? trace && session.marginAt(trace, live.editing.chosen) : null}
       .check=${trace && (session.checks?.of(trace) ?? null)}
       .editing=${live.editing}
       .link=${live.link}

@@ -5,9 +5,9 @@ import { Fraction } from './fraction.js';
 it('adds, multiplies and writes fractions in lowest terms', () => {
   const third = Fraction.of(1, 3);
   const sixth = Fraction.of(-2, -12);
-  expect(String(third.plus(sixth))).toBe('1/2');
-  expect(String(third.minus(sixth.times(Fraction.of(4))))).toBe('−1/3');
-  expect(String(third.over(sixth))).toBe('2');
+  expect(third.plus(sixth).text).toBe('1/2');
+  expect(third.minus(sixth.times(Fraction.of(4))).text).toBe('−1/3');
+  expect(third.over(sixth).text).toBe('2');
   expect(Fraction.of(-7, 2).floor).toBe(-4n);
   expect(Fraction.parse('nan')).toBe(null);
 });
@@ -45,19 +45,42 @@ it('calculates with the numbers of the run, too, where they have drifted', () =>
 
 it('finds the first and the last pixel centre', () => {
   // Centres 2.5, 3.5, ...: the first at or after 5/2 is that of column 2; up to 7/3 the last one is that of column 1.
-  const at = (x: string) => [
-    ['x', x, x],
-    ['low', '0/1', '0/1'],
-    ['end', '4/1', '4/1'],
-  ] as const;
-  expect(calculation('first_centre', at('5/2'), 'exact')?.at(-1)).toBe('i + 1/2 ≥ 5/2 ⇒ i = ⌈2⌉ = 2');
-  expect(calculation('last_centre', at('7/3'), 'exact')?.at(-1)).toBe('i + 1/2 ≤ 7/3 ⇒ i = ⌊11/6⌋ = 1');
+  const at = (x: string) =>
+    [
+      ['x', x, x],
+      ['low', '0/1', '0/1'],
+      ['end', '4/1', '4/1'],
+    ] as const;
+  expect(calculation('first_centre', at('5/2'), 'exact')?.at(-1)).toBe(
+    'i + 1/2 ≥ 5/2 ⇒ i = ⌈2⌉ = 2',
+  );
+  expect(calculation('last_centre', at('7/3'), 'exact')?.at(-1)).toBe(
+    'i + 1/2 ≤ 7/3 ⇒ i = ⌊11/6⌋ = 1',
+  );
   // Nothing of the range: 9 is cut to its end, −3 to one before its beginning.
   expect(calculation('first_centre', at('19/2'), 'exact')?.at(-1)).toContain('9 → 4');
   expect(calculation('last_centre', at('-5/2'), 'exact')?.at(-1)).toContain('−3 → −1');
 });
 
 it('says nothing where a number is none', () => {
-  expect(calculation('nearer', [['z', 'nan', '1/2'], ['against', '0/1', null]], 'used')).toBe(null);
-  expect(calculation('nearer', [['z', '1/2', '1/2'], ['against', '-inf', '-inf']], 'exact')).toBe(null);
+  expect(
+    calculation(
+      'nearer',
+      [
+        ['z', 'nan', '1/2'],
+        ['against', '0/1', null],
+      ],
+      'used',
+    ),
+  ).toBe(null);
+  expect(
+    calculation(
+      'nearer',
+      [
+        ['z', '1/2', '1/2'],
+        ['against', '-inf', '-inf'],
+      ],
+      'exact',
+    ),
+  ).toBe(null);
 });

@@ -49,7 +49,9 @@ function linesOf(of: Decision, numbers: Numbers): Lines | null {
     case 'last_centre':
       return last(numbers, 'x');
     case 'columns':
-      return has('left') ? [...first(numbers, 'left'), ...last(numbers, 'right')] : columns(numbers);
+      return has('left')
+        ? [...first(numbers, 'left'), ...last(numbers, 'right')]
+        : columns(numbers);
     case 'rows':
       return rows(numbers);
     case 'visibility':
@@ -57,10 +59,10 @@ function linesOf(of: Decision, numbers: Numbers): Lines | null {
     case 'same_rounded':
       return ['v', 'w'].map((name) => {
         const number = get(numbers, name);
-        return `⌊${name} + 1/2⌋ = ⌊${number.plus(half)}⌋ = ${whole(number.plus(half).floor)}`;
+        return `⌊${name} + 1/2⌋ = ⌊${number.plus(half).text}⌋ = ${whole(number.plus(half).floor)}`;
       });
     case 'pixel':
-      return [`⌊v⌋ = ⌊${get(numbers, 'v')}⌋ = ${whole(get(numbers, 'v').floor)}`];
+      return [`⌊v⌋ = ⌊${get(numbers, 'v').text}⌋ = ${whole(get(numbers, 'v').floor)}`];
   }
 }
 
@@ -73,7 +75,7 @@ function get(numbers: Numbers, name: string): Fraction {
 const whole = (number: bigint): string => String(number).replace('-', '−');
 const relations = { '-1': '<', '0': '=', '1': '>' } as const;
 const withZero = (value: Fraction): string =>
-  value.sign === 0 ? '= 0' : `= ${value} ${relations[value.sign]} 0`;
+  value.sign === 0 ? '= 0' : `= ${value.text} ${relations[value.sign]} 0`;
 
 /** How one number compares with another. */
 function compared(name: string, a: Fraction, other: string, b: Fraction): Lines {
@@ -83,8 +85,8 @@ function compared(name: string, a: Fraction, other: string, b: Fraction): Lines 
 function pair(numbers: Numbers, one: string, other: string): Lines {
   const [a, b] = [get(numbers, one), get(numbers, other)];
   return [
-    `${one} = ${a}`,
-    `${other} = ${b}`,
+    `${one} = ${a.text}`,
+    `${other} = ${b.text}`,
     `${one} − ${other} ${withZero(a.minus(b))}`,
     ...compared(one, a, other, b),
   ];
@@ -107,7 +109,7 @@ function products(
   return [
     `f = ${formula}`,
     `= ${a.inner} · ${b.inner} ${sign} ${c.inner} · ${d.inner}`,
-    `= ${left} ${sign} ${right.inner}`,
+    `= ${left.text} ${sign} ${right.inner}`,
     withZero(value),
   ];
 }
@@ -150,7 +152,7 @@ function planes(numbers: Numbers): Lines {
     };
     const [p, q] = [slope('p'), slope('q')];
     if (p === null || q === null) return ['c = 0'];
-    return [`q.${name} / q.c − p.${name} / p.c = ${q} − ${p.inner} ${withZero(q.minus(p))}`];
+    return [`q.${name} / q.c − p.${name} / p.c = ${q.text} − ${p.inner} ${withZero(q.minus(p))}`];
   });
 }
 
@@ -169,7 +171,7 @@ function box(numbers: Numbers): Lines {
   ] as const;
   return pairs.map(([own, other]) => {
     const [a, b] = [get(numbers, `box.${own}`), get(numbers, `window.${other}`)];
-    return `box.${own} = ${a} ${relations[a.minus(b).sign]} ${b} = window.${other}`;
+    return `box.${own} = ${a.text} ${relations[a.minus(b).sign]} ${b.text} = window.${other}`;
   });
 }
 
@@ -186,8 +188,8 @@ function first(numbers: Numbers, name: string, value = get(numbers, name)): Line
   const least = value.minus(half);
   const pixel = -Fraction.of(-least.p, least.q).floor;
   return [
-    `${name} = ${value}`,
-    `i + 1/2 ≥ ${value} ⇒ i = ⌈${least}⌉ = ${within(numbers, pixel, 0n, 0n)}`,
+    `${name} = ${value.text}`,
+    `i + 1/2 ≥ ${value.text} ⇒ i = ⌈${least.text}⌉ = ${within(numbers, pixel, 0n, 0n)}`,
   ];
 }
 
@@ -195,8 +197,8 @@ function first(numbers: Numbers, name: string, value = get(numbers, name)): Line
 function last(numbers: Numbers, name: string, value = get(numbers, name)): Lines {
   const most = value.minus(half);
   return [
-    `${name} = ${value}`,
-    `i + 1/2 ≤ ${value} ⇒ i = ⌊${most}⌋ = ${within(numbers, most.floor, -1n, -1n)}`,
+    `${name} = ${value.text}`,
+    `i + 1/2 ≤ ${value.text} ⇒ i = ⌊${most.text}⌋ = ${within(numbers, most.floor, -1n, -1n)}`,
   ];
 }
 
@@ -218,16 +220,13 @@ const greatest = (numbers: readonly Fraction[]): Fraction =>
 function rows(numbers: Numbers): Lines {
   const heights = outline(numbers).map(([, y]) => y);
   if (heights.length === 0) return [];
-  return [
-    ...first(numbers, 'min y', least(heights)),
-    ...last(numbers, 'max y', greatest(heights)),
-  ];
+  return [...first(numbers, 'min y', least(heights)), ...last(numbers, 'max y', greatest(heights))];
 }
 
 function columns(numbers: Numbers): Lines {
   const y = get(numbers, 'row').plus(half);
   const met: Fraction[] = [];
-  const lines: string[] = [`y = ${y}`];
+  const lines: string[] = [`y = ${y.text}`];
   const vertices = outline(numbers);
   vertices.forEach(([x1, y1], i) => {
     const next = (i + 1) % vertices.length;
@@ -237,15 +236,19 @@ function columns(numbers: Numbers): Lines {
     const name = `v${i} v${next}`;
     if (y1.minus(y2).sign === 0) {
       met.push(x1, x2);
-      lines.push(`${name}: x = ${x1}, ${x2}`);
+      lines.push(`${name}: x = ${x1.text}, ${x2.text}`);
       return;
     }
     const x = x1.plus(before.times(x2.minus(x1)).over(y2.minus(y1)));
     met.push(x);
     lines.push(
-      `${name}: x = ${x1} + ${before.inner} · ${x2.minus(x1).inner} / ${y2.minus(y1).inner} = ${x}`,
+      `${name}: x = ${x1.text} + ${before.inner} · ${x2.minus(x1).inner} / ${y2.minus(y1).inner} = ${x.text}`,
     );
   });
   if (met.length === 0) return lines;
-  return [...lines, ...first(numbers, 'min x', least(met)), ...last(numbers, 'max x', greatest(met))];
+  return [
+    ...lines,
+    ...first(numbers, 'min x', least(met)),
+    ...last(numbers, 'max x', greatest(met)),
+  ];
 }

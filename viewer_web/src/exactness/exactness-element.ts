@@ -147,31 +147,31 @@ export class ExactnessElement extends LitElement {
     const { whole } = numbersOf(this.view);
     const title = say.decided[of];
     return html`<section>
-      <h3>${title.charAt(0).toUpperCase() + title.slice(1)}</h3>
-      <dl>
-        ${numbers.map(
-          ([name, value]) =>
-            html`<dt>${name}</dt>
-              <dd title=${whole(value)}>${written(whole(value))}</dd>`,
-        )}
-        <dt>${say.computed}</dt>
-        <dd class="words computed">${this.answer(verdict, taken)}</dd>
-        ${
-          exact === undefined || exact === null
-            ? nothing
-            : html`<dt>${say.exact}</dt>
-                <dd class="words exact">${this.answer(verdict, exact)}</dd>`
-        }
-        ${
-          by === undefined
-            ? nothing
-            : html`<dt>${say.decidedBy}</dt>
-                <dd class="words">${say.stages[by]}</dd>`
-        }
-      </dl>
-      ${this.judgement(verdict)}
-    </section>
-    ${this.byHand(verdict)}`;
+        <h3>${title.charAt(0).toUpperCase() + title.slice(1)}</h3>
+        <dl>
+          ${numbers.map(
+            ([name, value]) =>
+              html`<dt>${name}</dt>
+                <dd title=${whole(value)}>${written(whole(value))}</dd>`,
+          )}
+          <dt>${say.computed}</dt>
+          <dd class="words computed">${this.answer(verdict, taken)}</dd>
+          ${
+            exact === undefined || exact === null
+              ? nothing
+              : html`<dt>${say.exact}</dt>
+                  <dd class="words exact">${this.answer(verdict, exact)}</dd>`
+          }
+          ${
+            by === undefined
+              ? nothing
+              : html`<dt>${say.decidedBy}</dt>
+                  <dd class="words">${say.stages[by]}</dd>`
+          }
+        </dl>
+        ${this.judgement(verdict)}
+      </section>
+      ${this.byHand(verdict)}`;
   }
 
   /** The calculation line by line: with the numbers of the run too, if they are not the right ones. */

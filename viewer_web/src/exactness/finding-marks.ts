@@ -1,5 +1,6 @@
 import { box } from '../picture/mark.js';
 import type { Mark } from '../picture/mark.js';
+import { isSeen } from './finding.js';
 import type { Finding } from './finding.js';
 
 /** More would be a carpet. */
@@ -12,7 +13,7 @@ const most = 400;
 export function findingMarks(findings: readonly Finding[], step: number): readonly Mark[] {
   const seen = new Set<string>();
   const marks: Mark[] = [];
-  for (const { pixels, kind, step: own } of findings) {
+  for (const { pixels, kind, step: own } of findings.filter(isSeen)) {
     const [, , width, height] = pixels;
     const isOne = width === 1 && height === 1;
     if (kind === 'wrong' || kind === 'point' || (!isOne && own !== step)) continue;
@@ -31,7 +32,7 @@ export function findingSteps(
   places = 300,
 ): readonly { readonly step: number; readonly kind: 'zero' | 'narrow' }[] {
   const seen = new Set<string>();
-  return findings.flatMap(({ step, kind }) => {
+  return findings.filter(isSeen).flatMap(({ step, kind }) => {
     if (kind !== 'zero' && kind !== 'narrow') return [];
     const key = `${kind} ${Math.floor((step / Math.max(1, length)) * places)}`;
     if (seen.has(key)) return [];

@@ -1,7 +1,18 @@
 import { finite, part } from '../trace/check.js';
 import type { Check, Checked } from '../trace/check.js';
 import { decisions } from '../trace/event-table.js';
-import { answer, fraction, list, number, oneOf, operands, optional, rect, text, whole } from '../trace/values.js';
+import {
+  answer,
+  fraction,
+  list,
+  number,
+  oneOf,
+  operands,
+  optional,
+  rect,
+  text,
+  whole,
+} from '../trace/values.js';
 
 export const findingKinds = ['wrong', 'point', 'zero', 'narrow'] as const;
 export type FindingKind = (typeof findingKinds)[number];

@@ -128,9 +128,7 @@ export class FindingsElement extends LitElement {
     const say = this.texts.findings;
     const what = coincidence === undefined ? '' : say.coincidences[coincidence];
     return html`<tr aria-current=${step === this.view.step ? 'step' : nothing}>
-      <td class="number">
-        <button @click=${() => this.seek(step)}>${step}</button> ${at}
-      </td>
+      <td class="number"><button @click=${() => this.seek(step)}>${step}</button> ${at}</td>
       <td>${say.kinds[kind]}${what === '' ? '' : ': '}${what}</td>
       <td class="number">${off === undefined ? width(ulps) : say.pixels(width(off))}</td>
       <td>${polygons.join(', ')}</td>
@@ -147,7 +145,9 @@ export class FindingsElement extends LitElement {
 /** Short: what counts is how small it is. */
 function width(value: number | undefined): string {
   if (value === undefined) return '';
-  return String(Number(value.toPrecision(3))).replace('-', '−');
+  const [digits = '', power] = value.toExponential(2).split('e');
+  if (Math.abs(Number(power)) > 5) return `${digits} · 10^${power?.replace('+', '') ?? ''}`;
+  return String(Number(value.toPrecision(3)));
 }
 
 declare global {

@@ -49,14 +49,14 @@ export class Fraction {
   }
 
   /** As one writes it: 3 for 3/1, with a minus sign. */
-  toString(): string {
-    const text = this.q === 1n ? String(this.p) : `${this.p}/${this.q}`;
-    return text.replace('-', '−');
+  get text(): string {
+    const written = this.q === 1n ? String(this.p) : `${this.p}/${this.q}`;
+    return written.replace('-', '−');
   }
 
   /** In brackets where it would be misread beside a sign. */
   get inner(): string {
-    return this.p < 0n || this.q !== 1n ? `(${this.toString()})` : this.toString();
+    return this.p < 0n || this.q !== 1n ? `(${this.text})` : this.text;
   }
 }
 

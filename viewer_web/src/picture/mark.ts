@@ -25,7 +25,8 @@ export type Role =
   | 'chosen'
   | 'cursor'
   | 'zero'
-  | 'narrow';
+  | 'narrow'
+  | 'margin';
 
 interface PathMark {
   readonly kind: 'path';

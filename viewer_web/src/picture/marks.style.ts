@@ -166,4 +166,10 @@ export const marksStyle = css`
     stroke-width: 2;
     stroke-dasharray: 2 3;
   }
+  .margin {
+    stroke: #5a1fc4;
+    stroke-width: 1.5;
+    fill: #5a1fc4;
+    fill-opacity: 0.14;
+  }
 `;

@@ -12,6 +12,8 @@ import type { LinkMade } from '../editor/live.js';
 import { announcerStyle } from '../elements/announcer.style.js';
 import '../elements/divider.js';
 import { findingMarks } from '../exactness/finding-marks.js';
+import { marginMarks } from '../exactness/margin.js';
+import type { Margin } from '../exactness/margin.js';
 import { hiddenStyle } from '../elements/hidden.style.js';
 import type { Actions } from '../elements/keyboard.js';
 import { isOnlyEdited } from '../elements/only-edited.js';
@@ -26,6 +28,7 @@ import type { ListingElement } from '../listing/listing-element.js';
 import { needsExact } from '../picture/layers.js';
 import type { Exact, Layer } from '../picture/layers.js';
 import { isOther } from '../picture/pixel.js';
+import type { Mark } from '../picture/mark.js';
 import type { Pixel } from '../picture/pixel.js';
 import { Predictor } from '../predict/predictor.js';
 import type { SignMaps } from '../run/sign-maps.js';
@@ -74,6 +77,8 @@ export class PlayerElement extends StageElement {
   @property({ attribute: false }) layer: Layer = 'picture';
   /** Who draws sign maps; null where there is no library. */
   @property({ attribute: false }) maps: SignMaps | null = null;
+  /** Where the vertex that is chosen may be moved to so that no sign of the step changes, if that is known. */
+  @property({ attribute: false }) margin: Margin | null = null;
   /** The exact picture of the scene. */
   @property({ attribute: false }) exact: Exact = null;
   @property({ type: Boolean }) linked = false;
@@ -104,6 +109,13 @@ export class PlayerElement extends StageElement {
   readonly predictor = new Predictor(this);
   private readonly chosen = new PixelHistory(this);
 
+  /** While a vertex is chosen: where it may be moved to so that no sign of the step changes. */
+  private marginMarks(): readonly Mark[] | undefined {
+    const { trace, margin, side } = this;
+    if (trace === null || margin === null || side !== 'scene') return undefined;
+    return marginMarks(margin, trace.header.scene.area);
+  }
+
   override willUpdate(changed: PropertyValues<this>): void {
     if (isOnlyEdited(changed)) return;
     this.predictor.follow();
@@ -118,7 +130,7 @@ export class PlayerElement extends StageElement {
     const { things: asked } = this.predictor;
     const step = trace === null ? 0 : this.pilot.follow(trace, this.step);
     const findings = trace && this.side === 'exact' ? this.checkOf(trace).findings : undefined;
-    const found = findings && findingMarks(findings, step);
+    const found = findings ? findingMarks(findings, step) : this.marginMarks();
     const choice = { language, pixel, pointed: this.pointing.at, asked, ...(found && { found }) };
     this.view = trace && viewOf(trace, step, choice);
   }
