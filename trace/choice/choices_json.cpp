@@ -4,6 +4,8 @@
 
 #include "choice/kernel_choice.h"
 #include "choice/method.h"
+#include "choice/palette.h"
+#include "json/json_text.h"
 
 namespace vidno {
 
@@ -59,7 +61,13 @@ std::string choices_json() {
                                                    {"title", json_of(edition_choices[i].title)},
                                                    {"isMistake", is_mistake(Edition(i))}};
     }
-    return Json{{"methods", methods}, {"kernels", kernels}, {"editions", editions}}.dump(2) + "\n";
+    Json colors = Json::array();
+    for (const Color& color : palette) {
+        Text hex;
+        append_hex(hex, color);
+        colors.push_back(hex.string());
+    }
+    return Json{{"methods", methods}, {"kernels", kernels}, {"editions", editions}, {"palette", colors}}.dump(2) + "\n";
 }
 
 }  // namespace vidno
