@@ -13,6 +13,13 @@
 ///     {"kernel":"double","side":48}
 ///     {"format":"vidno-question/1",...}
 ///
+/// For a failure, its file alone. What is made is a line of JSON:
+///
+///     {"title":{"en":T,"ru":T},"why":W,"remedy":R,"source":S,"step":N|null,"there":A,"fails":RUN,"holds":RUN,"pixel":[x,y]|null}
+///
+/// with texts in both languages, `source` empty where nothing was published, RUN {"method":M,"kernel":K,"edition":E}, and what is seen at
+/// the step in `there`.
+///
 /// To read a trace, its first line; then block after block of whole lines. README.md says why and how fast.
 
 #include <memory>
@@ -20,9 +27,11 @@
 #include <string_view>
 
 #include "check/checked_trace.h"
+#include "check/seen_failure.h"
 #include "choice/method.h"
 #include "json/json_node.h"
 #include "run/write_trace.h"
+#include "scene/failure.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "sign_map/map.h"
@@ -142,6 +151,62 @@ void make_map(Live& live) {
     }
 }
 
+void append_words(Text& out, std::string_view key, const Failure::Words& words) {
+    out += '"';
+    out += key;
+    out += "\":{\"en\":";
+    append_string(out, words.english);
+    out += ",\"ru\":";
+    append_string(out, words.russian);
+    out += "},";
+}
+
+void append_run(Text& out, std::string_view key, const NamedRun& run) {
+    out += '"';
+    out += key;
+    out += "\":{\"method\":";
+    append_string(out, run.method);
+    out += ",\"kernel\":";
+    append_string(out, run.kernel.name());
+    out += ",\"edition\":";
+    append_string(out, edition_names[std::size_t(run.edition)]);
+    out += "},";
+}
+
+/// What a failure says of itself, and where it is seen.
+void make_failure(Live& live) {
+    const Failure failure = read_failure(live.request, "scene");
+    if (!failure.scene) throw Refused("scene: no scene shows it");
+    const SeenFailure found = seen(failure);
+    Text& out = live.made;
+    out += '{';
+    append_words(out, "title", failure.title);
+    append_words(out, "why", failure.why);
+    append_words(out, "remedy", failure.remedy);
+    append_words(out, "there", found.there);
+    append_run(out, "fails", failure.fails);
+    append_run(out, "holds", failure.holds);
+    out += "\"source\":";
+    append_string(out, failure.source);
+    out += ",\"step\":";
+    if (found.step) {
+        append_integer(out, *found.step);
+    } else {
+        out += "null";
+    }
+    out += ",\"pixel\":";
+    if (const auto& pixel = failure.shows.pixel) {
+        out += '[';
+        append_integer(out, pixel->first);
+        out += ',';
+        append_integer(out, pixel->second);
+        out += ']';
+    } else {
+        out += "null";
+    }
+    out += '}';
+}
+
 void open_trace(Live& live) { live.reading = std::make_unique<Reading>(live.request); }
 
 void read_block(Live& live) {
@@ -183,6 +248,9 @@ extern "C" {
 /// Makes the map that is asked for, or is refused likewise: a character a place, '0' to '8', the row of p first. It is three
 /// times the computed sign and once the exact one, of which each is 0, negative, 1, zero, or 2, positive.
 [[clang::export_name("map")]] bool vidno_map() { return vidno::make(vidno::make_map); }
+
+/// Makes what there is to say of a failure, as JSON, or is refused likewise.
+[[clang::export_name("failure")]] bool vidno_failure() { return vidno::make(vidno::make_failure); }
 
 /// Begins to read the trace of which the request is the first line. False if it was refused.
 [[clang::export_name("open")]] bool vidno_open() { return vidno::make(vidno::open_trace); }
