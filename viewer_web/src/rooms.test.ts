@@ -38,6 +38,7 @@ const rooms = [
   'floating-horizon',
   'player',
   'compare',
+  'atlas',
   'reader',
   'app',
 ];

@@ -3,6 +3,10 @@ import type { TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { keyMap } from '../base/key-map.js';
 import { plain } from '../base/setting.js';
+import '../atlas/failure-note.js';
+import type { Entry } from '../atlas/entries.js';
+import '../atlas/gallery.js';
+import type { GalleryElement } from '../atlas/gallery.js';
 import '../compare/comparison-element.js';
 import type { ComparisonElement } from '../compare/comparison-element.js';
 import { withOf } from '../compare/rival.js';
@@ -34,6 +38,7 @@ import './page-header.js';
 import { Reading } from './reading.js';
 import { Session } from './session.js';
 import { share } from './sharing.js';
+import { atlas, failing } from './failing.js';
 import { alone, besides, ownSurface } from './stage.js';
 import type { Shown } from './stage.js';
 
@@ -53,6 +58,7 @@ export class AppElement extends LitElement implements Shown, Told {
   @query('vidno-player') private player!: PlayerElement;
   @query('vidno-comparison') private comparison!: ComparisonElement | null;
   @query('vidno-rival-choice') private choice!: RivalChoiceElement;
+  @query('vidno-gallery') private gallery!: GalleryElement;
   @query('vidno-discard') readonly discard!: DiscardElement;
 
   @state() private isAtContents = false;
@@ -101,7 +107,13 @@ export class AppElement extends LitElement implements Shown, Told {
 
   /** Keys that were pressed outside the player are passed on to it. */
   private readonly onKey = (event: KeyboardEvent): void => {
-    if (this.choice.open || this.discard.open || this.session.live.handleKey(event)) return;
+    if (
+      this.choice.open ||
+      this.discard.open ||
+      this.gallery.open ||
+      this.session.live.handleKey(event)
+    )
+      return;
     this.keyboard.handle(event);
     if (!event.composedPath().includes(this.stage)) this.stage.handleKey(event);
   };
@@ -209,7 +221,7 @@ export class AppElement extends LitElement implements Shown, Told {
         @choose=${({ detail }: CustomEvent<Language>) => this.change({ language: detail })}
       ></vidno-page-header>
       <main>
-        ${heading(session, this.name, language)} ${alone(this)}
+        ${heading(session, this.name, language)} ${failing(this)} ${alone(this)}
         ${isCompared ? besides(this) : nothing}
         ${this.isOpening ? nothing : invitation(session, language)}
       </main>
@@ -219,6 +231,7 @@ export class AppElement extends LitElement implements Shown, Told {
           .texts=${page}
           @file=${({ detail }: CustomEvent<File>) => this.ways.replace(() => this.openFile(detail))}
         ></vidno-file-drop>
+        ${atlas(session, language, () => void this.gallery.show())}
         ${ownSurface(session, language, (name) => void this.ways.replace(() => this.openSurface(name)))}
       </nav>
       ${this.hasText ? reader(this) : nothing}
@@ -229,8 +242,20 @@ export class AppElement extends LitElement implements Shown, Told {
         .earlier=${session.earlier}
         @with=${({ detail }: CustomEvent<With>) => rival.choose(detail)}
       ></vidno-rival-choice>
+      <vidno-gallery
+        .language=${language}
+        .library=${session.library}
+        @choose=${({ detail }: CustomEvent<Entry>) => this.ways.replace(() => this.openFailure(detail))}
+      ></vidno-gallery>
       <vidno-discard .language=${language} .name=${live.editing?.sketch.name ?? ''}></vidno-discard>
     `;
+  }
+
+  private openFailure({ text, name }: Entry): void {
+    this.ways.leave();
+    this.reading.close();
+    this.session.rival.choose(null);
+    void this.session.openFailure(text, name);
   }
 
   private openSurface(name: string): void {

@@ -8,6 +8,7 @@ import type { HeightFunction } from './height-function.js';
 interface Exports extends Basics {
   run(): number;
   map(): number;
+  failure(): number;
   made(): number;
   made_size(): number;
   messages(): number;
@@ -54,6 +55,12 @@ export class Library {
   map(request: string): Outcome<string> {
     const { map, made, made_size } = this.instance.exports;
     return this.outcome(request, map, () => this.instance.text(made(), made_size()));
+  }
+
+  /** What there is to say of a failure, as JSON; see `live.cpp`. */
+  failure(request: string): Outcome<string> {
+    const { failure, made, made_size } = this.instance.exports;
+    return this.outcome(request, failure, () => this.instance.text(made(), made_size()));
   }
 
   private outcome<T>(request: string, make: () => number, take: () => T): Outcome<T> {

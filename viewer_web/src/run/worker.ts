@@ -15,6 +15,7 @@ export interface Makes {
     readonly end: End;
   };
   readonly map: string;
+  readonly failure: string;
 }
 export type What = keyof Makes;
 
@@ -50,8 +51,8 @@ scope.onmessage = ({ data }) => {
   }
   if (library === null) throw new Error('no library yet');
   const { turn, what, request } = data;
-  if (what === 'map') {
-    scope.postMessage({ turn, ...library.map(request) }, []);
+  if (what !== 'trace') {
+    scope.postMessage({ turn, ...library[what](request) }, []);
     return;
   }
   const { made, messages } = library.run(request);

@@ -31,6 +31,9 @@ export const kernelsOf = (
   method: MethodName,
 ): Readonly<Partial<Record<Edition, readonly string[]>>> => choices.methods[method].editions;
 
+/** Colours that stay apart for colour-blind eyes and in grey; a scene that names none takes them in turn. */
+export const palette: readonly string[] = choices.palette;
+
 interface Kernel {
   readonly alwaysRight: boolean;
   readonly snaps: boolean;

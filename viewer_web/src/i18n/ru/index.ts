@@ -1,4 +1,5 @@
 import type { Texts } from '../../language/texts.js';
+import { atlas } from './atlas.js';
 import { bookmarks } from './bookmarks.js';
 import { compare } from './compare.js';
 import { curves } from './curves.js';
@@ -39,4 +40,5 @@ export const texts: Texts = {
   reader,
   family,
   regions,
+  atlas,
 };
