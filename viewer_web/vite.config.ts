@@ -1,6 +1,7 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
 import type { Rollup } from 'vite';
+import { atlas } from './plugins/atlas.js';
 import { library } from './plugins/library.js';
 import { lessons } from './plugins/lessons.js';
 import { singleFile } from './plugins/single-file.js';
@@ -16,6 +17,7 @@ export default defineConfig({
     workerCode(workers),
     lessons(resolve(traces)),
     library(resolve(wasm)),
+    atlas(resolve('../lessons/failures')),
     singleFile('index.html', workers),
   ],
   server: { fs: { allow: ['..'] } },

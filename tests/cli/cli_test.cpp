@@ -203,6 +203,28 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
     CHECK_MESSAGE(work.files() == 3, "no temporary file stays behind");
 }
 
+TEST_CASE("The scene of six lines in the help and in the README is one, and the same") {
+    const Workplace work;
+    std::vector<std::string> scenes;
+    for (const std::string& text : {program("trace --help").text, text_of(VIDNO_ROOT "/README.md")}) {
+        std::istringstream lines(text.substr(text.find(R"({"window")")));
+        std::string scene;
+        for (int i = 0; i < 6; ++i) {
+            std::string line;
+            std::getline(lines, line);
+            scene += line.substr(line.find_first_not_of(' ')) + '\n';
+        }
+        scenes.push_back(scene);
+    }
+    CHECK(scenes[0] == scenes[1]);
+    CHECK(std::count(scenes[0].begin(), scenes[0].end(), '\n') == 6);
+    const auto traced = program("trace " + work.write("scene.json", scenes[0]) + " -o " + work.file("run.jsonl"));
+    CHECK(traced.text.empty());
+    CHECK(traced.status == 0);
+    CHECK_MESSAGE(work.read("run.jsonl").find(R"("id":"near","color":"#0072b2")") != std::string::npos,
+                  "what the file leaves out is in the trace");
+}
+
 TEST_CASE("Wrong calls are refused in one line, exit 2") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);

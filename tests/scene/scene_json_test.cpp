@@ -3,15 +3,18 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
-#include "json/json_node.h"
+#include "json/document_format.h"
 #include "refused.h"
+#include "support/places.h"
 
 namespace {
 
 using namespace vidno;
+using test::without_places;
 
 constexpr auto triangle = R"({"color": "#102030", "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]})";
 
@@ -46,10 +49,11 @@ struct BadInput {
     std::string text, message;
 };
 
+/// The messages have the places in the document; those in the text are tested by themselves.
 void check_refused(const std::vector<BadInput>& table) {
     for (const BadInput& bad : table) {
         CAPTURE(bad.text);
-        CHECK(message_for(bad.text) == "f.json: " + bad.message);
+        CHECK(without_places(message_for(bad.text)) == "f.json: " + bad.message);
     }
 }
 
@@ -125,9 +129,10 @@ TEST_CASE("keys and types are strict") {
     const std::string a_scene = scene_with(triangle);
     check_refused({
         {"[]", "not an object"},
-        {"{}", "\"format\" is missing"},
-        {R"({"format": "vidno-scene/2", "window": {}, "polygons": []})", "/format: not \"vidno-scene/1\""},
-        {R"({"format": 1, "window": {}, "polygons": []})", "/format: not a string"},
+        {"{}", "\"polygons\" is missing"},
+        {R"({"format": "vidno-scene/2", "polygons": [)" + std::string(triangle) + "]}",
+         "/format: not \"vidno-scene/1\""},
+        {R"({"format": 1, "polygons": [)" + std::string(triangle) + "]}", "/format: not a string"},
         {scene_with(triangle, R"("light": 1, )"), "/light: unknown key"},
         {scene_with(triangle, R"("a/b~c": 1, )"), "/a~1b~0c: unknown key"},
         {scene_with(triangle, R"("name": 7, )"), "/name: not a string"},
@@ -135,7 +140,8 @@ TEST_CASE("keys and types are strict") {
         {scene_with(triangle, R"("background": "#fffffg", )"), "/background: not a colour of the form \"#rrggbb\""},
         {scene_with("7"), "/polygons/0: not an object"},
         {scene_with(R"({"color": "#000000"})"), "/polygons/0: \"vertices\" is missing"},
-        {scene_with(R"({"vertices": []})"), "/polygons/0: \"color\" is missing"},
+        {scene_with(R"({"color": 7, "vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]})"),
+         "/polygons/0/color: not a string"},
         {scene_with(polygon_with("{}")), "/polygons/0/vertices: not an array"},
         {scene_with(polygon_with("[[0, 0]]")), "/polygons/0/vertices/0: not three coordinates"},
         {scene_with(polygon_with("[[0, 0, 0, 0]]")), "/polygons/0/vertices/0: not three coordinates"},
@@ -171,7 +177,8 @@ TEST_CASE("coordinates are numbers, or hexadecimal ones as text") {
          {R"("")", R"("1.5")", R"("0x")", R"("0x1")", R"("0x1.8")", R"("0x1p")", R"("0x1p1 ")", R"(" 0x1p1")",
           R"("+0x1p1")", R"("--0x1p1")", R"("0x-1p1")", R"("0xinfp1")", R"("0x1.8.p1")", R"("nan")", R"("0xp1")"}) {
         CAPTURE(bad);
-        CHECK(message_for(scene_with_x(bad)) == "f.json: " + place + "not a hexadecimal number such as \"0x1.8p-3\"");
+        CHECK(without_places(message_for(scene_with_x(bad))) ==
+              "f.json: " + place + "not a hexadecimal number such as \"0x1.8p-3\"");
     }
     check_refused({
         {scene_with_x(R"("0x1p1024")"), place + "the number is beyond the range of doubles"},
@@ -203,13 +210,14 @@ TEST_CASE("polygons are checked exactly, and ids are unique") {
 
 TEST_CASE("a camera is complete and sees something") {
     check_refused({
-        {scene_with_camera("{}"), "/camera: \"eye\" is missing"},
+        {scene_with_camera(R"({"target": [0, 0, 0], "projection": "perspective", "fov": 45, "near": 1, "far": 9})"),
+         "/camera: \"eye\" is missing"},
         {scene_with_camera(R"({"eye": [0, 0, 5], "target": [0, 0, 0], "projection": "fish-eye", "fov": 45, "near": 1,
                                "far": 9})"),
          "/camera/projection: neither \"perspective\" nor \"orthographic\""},
         {scene_with_camera(R"({"eye": [0, 0, 5], "target": [0, 0, 0], "projection": "perspective", "height": 45,
                                "near": 1, "far": 9})"),
-         "/camera/height: unknown key"},
+         "/camera: \"fov\" is missing\nf.json: /camera/height: unknown key"},
         {scene_with_camera(R"({"eye": [0, 0, 5], "target": [0, 0, 5], "projection": "perspective", "fov": 45, "near": 1,
                                "far": 9})"),
          "/camera: eye and target are one point"},
@@ -221,8 +229,85 @@ TEST_CASE("a camera is complete and sees something") {
     const std::string camera = R"("camera": {"eye": [0, 0, 50], "target": [0, 0, 0], "projection": "perspective",
                                              "fov": 45, "near": 1, "far": 99}, )";
     CHECK(message_for(scene_with(polygon_with("[[0, 0, 7], [4, 0, 7], [0, 4, 7]]"), camera)) == "taken");
-    CHECK(message_for(scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]"), camera)) ==
-          "f.json: /polygons/0/vertices: not convex");
+    const std::string bent = scene_with(polygon_with("[[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]"), camera);
+    CHECK(without_places(message_for(bent)) == "f.json: /polygons/0/vertices: not convex");
+}
+
+TEST_CASE("everything but the vertices has a default") {
+    const auto [scene, warnings] = read_scene(R"({"polygons": [{"vertices": [[-0.5, 2, 0], [4, 2, 0], [1, 5.25, 0]]},
+                                                               {"vertices": [[0, 2, 1], [1, 2, 1], [0, 3, 1]]}]})",
+                                              "f.json");
+    CHECK(warnings.empty());
+    CHECK(scene.name.empty());
+    CHECK_MESSAGE((scene.area == Area{-1, 2, 5, 4}), "columns from -1/2 to 4, rows from 2 to 5 1/4, in whole pixels");
+    CHECK(scene.background == Color{255, 255, 255});
+    REQUIRE(scene.polygons.size() == 2);
+    CHECK(scene.polygons[0].id == "0");
+    CHECK(scene.polygons[1].id == "1");
+    CHECK_MESSAGE((scene.polygons[0].color == Color{230, 159, 0}), "Okabe and Ito's orange");
+    CHECK_MESSAGE((scene.polygons[1].color == Color{0, 114, 178}), "their blue");
+    CHECK(scene_json(scene).find(R"("window":{"x":-1,"y":2,"width":5,"height":4})") != std::string::npos);
+}
+
+TEST_CASE("colours begin again after the seventh, by the place in the scene") {
+    std::string polygons;
+    for (int i = 0; i < 8; ++i) polygons += R"({"vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]},)";
+    const Scene scene = read_scene(scene_with(polygons + triangle), "f.json").scene;
+    CHECK(scene.polygons[7].color == scene.polygons[0].color);
+    CHECK(scene.polygons[8].color == Color{0x10, 0x20, 0x30});
+    for (std::size_t i = 1; i < 7; ++i) CHECK(scene.polygons[i].color != scene.polygons[i - 1].color);
+}
+
+TEST_CASE("a window is at least a pixel each way, and must be said where there is nothing to reach over") {
+    CHECK(read_scene(R"({"polygons": [{"vertices": [[2, 3, 0], [2, 3, 0], [2, 3, 0]]}]})", "f.json").scene.area ==
+          Area{2, 3, 1, 1});
+    check_refused({
+        {R"({"polygons": []})", "\"window\" is missing, and there are no vertices to reach over"},
+        {R"({"polygons": [{"vertices": [[0, 0, 0], [16385, 0, 0], [0, 9, 0]]}]})",
+         "\"window\" is missing, and the vertices reach too far for one"},
+        {R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "projection": "perspective", "fov": 45, "near": 1,
+             "far": 9}, "polygons": [{"vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]}]})",
+         "\"window\" is missing, which a camera needs"},
+    });
+    CHECK(message_for(R"({"polygons": [{"vertices": [[0, 0, 0], [16384, 0, 0], [0, 9, 0]]}]})") == "taken");
+}
+
+TEST_CASE("one pass tells everything that is wrong, in the order of the text, each with line, column and path") {
+    CHECK(message_for("{\n"
+                      "  \"windw\": {\"x\": 0},\n"
+                      "  \"background\": \"white\",\n"
+                      "  \"polygons\": [\n"
+                      "    {\"id\": \"é\", \"vertices\": [[0, 0, 2], [4, 0, 0], [0, 4, 0]]},\n"
+                      "    {\"color\": \"#12345\", \"vertices\": [[0, 0], [1, 2, \"3\"]]},\n"
+                      "    {}\n"
+                      "  ]\n"
+                      "}\n") ==
+          "f.json: line 2, column 3: /windw: unknown key\n"
+          "f.json: line 3, column 17: /background: not a colour of the form \"#rrggbb\"\n"
+          "f.json: line 5, column 37: /polygons/0/vertices/0/2: z outside -1 to 1\n"
+          "f.json: line 6, column 15: /polygons/1/color: not a colour of the form \"#rrggbb\"\n"
+          "f.json: line 6, column 38: /polygons/1/vertices/0: not three coordinates\n"
+          "f.json: line 6, column 53: /polygons/1/vertices/1/2: not a hexadecimal number such as \"0x1.8p-3\"\n"
+          "f.json: line 7, column 5: /polygons/2: \"vertices\" is missing");
+}
+
+TEST_CASE("what is pointed at: a value, its key, and a key for the second time") {
+    CHECK(message_for(R"({"polygons": [], "a\u0062": {"b": 1}})").find("line 1, column 18: /ab: unknown key") !=
+          std::string::npos);
+    CHECK(message_for("{\"name\": \"{[\\\"\", \"polygons\": [],\n \"name\": \"b\"}") ==
+          "f.json: line 2, column 2: /name: the key is there twice");
+    CHECK(message_for(R"({"polygons": [[[]], {"vertices": [[0, 1e999, 0]]}]})") ==
+          "f.json: line 1, column 39: /polygons/1/vertices/0/1: the number is beyond the range of doubles");
+}
+
+TEST_CASE("of a great many faults twenty are told") {
+    std::string many;
+    for (int i = 0; i < 1000; ++i) many += R"({"vertices": []},)";
+    many.pop_back();
+    const std::string message = message_for(scene_with(many));
+    CHECK(std::count(message.begin(), message.end(), '\n') == 20);
+    CHECK(message.find("/polygons/19/vertices: fewer than three vertices\n"
+                       "f.json: there may be more faults: reading ended here") != std::string::npos);
 }
 
 TEST_CASE("as many polygons as the limit allows, and not one more") {
@@ -230,7 +315,16 @@ TEST_CASE("as many polygons as the limit allows, and not one more") {
     std::string many;
     for (std::size_t i = 0; i <= most_polygons; ++i) many += one;
     many.pop_back();
-    CHECK(message_for(scene_with(many)) == "f.json: /polygons: more than 1048576 polygons");
+    CHECK(without_places(message_for(scene_with(many))) == "f.json: /polygons: more than 1048576 polygons");
+}
+
+TEST_CASE("A document that does not say its format has that of its keys") {
+    CHECK(document_format(R"({"window": {}, "polygons": [)") == "vidno-scene/1");
+    CHECK(document_format(R"({"curves": []})") == "vidno-surface/1");
+    CHECK(document_format(R"({"function": "x"})") == "vidno-surface/1");
+    CHECK(document_format(R"({"title": {"polygons": 1}, "fails": {}})") == "vidno-failure/1");
+    CHECK_MESSAGE(document_format("{\n \"format\": \"vidno-chart/1\",\n \"curves\": [") == "vidno-chart/1",
+                  "what it says counts, if that comes first");
 }
 
 TEST_CASE("The format of a document is that of the outermost object, wherever it stands") {

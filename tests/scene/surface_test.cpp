@@ -10,6 +10,7 @@
 #include "refused.h"
 #include "scene/sampling.h"
 #include "support/curves.h"
+#include "support/places.h"
 
 using namespace vidno;
 using namespace vidno::test;
@@ -147,11 +148,11 @@ TEST_CASE("Surface: what is written is read as the same again") {
 
 TEST_CASE("Surface: what is refused, with its place and reason") {
     const auto refused = [](const std::string& from, const std::string& to) {
-        return refusal_of(changed(small, from, to));
+        return without_places(refusal_of(changed(small, from, to)));
     };
-    CHECK(refusal_of("[]") == "s.json: not an object");
+    CHECK(without_places(refusal_of("[]")) == "s.json: not an object");
     CHECK(refused("surface/1", "scene/1") == "s.json: /format: not \"vidno-surface/1\"");
-    CHECK(refused("\"curves\"", "\"planes\"") == "s.json: /planes: unknown key");
+    CHECK(refused("\"curves\"", "\"planes\"") == "s.json: \"curves\" is missing\ns.json: /planes: unknown key");
     CHECK(refused("x + z", "x + y") == "s.json: /function: Unexpected token \"y\" found at position 4.");
     CHECK(refused("x + z", "x #\\n") == "s.json: /function: Unexpected token \"#? \" found at position 2.");
     CHECK(refused("x + z", "1 / (x - 1)") == "s.json: /function: not finite at x = 1, z = 2");
@@ -164,8 +165,8 @@ TEST_CASE("Surface: what is refused, with its place and reason") {
           "s.json: /view: curve 2 is over the columns 12 to 20, and the window has 0 to 19");
 
     const auto curves = [](const std::string& text) {
-        return refusal_of(R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":9,"height":9},"curves":)" +
-                          text + "}");
+        return without_places(refusal_of(
+            R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":9,"height":9},"curves":)" + text + "}"));
     };
     CHECK(curves("[]") == "taken");
     CHECK(curves("[[[0,1]]]") == "s.json: /curves/0: fewer than two samples");
@@ -173,6 +174,34 @@ TEST_CASE("Surface: what is refused, with its place and reason") {
     CHECK(curves("[[[0,1],[9,2]]]") == "s.json: /curves/0/1/0: not from 0 to 8");
     CHECK(curves("[[[0,1],[2]]]") == "s.json: /curves/0/1: not a column and a height");
     CHECK(curves("[[[0,1],[2,\"nan\"]]]").starts_with("s.json: /curves/0/1/1: not a hexadecimal number"));
+}
+
+TEST_CASE("Surface: format, name and window have defaults") {
+    const Surface drawn = read_surface(R"({"curves": [[[-2, 0.5], [3, 4]], [[0, 7.25], [1, 7]]]})", "s.json");
+    CHECK(drawn.name.empty());
+    CHECK_MESSAGE((drawn.curves.area == Area{-2, 0, 6, 8}), "columns -2 to 3, heights from 1/2 to 7 1/4");
+    // The curves of `small` are over the columns 1 to 13; they go from the row 10, at the farthest one's left end, down to the row 13.
+    const std::string window = R"("window":{"x":0,"y":0,"width":20,"height":16},)";
+    const Surface of_function = read_surface(changed(small, window, ""), "s.json");
+    CHECK(of_function.curves.area == Area{1, 10, 13, 4});
+    CHECK(of_function.curves.curves == read_surface(small, "s.json").curves.curves);
+    CHECK(read_function(changed(small, window, ""), "s.json").area == Area{1, 10, 13, 4});
+    CHECK(without_places(refusal_of(R"({"curves": []})")) ==
+          "s.json: \"window\" is missing, and there are no samples to reach over");
+}
+
+TEST_CASE("Surface: one pass tells everything that is wrong, each with its line, column and path") {
+    CHECK(refusal_of("{\"window\": {\"x\": 0, \"y\": 0, \"width\": 9, \"height\": 0},\n"
+                     " \"curves\": [\n"
+                     "  [[0, 1], [0, 2]],\n"
+                     "  [[0, 1], 7, [3, \"x\"]]\n"
+                     " ]}") ==
+          "s.json: line 1, column 51: /window/height: not from 1 to 16384\n"
+          "s.json: line 3, column 13: /curves/0/1/0: not right of the sample before\n"
+          "s.json: line 4, column 12: /curves/1/1: not an array\n"
+          "s.json: line 4, column 19: /curves/1/2/1: not a hexadecimal number such as \"0x1.8p-3\"");
+    CHECK(without_places(refusal_of(changed(changed(small, "[0,4]", "4"), "0.5}", "0}"))) ==
+          "s.json: /x: not an array\ns.json: /view/up: not above 0");
 }
 
 TEST_CASE("Surface: the text's figure has a pit in its middle, and a wave around it") {

@@ -13,7 +13,11 @@
 
 #include "output.h"
 #include "refused.h"
+#include "run/floating_horizon_run.h"
+#include "scene/failure.h"
 #include "stability/journal.h"
+#include "stability/shrink.h"
+#include "stability/witness.h"
 #include "support/scenes.h"
 
 using namespace vidno;
@@ -280,4 +284,71 @@ TEST_CASE("Journal: two runs do not write one file") {
     const TemporaryFile file("");
     const Journal journal(file.name, "first\n");
     CHECK_THROWS_AS(Journal(file.name, "first\n"), Refused);
+}
+
+TEST_CASE("Touching: a vertex of the second triangle lies on an edge of the first, exactly") {
+    // Corners are whole numbers and the place on the edge an eighth: the cross product is one of whole numbers, without rounding.
+    const Family& family = family_of("touching");
+    RandomPolygons random(std::mt19937(4));
+    for (int i = 0; i < 200; ++i) {
+        const auto group = family.group(random, {3, -5, 8, 8});
+        REQUIRE(group.size() == 2);
+        const glm::dvec3 a = group[0][0], b = group[0][1], p = group[1][0];
+        CHECK((b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x));
+        CHECK(std::min(a.x, b.x) <= p.x);
+        CHECK(p.x <= std::max(a.x, b.x));
+    }
+}
+
+TEST_CASE("All methods: filtered and exact are never wrong, on families of polygons and of curves") {
+    std::vector<std::string> methods(method_names.begin(), method_names.end());
+    methods.emplace_back("floating-horizon");
+    Campaign campaign{5, 6, {}, {"double", "filtered", "exact"}, methods};
+    for (const std::string family : {"touching", "shared-edges", "octants", "horizon-ties", "crossing-curves"}) {
+        campaign.families.push_back(family);
+    }
+    const Results results = whole(campaign);
+    CHECK(results.as_promised());
+    const Tallies of_curves = results.sum("horizon-ties", experiment_of(Experiment::Kind::moved, "0"));
+    const Tallies of_polygons = results.sum("touching", experiment_of(Experiment::Kind::moved, "0"));
+    REQUIRE(of_curves.size() == 3 * methods.size());
+    for (std::size_t i = 0; i < of_curves.size(); ++i) {
+        const bool is_horizon = methods[i % methods.size()] == "floating-horizon";
+        const bool takes_bodies_alone = methods[i % methods.size()] == "warnock-bodies";
+        CHECK(of_curves[i].runs == (is_horizon ? 6 : 0));
+        if (!takes_bodies_alone) CHECK(of_polygons[i].runs == (is_horizon ? 0 : 6));
+    }
+}
+
+TEST_CASE("Curves are shrunk to those, and to those samples and places, that a property needs") {
+    // Needed: a curve that is above 2 over column 3. One curve of two samples, 3 and 0 or 1, has that with whole heights.
+    const CurveScene scene{
+        {0, 0, 9, 9}, {{{{0, 1.25}, {4, 1}, {8, 1}}}, {{{0, 1}, {3, 2.625}, {5, 0.5}, {8, 1.75}}}, {{{1, 0}, {8, 1}}}}};
+    const auto is_above = [](const CurveScene& curves) {
+        for (const auto& [samples] : curves.curves) {
+            for (const auto& sample : samples) {
+                if (sample.x == 3 && sample.y > 2) return true;
+            }
+        }
+        return false;
+    };
+    const CurveScene smallest = shrunk(scene, is_above);
+    REQUIRE(smallest.curves.size() == 1);
+    REQUIRE(smallest.curves[0].samples.size() == 2);
+    for (const auto& sample : smallest.curves[0].samples) CHECK(binary_places(sample.y) == 0);
+}
+
+TEST_CASE("A witness is a failure: its scene is wrong at the place that it shows, and right under filtered") {
+    const Campaign campaign{1, 40, {"horizon-ties"}, {"float"}, {"floating-horizon"}};
+    const auto text = witness(campaign, family_of("horizon-ties"), "floating-horizon", "float", [] {});
+    REQUIRE(text);
+    const Failure failure = read_failure(*text, "witness.json");
+    const auto& curves = std::get<Surface>(*failure.scene).curves;
+    const auto drawn = [&](const NamedKernel& kernel) {
+        return columns_drawn(run(FloatingHorizonRequest{kernel, Edition::corrected, curves}), curves);
+    };
+    REQUIRE(failure.shows.column);
+    const auto curve = std::size_t(failure.shows.column->first);
+    const auto column = std::size_t(failure.shows.column->second - curves.curves[curve].samples.front().x);
+    CHECK(drawn(failure.fails.kernel)[curve][column] != drawn(failure.holds.kernel)[curve][column]);
 }

@@ -37,7 +37,7 @@ inline Agreement agreement_on_scene(std::string_view text) {
     if (!read) return {};
     try {
         const auto tree = parse_json(text);
-        return {true, *read == read_scene(JsonNode(tree))};
+        return {true, *read == read_scene(JsonNode(tree), "").scene};
     } catch (const Refused&) {
         return {true, false};
     }

@@ -13,6 +13,13 @@
 #include <sstream>
 #include <string>
 
+inline std::string text_of(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
 /// A directory of its own that goes with the test.
 struct Workplace {
     std::filesystem::path directory =
@@ -28,12 +35,7 @@ struct Workplace {
         std::ofstream(file(name), std::ios::binary) << text;
         return file(name);
     }
-    std::string read(const std::string& name) const {
-        std::ifstream in(file(name), std::ios::binary);
-        std::stringstream text;
-        text << in.rdbuf();
-        return text.str();
-    }
+    std::string read(const std::string& name) const { return text_of(file(name)); }
     bool has(const std::string& name) const { return std::filesystem::exists(file(name)); }
     /// Temporary files included.
     std::size_t files() const {

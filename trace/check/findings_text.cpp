@@ -162,7 +162,7 @@ std::string plain(const Operands& operands) {
 
 FindingsHeader findings_header(const RunRequest& request) {
     FindingsHeader header{method_names[std::size_t(request.method)],
-                          edition_names[std::size_t(request.edition)],
+                          name_of(request.edition),
                           request.kernel.name(),
                           request.scene.name,
                           {}};
@@ -170,7 +170,7 @@ FindingsHeader findings_header(const RunRequest& request) {
     return header;
 }
 FindingsHeader findings_header(const FloatingHorizonRequest& request, const std::string& name) {
-    return {floating_horizon_method, edition_names[std::size_t(request.edition)], request.kernel.name(), name, {}};
+    return {floating_horizon_method, name_of(request.edition), request.kernel.name(), name, {}};
 }
 
 std::string findings_jsonl(const FindingsHeader& header, const std::vector<Finding>& findings) {

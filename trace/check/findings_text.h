@@ -11,7 +11,8 @@ namespace vidno {
 
 /// Which run the findings are of.
 struct FindingsHeader {
-    std::string_view method, edition;
+    std::string_view method;
+    std::string edition;
     std::string kernel, scene;
     std::vector<std::string> polygons;  // their ids; none of curves
 };

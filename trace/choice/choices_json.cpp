@@ -4,6 +4,8 @@
 
 #include "choice/kernel_choice.h"
 #include "choice/method.h"
+#include "choice/palette.h"
+#include "json/json_text.h"
 
 namespace vidno {
 
@@ -70,7 +72,17 @@ std::string choices_json() {
     for (std::size_t i = 0; i < deviations.size(); ++i) {
         all_deviations[name_of(Deviation(i))] = deviation_json(deviations[i]);
     }
-    return Json{{"methods", methods}, {"kernels", kernels}, {"editions", editions}, {"deviations", all_deviations}}
+    Json colors = Json::array();
+    for (const Color& color : palette) {
+        Text hex;
+        append_hex(hex, color);
+        colors.push_back(hex.string());
+    }
+    return Json{{"methods", methods},
+                {"kernels", kernels},
+                {"editions", editions},
+                {"deviations", all_deviations},
+                {"palette", colors}}
                .dump(2) +
            "\n";
 }

@@ -80,7 +80,7 @@ int chart_all(const std::vector<std::string>& texts, const ChartOptions& options
 int chart(const ChartOptions& options) {
     std::vector<std::string> texts;
     for (const auto& file : options.scenes) {
-        texts.push_back(read_file(file));
+        texts.push_back(scene_text_in(file));
         if (is_surface(texts.back()) == is_surface(texts[0])) continue;
         throw Refused(file + ": a chart is of scenes or of surfaces, not of both");
     }

@@ -27,15 +27,15 @@ struct CheckOptions {
 using AnyHeader = std::variant<TraceHeader, FloatingHorizonHeader>;
 
 AnyHeader run_of(const CheckOptions& options) {
-    const RunOptions defaults;
+    RunOptions run{options.input, options.method, options.kernel, options.edition};
     const auto of_scene = [&]<class S>(const S& scene) -> AnyHeader {
         if constexpr (std::same_as<S, Surface>) {
-            return FloatingHorizonHeader{edition_of(defaults), defaults.kernel, Detail::signs, scene};
+            return FloatingHorizonHeader{edition_of(run), run.kernel_name(), Detail::signs, scene};
         } else {
-            return TraceHeader{method_of(defaults), edition_of(defaults), defaults.kernel, Detail::signs, scene};
+            return TraceHeader{method_of(run), edition_of(run), run.kernel_name(), Detail::signs, scene};
         }
     };
-    if (!is_trace(options.input)) return std::visit(of_scene, any_scene_from(options.input, options.method));
+    if (!is_trace(options.input)) return std::visit(of_scene, any_scene_for(run, true));
     const AnyTraceReader opened = open_trace(LineReader(options.input), options.input);
     const bool of_curves = std::holds_alternative<FloatingHorizonTraceReader>(opened);
     if (options.method && (options.method == floating_horizon_method) != of_curves) {
@@ -174,7 +174,9 @@ int check(const CheckOptions& options) {
 void add_check(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("check", "Run a scene and hold every decision against the truth");
     const auto options = std::make_shared<CheckOptions>();
-    command.add_option("SCENE|TRACE", options->input, "A scene file, or a trace (.jsonl, .jsonl.gz) to be run again")
+    command
+        .add_option("SCENE|TRACE", options->input,
+                    "A scene file, a failure, or a trace (.jsonl, .jsonl.gz) to be run again")
         ->required();
     command
         .add_option("--method", options->method,

@@ -106,7 +106,8 @@ void add_choose(CLI::App& program, int& status) {
     auto& command =
         *program.add_subcommand("choose", "Find the cheapest method and kernel whose picture is certainly right");
     const auto options = std::make_shared<ChooseOptions>();
-    command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1; - for standard input")->required();
+    command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
+        ->required();
     command.footer("Times are medians of five interleaved runs, relative to the fastest.");
     command.callback([options, &status] { status = choose(*options); });
 }

@@ -58,7 +58,8 @@ void add_homework(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("homework", "Make scenes as hard as this one, with other numbers");
     const auto options = std::make_shared<HomeworkOptions>();
     command.alias("variants");  // as it was called before
-    command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1; - for standard input")->required();
+    command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
+        ->required();
     command.add_option("--count", options->count, "How many")
         ->check(CLI::Range(std::size_t{1}, most_exercises))
         ->capture_default_str();

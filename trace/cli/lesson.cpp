@@ -65,7 +65,7 @@ int make_lesson(const LessonOptions& options) {
     if (std::filesystem::exists(folder)) throw Refused(options.output + ": is there already");
     const bool is_mesh = !options.source.ends_with(".json");
     const AnyScene scene = is_mesh ? AnyScene(import_mesh(read_file(options.source), options.source, {}).scene)
-                                   : any_scene_from(options.source, std::nullopt);
+                                   : any_scene_from(options.source);
     auto files = new_lesson(scene);
     files["scene.json"] = is_mesh ? scene_json(std::get<Scene>(scene)) + '\n' : read_file(options.source);
     std::filesystem::create_directories(folder);

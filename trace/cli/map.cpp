@@ -5,8 +5,10 @@
 
 #include "cli/commands.h"
 #include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
 #include "output.h"
 #include "picture/image.h"
+#include "sign_map/failed_decision.h"
 #include "sign_map/mapped_decision_json.h"
 
 namespace vidno::cli {
@@ -37,15 +39,22 @@ void print(const SignMap& map) {
     std::cout << "differ: " << map.differing() << " of " << map.cells.size() << '\n';
 }
 
+/// That of a file: asked for, or the one at which a failure goes wrong.
+MappedDecision decision_in(const std::string& file) {
+    const std::string text = read_file(file);
+    if (is_surface(text)) throw Refused(file + ": a surface, and no decision to be mapped, vidno-question/1");
+    if (!is_failure(text)) return read_mapped_decision(text, file);
+    const Failure failure = read_failure(text, file);
+    say(failure, file);
+    return failed_decision(failure, file);
+}
+
 int map(const MapOptions& options) {
     const std::string& output = options.output;
     if (output == "-") throw Refused("-: the table goes to standard output, the map to a .png, .ppm or .json file");
     const NamedKernel kernel = *kernel_named(options.kernel);
     if (kernel.snaps()) throw Refused("--kernel grid: the places of a map lie on no grid");
-    const std::string text = read_file(options.decision);
-    if (is_surface(text))
-        throw Refused(options.decision + ": a surface, and no decision to be mapped, vidno-question/1");
-    const MappedDecision decision = read_mapped_decision(text, options.decision);
+    const MappedDecision decision = decision_in(options.decision);
     const SignMap drawn = sign_map(decision, kernel);
     if (!output.empty()) {
         OutputFile file(output);

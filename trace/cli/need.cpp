@@ -41,7 +41,8 @@ void add_need(CLI::App& program, int& status) {
     auto& command =
         *program.add_subcommand("need", "Find out how little of a scene, and of arithmetic, its picture needs");
     const auto options = std::make_shared<NeedOptions>();
-    command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1; - for standard input")->required();
+    command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
+        ->required();
     command.add_option("-o", options->output, "The polygons and vertices that are needed, as a scene");
     command.footer(
         "Each line says what one less would change. Polygons and vertices are left out first; the rest is\n"

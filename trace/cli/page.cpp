@@ -9,6 +9,7 @@
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
 #include "output.h"
+#include "scene/failure.h"
 #include "scene/scene_json.h"
 
 namespace vidno::cli {
@@ -31,14 +32,23 @@ std::string_view method_for(const Surface&) { return floating_horizon_method; }
 std::string text_of(const Scene& scene) { return scene_json(scene); }
 std::string text_of(const Surface& surface) { return surface_json(surface); }
 
+/// A failure as it is: the page runs it as it fails, goes to its step, and says what there is to see.
+PageFile failure_file(const std::string& text, const std::string& file) {
+    const Failure failure = read_failure(text, file);
+    say(failure, file);
+    const auto& [method, kernel, edition] = failure.fails;
+    return {failure.title.english, method, kernel.name(), name_of(edition), RunOptions{}.detail, text, true};
+}
+
 /// A scene as it was admitted, to be run with the defaults; of a surface its samples.
 PageFile scene_file(const std::string& file) {
     const auto made = [&](const auto& scene) -> PageFile {
         const RunOptions run;
         const std::string method(method_for(scene));
-        return {title_of(scene, file), method, run.kernel, run.edition, run.detail, text_of(scene), true};
+        return {title_of(scene, file), method, run.kernel_name(), run.edition_name(), run.detail, text_of(scene), true};
     };
-    return std::visit(made, any_scene_from(file, std::nullopt));
+    const std::string text = read_file(file);
+    return is_failure(text) ? failure_file(text, file) : std::visit(made, any_scene_from(file));
 }
 
 std::string_view method_in(const TraceHeader& header) { return method_names[std::size_t(header.method)]; }
@@ -101,7 +111,7 @@ void add_page(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("page", "Make one page of traces and scenes that opens from disk");
     const auto options = std::make_shared<PageOptions>();
     command.add_option("SCENE|TRACE", options->files,
-                       "Scene files, and traces (.jsonl, .jsonl.gz); without any, the page has the lessons");
+                       "Scene files, failures, and traces (.jsonl, .jsonl.gz); without any, the page has the lessons");
     command.add_option("-o", options->output, "The page, .html; - for standard output")->required();
     command.footer(
         "The page has all it shows in itself and opens the first one; a scene it runs itself.\n"

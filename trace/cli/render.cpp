@@ -56,8 +56,8 @@ std::string rendered(const RenderOptions& options, const Surface& surface) {
     return figures::encoded(figures::drawn_lines(run(request), surface.curves.area), {surface.name}, options.output);
 }
 
-int render(const RenderOptions& options) {
-    const AnyScene any = any_scene_from(options.scene, options.method);
+int render(RenderOptions options) {
+    const AnyScene any = any_scene_for(options);
     OutputFile file(options.output);
     file.write(std::visit([&](const auto& scene) { return rendered(options, scene); }, any));
     file.commit();

@@ -79,10 +79,14 @@ Property property_of(const ShrinkOptions& options, const Trial& trial, const Sce
     throw Refused(options.scene + ": nothing fails: no decision is wrong, and no pixel");
 }
 
-int shrink(const ShrinkOptions& options) {
+int shrink(ShrinkOptions options) {
     if ((options.keep == "decision") == options.at.empty()) throw Refused("--keep decision and --at go together");
+    const AnyScene given = any_scene_for(options);
+    const Scene* polygons = std::get_if<Scene>(&given);
+    if (!polygons)
+        throw Refused(options.scene + ": a surface, and this command takes scenes of polygons, vidno-scene/1");
     const Trial trial(options);
-    const Scene scene = scene_for(kernel_of(options), scene_from(options.scene), options.scene);
+    const Scene scene = scene_for(kernel_of(options), *polygons, options.scene);
     expect_admitted(method_of(options), scene, options.scene);
     OutputFile file(options.output);
     Progress progress("scenes tried");
@@ -105,8 +109,8 @@ void add_shrink(CLI::App& program, int& status) {
     auto& command =
         *program.add_subcommand("shrink", "Find the smallest scene that still fails, or does as this one does");
     const auto options = std::make_shared<ShrinkOptions>();
-    add_run_options(command, *options, "A scene file, vidno-scene/1; - for standard input", "Which algorithm [warnock]",
-                    words(method_names));
+    add_run_options(command, *options, "A scene file, vidno-scene/1, or a failure; - for standard input",
+                    "Which algorithm [warnock]", words(method_names));
     auto* keep =
         command.add_option("--keep", options->keep,
                            "failure: a wrong pixel, or if there is none a wrong decision of the same procedure; "

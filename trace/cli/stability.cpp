@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "cli/shared/run_options.h"
 #include "output.h"
 #include "stability/journal.h"
+#include "stability/witness.h"
 
 namespace vidno::cli {
 
@@ -21,7 +23,7 @@ namespace {
 
 struct StabilityOptions {
     Campaign campaign;
-    std::string shard = "1/1", output;
+    std::string shard = "1/1", output, witnesses;
     std::vector<std::string> merged;
 };
 
@@ -44,17 +46,35 @@ Shard shard_from(const std::string& text) {
     return shard;
 }
 
+void expect_runs(const NamedKernel& kernel, const std::vector<std::string>& methods) {
+    for (const auto& method : methods) {
+        if (method == floating_horizon_method) {
+            expect_floating_horizon_run(kernel, Edition::corrected);
+        } else {
+            expect_run(kernel, Method(place_in(method_names, method)), Edition::corrected);
+        }
+    }
+}
+
+/// "all" are all methods, each under the kernels that run it, and all families.
 Campaign with_defaults(Campaign campaign) {
-    if (campaign.families.empty()) {
-        for (const auto& family : families) campaign.families.emplace_back(family.name);
+    const bool of_all = campaign.methods == std::vector<std::string>{"all"};
+    if (campaign.families.empty() || campaign.families == std::vector<std::string>{"all"}) {
+        const bool every_one = !campaign.families.empty();
+        campaign.families.clear();
+        for (std::size_t i = 0; i < (every_one ? families.size() : first_families); ++i) {
+            campaign.families.emplace_back(families[i].name);
+        }
+        if (every_one) {
+            for (const auto& family : curve_families) campaign.families.emplace_back(family.name);
+        }
     }
     if (campaign.kernels.empty()) campaign.kernels = {"float", "double", "filtered"};
     if (campaign.methods.empty()) campaign.methods.assign(course_method_names.begin(), course_method_names.end());
+    if (of_all) campaign.methods = all_methods();
     for (auto& kernel : campaign.kernels) {
         const NamedKernel named = *kernel_named(kernel);
-        for (const auto& method : campaign.methods) {
-            expect_run(named, Method(place_in(method_names, method)), Edition::corrected);
-        }
+        if (!of_all) expect_runs(named, campaign.methods);
         kernel = named.name();
     }
     return campaign;
@@ -84,9 +104,11 @@ std::string windows_of(const Tally& tally, const Tally* before) {
 /// A column for each experiment of a kind; a row for each family, kernel and method, if it had runs. A cell shows a tally,
 /// given the one to the left of it.
 void print(const Results& results, Experiment::Kind kind, const std::string& title, auto&& cell) {
-    const auto row = [](const std::string& family, const std::string& kernel, const std::string& method) {
-        std::cout << std::left << std::setw(18) << family << std::setw(10) << kernel << std::setw(8) << method
-                  << std::right;
+    std::size_t widest = 0;
+    for (const auto& method : results.campaign().methods) widest = std::max(widest, method.size());
+    const auto row = [widest](const std::string& family, const std::string& kernel, const std::string& method) {
+        std::cout << std::left << std::setw(18) << family << std::setw(10) << kernel << std::setw(int(widest) + 1)
+                  << method << std::right;
     };
     std::vector<const Experiment*> columns;
     const auto show = [&](std::size_t column, const auto& text) {
@@ -138,6 +160,35 @@ int verdict(const Results& results) {
     return 1;
 }
 
+/// A file for each family, method and kernel that was wrong in pictures, and need not be right.
+void write_witnesses(const Results& results, const std::string& folder) {
+    const Campaign& campaign = results.campaign();
+    std::filesystem::create_directories(folder);
+    for (const auto& name : campaign.families) {
+        const Family& family = family_of(name);
+        std::vector<Tallies> sums;
+        for (const auto& experiment : experiments) {
+            if (experiment.kind == Experiment::Kind::moved) sums.push_back(results.sum(name, experiment));
+        }
+        for (std::size_t i = 0; i < sums.front().size(); ++i) {
+            if (std::none_of(sums.begin(), sums.end(), [&](const Tallies& sum) { return sum[i].wrong_runs > 0; }))
+                continue;
+            const std::string& kernel = campaign.kernels[i / campaign.methods.size()];
+            const std::string& method = campaign.methods[i % campaign.methods.size()];
+            const NamedKernel named = *kernel_named(kernel);
+            if (named.snaps()) continue;
+            Progress progress("scenes tried for " + name + ", " + method + ", " + kernel);
+            const auto failure =
+                witness(campaign, family, method, kernel, [&, tried = 0ULL]() mutable { progress.show(++tried); });
+            progress.clear();
+            if (!failure) continue;
+            const std::string file = folder + "/" + name + "." + method + "." + kernel + ".json";
+            write_file(file, *failure);
+            std::cerr << file << '\n';
+        }
+    }
+}
+
 int merge(const StabilityOptions& options) {
     const Results results = Results::merged(options.merged);
     if (!options.output.empty()) {
@@ -156,9 +207,14 @@ int merge(const StabilityOptions& options) {
 std::string footer() {
     std::ostringstream text;
     text << "Families, in an area of " << family_side << " x " << family_side << " pixels:\n";
-    for (const auto& family : families) {
-        text << "  " << std::left << std::setw(18) << family.name << family.shows << '\n';
-    }
+    const auto list = [&](const auto& all) {
+        for (const auto& family : all) {
+            text << "  " << std::left << std::setw(18) << family.name << family.shows << '\n';
+        }
+    };
+    list(families);
+    text << "Families of curves, for the floating horizon; they are only moved:\n";
+    list(curve_families);
     text << R"(Experiments:
   moved             each coordinate by up to 0, 1, 2, 4, 16, 2^8, 2^16, 2^32 ulps: how many decisions and pixels are
                     wrong, held against exact arithmetic (the kernel grid: on the snapped scene)
@@ -173,7 +229,8 @@ what is looked for.
 Examples:
   vidno stability --count 1000 -o all.jsonl
   parallel vidno stability --count 1000 --shard {}/8 -o part{}.jsonl ::: 1 2 3 4 5 6 7 8
-  vidno stability --merge part?.jsonl -o all.jsonl)";
+  vidno stability --merge part?.jsonl -o all.jsonl
+  vidno stability --method all --family all --count 20 --witnesses found      (each opens in the page))";
     return text.str();
 }
 
@@ -198,6 +255,7 @@ int stability(const StabilityOptions& options) {
     }
     progress.clear();
     print(results);
+    if (!options.witnesses.empty()) write_witnesses(results, options.witnesses);
     return verdict(results);
 }
 
@@ -207,11 +265,15 @@ void add_stability(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("stability", "Run thousands of random scenes and count what is wrong");
     const auto options = std::make_shared<StabilityOptions>();
     auto& campaign = options->campaign;
-    command.add_option("--family", campaign.families, "Scenes of which kind [all]: see below");
+    command.add_option("--family", campaign.families, "Scenes of which kind [the first nine]: see below; or all");
     command.add_option("--kernel", campaign.kernels, "Which arithmetic decides [float, double, filtered]")
         ->check(a_kernel());
-    command.add_option("--method", campaign.methods, "Which algorithm [warnock, zbuffer]")
-        ->check(CLI::IsMember(words(course_method_names)));
+    auto methods = all_methods();
+    methods.emplace_back("all");
+    command
+        .add_option("--method", campaign.methods,
+                    "Which algorithm [warnock, zbuffer]; or all, each under those of the kernels that run it")
+        ->check(CLI::IsMember(methods));
     command.add_option("--count", campaign.count, "Trials of each experiment in each family; fewer of dear ones")
         ->check(CLI::Range(std::uint64_t{1}, most_trials))
         ->capture_default_str();
@@ -220,7 +282,10 @@ void add_stability(CLI::App& program, int& status) {
     auto* merge = command.add_option("--merge", options->merged, "Run nothing: put these files of results together");
     command.add_option("-o", options->output,
                        "Keep the results, .jsonl; a run that was killed goes on where it stopped");
-    for (const char* of_run : {"--family", "--kernel", "--method", "--count", "--seed", "--shard"}) {
+    command.add_option(
+        "--witnesses", options->witnesses,
+        "A folder: of each family, method and kernel that paints a pixel wrong the smallest scene, as a failure");
+    for (const char* of_run : {"--witnesses", "--family", "--kernel", "--method", "--count", "--seed", "--shard"}) {
         merge->excludes(of_run);
     }
     command.footer(footer());

@@ -12,6 +12,13 @@ namespace vidno::cli {
 
 namespace {
 
+constexpr std::string_view example_scene = R"(  {"window": {"x": 0, "y": 0, "width": 16, "height": 16},
+   "polygons": [
+     {"id": "far",  "vertices": [[1, 1, 0.2], [13, 1, 0.2], [13, 13, 0.2], [1, 13, 0.2]]},
+     {"id": "near", "vertices": [[5, 4, 0.7], [15, 6, 0.7], [8, 15, 0.7]]}
+   ]
+  })";
+
 struct TraceOptions : RunOptions {
     std::string output;
     std::uint64_t most_events = TraceWriter::no_limit;
@@ -52,8 +59,8 @@ int trace_scene(const TraceOptions& options, const Surface& surface) {
                         options);
 }
 
-int trace(const TraceOptions& options) {
-    const AnyScene any = any_scene_from(options.scene, options.method);
+int trace(TraceOptions options) {
+    const AnyScene any = any_scene_for(options, true);
     return std::visit([&](const auto& scene) { return trace_scene(options, scene); }, any);
 }
 
@@ -70,7 +77,10 @@ void add_trace(CLI::App& program, int& status) {
     command.add_option("--max-events", options->most_events, "Stop after so many events, keep what was traced")
         ->check(CLI::NonNegativeNumber);
     command.add_option("-o", options->output, "The trace, .jsonl or .jsonl.gz; - for standard output")->required();
-    command.footer("Example: vidno trace scene.json --method warnock --detail signs -o run.jsonl.gz");
+    command.footer(
+        "Example: vidno trace scene.json --method warnock --detail signs -o run.jsonl.gz\n"
+        "A scene, written by hand: greater z is nearer; names, colours and the window have defaults.\n" +
+        std::string(example_scene));
     command.callback([options, &status] { status = trace(*options); });
 }
 

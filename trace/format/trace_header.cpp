@@ -36,7 +36,7 @@ TraceHeader read_trace_header(const JsonNode& object) {
     TraceHeader header;
     header.method = Method(place_of_word(method, method_names));
     read_run(object, header);
-    header.scene = read_scene(member(object, "scene"));
+    header.scene = read_whole_scene(member(object, "scene"));
     return header;
 }
 
@@ -48,7 +48,7 @@ FloatingHorizonHeader read_floating_horizon_header(const JsonNode& object) {
     }
     const JsonNode scene = member(object, "scene");
     if (scene.has("function")) scene.at("function").refuse("a trace has the samples");
-    header.scene = read_surface(scene);
+    header.scene = read_whole_surface(scene);
     return header;
 }
 

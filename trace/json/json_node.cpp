@@ -29,32 +29,6 @@ namespace {
 
 constexpr int deepest_nesting = 16;
 
-/// A key as a step of a JSON pointer (RFC 6901).
-std::string pointer_step(std::string_view key) {
-    std::string step = "/";
-    for (const char c : printable(key)) {
-        if (c == '~') {
-            step += "~0";
-        } else if (c == '/') {
-            step += "~1";
-        } else {
-            step += c;
-        }
-    }
-    return step;
-}
-
-[[noreturn]] void refuse_at(const std::string& pointer, std::string_view reason) {
-    throw Refused((pointer.empty() ? "" : pointer + ": ") + std::string(reason));
-}
-
-std::string line_and_column(std::string_view text, std::size_t position) {
-    const std::string_view before = text.substr(0, position > 0 ? position - 1 : 0);
-    const auto lines = std::count(before.begin(), before.end(), '\n');
-    const std::size_t column = before.size() - (before.rfind('\n') + 1);  // npos + 1 is 0
-    return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
-}
-
 /// Builds the document from what the parser hears, and refuses what a tree would not show any more: text that is not JSON, with its
 /// place, nesting that is too deep, and a key that an object has twice.
 class DocumentBuilder : public nlohmann::json_sax<json> {
@@ -79,14 +53,14 @@ public:
         auto& [container, member] = levels_.back();
         const auto [at, is_new] = container->get_ref<json::object_t&>().try_emplace(std::move(name));
         member = &*at;
-        if (!is_new) refuse_at(pointer(), "the key is there twice");
+        if (!is_new) throw Misread({pointer(), "the key is there twice", JsonFault::At::second_key});
         return true;
     }
 
     bool parse_error(std::size_t position, const std::string&, const json::exception& error) override {
         constexpr int number_overflow = 406;
-        if (error.id == number_overflow) refuse_at(pointer(), "the number is beyond the range of doubles");
-        throw NotJson(line_and_column(text_, position) + ": not valid JSON");
+        if (error.id == number_overflow) throw Misread({pointer(), "the number is beyond the range of doubles"});
+        throw NotJson(line_and_column(text_, position > 0 ? position - 1 : 0) + ": not valid JSON");
     }
 
 private:
@@ -122,7 +96,7 @@ private:
         return true;
     }
     bool open(json&& empty) {
-        if (int(levels_.size()) == deepest_nesting) refuse_at(pointer(), "nested too deeply");
+        if (int(levels_.size()) == deepest_nesting) throw Misread({pointer(), "nested too deeply"});
         levels_.push_back({&place(std::move(empty))});
         return true;
     }
@@ -136,50 +110,7 @@ private:
     std::vector<Level> levels_;
 };
 
-/// Hears the parser up to the member "format" of the outermost object.
-class FormatFinder : public nlohmann::json_sax<json> {
-public:
-    std::string format;
-
-    bool null() override { return next(); }
-    bool boolean(bool) override { return next(); }
-    bool number_integer(number_integer_t) override { return next(); }
-    bool number_unsigned(number_unsigned_t) override { return next(); }
-    bool number_float(number_float_t, const string_t&) override { return next(); }
-    bool string(string_t& value) override {
-        if (is_format_) format = std::move(value);
-        return next();
-    }
-    bool binary(binary_t&) override { return next(); }
-    bool start_object(std::size_t) override { return open(); }
-    bool start_array(std::size_t) override { return depth_ > 0 && open(); }
-    bool end_object() override { return --depth_ > 0; }
-    bool end_array() override { return --depth_ > 0; }
-    bool key(string_t& name) override {
-        is_format_ = depth_ == 1 && name == "format";
-        return true;
-    }
-    bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
-
-private:
-    /// Whether to go on.
-    bool next() const { return depth_ > 0 && !is_format_; }
-    bool open() {
-        ++depth_;
-        return !is_format_;
-    }
-
-    int depth_ = 0;
-    bool is_format_ = false;  // the key that was read last
-};
-
 }  // namespace
-
-std::string document_format(std::string_view text) {
-    FormatFinder finder;
-    json::sax_parse(text, &finder);
-    return finder.format;
-}
 
 json parse_json(std::string_view text) {
     DocumentBuilder builder(text);
@@ -187,7 +118,7 @@ json parse_json(std::string_view text) {
     return builder.document();
 }
 
-void JsonNode::refuse(std::string_view reason) const { refuse_at(pointer(), reason); }
+void JsonNode::refuse(std::string_view reason) const { throw Misread({pointer(), std::string(reason)}); }
 
 void JsonNode::require_keys(std::initializer_list<std::string_view> required,
                             std::initializer_list<std::string_view> optional) const {
@@ -195,12 +126,19 @@ void JsonNode::require_keys(std::initializer_list<std::string_view> required,
     const auto is_in = [](const auto& keys, const std::string& key) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
+    std::vector<JsonFault> faults;
     for (const auto& [key, value] : value_.items()) {
-        if (!is_in(required, key) && !is_in(optional, key)) at(key).refuse("unknown key");
+        if (is_in(required, key) || is_in(optional, key)) continue;
+        faults.push_back({at(key).pointer(), "unknown key", JsonFault::At::key});
     }
     for (const std::string_view key : required) {
-        if (!has(key)) refuse("\"" + std::string(key) + "\" is missing");
+        if (!has(key)) faults.push_back({pointer(), "\"" + std::string(key) + "\" is missing"});
     }
+    if (!faults.empty()) throw Misread(std::move(faults));
+}
+
+void JsonNode::expect_format(std::string_view format) const {
+    if (has("format") && at("format").text() != format) at("format").refuse("not \"" + std::string(format) + '"');
 }
 
 std::size_t JsonNode::size() const {

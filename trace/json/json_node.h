@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "json/misread.h"
 #include "refused.h"
 #include "vidno/scene.h"
 
@@ -19,16 +20,13 @@ struct NotJson : Refused {
     using Refused::Refused;
 };
 
-/// The document. Throws NotJson, or Refused for text that is nested too deeply or has an object with the same key twice.
+/// The document. Throws NotJson, or Misread for text that is nested too deeply or has an object with the same key twice.
 nlohmann::json parse_json(std::string_view text);
-
-/// The member "format" of an object, empty if it has no such text. Reads no further than that, and does not say what is wrong.
-std::string document_format(std::string_view text);
 
 /// Text from elsewhere inside a message of one line: no control characters, and not too long.
 std::string printable(std::string_view text);
 
-/// A value and where it stands; `refuse` and each reading that fails throw Refused. Only what goes wrong costs the
+/// A value and where it stands; `refuse` and each reading that fails throw Misread. Only what goes wrong costs the
 /// making of a path.
 class JsonNode {
 public:
@@ -36,9 +34,12 @@ public:
 
     [[noreturn]] void refuse(std::string_view reason) const;
 
-    /// An object with all of the required keys and none but these and the optional ones.
+    /// An object with all of the required keys and none but these and the optional ones; else each key at fault is told.
     void require_keys(std::initializer_list<std::string_view> required,
                       std::initializer_list<std::string_view> optional = {}) const;
+
+    /// Of an object: its member "format", if it is there, is this. Another one makes all else of no interest.
+    void expect_format(std::string_view format) const;
 
     bool has(std::string_view key) const { return value_.contains(key); }
     JsonNode at(std::string_view key) const { return JsonNode(*value_.find(key), this, key, 0); }
@@ -77,11 +78,13 @@ private:
     std::size_t index_ = 0;
 };
 
-/// What `read` makes of a document, whose file is named in front of each refusal.
+/// What `read` makes of a document. A refusal names the file and, where something in the document is at fault, its line and column.
 auto read_json(std::string_view text, const std::string& file, auto&& read) {
     try {
         const nlohmann::json document = parse_json(text);
         return read(JsonNode(document));
+    } catch (const Misread& misread) {
+        throw Refused(told_with_places(misread, text, file));
     } catch (const Refused& refused) {
         throw Refused(file + ": " + refused.what());
     }

@@ -76,6 +76,82 @@ Group nearly_edge_on(RandomPolygons& random, const Area& area) {
     return {random.sliver(area, off)};
 }
 
+/// A point of the edge from one to the other, so many eighths from its beginning.
+glm::dvec3 on_edge(const glm::dvec3& from, const glm::dvec3& to, int eighths) {
+    return from + (to - from) * (eighths / 8.0);
+}
+
+/// A triangle, and one with a vertex on an edge of it; in whole numbers and eighths, so that it is there exactly.
+Group touching(RandomPolygons& random, const Area& area) {
+    const auto corner = [&] {
+        return glm::dvec3(area.x + random.whole(-2, area.width + 2), area.y + random.whole(-2, area.height + 2), 0);
+    };
+    Corners first{corner(), corner(), corner()};
+    Corners second{on_edge(first[0], first[1], random.whole(0, 8)), corner(), corner()};
+    const double behind = random.depth();
+    const double before = random.depth();
+    for (auto& vertex : first) vertex.z = behind;
+    for (auto& vertex : second) vertex.z = before;
+    return {first, second};
+}
+
+/// Two triangles, on either side of a line, that have a part of an edge in common, at depths of their own.
+Group shared_edges(RandomPolygons& random, const Area& area) {
+    const auto corner = [&] {
+        return glm::dvec3(area.x + random.whole(-2, area.width + 2), area.y + random.whole(-2, area.height + 2), 0);
+    };
+    const glm::dvec3 from = corner();
+    const glm::dvec3 to = corner();
+    Corners first{from, to, corner()};
+    Corners second{on_edge(from, to, random.whole(-4, 4)), on_edge(from, to, random.whole(4, 12)), corner()};
+    const double behind = random.depth();
+    const double before = random.depth();
+    for (auto& vertex : first) vertex.z = behind;
+    for (auto& vertex : second) vertex.z = before;
+    return {first, second};
+}
+
+/// Vertices in line with the corners of windows, along their sides and diagonals: where octants meet, and rays pass through
+/// vertices.
+Group octants(RandomPolygons& random, const Area& area) {
+    const double corner_x = area.x + 2 * random.whole(0, area.width / 2);
+    const double corner_y = area.y + 2 * random.whole(0, area.height / 2);
+    const auto vertex = [&] {
+        constexpr std::array<std::pair<int, int>, 8> ways{
+            {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+        const auto way = ways[std::size_t(random.whole(0, 7))];
+        const double far = random.whole(0, 12);
+        return glm::dvec3(corner_x + far * way.first, corner_y + far * way.second, random.depth());
+    };
+    const glm::dvec3 a = vertex();
+    const glm::dvec3 b = vertex();
+    return {{a, b, vertex()}};
+}
+
+constexpr int curve_columns = 50;
+
+/// Curves of a few samples over the same columns, with heights from `height`.
+CurveScene curves_with(RandomPolygons& random, auto&& height) {
+    CurveScene scene{{0, 0, curve_columns, 16}, {}};
+    for (int count = random.whole(3, 6); count > 0; --count) {
+        Curve curve;
+        for (int x = 0; x < curve_columns; x += random.whole(5, curve_columns)) curve.samples.push_back({x, height()});
+        curve.samples.push_back({curve_columns, height()});
+        scene.curves.push_back(std::move(curve));
+    }
+    scene.area.width = curve_columns + 1;
+    return scene;
+}
+
+/// Few heights: curves meet on columns between their samples, and run along each other.
+CurveScene ties(RandomPolygons& random) {
+    return curves_with(random, [&] { return double(random.whole(4, 8)); });
+}
+
+CurveScene crossing_curves(RandomPolygons& random) {
+    return curves_with(random, [&] { return random.whole(0, 16 << 10) / 1024.0; });
+}
+
 double moved(double value, std::int64_t ulps) {
     // Read as whole numbers, the doubles of one sign are in order; this puts the negative ones before the others.
     const auto flipped = [](std::int64_t bits) {
@@ -84,9 +160,16 @@ double moved(double value, std::int64_t ulps) {
     return std::bit_cast<double>(flipped(flipped(std::bit_cast<std::int64_t>(value)) + ulps));
 }
 
+/// From -most to most.
+std::int64_t ulps_up_to(std::int64_t most, RandomPolygons& random) {
+    const std::uint64_t upper = random.generator();
+    const std::uint64_t drawn = upper << 32 | random.generator();
+    return std::int64_t(drawn % std::uint64_t(2 * most + 1)) - most;
+}
+
 }  // namespace
 
-const std::array<Family, 9> families{{
+const std::array<Family, 12> families{{
     {"triangles", "anywhere", triangle},
     {"neighbours", "triangles that share an edge and its depths", neighbours},
     {"slivers", "triangles thinner than a pixel", sliver},
@@ -96,6 +179,14 @@ const std::array<Family, 9> families{{
     {"vertices", "triangles with their vertices on pixel centres", vertices_on_centres},
     {"collinear", "boxes with collinear and repeated vertices", collinear},
     {"steep", "triangles all but edge-on", nearly_edge_on},
+    {"touching", "triangles with a vertex on another one's edge", touching},
+    {"shared-edges", "triangles with a part of an edge in common", shared_edges},
+    {"octants", "triangles with their vertices in line with the corners of windows", octants},
+}};
+
+const std::array<Family, 2> curve_families{{
+    {"horizon-ties", "curves that meet the horizon between samples, or run along it", nullptr, ties},
+    {"crossing-curves", "curves that cross anywhere", nullptr, crossing_curves},
 }};
 
 Scene random_scene(const Family& family, RandomPolygons& random) {
@@ -118,17 +209,19 @@ Scene random_scene(const Family& family, RandomPolygons& random) {
 }
 
 Scene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& random) {
-    const auto ulps = [&] {
-        const std::uint64_t upper = random.generator();
-        const std::uint64_t drawn = upper << 32 | random.generator();
-        return std::int64_t(drawn % std::uint64_t(2 * most + 1)) - most;
-    };
     for (auto& polygon : scene.polygons) {
         for (auto& vertex : polygon.vertices) {
-            for (int axis = 0; axis < 3; ++axis) vertex[axis] = moved(vertex[axis], ulps());
+            for (int axis = 0; axis < 3; ++axis) vertex[axis] = moved(vertex[axis], ulps_up_to(most, random));
         }
     }
     return admitted(scene);
+}
+
+CurveScene moved_by_ulps(CurveScene scene, std::int64_t most, RandomPolygons& random) {
+    for (auto& curve : scene.curves) {
+        for (auto& sample : curve.samples) sample.y = moved(sample.y, ulps_up_to(most, random));
+    }
+    return scene;
 }
 
 Scene admitted(const Scene& scene) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "vidno/floating_horizon/curves.h"
 #include "vidno/scene.h"
 
 namespace vidno {
@@ -78,9 +79,15 @@ struct Family {
     std::string_view name;
     std::string_view shows;
     std::vector<Corners> (*group)(RandomPolygons&, const Area&);  // polygons that belong together
+    CurveScene (*curves)(RandomPolygons&) = nullptr;              // or, of curves, all of the scene
 };
 
-extern const std::array<Family, 9> families;
+extern const std::array<Family, 12> families;
+/// Of curves.
+extern const std::array<Family, 2> curve_families;
+
+/// A campaign that names no family has the first ones, as it always had: its files can be gone on with.
+inline constexpr std::size_t first_families = 9;
 
 inline constexpr int family_side = 8;
 
@@ -89,6 +96,8 @@ Scene random_scene(const Family& family, RandomPolygons& random);
 
 /// Each coordinate moved by up to so many ulps.
 Scene moved_by_ulps(Scene scene, std::int64_t most, RandomPolygons& random);
+/// Each height.
+CurveScene moved_by_ulps(CurveScene scene, std::int64_t most, RandomPolygons& random);
 
 /// The scene as it may be run after its vertices were changed: z between -1 and 1, and what is no longer planar or convex cut into
 /// triangles.

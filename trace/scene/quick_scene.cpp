@@ -4,8 +4,10 @@
 #include <unordered_set>
 #include <utility>
 
+#include "choice/palette.h"
 #include "json/json_scanner.h"
 #include "json/unique_ids.h"
+#include "scene/default_window.h"
 #include "scene/exact_scene.h"
 
 namespace vidno {
@@ -28,7 +30,7 @@ public:
             return key == "background" && once(has_background) && color(scene.background);
         });
         skip_space();
-        return read && at_end() && has_format && has_window && has_polygons;
+        return read && at_end() && has_polygons && (has_window || take(scene.area, default_window(scene.polygons)));
     }
 
 private:
@@ -94,8 +96,9 @@ private:
             if (key == "color") return once(has_color) && color(polygon.color);
             return key == "vertices" && once(has_vertices) && vertices(polygon.vertices);
         });
-        if (!read || !has_color || polygon.id.size() > longest_id) return false;
+        if (!read || polygon.id.size() > longest_id) return false;
         if (!has_id) polygon.id = std::to_string(position);
+        if (!has_color) polygon.color = default_color(position);
         const Admitted admitted = exact_scene::admit(polygon);
         return admitted.admission == Admission::admitted && admitted.dropped == 0;
     }

@@ -1,5 +1,5 @@
 /// Reading checks in this order: the text as JSON (depth and repeated keys while it is parsed), the keys and types, the
-/// values, and last the polygons' shapes, exactly. The first fault ends it.
+/// values, and last the polygons' shapes, exactly. What is wrong with the text ends it; all else is told at once.
 #include "scene/scene_json.h"
 
 #include <cmath>
@@ -7,9 +7,11 @@
 #include <unordered_set>
 #include <utility>
 
+#include "choice/palette.h"
 #include "json/json_node.h"
 #include "json/json_text.h"
 #include "json/unique_ids.h"
+#include "scene/default_window.h"
 #include "scene/exact_scene.h"
 #include "scene/quick_scene.h"
 #include "vidno/camera.h"
@@ -19,26 +21,37 @@ namespace {
 
 constexpr std::string_view scene_format = "vidno-scene/1";
 
-Camera read_camera(const JsonNode& node, const Area& area) {
+/// The camera; none if something is wrong with it, which the faults then have.
+std::optional<Camera> read_camera(const JsonNode& node, const Area& area, Faults& faults) {
     Camera camera;
-    if (node.has("projection") && node.at("projection").text() == "orthographic") {
-        node.require_keys({"eye", "target", "projection", "height", "near", "far"}, {"up"});
+    bool is_right = true;
+    const auto part = [&](auto&& read) { is_right = faults.attempt(read) && is_right; };
+    const auto number = [&](std::string_view key, double& target) {
+        if (node.has(key)) part([&] { target = node.at(key).number(); });
+    };
+    const auto triple = [&](std::string_view key, glm::dvec3& target) {
+        if (node.has(key)) part([&] { target = node.at(key).triple(); });
+    };
+    const JsonNode projection = node.has("projection") ? node.at("projection") : node;
+    if (projection.value() == "orthographic") {
+        part([&] { node.require_keys({"eye", "target", "projection", "height", "near", "far"}, {"up"}); });
         camera.projection = Projection::orthographic;
-        camera.height = node.at("height").number();
+        number("height", camera.height);
     } else {
-        node.require_keys({"eye", "target", "projection", "fov", "near", "far"}, {"up"});
-        if (node.at("projection").text() != "perspective") {
-            node.at("projection").refuse("neither \"perspective\" nor \"orthographic\"");
+        part([&] { node.require_keys({"eye", "target", "projection", "fov", "near", "far"}, {"up"}); });
+        if (node.has("projection") && projection.value() != "perspective") {
+            part([&] { projection.refuse("neither \"perspective\" nor \"orthographic\""); });
         }
-        camera.field_of_view = node.at("fov").number();
+        number("fov", camera.field_of_view);
     }
-    camera.eye = node.at("eye").triple();
-    camera.target = node.at("target").triple();
-    if (node.has("up")) camera.up = node.at("up").triple();
-    camera.near_distance = node.at("near").number();
-    camera.far_distance = node.at("far").number();
-    if (const auto defect = defect_of(camera, area)) node.refuse(*defect);
-    return camera;
+    triple("eye", camera.eye);
+    triple("target", camera.target);
+    triple("up", camera.up);
+    number("near", camera.near_distance);
+    number("far", camera.far_distance);
+    if (!is_right) return std::nullopt;
+    if (const auto defect = defect_of(camera, area)) part([&] { node.refuse(*defect); });
+    return is_right ? std::optional(camera) : std::nullopt;
 }
 
 std::string read_id(const JsonNode& node, std::size_t position) {
@@ -47,18 +60,6 @@ std::string read_id(const JsonNode& node, std::size_t position) {
     if (id.text().empty()) id.refuse("empty");
     if (id.text().size() > longest_id) id.refuse("longer than " + std::to_string(longest_id) + " bytes");
     return id.text();
-}
-
-ScenePolygon read_polygon(const JsonNode& node, std::size_t position) {
-    node.require_keys({"color", "vertices"}, {"id"});
-    ScenePolygon polygon;
-    polygon.id = read_id(node, position);
-    polygon.color = node.at("color").color();
-    const JsonNode vertices = node.at("vertices");
-    const std::size_t count = vertices.size();
-    polygon.vertices.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) polygon.vertices.push_back(vertices.at(i).triple());
-    return polygon;
 }
 
 /// Says of a polygon that is refused for its depth which z it is.
@@ -72,43 +73,114 @@ void refuse_shape(const JsonNode& node, const ScenePolygon& polygon, Admission a
     vertices.refuse(reason_of(admission));
 }
 
+/// Whether what has a default may be left out: not in the header of a trace.
+enum class Defaults { taken, none };
+
 class SceneReader {
 public:
-    explicit SceneReader(std::string file) : file_(std::move(file)) {}
+    explicit SceneReader(std::string file, Defaults defaults = Defaults::taken)
+        : file_(std::move(file)), defaults_(defaults) {}
 
     SceneWithWarnings read(const JsonNode& root) {
-        root.require_keys({"format", "window", "polygons"}, {"name", "background", "camera"});
-        if (root.at("format").text() != scene_format) root.at("format").refuse("not \"vidno-scene/1\"");
+        root.object();
+        root.expect_format(scene_format);
+        expect_keys(root);
         Scene& scene = result_.scene;
-        if (root.has("name")) scene.name = root.at("name").text();
-        scene.area = root.at("window").window();
-        if (root.has("background")) scene.background = root.at("background").color();
-        if (root.has("camera")) view_ = view_of(read_camera(root.at("camera"), scene.area), scene.area);
-        read_polygons(root.at("polygons"));
+        read_member(root, "name", [&](const JsonNode& node) { scene.name = node.text(); });
+        const bool has_window = read_member(root, "window", [&](const JsonNode& node) { scene.area = node.window(); });
+        read_member(root, "background", [&](const JsonNode& node) { scene.background = node.color(); });
+        if (has_window || !root.has("window")) {
+            read_member(root, "camera", [&](const JsonNode& node) {
+                if (!has_window) root.refuse("\"window\" is missing, which a camera needs");
+                const auto camera = read_camera(node, scene.area, faults_);
+                if (camera) view_ = view_of(*camera, scene.area);
+            });
+        }
+        read_member(root, "polygons", [&](const JsonNode& node) { read_polygons(node, root.has("camera")); });
+        faults_.settle();
+        if (!has_window) take_default_window(root);
         return std::move(result_);
     }
 
 private:
-    void read_polygons(const JsonNode& node) {
+    void expect_keys(const JsonNode& root) {
+        faults_.attempt([&] {
+            if (defaults_ == Defaults::taken) {
+                root.require_keys({"polygons"}, {"format", "name", "window", "background", "camera"});
+            } else {
+                root.require_keys({"format", "window", "polygons"}, {"name", "background"});
+            }
+        });
+    }
+
+    /// Reads a member if it is there. False if it is not, or was refused.
+    bool read_member(const JsonNode& object, std::string_view key, auto&& read) {
+        return object.has(key) && faults_.attempt([&] { read(object.at(key)); });
+    }
+
+    void take_default_window(const JsonNode& root) {
+        const auto window = default_window(result_.scene.polygons);
+        if (!window) {
+            root.refuse(result_.scene.polygons.empty()
+                            ? "\"window\" is missing, and there are no vertices to reach over"
+                            : "\"window\" is missing, and the vertices reach too far for one");
+        }
+        result_.scene.area = *window;
+    }
+
+    /// The polygon but for its shape; none if something is wrong with it.
+    std::optional<ScenePolygon> read_polygon(const JsonNode& node, std::size_t position) {
+        ScenePolygon polygon;
+        polygon.color = default_color(position);
+        bool is_right = faults_.attempt([&] {
+            if (defaults_ == Defaults::taken) {
+                node.require_keys({"vertices"}, {"id", "color"});
+            } else {
+                node.require_keys({"color", "vertices"}, {"id"});
+            }
+        });
+        if (!node.value().is_object()) return std::nullopt;
+        const auto part = [&](auto&& read) { is_right = faults_.attempt(read) && is_right; };
+        part([&] { polygon.id = read_id(node, position); });
+        if (node.has("color")) part([&] { polygon.color = node.at("color").color(); });
+        if (node.has("vertices")) {
+            part([&] {
+                const JsonNode vertices = node.at("vertices");
+                const std::size_t count = vertices.size();
+                polygon.vertices.reserve(count);
+                for (std::size_t i = 0; i < count; ++i) {
+                    part([&] { polygon.vertices.push_back(vertices.at(i).triple()); });
+                }
+            });
+        }
+        return is_right ? std::optional(std::move(polygon)) : std::nullopt;
+    }
+
+    /// In the world, if there is a camera; it may itself be at fault.
+    void read_polygons(const JsonNode& node, bool in_world) {
         if (node.size() > most_polygons) node.refuse("more than " + std::to_string(most_polygons) + " polygons");
-        std::vector<ScenePolygon> polygons;
+        std::vector<std::optional<ScenePolygon>> polygons;
         std::unordered_set<std::string> ids;
         polygons.reserve(node.size());
         for (std::size_t i = 0; i < node.size(); ++i) {
             polygons.push_back(read_polygon(node.at(i), i));
-            if (ids.insert(polygons.back().id).second) continue;
-            const JsonNode polygon = node.at(i);
-            if (polygon.has("id")) polygon.at("id").refuse("the id is there twice");
-            polygon.refuse("the id is there twice: without one it is the position");
+            if (!polygons.back() || ids.insert(polygons.back()->id).second) continue;
+            faults_.attempt([&] {
+                const JsonNode polygon = node.at(i);
+                if (polygon.has("id")) polygon.at("id").refuse("the id is there twice");
+                polygon.refuse("the id is there twice: without one it is the position");
+            });
         }
         PartIds part_ids(std::move(ids));
         for (std::size_t i = 0; i < polygons.size(); ++i) {
-            const JsonNode polygon = node.at(i);
-            if (view_) {
-                add_seen(polygon, std::move(polygons[i]), i, part_ids);
-            } else {
-                add(polygon, std::move(polygons[i]), i);
-            }
+            if (!polygons[i]) continue;
+            faults_.attempt([&] {
+                if (in_world) {
+                    add_seen(node.at(i), std::move(*polygons[i]), i, part_ids);
+                } else {
+                    add(node.at(i), std::move(*polygons[i]), i);
+                }
+            });
         }
         if (result_.scene.polygons.size() > most_polygons) {
             node.refuse("cut into more than " + std::to_string(most_polygons) + " polygons");
@@ -125,6 +197,7 @@ private:
     void add_seen(const JsonNode& node, ScenePolygon polygon, std::size_t position, PartIds& part_ids) {
         const Admitted admitted = exact_scene::admit_in_world(polygon);
         if (admitted.admission != Admission::admitted) refuse_shape(node, polygon, admitted.admission);
+        if (!view_) return;
         Seen seen = exact_scene::look(*view_, polygon);
         warn_of_dropped(position, admitted.dropped + seen.dropped);
         if (polygon.edge_on) {
@@ -149,6 +222,8 @@ private:
     }
 
     std::string file_;
+    Defaults defaults_;
+    Faults faults_;
     std::optional<View> view_;
     SceneWithWarnings result_;
 };
@@ -183,7 +258,9 @@ SceneWithWarnings read_scene(std::string_view text, const std::string& file) {
     return read_json(text, file, [&](const JsonNode& root) { return SceneReader(file).read(root); });
 }
 
-Scene read_scene(const JsonNode& node) { return SceneReader("").read(node).scene; }
+SceneWithWarnings read_scene(const JsonNode& node, const std::string& file) { return SceneReader(file).read(node); }
+
+Scene read_whole_scene(const JsonNode& node) { return SceneReader("", Defaults::none).read(node).scene; }
 
 std::string scene_json(const Scene& scene) {
     Text out;

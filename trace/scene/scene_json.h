@@ -16,11 +16,15 @@ struct SceneWithWarnings {
     std::vector<std::string> warnings;  // what was dropped or cut, a line each, file first
 };
 
-/// `text` is the JSON, `file` its name in messages. Throws Refused.
+/// `text` is the JSON, `file` its name in messages. Everything but the vertices has a default: the window is what the vertices reach
+/// over, a colour comes from the palette. Throws Refused, with a line for each fault.
 SceneWithWarnings read_scene(std::string_view text, const std::string& file);
 
-/// The same of a scene inside another document. The messages have no file, and there are no warnings.
-Scene read_scene(const JsonNode& node);
+/// The same of a scene inside another document, whose file this is. Throws Misread.
+SceneWithWarnings read_scene(const JsonNode& node, const std::string& file);
+
+/// A scene that leaves out nothing that its pictures depend on, as in the header of a trace. Throws Misread.
+Scene read_whole_scene(const JsonNode& node);
 
 /// The scene as JSON on one line, the same bytes each time; read_scene gives the same scene again.
 std::string scene_json(const Scene& scene);

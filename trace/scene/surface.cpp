@@ -1,12 +1,14 @@
 /// Reading checks in this order: the text as JSON, the keys and types, the values, and last whether each curve has its samples
-/// on the window's columns. The first fault ends it.
+/// on the window's columns. What is wrong with the text ends it; all else is told at once.
 #include "scene/surface.h"
 
 #include <cmath>
 #include <numeric>
 
+#include "json/document_format.h"
 #include "json/json_node.h"
 #include "json/json_text.h"
+#include "scene/default_window.h"
 #include "scene/sampling.h"
 
 namespace vidno {
@@ -78,19 +80,6 @@ void expect_in_window(const JsonNode& view, const SurfaceView& seen, int curves,
     }
 }
 
-FunctionSurface read_function_surface(const JsonNode& root, const Area& area) {
-    FunctionSurface surface;
-    surface.function = read_expression(root.at("function"));
-    std::tie(surface.left, surface.right) = read_range(root.at("x"));
-    std::tie(surface.nearest, surface.farthest) = read_range(root.at("z"));
-    surface.curves = root.at("curves").whole_number(2, most_curves);
-    surface.view = read_view(root.at("view"));
-    surface.samples = root.at("samples").whole_number(2, surface.view.across.columns + 1);
-    if (root.has("tolerance")) surface.tolerance = positive(root.at("tolerance"));
-    expect_in_window(root.at("view"), surface.view, surface.curves, area);
-    return surface;
-}
-
 /// The surface is that of the root. Refuses too many samples, and a function that is not finite at one.
 std::vector<Curve> samples_of(const FunctionSurface& surface, const JsonNode& root) {
     const int most = surface.tolerance ? surface.view.across.columns + 1 : surface.samples;
@@ -102,49 +91,143 @@ std::vector<Curve> samples_of(const FunctionSurface& surface, const JsonNode& ro
     }
 }
 
-Curve read_curve(const JsonNode& node, const Area& area) {
-    Curve curve;
-    if (node.size() < 2) node.refuse("fewer than two samples");
-    for (std::size_t i = 0; i < node.size(); ++i) {
-        const JsonNode sample = node.at(i);
-        if (sample.size() != 2) sample.refuse("not a column and a height");
-        const int x = sample.at(0u).whole_number(area.x, area.right() - 1);
-        if (i > 0 && x <= curve.samples.back().x) sample.at(0u).refuse("not right of the sample before");
-        curve.samples.push_back({x, finite(sample.at(1u))});
+/// Columns that no window reaches beyond.
+constexpr Area any_columns{-farthest_offset, 0, 2 * (farthest_offset - 1), 1};
+
+/// Whether what has a default may be left out: not in the header of a trace.
+enum class Defaults { taken, none };
+
+class SurfaceReader {
+public:
+    explicit SurfaceReader(const JsonNode& root, Defaults defaults = Defaults::taken)
+        : root_(root), defaults_(defaults) {}
+
+    Surface surface() {
+        expect_keys();
+        read_name_and_window();
+        if (has_function()) {
+            const FunctionSurface function = function_surface();
+            faults_.settle();
+            surface_.curves.curves = samples_of(function, root_);
+        } else {
+            read_member("curves", [&](const JsonNode& node) { read_curves(node); });
+            faults_.settle();
+        }
+        expect_few_samples(root_.at("curves"), sample_count(surface_.curves));
+        take_default_window();
+        return std::move(surface_);
     }
-    return curve;
-}
 
-std::vector<Curve> read_curves(const JsonNode& node, const Area& area) {
-    if (node.size() > std::size_t(most_curves)) node.refuse("more than " + std::to_string(most_curves) + " curves");
-    std::vector<Curve> curves;
-    for (std::size_t i = 0; i < node.size(); ++i) curves.push_back(read_curve(node.at(i), area));
-    return curves;
-}
-
-/// The keys that there must be, and the format.
-void expect_surface(const JsonNode& root, bool is_function) {
-    if (is_function) {
-        root.require_keys({"format", "window", "function", "x", "z", "curves", "samples", "view"},
-                          {"name", "tolerance"});
-    } else {
-        root.require_keys({"format", "window", "curves"}, {"name"});
+    /// The surface must be given as a function, which is finite over each column.
+    Function function() {
+        root_.object();
+        if (!has_function()) root_.refuse("no function, which could be sampled in other ways");
+        expect_keys();
+        read_name_and_window();
+        Function function;
+        function.surface = function_surface();
+        faults_.settle();
+        surface_.curves.curves = samples_of(on_each_column(function.surface), root_);
+        take_default_window();
+        function.name = surface_.name;
+        function.area = surface_.curves.area;
+        function.file = root_.object().dump();
+        return function;
     }
-    if (root.at("format").text() != surface_format) root.at("format").refuse("not \"vidno-surface/1\"");
-}
 
-Surface read(const JsonNode& root) {
-    const bool is_function = root.has("function");
-    expect_surface(root, is_function);
-    Surface surface;
-    if (root.has("name")) surface.name = root.at("name").text();
-    surface.curves.area = root.at("window").window();
-    const Area& area = surface.curves.area;
-    surface.curves.curves =
-        is_function ? samples_of(read_function_surface(root, area), root) : read_curves(root.at("curves"), area);
-    expect_few_samples(root.at("curves"), sample_count(surface.curves));
-    return surface;
-}
+private:
+    bool has_function() const { return root_.has("function"); }
+
+    void expect_keys() {
+        root_.object();
+        root_.expect_format(surface_format);
+        faults_.attempt([&] {
+            if (defaults_ == Defaults::none) {
+                root_.require_keys({"format", "window", "curves"}, {"name"});
+            } else if (has_function()) {
+                root_.require_keys({"function", "x", "z", "curves", "samples", "view"},
+                                   {"format", "name", "window", "tolerance"});
+            } else {
+                root_.require_keys({"curves"}, {"format", "name", "window"});
+            }
+        });
+    }
+
+    void read_name_and_window() {
+        read_member("name", [&](const JsonNode& node) { surface_.name = node.text(); });
+        Area& area = surface_.curves.area;
+        has_window_ = read_member("window", [&](const JsonNode& node) { area = node.window(); });
+    }
+
+    /// Reads a member if it is there. False if it is not, or was refused.
+    bool read_member(std::string_view key, auto&& read) {
+        return root_.has(key) && faults_.attempt([&] { read(root_.at(key)); });
+    }
+
+    /// If something is wrong with it, the faults have that.
+    FunctionSurface function_surface() {
+        FunctionSurface surface;
+        int most_samples_a_curve = largest_side + 1;
+        read_member("function", [&](const JsonNode& node) { surface.function = read_expression(node); });
+        read_member("x", [&](const JsonNode& node) { std::tie(surface.left, surface.right) = read_range(node); });
+        read_member("z", [&](const JsonNode& node) { std::tie(surface.nearest, surface.farthest) = read_range(node); });
+        const bool has_curves =
+            read_member("curves", [&](const JsonNode& node) { surface.curves = node.whole_number(2, most_curves); });
+        read_member("view", [&](const JsonNode& node) {
+            surface.view = read_view(node);
+            most_samples_a_curve = surface.view.across.columns + 1;
+            if (has_curves && has_window_) expect_in_window(node, surface.view, surface.curves, surface_.curves.area);
+        });
+        read_member("samples",
+                    [&](const JsonNode& node) { surface.samples = node.whole_number(2, most_samples_a_curve); });
+        read_member("tolerance", [&](const JsonNode& node) { surface.tolerance = positive(node); });
+        return surface;
+    }
+
+    void read_curves(const JsonNode& node) {
+        if (node.size() > std::size_t(most_curves)) node.refuse("more than " + std::to_string(most_curves) + " curves");
+        for (std::size_t i = 0; i < node.size(); ++i) {
+            faults_.attempt([&] { surface_.curves.curves.push_back(read_curve(node.at(i))); });
+        }
+    }
+
+    Curve read_curve(const JsonNode& node) {
+        const Area& area = has_window_ ? surface_.curves.area : any_columns;
+        Curve curve;
+        if (node.size() < 2) node.refuse("fewer than two samples");
+        for (std::size_t i = 0; i < node.size(); ++i) {
+            faults_.attempt([&] {
+                const JsonNode sample = node.at(i);
+                if (sample.size() != 2) sample.refuse("not a column and a height");
+                const int x = sample.at(0u).whole_number(area.x, area.right() - 1);
+                if (!curve.samples.empty() && x <= curve.samples.back().x) {
+                    sample.at(0u).refuse("not right of the sample before");
+                }
+                curve.samples.push_back({x, finite(sample.at(1u))});
+            });
+        }
+        return curve;
+    }
+
+    void take_default_window() {
+        if (has_window_) return;
+        const auto window = default_window(surface_.curves.curves);
+        if (!window) {
+            root_.refuse(surface_.curves.curves.empty()
+                             ? "\"window\" is missing, and there are no samples to reach over"
+                             : "\"window\" is missing, and the samples reach too far for one");
+        }
+        surface_.curves.area = *window;
+    }
+
+    const JsonNode& root_;
+    Defaults defaults_;
+    Faults faults_;
+    bool has_window_ = false;
+    Surface surface_;
+};
+
+Surface read(const JsonNode& root) { return SurfaceReader(root).surface(); }
 
 }  // namespace
 
@@ -163,19 +246,10 @@ bool is_surface(std::string_view text) { return document_format(text) == surface
 
 Surface read_surface(std::string_view text, const std::string& file) { return read_json(text, file, read); }
 Surface read_surface(const JsonNode& node) { return read(node); }
+Surface read_whole_surface(const JsonNode& node) { return SurfaceReader(node, Defaults::none).surface(); }
 
 Function read_function(std::string_view text, const std::string& file) {
-    return read_json(text, file, [](const JsonNode& root) {
-        if (!root.has("function")) root.refuse("no function, which could be sampled in other ways");
-        expect_surface(root, true);
-        Function function;
-        if (root.has("name")) function.name = root.at("name").text();
-        function.area = root.at("window").window();
-        function.surface = read_function_surface(root, function.area);
-        function.file = root.object().dump();
-        samples_of(on_each_column(function.surface), root);
-        return function;
-    });
+    return read_json(text, file, [](const JsonNode& root) { return SurfaceReader(root).function(); });
 }
 
 std::string surface_json(const Surface& surface) {

@@ -26,14 +26,18 @@ std::size_t sample_count(const CurveScene& curves);
 /// Over how many columns they are together.
 std::size_t column_count(const CurveScene& curves);
 
-/// Whether a scene file says that it is one of these.
+/// Whether a scene file is one of these, by what is in it.
 bool is_surface(std::string_view text);
 
-/// `text` is the JSON, `file` its name in messages. Of a function its samples remain. Throws Refused.
+/// `text` is the JSON, `file` its name in messages. Of a function its samples remain. Format, name and window have defaults: the window is
+/// what the samples reach over. Throws Refused, with a line for each fault.
 Surface read_surface(std::string_view text, const std::string& file);
 
-/// The same of a surface inside another document; the messages have no file.
+/// The same of a surface inside another document. Throws Misread.
 Surface read_surface(const JsonNode& node);
+
+/// A surface with its window and its samples, as in the header of a trace. Throws Misread.
+Surface read_whole_surface(const JsonNode& node);
 
 /// A surface that is given as a function, which may be sampled in other ways.
 struct Function {

@@ -62,8 +62,9 @@ MappedDepth read_depth(const JsonNode& node) {
 }
 
 MappedDecision read(const JsonNode& root) {
+    root.object();
+    root.expect_format(format);
     root.require_keys({"format", "p", "step"}, {"name", "orientation", "surround", "clip", "depth"});
-    if (root.at("format").text() != format) root.at("format").refuse("not \"vidno-question/1\"");
     MappedDecision decision{};
     if (root.has("name")) decision.name = root.at("name").text();
     decision.p = root.at("p").pair();

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "check/check.h"
+#include "choice/method.h"
 #include "scene/snapped_scene.h"
 
 namespace vidno {
@@ -118,15 +120,19 @@ Tally with_pixels(Tally tally, std::size_t pixels, std::size_t wrong_pixels) {
     return tally;
 }
 
-Tally look_at_decisions(const RunRequest& request) {
-    const CheckReport report = check_run(request, right_picture(request.scene));
-    const Area& area = request.scene.area;
-    Tally tally = with_pixels({}, std::size_t(area.width) * std::size_t(area.height), report.wrong_pixels);
+Tally with_decisions(Tally tally, const DecisionReport& report) {
     for (const auto& each : report.procedures) {
         tally.decisions += each.decisions - each.undefined;
         tally.wrong_decisions += each.wrong_for_scene;
     }
     return tally;
+}
+
+Tally look_at_decisions(const RunRequest& request) {
+    const CheckReport report = check_run(request, right_picture(request.scene, request.method));
+    const Area& area = request.scene.area;
+    Tally tally = with_pixels({}, std::size_t(area.width) * std::size_t(area.height), report.wrong_pixels);
+    return with_decisions(tally, report);
 }
 
 Tally look_at_windows(RunRequest request) {
@@ -144,8 +150,8 @@ Pictures pictures_of(const Series& series, Method method, const NamedKernel& ker
     return pictures;
 }
 
-Pictures exact_pictures_of(const Series& series) {
-    return pictures_of(series, Method::zbuffer, *kernel_named("exact"));
+Pictures exact_pictures_of(const Series& series, Method method) {
+    return pictures_of(series, reference_of(method), *kernel_named("exact"));
 }
 
 /// The colours at the centres of the family's area: of a picture k times as large, each k-th pixel of each k-th row.
@@ -173,6 +179,12 @@ Tally look_at_pixels(const Pictures& pictures, const Pictures& right) {
         }
     }
     return tally;
+}
+
+/// Whether the kernel runs the method, and the method takes the scenes.
+bool takes(Method method, const NamedKernel& kernel, const Series& series) {
+    return kernel.choice->runs(method, Edition::corrected) &&
+           std::none_of(series.begin(), series.end(), [&](const Scene& scene) { return refusal_of(method, scene); });
 }
 
 Series snapped(Series series, int bits) {
@@ -214,23 +226,46 @@ Tally& Tally::operator+=(const Tally& other) {
 }
 
 Tallies try_out(const Experiment& experiment, const Series& series, const std::vector<NamedKernel>& kernels,
-                const std::vector<Method>& methods) {
+                const std::vector<TriedMethod>& methods) {
     const bool at_all_pixels = experiment.kind == swept || experiment.kind == changed;
-    const auto right_of = [&](const Series& of) { return at_all_pixels ? exact_pictures_of(of) : Pictures(); };
-    const Pictures right = right_of(series);
+    Tallies tallies;
+    // Of the series as it is, by the method whose exact picture it is: most methods paint the same.
+    std::map<Method, Pictures> right_as_given;
+    for (const auto& kernel : kernels) {
+        const Series own = kernel.snaps() ? snapped(series, kernel.parameter) : series;
+        std::map<Method, Pictures> right_of_own;
+        auto& right = kernel.snaps() ? right_of_own : right_as_given;
+        const auto right_of = [&](Method method) -> const Pictures& {
+            const auto [found, is_new] = right.try_emplace(reference_of(method));
+            if (is_new && at_all_pixels) found->second = exact_pictures_of(own, method);
+            return found->second;
+        };
+        for (const TriedMethod& method : methods) {
+            tallies.emplace_back();
+            if (!method || !takes(*method, kernel, own)) continue;
+            const RunRequest request{*method, kernel, Edition::corrected, own.front()};
+            switch (experiment.kind) {
+                case moved: tallies.back() = look_at_decisions(request); break;
+                case swept:
+                case changed:
+                    tallies.back() = look_at_pixels(pictures_of(own, *method, kernel), right_of(*method));
+                    break;
+                case grown: tallies.back() = look_at_windows(request); break;
+            }
+        }
+    }
+    return tallies;
+}
+
+Tallies try_out(const CurveScene& scene, const std::vector<NamedKernel>& kernels,
+                const std::vector<TriedMethod>& methods) {
     Tallies tallies;
     for (const auto& kernel : kernels) {
-        const bool snaps = kernel.snaps();
-        const Series own = snaps ? snapped(series, kernel.parameter) : series;
-        const Pictures own_right = snaps ? right_of(own) : right;
-        for (const Method method : methods) {
-            const RunRequest request{method, kernel, Edition::corrected, own.front()};
-            switch (experiment.kind) {
-                case moved: tallies.push_back(look_at_decisions(request)); break;
-                case swept:
-                case changed: tallies.push_back(look_at_pixels(pictures_of(own, method, kernel), own_right)); break;
-                case grown: tallies.push_back(look_at_windows(request)); break;
-            }
+        for (const TriedMethod& method : methods) {
+            tallies.emplace_back();
+            if (method || !kernel.choice->runs_floating_horizon(Edition::corrected)) continue;
+            const auto report = check_run(FloatingHorizonRequest{kernel, Edition::corrected, scene});
+            tallies.back() = with_decisions(with_pixels({}, report.columns, report.wrong_columns), report);
         }
     }
     return tallies;

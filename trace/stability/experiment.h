@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -55,8 +56,16 @@ inline constexpr std::array<std::string_view, 4> kind_names{"moved", "swept", "c
 
 extern const std::array<Experiment, 21> experiments;
 
-/// Runs a trial. Throws Refused if a scene is too wide for `grid`.
+/// A method of polygons, or none for the floating horizon.
+using TriedMethod = std::optional<Method>;
+
+/// Runs a trial. A method counts nothing under a kernel that does not run it, and of a scene that it does not take. Throws
+/// Refused if a scene is too wide for `grid`.
 Tallies try_out(const Experiment& experiment, const std::vector<Scene>& series, const std::vector<NamedKernel>& kernels,
-                const std::vector<Method>& methods);
+                const std::vector<TriedMethod>& methods);
+
+/// The same of curves: their columns count as pixels.
+Tallies try_out(const CurveScene& scene, const std::vector<NamedKernel>& kernels,
+                const std::vector<TriedMethod>& methods);
 
 }  // namespace vidno

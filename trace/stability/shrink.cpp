@@ -127,4 +127,36 @@ Scene shrunk(Scene scene, const Property& keeps) {
     }
 }
 
+CurveScene shrunk(CurveScene scene, const std::function<bool(const CurveScene&)>& keeps) {
+    const auto with_curves = [&](const std::vector<Curve>& curves) { return CurveScene{scene.area, curves}; };
+    const auto with_samples = [&](std::size_t curve, const std::vector<Sample>& samples) {
+        CurveScene candidate = scene;
+        candidate.curves[curve].samples = samples;
+        return candidate;
+    };
+    for (;;) {
+        const CurveScene before = scene;
+        scene =
+            with_curves(least_sublist(scene.curves, [&](const auto& curves) { return keeps(with_curves(curves)); }));
+        for (std::size_t curve = 0; curve < scene.curves.size(); ++curve) {
+            scene = with_samples(curve, least_sublist(scene.curves[curve].samples, [&](const auto& samples) {
+                                     return samples.size() >= 2 && keeps(with_samples(curve, samples));
+                                 }));
+            for (std::size_t i = 0; i < scene.curves[curve].samples.size(); ++i) {
+                const double value = scene.curves[curve].samples[i].y;
+                const int most = binary_places(value);
+                for (int places = 0; places < most; ++places) {
+                    auto samples = scene.curves[curve].samples;
+                    samples[i].y = snapped(value, places);
+                    const CurveScene candidate = with_samples(curve, samples);
+                    if (!keeps(candidate)) continue;
+                    scene = candidate;
+                    break;
+                }
+            }
+        }
+        if (scene == before) return scene;
+    }
+}
+
 }  // namespace vidno

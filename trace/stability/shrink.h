@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "vidno/floating_horizon/curves.h"
 #include "vidno/scene.h"
 
 namespace vidno {
@@ -19,6 +20,9 @@ using Property = std::function<bool(const Scene&)>;
 /// Gives   one that has it too, and loses it if any polygon or any vertex is left out, or any coordinate rounded to fewer
 ///         binary places.
 Scene shrunk(Scene scene, const Property& keeps);
+
+/// The same of curves: no curve, no sample and no binary place of a height can be spared.
+CurveScene shrunk(CurveScene scene, const std::function<bool(const CurveScene&)>& keeps);
 
 /// The same with polygons and vertices alone, coordinates as they are.
 Scene with_fewest_parts(Scene scene, const Property& keeps);

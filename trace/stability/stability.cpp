@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "choice/method.h"
 #include "output.h"
 #include "refused.h"
 
@@ -15,19 +16,14 @@ using Json = nlohmann::ordered_json;
 
 // ------------------------------------------------------------------------------------- what the names stand for
 
-const Family& family_of(const std::string& name) {
-    const auto found = std::find_if(families.begin(), families.end(), [&](auto& each) { return each.name == name; });
-    if (found == families.end()) throw Refused("there is no family " + name);
-    return *found;
-}
-
 NamedKernel kernel_of(const std::string& name) {
     const auto kernel = kernel_named(name);
     if (!kernel) throw Refused("there is no kernel " + name);
     return *kernel;
 }
 
-Method method_of(const std::string& name) {
+TriedMethod method_of(const std::string& name) {
+    if (name == floating_horizon_method) return std::nullopt;
     const auto found = std::find(method_names.begin(), method_names.end(), name);
     if (found == method_names.end()) throw Refused("there is no method " + name);
     return Method(found - method_names.begin());
@@ -58,7 +54,8 @@ std::vector<Block> blocks_of(const Campaign& campaign) {
 }
 
 RandomPolygons random_of(const Campaign& campaign, const Family& family, std::uint64_t trial) {
-    const auto place = &family - families.data();
+    const auto place =
+        family.curves ? std::ptrdiff_t(families.size()) + (&family - curve_families.data()) : &family - families.data();
     std::seed_seq seeds{std::uint32_t(campaign.seed), std::uint32_t(campaign.seed >> 32), std::uint32_t(place),
                         std::uint32_t(trial)};
     return RandomPolygons(std::mt19937(seeds));
@@ -128,16 +125,45 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 }  // namespace
 
+const Family& family_of(const std::string& name) {
+    const auto is_named = [&](const Family& each) { return each.name == name; };
+    const auto found = std::find_if(families.begin(), families.end(), is_named);
+    if (found != families.end()) return *found;
+    const auto of_curves = std::find_if(curve_families.begin(), curve_families.end(), is_named);
+    if (of_curves == curve_families.end()) throw Refused("there is no family " + name);
+    return *of_curves;
+}
+
 Tallies run_block(const Campaign& campaign, const Block& block) {
     const auto kernels = all_of(campaign.kernels, kernel_of);
     const auto methods = all_of(campaign.methods, method_of);
     Tallies sum(tallies_of(campaign));
     for (std::uint64_t trial = block.first; trial < block.end; ++trial) {
         RandomPolygons random = random_of(campaign, *block.family, trial);
-        const auto series = block.experiment->series(*block.family, random, block.experiment->amount);
-        add_to(sum, try_out(*block.experiment, series, kernels, methods));
+        const auto& [kind, how, amount, price, series_of] = *block.experiment;
+        if (block.family->curves) {
+            // Nothing else is done to curves.
+            if (kind != Experiment::Kind::moved) continue;
+            const CurveScene curves = moved_by_ulps(block.family->curves(random), amount, random);
+            add_to(sum, try_out(curves, kernels, methods));
+        } else {
+            add_to(sum, try_out(*block.experiment, series_of(*block.family, random, amount), kernels, methods));
+        }
     }
     return sum;
+}
+
+void for_each_moved(const Campaign& campaign, const Family& family, const std::function<bool(const AnyMoved&)>& use) {
+    for (const auto& experiment : experiments) {
+        if (experiment.kind != Experiment::Kind::moved) continue;
+        for (std::uint64_t trial = 0; trial < campaign.count; ++trial) {
+            RandomPolygons random = random_of(campaign, family, trial);
+            const AnyMoved scene = family.curves
+                                       ? AnyMoved(moved_by_ulps(family.curves(random), experiment.amount, random))
+                                       : AnyMoved(experiment.series(family, random, experiment.amount).front());
+            if (use(scene)) return;
+        }
+    }
 }
 
 Results::Results(Campaign campaign) : campaign_(std::move(campaign)) {

@@ -7,9 +7,11 @@
 /// A last line that was cut short, by a kill, does not count.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "stability/experiment.h"
@@ -33,8 +35,17 @@ struct Block {
     std::uint64_t first, end;
 };
 
+/// The family of that name. Throws Refused if there is none.
+const Family& family_of(const std::string& name);
+
 /// Throws Refused if a scene is too wide for `grid`.
 Tallies run_block(const Campaign& campaign, const Block& block);
+
+/// A scene of polygons, or of curves.
+using AnyMoved = std::variant<Scene, CurveScene>;
+
+/// The scenes of a family's trials that move coordinates, in their order, until `use` says that it has seen enough.
+void for_each_moved(const Campaign& campaign, const Family& family, const std::function<bool(const AnyMoved&)>& use);
 
 /// The finished blocks of a campaign.
 class Results {

@@ -19,6 +19,13 @@
 ///     {"method":"warnock","edition":"corrected","kernel":"double","step":12,"polygon":"A","vertex":2}
 ///     {"format":"vidno-scene/1",...}
 ///
+/// For a failure, its file alone. What is made is a line of JSON:
+///
+///     {"title":{"en":T,"ru":T},"why":W,"remedy":R,"source":S,"step":N|null,"there":A,"fails":RUN,"holds":RUN,"pixel":[x,y]|null}
+///
+/// with texts in both languages, `source` empty where nothing was published, RUN {"method":M,"kernel":K,"edition":E}, and what is seen at
+/// the step in `there`.
+///
 /// To read a trace, its first line; then block after block of whole lines. README.md says why and how fast.
 
 #include <memory>
@@ -27,11 +34,13 @@
 
 #include "check/checked_trace.h"
 #include "check/findings_text.h"
+#include "check/seen_failure.h"
 #include "choice/method.h"
 #include "choice/read_edition.h"
 #include "json/json_node.h"
 #include "margin/margin.h"
 #include "run/write_trace.h"
+#include "scene/failure.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 #include "sign_map/map.h"
@@ -187,7 +196,7 @@ MarginOptions read_margin_options(const JsonNode& root) {
     root.require_keys({"method", "edition", "kernel", "step", "polygon", "vertex"});
     constexpr int most = std::numeric_limits<int>::max();
     return {Method(place_of(root.at("method"), method_names)),
-            Edition(place_of(root.at("edition"), edition_names)),
+            read_edition(root.at("edition")),
             read_kernel(root.at("kernel")),
             std::uint64_t(root.at("step").whole_number(0, most)),
             root.at("polygon").text(),
@@ -220,6 +229,62 @@ void make_map(Live& live) {
          sign_map(read_mapped_decision(std::string(file), "decision"), kernel, side).cells) {
         live.made += char('0' + 3 * place_of(computed) + place_of(exact));
     }
+}
+
+void append_words(Text& out, std::string_view key, const Failure::Words& words) {
+    out += '"';
+    out += key;
+    out += "\":{\"en\":";
+    append_string(out, words.english);
+    out += ",\"ru\":";
+    append_string(out, words.russian);
+    out += "},";
+}
+
+void append_run(Text& out, std::string_view key, const NamedRun& run) {
+    out += '"';
+    out += key;
+    out += "\":{\"method\":";
+    append_string(out, run.method);
+    out += ",\"kernel\":";
+    append_string(out, run.kernel.name());
+    out += ",\"edition\":";
+    append_string(out, name_of(run.edition));
+    out += "},";
+}
+
+/// What a failure says of itself, and where it is seen.
+void make_failure(Live& live) {
+    const Failure failure = read_failure(live.request, "scene");
+    if (!failure.scene) throw Refused("scene: no scene shows it");
+    const SeenFailure found = seen(failure);
+    Text& out = live.made;
+    out += '{';
+    append_words(out, "title", failure.title);
+    append_words(out, "why", failure.why);
+    append_words(out, "remedy", failure.remedy);
+    append_words(out, "there", found.there);
+    append_run(out, "fails", failure.fails);
+    append_run(out, "holds", failure.holds);
+    out += "\"source\":";
+    append_string(out, failure.source);
+    out += ",\"step\":";
+    if (found.step) {
+        append_integer(out, *found.step);
+    } else {
+        out += "null";
+    }
+    out += ",\"pixel\":";
+    if (const auto& pixel = failure.shows.pixel) {
+        out += '[';
+        append_integer(out, pixel->first);
+        out += ',';
+        append_integer(out, pixel->second);
+        out += ']';
+    } else {
+        out += "null";
+    }
+    out += '}';
 }
 
 void open_trace(Live& live) { live.reading = std::make_unique<Reading>(live.request); }
@@ -269,6 +334,8 @@ extern "C" {
 
 /// Makes the margin that is asked for, `vidno-margin/1`, or is refused likewise.
 [[clang::export_name("margin")]] bool vidno_margin() { return vidno::make(vidno::make_margin); }
+/// Makes what there is to say of a failure, as JSON, or is refused likewise.
+[[clang::export_name("failure")]] bool vidno_failure() { return vidno::make(vidno::make_failure); }
 
 /// Begins to read the trace of which the request is the first line. False if it was refused.
 [[clang::export_name("open")]] bool vidno_open() { return vidno::make(vidno::open_trace); }

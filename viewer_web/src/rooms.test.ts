@@ -39,6 +39,7 @@ const rooms = [
   'floating-horizon',
   'player',
   'compare',
+  'atlas',
   'reader',
   'app',
 ];

@@ -3,7 +3,9 @@
 #include <filesystem>
 
 #include "chart/chart.h"
+#include "check/seen_failure.h"
 #include "cli/shared/run_options.h"
+#include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
 #include "event_table/joined_texts.h"
 #include "figure/encoded.h"
@@ -11,7 +13,7 @@
 #include "figure/figure_words.h"
 #include "figure/map_figure.h"
 #include "format/trace_reader.h"
-#include "json/json_node.h"
+#include "json/document_format.h"
 #include "lesson/event_lines.h"
 #include "lesson/lesson.h"
 #include "output.h"
@@ -212,10 +214,28 @@ ToldSteps pinned_step(const FigureOptions& options) {
     return {LineReader::of_text(std::move(text)), {*search.step()}};
 }
 
+/// A failure is traced as it fails, and drawn where it is seen if no other step is asked for.
+ToldSteps failure_steps(const FigureOptions& options) {
+    const Failure failure = read_failure(read_file(options.input), options.input);
+    say(failure, options.input);
+    std::string text;
+    write_failing_run(failure, [&](std::string_view part) { text += part; });
+    std::vector<std::uint64_t> steps;
+    if (options.step) {
+        steps = {*options.step};
+    } else if (!options.steps.empty()) {
+        steps = steps_of(options.steps);
+    } else if (const auto step = seen(failure).step) {
+        steps = {*step};
+    }
+    return {LineReader::of_text(std::move(text)), steps};
+}
+
 ToldSteps told_steps(const FigureOptions& options) {
     const bool is_lesson = std::filesystem::is_directory(options.input);
     if (is_lesson != !options.pin.empty()) refuse(options.input, "--pin is of a folder of a lesson, and needed there");
     if (is_lesson) return pinned_step(options);
+    if (options.input.ends_with(".json")) return failure_steps(options);
     LineReader lines(options.input);
     if (options.step) return {std::move(lines), {*options.step}};
     if (!options.steps.empty()) return {std::move(lines), steps_of(options.steps)};
@@ -297,12 +317,13 @@ std::string drawn_chart(const FigureOptions& options, const std::string& text) {
 
 void add_figure_options(CLI::App& command, FigureOptions& options) {
     command
-        .add_option("TRACE|LESSON|DECISION|CHART", options.input,
-                    "A trace, .jsonl or .jsonl.gz, - for standard input; the folder of a lesson; or a decision to be "
-                    "mapped or a "
-                    "chart, .json")
+        .add_option(
+            "TRACE|LESSON|FAILURE|DECISION|CHART", options.input,
+            "A trace, .jsonl or .jsonl.gz, - for standard input; the folder of a lesson; or, .json, a failure, a "
+            "decision to be mapped or a chart")
         ->required();
-    auto* step = command.add_option("--step", options.step, "After so many events; without it, at the end");
+    auto* step =
+        command.add_option("--step", options.step, "After so many events [at the end; of a failure where it is seen]");
     auto* steps = command.add_option("--steps", options.steps, "A film strip: N,M,... or A..B or A..B:BY");
     command.add_option("--pin", options.pin, "Of a lesson: the step of this pin")->excludes(step)->excludes(steps);
     steps->excludes(step);
@@ -344,6 +365,7 @@ std::string drawn_figure(const FigureOptions& options) {
     format_of(options.output);
     if (!options.input.ends_with(".json")) return drawn_trace(options);
     const std::string text = read_file(options.input);
+    if (is_failure(text)) return drawn_trace(options);
     if (is_surface(text)) throw Refused(options.input + ": a surface; vidno render draws it, and a figure its trace");
     return (document_format(text) == "vidno-chart/1" ? drawn_chart : drawn_map)(options, text);
 }

@@ -27,18 +27,18 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
                      const std::vector<std::string>& methods) {
     command.add_option("SCENE", options.scene, scene)->required();
     command.add_option("--method", options.method, method)->check(CLI::IsMember(methods));
-    command.add_option("--kernel", options.kernel, "Which arithmetic decides")
-        ->check(a_kernel())
-        ->capture_default_str();
-    command.add_option("--edition", options.edition, "Which text of the procedures: see vidno methods")
+    command.add_option("--kernel", options.kernel, "Which arithmetic decides [double]")->check(a_kernel());
+    command.add_option("--edition", options.edition, "Which text of the procedures: see vidno methods [corrected]")
         ->check(an_edition())
-        ->type_name("EDITION")
-        ->capture_default_str();
+        ->type_name("EDITION");
 }
 
 void add_any_run_options(CLI::App& command, RunOptions& options) {
-    add_run_options(command, options, "A scene file, vidno-scene/1 or vidno-surface/1; - for standard input",
-                    "Which algorithm [warnock, of a surface floating-horizon]", all_methods());
+    add_run_options(
+        command, options,
+        "A scene file, vidno-scene/1 or vidno-surface/1, or a failure, vidno-failure/1, which is run as it fails where "
+        "the options do not say otherwise; - for standard input",
+        "Which algorithm [warnock, of a surface floating-horizon]", all_methods());
 }
 
 namespace {
@@ -75,7 +75,7 @@ void expect_text(const NamedKernel& kernel, Edition edition) {
 }  // namespace
 
 NamedKernel kernel_of(const RunOptions& options) {
-    const NamedKernel kernel = *kernel_named(options.kernel);
+    const NamedKernel kernel = *kernel_named(options.kernel_name());
     expect_run(kernel, method_of(options), edition_of(options));
     return kernel;
 }
@@ -85,7 +85,7 @@ RunRequest request_of(const RunOptions& options, const NamedKernel& kernel, cons
 }
 
 FloatingHorizonRequest request_of(const RunOptions& options, const Surface& surface) {
-    const NamedKernel kernel = *kernel_named(options.kernel);
+    const NamedKernel kernel = *kernel_named(options.kernel_name());
     expect_floating_horizon_run(kernel, edition_of(options));
     return {kernel, edition_of(options), surface.curves, detail_of(options)};
 }

@@ -13,10 +13,14 @@
 
 namespace vidno::cli {
 
+/// What is not said is that of the failure, if the file is one; else as the help of the options says.
 struct RunOptions {
     std::string scene;
-    std::optional<std::string> method;  // none: warnock, of a surface floating-horizon
-    std::string kernel = "double", edition = "corrected", detail = "signs";
+    std::optional<std::string> method, kernel, edition;
+    std::string detail = "signs";
+
+    std::string kernel_name() const { return kernel.value_or("double"); }
+    std::string edition_name() const { return edition.value_or("corrected"); }
 };
 
 /// The names as CLI11 takes them.
@@ -43,7 +47,7 @@ std::size_t place_in(const auto& names, const std::string& name) {
 inline Method method_of(const RunOptions& options) {
     return Method(place_in(method_names, options.method.value_or("warnock")));
 }
-inline Edition edition_of(const RunOptions& options) { return *edition_named(options.edition); }
+inline Edition edition_of(const RunOptions& options) { return *edition_named(options.edition_name()); }
 inline Detail detail_of(const RunOptions& options) { return Detail(place_in(detail_names, options.detail)); }
 
 /// The kernel of the options, if it runs their method and edition.

@@ -2,41 +2,97 @@
 
 #include <iostream>
 
+#include "check/seen_failure.h"
 #include "choice/method.h"
 #include "cli/shared/progress.h"
+#include "json/json_node.h"
 #include "output.h"
+#include "scene/failure.h"
 #include "scene/scene_json.h"
 #include "scene/snapped_scene.h"
 
 namespace vidno::cli {
 
-Scene scene_of(std::string_view text, const std::string& file) {
+namespace {
+
+struct Read {
+    AnyScene scene;
+    std::optional<Failure> failure;
+};
+
+/// Where it is seen when it is run as it fails.
+void say_step(const Failure& failure, const std::string& file) {
+    const SeenFailure found = seen(failure);
+    std::cerr << file << ": " << (found.step ? "step " + std::to_string(*found.step) + ": " : "") << found.there.english
+              << '\n';
+}
+
+Read read(std::string_view text, const std::string& file) {
+    if (is_surface(text)) return {read_surface(text, file), {}};
+    if (is_failure(text)) {
+        Failure failure = read_failure(text, file);
+        for (const auto& warning : failure.warnings) std::cerr << warning << '\n';
+        say(failure, file);
+        AnyScene scene = *failure.scene;
+        return {std::move(scene), std::move(failure)};
+    }
     Progress progress;
     progress.say("reading " + file);
-    try {
-        auto [scene, warnings] = read_scene(text, file);
-        progress.clear();
-        for (const auto& warning : warnings) std::cerr << warning << '\n';
-        return scene;
-    } catch (const Refused&) {
-        if (!is_surface(text)) throw;
-        throw Refused(file + ": a surface, and this command takes scenes of polygons, vidno-scene/1");
-    }
+    auto [scene, warnings] = read_scene(text, file);
+    progress.clear();
+    for (const auto& warning : warnings) std::cerr << warning << '\n';
+    return {std::move(scene), {}};
+}
+
+/// Whether nothing was said that would have a failure run otherwise than it fails.
+bool are_of(const RunOptions& options, const NamedRun& run) {
+    return options.method == run.method && options.kernel == run.kernel.name() && edition_of(options) == run.edition;
+}
+
+}  // namespace
+
+void say(const Failure& failure, const std::string& file) {
+    std::cerr << file << ": " << failure.title.english << '\n'
+              << file << ": remedy: " << failure.remedy.english << '\n';
+    if (!failure.scene) throw Refused(file + ": no scene shows it: see the test \"" + failure.test + '"');
+}
+
+Scene scene_of(std::string_view text, const std::string& file) {
+    AnyScene any = read(text, file).scene;
+    if (auto* scene = std::get_if<Scene>(&any)) return std::move(*scene);
+    throw Refused(file + ": a surface, and this command takes scenes of polygons, vidno-scene/1");
 }
 
 Scene scene_from(const std::string& file) { return scene_of(read_file(file), file); }
 
-AnyScene any_scene_from(const std::string& file, const std::optional<std::string>& method) {
-    const std::string text = read_file(file);
-    if (is_surface(text)) {
-        if (method && *method != floating_horizon_method) {
-            throw Refused(file + ": a surface, which only --method " + std::string(floating_horizon_method) + " draws");
-        }
-        return read_surface(text, file);
+AnyScene any_scene_from(const std::string& file) { return read(read_file(file), file).scene; }
+
+AnyScene any_scene_for(RunOptions& options, bool says_step) {
+    const std::string& file = options.scene;
+    auto [scene, failure] = read(read_file(file), file);
+    if (failure) {
+        const NamedRun& run = failure->fails;
+        if (!options.method) options.method = run.method;
+        if (!options.kernel) options.kernel = run.kernel.name();
+        if (!options.edition) options.edition = name_of(run.edition);
+        if (says_step && are_of(options, run)) say_step(*failure, file);
     }
-    if (method == floating_horizon_method)
-        throw Refused("--method " + *method + ": " + file + " is no surface, vidno-surface/1");
-    return scene_of(text, file);
+    const bool is_of_curves = std::holds_alternative<Surface>(scene);
+    const std::string curves(floating_horizon_method);
+    if (is_of_curves && options.method && *options.method != curves) {
+        throw Refused(file + ": a surface, which only --method " + curves + " draws");
+    }
+    if (!is_of_curves && options.method == curves) {
+        throw Refused("--method " + curves + ": " + file + " is no surface, vidno-surface/1");
+    }
+    return std::move(scene);
+}
+
+std::string scene_text_in(const std::string& file) {
+    std::string text = read_file(file);
+    if (!is_failure(text)) return text;
+    read(text, file);
+    return parse_json(text).at("scene").dump();
 }
 
 Scene scene_for(const NamedKernel& kernel, Scene scene, const std::string& file) {

@@ -6,6 +6,10 @@ import { memory } from '../base/memory.js';
 import type { StatePart } from '../algorithm/state-part.js';
 import type { PageView } from '../base/page-view.js';
 import { plain } from '../base/setting.js';
+import '../atlas/failure-note.js';
+import type { Entry } from '../atlas/entries.js';
+import '../atlas/gallery.js';
+import type { GalleryElement } from '../atlas/gallery.js';
 import '../compare/comparison-element.js';
 import type { ComparisonElement } from '../compare/comparison-element.js';
 import { withOf } from '../compare/rival.js';
@@ -43,6 +47,7 @@ import { Reading } from './reading.js';
 import { Session } from './session.js';
 import { share } from './sharing.js';
 import './tour.js';
+import { atlas, failing } from './failing.js';
 import { alone, besides, ownSurface } from './stage.js';
 import type { Shown } from './stage.js';
 
@@ -63,6 +68,7 @@ export class AppElement extends LitElement implements Shown, Told {
   @query('vidno-player') private player!: PlayerElement;
   @query('vidno-comparison') private comparison!: ComparisonElement | null;
   @query('vidno-rival-choice') private choice!: RivalChoiceElement;
+  @query('vidno-gallery') private gallery!: GalleryElement;
   @query('vidno-discard') readonly discard!: DiscardElement;
 
   @state() private isAtContents = false;
@@ -132,7 +138,13 @@ export class AppElement extends LitElement implements Shown, Told {
 
   /** Keys that were pressed outside the player are passed on to it. */
   private readonly onKey = (event: KeyboardEvent): void => {
-    if (this.choice.open || this.discard.open || this.session.live.handleKey(event)) return;
+    if (
+      this.choice.open ||
+      this.discard.open ||
+      this.gallery.open ||
+      this.session.live.handleKey(event)
+    )
+      return;
     if (event.key === 'Escape' && this.isAtContents) {
       this.isAtContents = false;
       event.preventDefault();
@@ -341,7 +353,8 @@ export class AppElement extends LitElement implements Shown, Told {
       >
       <main>
         <h2 class="on-paper">${trace === null ? '' : this.name}</h2>
-        ${notices(session, language)} ${alone(this)} ${isCompared ? besides(this) : nothing}
+        ${notices(session, language)} ${failing(this)} ${alone(this)}
+        ${isCompared ? besides(this) : nothing}
         ${this.isOpening ? nothing : invitation(session, language)}
       </main>
       ${this.hasText ? reader(this) : nothing}
@@ -356,6 +369,7 @@ export class AppElement extends LitElement implements Shown, Told {
           .texts=${page}
           @file=${({ detail }: CustomEvent<File>) => this.ways.replace(() => this.openFile(detail))}
         ></vidno-file-drop>
+        ${atlas(session, language, () => void this.gallery.show())}
         ${ownSurface(session, language, (name) => void this.ways.replace(() => this.openSurface(name)))}
         ${this.isReading ? html`<button @click=${() => this.showAround()}>${texts[language].tour.again}</button>` : nothing}
       </nav>
@@ -367,8 +381,20 @@ export class AppElement extends LitElement implements Shown, Told {
         @with=${({ detail }: CustomEvent<With>) => rival.choose(detail)}
       ></vidno-rival-choice>
       ${this.isToured ? this.tour() : nothing}
+      <vidno-gallery
+        .language=${language}
+        .library=${session.library}
+        @choose=${({ detail }: CustomEvent<Entry>) => this.ways.replace(() => this.openFailure(detail))}
+      ></vidno-gallery>
       <vidno-discard .language=${language} .name=${live.editing?.sketch.name ?? ''}></vidno-discard>
     `;
+  }
+
+  private openFailure({ text, name }: Entry): void {
+    this.ways.leave();
+    this.reading.close();
+    this.session.rival.choose(null);
+    void this.session.openFailure(text, name);
   }
 
   private openSurface(name: string): void {

@@ -21,7 +21,9 @@ import type { Notice } from '../run/notice.js';
 import { usual } from '../run/options.js';
 import type { Options } from '../run/options.js';
 import { optionsOf, unpacked } from '../run/packed.js';
-import { isScene } from '../run/scene-file.js';
+import { Failures } from '../run/failures.js';
+import type { Failure } from '../run/failures.js';
+import { kindOf, kindOfFile } from '../run/file-kind.js';
 import { SignMaps } from '../run/sign-maps.js';
 import { firstSurface, isSurface, surfaceText } from '../run/surface.js';
 import { ownStep } from '../time/own-step.js';
@@ -41,6 +43,8 @@ export class Session implements ReactiveController {
   /** The reader's own file, where one is open. */
   file: Blob | null = null;
   notice: Notice | null = null;
+  /** The failure whose scene is open. */
+  failure: Failure | null = null;
   /** What was shown before the scene was changed last. */
   earlier: Trace | null = null;
   readonly live: Live;
@@ -50,9 +54,12 @@ export class Session implements ReactiveController {
   readonly margins: Margins | null;
   readonly rival: Rival;
   readonly witness: Witness;
+  private readonly failures: Failures | null;
 
   /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
   private goal: Place | null = null;
+  /** The failure whose scene is about to be run. */
+  private next: Failure | null = null;
   /** The name of what was asked for last, which may be refused. */
   private asked = '';
   private stopReading = (): void => undefined;
@@ -60,7 +67,7 @@ export class Session implements ReactiveController {
   constructor(
     host: ReactiveControllerHost,
     private readonly changed: () => void,
-    private readonly library = embeddedLibrary(document),
+    readonly library = embeddedLibrary(document),
   ) {
     host.addController(this);
     // Before it is needed: a long trace is then read at once.
@@ -68,6 +75,7 @@ export class Session implements ReactiveController {
     this.maps = library && new SignMaps(library);
     this.checks = library && new Checks(library, changed);
     this.margins = library && new Margins(library, changed);
+    this.failures = library && new Failures(library);
     this.exact = new ExactPicture(library, changed);
     this.rival = new Rival(library, changed);
     this.witness = new Witness(library, changed);
@@ -117,13 +125,55 @@ export class Session implements ReactiveController {
     const { file: name, ...run } = chosen;
     const file = embeddedFile(document, name);
     if (file === null) return;
-    if (!name.endsWith('.json')) this.open(file, name, idOf(chosen), place);
-    else this.openScene(await textOf(file), name, { check: false, ...run }, place);
+    if (!name.endsWith('.json')) {
+      this.open(file, name, idOf(chosen), place);
+      return;
+    }
+    const text = await textOf(file);
+    if (kindOf(text) === 'failure') await this.openFailure(text, name);
+    else this.openScene(text, name, { check: false, ...run }, place);
   }
 
   async openFile(file: File): Promise<void> {
-    if (await isScene(file)) this.openOwn(await textOf(file), file.name);
-    else this.open(file, file.name, null, beginning);
+    const kind = await kindOfFile(file);
+    if (kind === 'trace') this.open(file, file.name, null, beginning);
+    else if (kind === 'chart') this.say({ kind, name: file.name });
+    else if (kind === 'failure') await this.openFailure(await textOf(file), file.name);
+    else this.openOwn(await textOf(file), file.name);
+  }
+
+  /** Runs the scene of a failure as it fails, and goes to where that is seen. */
+  async openFailure(text: string, name: string): Promise<void> {
+    this.stopReading();
+    this.say({ kind: 'reading', name });
+    const found = await this.failures?.find(text);
+    if (found === undefined) {
+      this.fail(name, null);
+      return;
+    }
+    if ('messages' in found) {
+      this.say({ kind: 'refused', name, messages: found.messages });
+      return;
+    }
+    const { failure } = found;
+    const { scene, fails, step, pixel } = failure;
+    this.openScene(scene, name, fails, { ...beginning, step: step ?? Infinity, pixel }, failure);
+  }
+
+  /** The scene of the failure that is open stays, as any scene. */
+  forgetFailure(): void {
+    this.failure = null;
+    this.changed();
+  }
+
+  /** The run that fails beside the one that holds, or alone again. */
+  compareWithRemedy(): void {
+    const { failure, rival } = this;
+    if (failure === null) return;
+    const { holds: options, holdsScene } = failure;
+    if (rival.chosen !== null) rival.choose(null);
+    else if (holdsScene === null) rival.choose({ kind: 'run', options });
+    else rival.choose({ kind: 'other', options, scene: holdsScene });
   }
 
   /** Begins with a surface, of the page's own choice, that is given by a function. */
@@ -172,10 +222,17 @@ export class Session implements ReactiveController {
     this.changed();
   }
 
-  private openScene(text: string, name: string, options: Options, place: Place): void {
+  private openScene(
+    text: string,
+    name: string,
+    options: Options,
+    place: Place,
+    failure: Failure | null = null,
+  ): void {
     this.stopReading();
     this.asked = name;
     this.goal = place;
+    this.next = failure;
     if (this.live.load(text, options)) this.say(null);
     else this.fail(name, null);
   }
@@ -186,9 +243,15 @@ export class Session implements ReactiveController {
     const atEnd = this.steps > 0 && this.place.step === this.steps;
     const old = this.trace?.timeline ?? trace.timeline;
     const step = atEnd ? length : ownStep(old, this.place.step, trace.timeline);
-    if (this.goal !== null) this.earlier = null;
+    const { goal } = this;
+    if (goal !== null) {
+      this.earlier = null;
+      this.failure = this.next;
+      this.next = null;
+    }
     this.file = null;
-    this.show(trace, trace.header.scene.name, null, this.goal ?? { ...this.place, step });
+    const place = goal === null ? { step } : { ...goal, step: Math.min(goal.step, length) };
+    this.show(trace, trace.header.scene.name, null, { ...this.place, ...place });
     this.goal = null;
     this.say(noticeOf(trace));
   }
@@ -204,6 +267,7 @@ export class Session implements ReactiveController {
         if (this.trace === trace) this.steps = length;
         else if (trace.complete || length >= place.step) {
           this.file = lesson === null ? file : null;
+          this.failure = null;
           this.show(trace, name, lesson, place);
           this.live.open(trace.header);
         }

@@ -1,6 +1,6 @@
 import { gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
-import { isScene } from '../run/scene-file.js';
+import { kindOfFile } from '../run/file-kind.js';
 import { textOf as traceText, traceOf } from '../testing/traces.js';
 import { textOf, toUtf8 } from './text-file.js';
 
@@ -37,9 +37,9 @@ describe.each(files)('a text in %s', (_name, encoded) => {
 
   it('may be a scene', async () => {
     const scene = '{ "format": "vidno-scene/1", "name": "Ёлка" }';
-    expect(await isScene(blob(encoded(scene)))).toBe(true);
+    expect(await kindOfFile(blob(encoded(scene)))).toBe('scene');
     const trace = traceText('small.zbuffer.signs.jsonl');
-    expect(await isScene(blob(encoded(trace)))).toBe(false);
+    expect(await kindOfFile(blob(encoded(trace)))).toBe('trace');
   });
 });
 

@@ -12,9 +12,13 @@ import { Tracer } from '../run/tracer.js';
 import { eventsOf } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
 
-/** What to hold a run against: its scene run otherwise, as it was before the last change, a lesson's trace, or a file. */
+/**
+ * What to hold a run against: its scene run otherwise, another scene, as it was before the last change, a lesson's trace, or a
+ * file.
+ */
 export type With =
   | { readonly kind: 'run'; readonly options: Options }
+  | { readonly kind: 'other'; readonly options: Options; readonly scene: string }
   | { readonly kind: 'before'; readonly trace: Trace }
   | { readonly kind: 'lesson'; readonly lesson: LessonTrace }
   | { readonly kind: 'file'; readonly file: File };
@@ -46,7 +50,7 @@ export class Rival {
     private readonly changed: () => void,
   ) {
     const take = (trace: Trace | null, messages: string): void => {
-      if (this.chosen?.kind !== 'run') return;
+      if (this.chosen?.kind !== 'run' && this.chosen?.kind !== 'other') return;
       if (trace === null) this.say({ kind: 'refused', name: this.name, messages });
       else this.show(trace);
     };
@@ -73,6 +77,7 @@ export class Rival {
     this.ran = '';
     this.chosen = chosen;
     if (chosen?.kind === 'run') this.run();
+    else if (chosen?.kind === 'other') this.tracer?.run(chosen.scene, chosen.options);
     else if (chosen?.kind === 'before') this.show(chosen.trace);
     else if (chosen?.kind === 'file') this.open(chosen.file, chosen.file.name);
     else if (chosen?.kind === 'lesson') {

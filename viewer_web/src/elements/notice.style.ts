@@ -2,7 +2,7 @@ import { css } from 'lit';
 
 /** One line about a file. */
 export const noticeStyle = css`
-  p:is(.reading, .failed, .refused, .unknown, .shortened) {
+  p:is(.reading, .failed, .refused, .unknown, .chart, .shortened) {
     margin-top: 0.3rem;
     padding: 0.45rem 0.7rem;
     border-radius: 6px;
@@ -24,9 +24,16 @@ export const noticeStyle = css`
     font-size: 0.8125rem;
     font-variant-numeric: tabular-nums;
   }
-  p:is(.failed, .refused, .unknown) {
+  p:is(.failed, .refused, .unknown, .chart) {
     background: var(--bad-wash);
     color: var(--bad);
+  }
+  .faults {
+    margin: 0.3rem 0 0;
+    padding-left: 1.6rem;
+    color: var(--bad);
+    font-size: 0.875rem;
+    overflow-wrap: anywhere;
   }
   p.shortened {
     background: var(--warn-wash);

@@ -52,6 +52,9 @@ export interface SceneTexts {
   readonly formula: (reason: string) => string;
   readonly notFiniteAt: (x: number, z: number) => string;
   readonly stands: string;
+  /** A place in the text of a file. */
+  readonly at: (line: number, column: number) => string;
+  readonly missing: (key: string) => string;
   /** Of the library's reasons, those that a drawing can meet. */
   readonly reasons: Readonly<Record<string, string>>;
   readonly more: (n: number) => string;

@@ -11,6 +11,7 @@ import type { NamedEdition } from '../trace/editions.js';
 import type { CommonEvents, Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Corner } from '../trace/values.js';
+import type { AtlasTexts } from './atlas-texts.js';
 import type { CompareTexts } from './compare-texts.js';
 import type { CurveTexts } from './curve-texts.js';
 import type { ExactTexts } from './exact-texts.js';
@@ -77,6 +78,7 @@ export interface Texts {
   readonly verdict: VerdictTexts;
   readonly tour: TourTexts;
   readonly outline: OutlineTexts;
+  readonly atlas: AtlasTexts;
 }
 
 /** What is said of a pixel and of all that concerned it. */
@@ -184,6 +186,9 @@ export interface PageTexts extends FileTexts {
   readonly unknown: (name: string) => string;
   readonly broken: (name: string) => string;
   readonly refusedScene: (name: string, why: string) => string;
+  /** The same before a list of what is wrong. */
+  readonly refusedFor: (name: string) => string;
+  readonly isChart: (name: string) => string;
   readonly emptyFile: (name: string) => string;
   readonly shortened: Readonly<Record<Ended['why'], (line: number) => string>>;
   readonly wrongLine: (line: number, where: string, reason: string) => string;

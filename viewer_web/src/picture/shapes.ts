@@ -58,8 +58,12 @@ export function diamondData([x, y]: Spot, r: number): string {
   return `M${x - r} ${y}l${r} ${-r}l${r} ${r}l${-r} ${r}Z`;
 }
 
+/** A path takes no numbers beyond those of a float. */
+const farthest = 1e30;
+const held = (coordinate: number): number => Math.min(Math.max(coordinate, -farthest), farthest);
+
 /** The `d` of a path through the points. */
 export function pathData(points: readonly (readonly number[])[], closed: boolean): string {
   if (points.length === 0) return '';
-  return `M${points.map(([x = 0, y = 0]) => `${x} ${y}`).join('L')}${closed ? 'Z' : ''}`;
+  return `M${points.map(([x = 0, y = 0]) => `${held(x)} ${held(y)}`).join('L')}${closed ? 'Z' : ''}`;
 }

@@ -10,6 +10,7 @@ interface Exports extends Basics {
   map(): number;
   findings(): number;
   margin(): number;
+  failure(): number;
   made(): number;
   made_size(): number;
   messages(): number;
@@ -68,6 +69,12 @@ export class Library {
   margin(request: string): Outcome<string> {
     const { margin, made, made_size } = this.instance.exports;
     return this.outcome(request, margin, () => this.instance.text(made(), made_size()));
+  }
+
+  /** What there is to say of a failure, as JSON; see `live.cpp`. */
+  failure(request: string): Outcome<string> {
+    const { failure, made, made_size } = this.instance.exports;
+    return this.outcome(request, failure, () => this.instance.text(made(), made_size()));
   }
 
   private outcome<T>(request: string, make: () => number, take: () => T): Outcome<T> {

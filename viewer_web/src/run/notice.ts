@@ -8,7 +8,7 @@ import type { Language } from '../language/language.js';
 import type { Shortened } from '../replay/read.js';
 import { Unreadable } from '../replay/trace.js';
 import type { Trace } from '../replay/trace.js';
-import { whyRefused } from './refusal.js';
+import { faultsOf, inWordsOf, whyRefused } from './refusal.js';
 import { emptySketch } from './sketch.js';
 
 /** What the page has to say about a file. */
@@ -17,6 +17,7 @@ export type Notice =
   | { readonly kind: 'growing'; readonly steps: number; readonly read: number }
   | { readonly kind: 'refused'; readonly name: string; readonly messages: string }
   | { readonly kind: 'unknown'; readonly name: string }
+  | { readonly kind: 'chart'; readonly name: string }
   | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
   | ({ readonly kind: 'shortened' } & Shortened);
 
@@ -31,6 +32,7 @@ const roles = {
   reading: 'status',
   growing: nothing,
   unknown: 'alert',
+  chart: 'alert',
   failed: 'alert',
   refused: 'alert',
   shortened: 'status',
@@ -48,7 +50,17 @@ export class NoticeElement extends LitElement {
     const { notice } = this;
     if (notice === null) return nothing;
     return html`<p class=${notice.kind} role=${roles[notice.kind]}>${this.say(notice)}</p>
-      ${this.stopOf(notice)}`;
+      ${notice.kind === 'refused' ? this.faults(notice.messages) : nothing} ${this.stopOf(notice)}`;
+  }
+
+  /** More than one thing that is wrong with a file. */
+  private faults(messages: string): TemplateResult | typeof nothing {
+    const all = faultsOf(messages);
+    if (all.length < 2) return nothing;
+    const { scene } = texts[this.language];
+    return html`<ul class="faults">
+      ${all.map((fault) => html`<li>${inWordsOf(fault, scene)}</li>`)}
+    </ul>`;
   }
 
   private stopOf({ kind }: Notice): TemplateResult | typeof nothing {
@@ -58,13 +70,22 @@ export class NoticeElement extends LitElement {
     </button>`;
   }
 
+  private sayRefused({ name, messages }: Notice & { readonly kind: 'refused' }): string {
+    const { page, scene } = texts[this.language];
+    const [fault, ...others] = faultsOf(messages);
+    if (fault === undefined || others.length > 0) return page.refusedFor(name);
+    const why =
+      fault.line === null ? whyRefused(messages, emptySketch, scene) : inWordsOf(fault, scene);
+    return page.refusedScene(name, why);
+  }
+
   private say(notice: Notice): string {
     const { page } = texts[this.language];
     if (notice.kind === 'reading') return page.reading(notice.name);
     if (notice.kind === 'unknown') return page.unknown(notice.name);
+    if (notice.kind === 'chart') return page.isChart(notice.name);
     if (notice.kind === 'refused') {
-      const { scene } = texts[this.language];
-      return page.refusedScene(notice.name, whyRefused(notice.messages, emptySketch, scene));
+      return this.sayRefused(notice);
     }
     if (notice.kind === 'growing') {
       const steps = notice.steps.toLocaleString(this.language);

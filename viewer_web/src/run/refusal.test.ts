@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { texts } from '../i18n/index.js';
 import { languages } from '../language/language.js';
-import { refusalOf, whyRefused } from './refusal.js';
+import { faultsOf, inWordsOf, refusalOf, whyRefused } from './refusal.js';
 import { addPolygon, emptySketch } from './sketch.js';
 
 const drawn = addPolygon(emptySketch, [
@@ -14,7 +14,13 @@ it.each([
   ['scene: /polygons/0/vertices: not convex', 'A', 'not convex'],
   ['scene: /polygons/0/vertices/1/2: z outside -1 to 1\n', 'A', 'z outside -1 to 1'],
   ['scene: /window/width: not from 1 to 16384', '/window/width', 'not from 1 to 16384'],
-  ['scene: line 2, column 3: not valid JSON', null, 'line 2, column 3: not valid JSON'],
+  ['scene: line 2, column 3: not valid JSON', null, 'not valid JSON'],
+  ['scene: line 1, column 60: /polygons/0/vertices: not convex', 'A', 'not convex'],
+  [
+    'scene: line 1, column 60: /polygons/0/color: not a string\nscene: line 1, column 80: /name: not a string',
+    'A',
+    'not a string',
+  ],
   ['scene: /polygons/7: twice', '/polygons/7', 'twice'],
   ['scene: polygon my face has no area', 'my face', 'has no area'],
   [
@@ -33,5 +39,23 @@ it('is said in the language of the page, with what it is about', () => {
   expect(languages.map((each) => whyRefused(message, drawn, texts[each].scene))).toEqual([
     'The formula is not finite at x = 0, z = 0.5',
     'Значение формулы не конечно при x = 0, z = 0,5',
+  ]);
+});
+
+it('tells each fault of a file with its place', () => {
+  const faults = faultsOf(
+    'scene: line 3, column 14: /polygons/0/color: not a string\n' +
+      'scene: line 7, column 5: /polygons/1: "vertices" is missing\n' +
+      'scene: line 9, column 1: not valid JSON\n',
+  );
+  expect(faults.map((each) => inWordsOf(each, texts.en.scene))).toEqual([
+    'line 3, column 14: /polygons/0/color: not a string',
+    'line 7, column 5: /polygons/1: “vertices” is missing',
+    'line 9, column 1: not valid JSON',
+  ]);
+  expect(faults.map((each) => inWordsOf(each, texts.ru.scene))).toEqual([
+    'строка 3, символ 14: /polygons/0/color: не строка',
+    'строка 7, символ 5: /polygons/1: нет поля «vertices»',
+    'строка 9, символ 1: это не JSON',
   ]);
 });

@@ -7,19 +7,49 @@ export interface SceneRefusal {
   readonly reason: string;
 }
 
+/** A fault of a file: where it is in the text, if that is known, and in the document. */
+export interface Fault {
+  readonly line: number | null;
+  readonly column: number | null;
+  readonly place: string;
+  readonly reason: string;
+}
+
+/** What the library says of a file that it does not take, a line each. */
+export function faultsOf(messages: string): readonly Fault[] {
+  return messages
+    .split('\n')
+    .map((line) => line.trim().replace(/^(scene|request): /u, ''))
+    .filter((line) => line !== '')
+    .map((line) => {
+      const [, row, column, told = line] = /^line (\d+), column (\d+): (.*)$/su.exec(line) ?? [];
+      const [, place = '', reason = told] = /^(\/\S*): (.*)$/su.exec(told) ?? [];
+      const at = (number: string | undefined): number | null =>
+        number === undefined ? null : Number(number);
+      return { line: at(row), column: at(column), place, reason };
+    });
+}
+
+/** The same in words: where, and what. */
+export function inWordsOf({ line, column, place, reason }: Fault, say: SceneTexts): string {
+  const where = line === null || column === null ? [] : [say.at(line, column)];
+  return [...where, ...(place === '' ? [] : [place]), inWords(reason, say)].join(': ');
+}
+
 /** Without the name of another polygon. */
 const impersonal = (reason: string): string =>
   reason.replace(/ of polygon .* before it/su, ' of another one before it');
 
 /**
- * What the library says of a scene that it does not take, "scene: /polygons/0/vertices: not convex", or that the method does
- * not, "scene: polygon A has no area".
+ * What the library says first of a sketch that it does not take, "scene: line 1, column 60: /polygons/0/vertices: not convex", or
+ * that the method does not, "scene: polygon A has no area". A sketch has no lines.
  */
-export function refusalOf(message: string, { polygons }: Sketch): SceneRefusal {
-  const line = message.trim().replace(/^(scene|request): /u, '');
-  const named = /^polygon (.+?) ((?:has|is|goes) .*)$/su.exec(line);
+export function refusalOf(messages: string, { polygons }: Sketch): SceneRefusal {
+  const [fault] = faultsOf(messages);
+  if (fault === undefined) return { polygon: null, reason: '' };
+  const { place, reason } = fault;
+  const named = /^polygon (.+?) ((?:has|is|goes) .*)$/su.exec(reason);
   if (named !== null) return { polygon: named[1] ?? null, reason: impersonal(named[2] ?? '') };
-  const [, place = '', reason = line] = /^(\/\S*): (.*)$/su.exec(line) ?? [];
   const [, number] = /^\/polygons\/(\d+)/u.exec(place) ?? [];
   const polygon = number === undefined ? undefined : polygons[Number(number)];
   return { polygon: polygon?.id ?? (place === '' ? null : place), reason };
@@ -41,7 +71,9 @@ function ofFormula(reason: string, say: SceneTexts): string {
 }
 
 /** A reason may say first what it is about: "rint: no such function". */
-function inWords(reason: string, { reasons }: SceneTexts): string {
+function inWords(reason: string, { reasons, missing }: SceneTexts): string {
+  const [, lacking] = /^"([^"]+)" is missing$/u.exec(reason) ?? [];
+  if (lacking !== undefined) return missing(lacking);
   const [, about = '', rest = ''] = /^(.*): (.*)$/su.exec(reason) ?? [];
   const known = reasons[rest];
   return reasons[reason] ?? (known === undefined ? reason : `${about}: ${known}`);

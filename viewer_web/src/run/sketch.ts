@@ -1,3 +1,4 @@
+import { palette } from '../trace/editions.js';
 import type { Area, Polygon, Scene } from '../trace/header.js';
 import { surfaceText } from './surface.js';
 import type { Formula } from './surface.js';
@@ -17,9 +18,6 @@ export interface Spot {
   readonly polygon: number;
   readonly vertex: number;
 }
-
-/** Colours that stay apart for colour-blind eyes and in grey: those of the lessons (Okabe and Ito). */
-const palette = ['#e69f00', '#0072b2', '#d55e00', '#56b4e9', '#009e73', '#cc79a7', '#f0e442'];
 
 export const emptySketch: Sketch = {
   name: '',

@@ -34,14 +34,21 @@ export function surfaceText({ name, area, curves, formula }: Sketch): string {
   return JSON.stringify(formula === undefined ? { ...begun, curves } : { ...begun, ...formula });
 }
 
-/** Whether a text is the file of a surface. */
-export function isSurface(text: string): boolean {
+/** The members of a file that is an object. */
+function membersOf(text: string): Readonly<Record<string, unknown>> | null {
   try {
     const file: unknown = JSON.parse(text);
-    return typeof file === 'object' && file !== null && 'format' in file && file.format === format;
+    return typeof file === 'object' && file !== null ? { ...file } : null;
   } catch {
-    return false;
+    return null;
   }
+}
+
+/** Whether a text is the file of a surface, which need not say so. */
+export function isSurface(text: string): boolean {
+  const file = membersOf(text);
+  if (file === null) return false;
+  return 'format' in file ? file['format'] === format : 'curves' in file || 'function' in file;
 }
 
 /** The function of a surface's file that a run was made of; none if it has samples. */

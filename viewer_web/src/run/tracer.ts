@@ -28,9 +28,9 @@ export class Tracer {
     );
   }
 
-  run(scene: Sketch | string, options: Options): void {
+  run(scene: Sketch | string, options: Options, most = mostEvents): void {
     const file = typeof scene === 'string' ? scene : sceneText(scene);
-    this.maker.ask(`${JSON.stringify({ ...options, most_events: mostEvents })}\n${file}`);
+    this.maker.ask(`${JSON.stringify({ ...options, most_events: most })}\n${file}`);
   }
 
   /** What runs and what waits is forgotten. */

@@ -17,6 +17,7 @@ export interface Makes {
   readonly map: string;
   readonly findings: string;
   readonly margin: string;
+  readonly failure: string;
 }
 export type What = keyof Makes;
 

@@ -106,6 +106,9 @@ export function runsUnder(method: MethodName, name: Edition, kernel: string): bo
   return isOfMethod && kernelsOf(method)[like]?.includes(kindOfKernel(kernel)) === true;
 }
 
+/** Colours that stay apart for colour-blind eyes and in grey; a scene that names none takes them in turn. */
+export const palette: readonly string[] = choices.palette;
+
 interface Kernel {
   readonly alwaysRight: boolean;
   readonly snaps: boolean;

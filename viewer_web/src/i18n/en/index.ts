@@ -10,6 +10,7 @@ import {
   whole,
   windowText,
 } from '../../language/words.js';
+import { atlas } from './atlas.js';
 import { bookmarks } from './bookmarks.js';
 import { compare } from './compare.js';
 import { curves } from './curves.js';
@@ -55,4 +56,5 @@ export const texts: Texts = {
   verdict,
   tour,
   outline,
+  atlas,
 };

@@ -20,6 +20,8 @@ export const page: PageTexts = {
   unknown: (name) => `The link names “${name}”, which this page does not contain.`,
   broken: (name) => `${name || 'The scene in the link'} could not be read.`,
   refusedScene: (name, why) => `${name} is not a scene that can be run: ${why}.`,
+  refusedFor: (name) => `${name} is not a scene that can be run:`,
+  isChart: (name) => `${name} is a chart: the page of charts shows it, and vidno figure draws it.`,
   shortened: {
     cut: (line) => `The file breaks off after line ${line}: you see the run up to there.`,
     partial: () => 'The run was stopped by its limit of events: you see its beginning.',

@@ -55,6 +55,8 @@ export const scene: SceneTexts = {
   formula: (reason) => `The formula: ${reason}`,
   notFiniteAt: (x, z) => `The formula is not finite at x = ${short(x)}, z = ${short(z)}`,
   stands: 'Showing the previous run.',
+  at: (line, column) => `line ${line}, column ${column}`,
+  missing: (key) => `“${key}” is missing`,
   reasons: {
     'empty, or with signs that no formula has':
       'empty, or with a character that formulas do not have',

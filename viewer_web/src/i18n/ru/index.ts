@@ -1,4 +1,5 @@
 import type { Texts } from '../../language/texts.js';
+import { atlas } from './atlas.js';
 import { bookmarks } from './bookmarks.js';
 import { compare } from './compare.js';
 import { curves } from './curves.js';
@@ -45,4 +46,5 @@ export const texts: Texts = {
   verdict,
   tour,
   outline,
+  atlas,
 };

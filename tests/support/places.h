@@ -1,0 +1,14 @@
+/// Messages without the places in a text, for tables of what is refused.
+#pragma once
+
+#include <regex>
+#include <string>
+
+namespace vidno::test {
+
+/// Without "line 2, column 13: ", but where a text is no JSON: then the place is all that is said.
+inline std::string without_places(const std::string& message) {
+    return std::regex_replace(message, std::regex("line [0-9]+, column [0-9]+: (?!not valid JSON)"), "");
+}
+
+}  // namespace vidno::test

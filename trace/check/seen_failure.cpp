@@ -1,0 +1,257 @@
+#include "check/seen_failure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "check/judged_run.h"
+#include "choice/method.h"
+#include "run/floating_horizon_run.h"
+#include "run/run.h"
+#include "run/write_trace.h"
+
+namespace vidno {
+
+namespace {
+
+using Words = Failure::Words;
+
+/// A run that goes on for longer shows what it shows before.
+constexpr std::uint64_t most_steps = 20'000;
+
+/// Ends a run that has shown what it had to.
+struct Enough {};
+
+using HearStep = std::function<void(std::uint64_t step, const EventView& event)>;
+
+Method method_of(const NamedRun& run) {
+    return Method(std::find(method_names.begin(), method_names.end(), run.method) - method_names.begin());
+}
+
+/// Tells each step of a run, up to the end or until `hear` has heard enough.
+void follow(const AnyScene& scene, const NamedRun& named, const HearStep& hear, const Judge* judge = nullptr) {
+    std::uint64_t steps = 0;
+    HeardBy sink([&](const EventView& event) {
+        hear(++steps, event);
+        if (steps == most_steps) throw Enough();
+    });
+    const NamedKernel& kernel = named.kernel;
+    const Edition edition = named.edition;
+    try {
+        if (const auto* surface = std::get_if<Surface>(&scene)) {
+            told_floating_horizon({kernel, edition, surface->curves, Detail::signs, &sink}, {.judge = judge});
+        } else {
+            RunRequest request{method_of(named), kernel, edition, std::get<Scene>(scene), Detail::signs, &sink};
+            if (judge) {
+                judged_run(request, {.judge = judge});
+            } else {
+                told_run(request);
+            }
+        }
+    } catch (const Enough&) {
+    }
+}
+
+std::string text_of(bool answer) { return answer ? "true" : "false"; }
+std::string text_of(int answer) { return std::to_string(answer); }
+std::string text_of(const std::pair<int, int>& range) {
+    return std::to_string(range.first) + "," + std::to_string(range.second);
+}
+std::string text_of(const Answer& answer) {
+    return std::visit([](const auto& each) { return text_of(each); }, answer);
+}
+std::string text_of(double number) {
+    Text text;
+    append_number(text, number);
+    return text.string();
+}
+
+/// The first decision that exact arithmetic takes otherwise.
+std::optional<SeenFailure> first_wrong(const Failure& failure) {
+    std::optional<Verdict> wrong;
+    const Judge judge = [&](const Verdict& verdict) {
+        if (!wrong && verdict.wrong()) wrong = verdict;
+    };
+    std::uint64_t step = 0;
+    std::optional<Event> told;
+    const auto hear = [&](std::uint64_t at, const EventView& event) {
+        step = at;
+        if (!wrong) return;
+        told = event.copy();
+        throw Enough();
+    };
+    follow(*failure.scene, failure.fails, hear, &judge);
+    if (!wrong) return std::nullopt;
+    const std::string of(decision_names[std::size_t(wrong->of)]);
+    const std::string taken = text_of(wrong->taken), exact = text_of(*wrong->truth.answer);
+    return SeenFailure{step, {of + ": " + taken + ", exactly " + exact, of + ": " + taken + ", точно " + exact}, told};
+}
+
+/// The step that painted a pixel last, and the colour.
+struct Painted {
+    std::optional<std::uint64_t> step;
+    std::optional<Color> color;
+};
+
+Painted painted(const AnyScene& scene, const NamedRun& run, const std::pair<int, int>& pixel) {
+    const int x = pixel.first, y = pixel.second;
+    const auto is_in = [x](const auto& columns) { return columns.first <= x && x < columns.end; };
+    Painted last;
+    Color of_polygon;
+    follow(scene, run, [&](std::uint64_t step, const EventView& event) {
+        if (const auto* polygon = event.get_if<event::Polygon>()) of_polygon = polygon->color;
+        if (const auto* fill = event.get_if<event::Fill>()) {
+            const auto& [left, top, width, height] = fill->rect;
+            if (Area{left, top, width, height}.contains(x, y)) last = {step, fill->color};
+        } else if (const auto* draw = event.get_if<event::Draw>()) {
+            const auto& runs = draw->runs;
+            if (std::any_of(runs.begin(), runs.end(), [&](const auto& each) { return each.row == y && is_in(each); })) {
+                last = {step, draw->color};
+            }
+        } else if (const auto* span = event.get_if<event::Span>()) {
+            const bool paints = span->row == y && std::any_of(span->runs.begin(), span->runs.end(), is_in);
+            if (paints) last = {step, of_polygon};
+        }
+    });
+    return last;
+}
+
+/// Which polygon shows where this was painted.
+Words shown(const Painted& last, const Scene& scene) {
+    const auto of_color = [&](const ScenePolygon& polygon) { return polygon.color == last.color; };
+    const auto found = std::find_if(scene.polygons.begin(), scene.polygons.end(), of_color);
+    if (found == scene.polygons.end()) return {"the background", "фон"};
+    return {found->id, found->id};
+}
+
+SeenFailure seen_pixel(const Failure& failure, const std::pair<int, int>& pixel) {
+    const auto& scene = std::get<Scene>(*failure.scene);
+    const Painted wrong = painted(*failure.scene, failure.fails, pixel);
+    const Words taken = shown(wrong, scene);
+    const Words right = shown(painted(*failure.scene, failure.holds, pixel), scene);
+    return {
+        wrong.step,
+        {taken.english + " is painted, not " + right.english, "закрашен " + taken.russian + ", а не " + right.russian},
+        {}};
+}
+
+/// The step that draws a curve over a column or, if none does, the last at which its segment there is looked at.
+SeenFailure seen_column(const Failure& failure, const std::pair<int, int>& place) {
+    const int curve = place.first, x = place.second;
+    bool is_in_curve = false;
+    std::optional<std::uint64_t> drawn, looked;
+    follow(*failure.scene, failure.fails, [&](std::uint64_t step, const EventView& event) {
+        if (const auto* begun = event.get_if<event::Curve>()) is_in_curve = begun->curve == curve;
+        if (!is_in_curve) return;
+        if (const auto* line = event.get_if<event::DrawLine>()) {
+            if (!drawn && line->from_columns.second <= x && x <= line->to_columns.first) drawn = step;
+        } else if (const auto* visibility = event.get_if<event::Visibility>()) {
+            if (visibility->segment.first <= x && x <= visibility->segment.second) looked = step;
+        }
+    });
+    const std::string number = std::to_string(curve), column = std::to_string(x);
+    return {drawn ? drawn : looked,
+            {"curve " + number + " is " + (drawn ? "" : "not ") + "drawn over column " + column,
+             "кривая " + number + " над столбцом " + column + (drawn ? " нарисована" : " не нарисована")},
+            {}};
+}
+
+SeenFailure seen_fault(const Failure& failure) {
+    SeenFailure found{{}, {"it does not end by itself", "сам не кончается"}, {}};
+    follow(*failure.scene, failure.fails, [&](std::uint64_t step, const EventView& event) {
+        const auto* fault = event.get_if<event::Fault>();
+        if (!fault || line_names[std::size_t(fault->at)] != failure.shows.fault) return;
+        found = {step, {fault->reason, fault->reason}, {}};
+        throw Enough();
+    });
+    return found;
+}
+
+/// The first step at a line of the listing.
+std::optional<std::uint64_t> step_at(const std::string& line, const AnyScene& scene, const NamedRun& run) {
+    std::optional<std::uint64_t> found;
+    follow(scene, run, [&](std::uint64_t step, const EventView& event) {
+        if (event.get_if<event::Call>()) return;
+        const Line at = event.visit([](const auto& told) { return told.at; });
+        if (line_names[std::size_t(at)] != line) return;
+        found = step;
+        throw Enough();
+    });
+    return found;
+}
+
+SeenFailure seen_windows(const Failure& failure) {
+    const auto windows = [&](const NamedRun& run) {
+        int count = 0;
+        follow(*failure.scene, run,
+               [&](std::uint64_t, const EventView& event) { count += event.get_if<event::Pop>() ? 1 : 0; });
+        return std::to_string(count);
+    };
+    const std::string more = windows(failure.fails), fewer = windows(failure.holds);
+    return {{}, {more + " windows, not " + fewer, "окон " + more + ", а не " + fewer}, {}};
+}
+
+/// Of the intersections that both runs compute, one after the other, the one that differs most.
+SeenFailure seen_off(const Failure& failure) {
+    using Cut = std::pair<std::uint64_t, double>;
+    const auto cuts = [&](const NamedRun& run) {
+        std::vector<Cut> found;
+        follow(*failure.scene, run, [&](std::uint64_t step, const EventView& event) {
+            if (const auto* cut = event.get_if<event::ClipCross>()) found.emplace_back(step, cut->vertex.x.number);
+        });
+        return found;
+    };
+    const auto computed = cuts(failure.fails), right = cuts(failure.holds);
+    std::optional<std::size_t> farthest;
+    const auto off = [&](std::size_t i) { return std::abs(computed[i].second - right[i].second); };
+    for (std::size_t i = 0; i < std::min(computed.size(), right.size()); ++i) {
+        if (!farthest || off(i) > off(*farthest)) farthest = i;
+    }
+    if (!farthest) return {{}, {"no intersection", "пересечений нет"}, {}};
+    const std::string x = text_of(computed[*farthest].second), exactly = text_of(right[*farthest].second);
+    return {computed[*farthest].first,
+            {"an intersection at x = " + x + ", not " + exactly, "пересечение при x = " + x + ", а не " + exactly},
+            {}};
+}
+
+}  // namespace
+
+SeenFailure seen(const Failure& failure) {
+    const Shows& shows = failure.shows;
+    const AnyScene& scene = *failure.scene;
+    if (!shows.fault.empty()) return seen_fault(failure);
+    if (!shows.missing.empty()) {
+        const std::string& line = shows.missing;
+        return {step_at(line, scene, failure.holds), {line + " is not reached", line + " не достигнута"}, {}};
+    }
+    if (!shows.present.empty()) {
+        const std::string& line = shows.present;
+        return {step_at(line, scene, failure.fails), {line + " is reached", line + " достигнута"}, {}};
+    }
+    if (shows.more_windows) return seen_windows(failure);
+    if (shows.off) return seen_off(failure);
+    if (failure.fails.edition == Edition::corrected) {
+        if (const auto wrong = first_wrong(failure)) return *wrong;
+    }
+    if (shows.column) return seen_column(failure, *shows.column);
+    if (shows.pixel) return seen_pixel(failure, *shows.pixel);
+    return {{}, failure.title, {}};
+}
+
+void write_failing_run(const Failure& failure, std::function<void(std::string_view)> write) {
+    const NamedKernel& kernel = failure.fails.kernel;
+    const Edition edition = failure.fails.edition;
+    if (const auto* surface = std::get_if<Surface>(&*failure.scene)) {
+        TraceWriter writer(FloatingHorizonHeader{edition, kernel.name(), Detail::signs, *surface}, std::move(write),
+                           most_steps);
+        write_trace(FloatingHorizonRequest{kernel, edition, surface->curves, Detail::signs}, writer);
+    } else {
+        const auto& scene = std::get<Scene>(*failure.scene);
+        const Method method = method_of(failure.fails);
+        TraceWriter writer(TraceHeader{method, edition, kernel.name(), Detail::signs, scene}, std::move(write),
+                           most_steps);
+        write_trace(RunRequest{method, kernel, edition, scene, Detail::signs}, writer);
+    }
+}
+
+}  // namespace vidno

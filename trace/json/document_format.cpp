@@ -1,0 +1,70 @@
+#include "json/document_format.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace vidno {
+
+namespace {
+
+using nlohmann::json;
+
+/// Keys that tell the format of a file which leaves it out.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> telling_keys{{{"polygons", "vidno-scene/1"},
+                                                                                     {"curves", "vidno-surface/1"},
+                                                                                     {"function", "vidno-surface/1"},
+                                                                                     {"fails", "vidno-failure/1"}}};
+
+/// Hears the parser up to the member of the outermost object that tells its format.
+class FormatFinder : public nlohmann::json_sax<json> {
+public:
+    std::string format;
+
+    bool null() override { return next(); }
+    bool boolean(bool) override { return next(); }
+    bool number_integer(number_integer_t) override { return next(); }
+    bool number_unsigned(number_unsigned_t) override { return next(); }
+    bool number_float(number_float_t, const string_t&) override { return next(); }
+    bool string(string_t& value) override {
+        if (is_format_) format = std::move(value);
+        return next();
+    }
+    bool binary(binary_t&) override { return next(); }
+    bool start_object(std::size_t) override { return open(); }
+    bool start_array(std::size_t) override { return depth_ > 0 && open(); }
+    bool end_object() override { return --depth_ > 0; }
+    bool end_array() override { return --depth_ > 0; }
+    bool key(string_t& name) override {
+        if (depth_ != 1) return true;
+        is_format_ = name == "format";
+        const auto told = std::find_if(telling_keys.begin(), telling_keys.end(),
+                                       [&](const auto& telling) { return telling.first == name; });
+        if (told == telling_keys.end()) return true;
+        format = told->second;
+        return false;
+    }
+    bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
+
+private:
+    /// Whether to go on.
+    bool next() const { return depth_ > 0 && !is_format_; }
+    bool open() {
+        ++depth_;
+        return !is_format_;
+    }
+
+    int depth_ = 0;
+    bool is_format_ = false;  // the key of the outermost object that was read last
+};
+
+}  // namespace
+
+std::string document_format(std::string_view text) {
+    FormatFinder finder;
+    json::sax_parse(text, &finder);
+    return finder.format;
+}
+
+}  // namespace vidno

@@ -1,0 +1,134 @@
+#include "scene/failure.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "choice/method.h"
+#include "choice/read_edition.h"
+#include "json/document_format.h"
+#include "json/json_node.h"
+#include "scene/scene_json.h"
+
+namespace vidno {
+
+namespace {
+
+constexpr std::string_view failure_format = "vidno-failure/1";
+
+Failure::Words read_words(const JsonNode& node) {
+    node.require_keys({"en", "ru"});
+    return {node.at("en").text(), node.at("ru").text()};
+}
+
+std::size_t read_name(const JsonNode& node, const auto& names, std::string_view of) {
+    const auto found = std::find(names.begin(), names.end(), node.text());
+    if (found == names.end()) node.refuse("no " + std::string(of) + " of this name");
+    return std::size_t(found - names.begin());
+}
+
+NamedRun read_run(const JsonNode& node, bool of_curves) {
+    NamedRun run{node.at("method").text(), {}, {}};
+    const auto kernel = kernel_named(node.at("kernel").text());
+    if (!kernel) node.at("kernel").refuse("not one of " + kernel_names());
+    run.kernel = *kernel;
+    run.edition = read_edition(node.at("edition"));
+    if (of_curves != (run.method == floating_horizon_method)) {
+        node.at("method").refuse(of_curves ? "draws no surface" : "draws a surface, and the scene is of polygons");
+    }
+    const bool runs =
+        of_curves ? kernel->choice->runs_floating_horizon(run.edition)
+                  : kernel->choice->runs(Method(read_name(node.at("method"), method_names, "method")), run.edition);
+    if (!runs) node.refuse("the kernel does not run this method and edition");
+    return run;
+}
+
+std::pair<int, int> read_place(const JsonNode& node) {
+    if (node.size() != 2) node.refuse("not two whole numbers");
+    const auto whole = [&](std::size_t i) { return node.at(i).whole_number(-farthest_offset, farthest_offset); };
+    return {whole(0), whole(1)};
+}
+
+Shows read_shows(const JsonNode& node) {
+    node.require_keys({}, {"pixel", "column", "wrong", "fault", "missing", "present", "more_windows", "off"});
+    if (node.keys().empty()) node.refuse("shows nothing");
+    Shows shows;
+    if (node.has("pixel")) shows.pixel = read_place(node.at("pixel"));
+    if (node.has("column")) shows.column = read_place(node.at("column"));
+    if (node.has("wrong")) shows.wrong = node.at("wrong").text();
+    if (node.has("fault")) shows.fault = node.at("fault").text();
+    if (node.has("missing")) shows.missing = node.at("missing").text();
+    if (node.has("present")) shows.present = node.at("present").text();
+    if (node.has("more_windows")) shows.more_windows = node.at("more_windows").truth();
+    if (node.has("off")) shows.off = node.at("off").number();
+    return shows;
+}
+
+bool is_of_curves(const JsonNode& scene) { return scene.has("curves") || scene.has("function"); }
+
+class FailureReader {
+public:
+    explicit FailureReader(std::string file) : file_(std::move(file)) {}
+
+    Failure read(const JsonNode& root) {
+        root.object();
+        root.expect_format(failure_format);
+        const bool has_scene = !root.has("test");
+        faults_.attempt([&] {
+            if (has_scene) {
+                root.require_keys({"title", "why", "remedy", "scene", "fails", "holds", "shows"}, {"format", "source"});
+            } else {
+                root.require_keys({"title", "why", "remedy", "test"}, {"format", "source"});
+            }
+        });
+        Failure failure;
+        read_member(root, "title", [&](const JsonNode& node) { failure.title = read_words(node); });
+        read_member(root, "why", [&](const JsonNode& node) { failure.why = read_words(node); });
+        read_member(root, "remedy", [&](const JsonNode& node) { failure.remedy = read_words(node); });
+        read_member(root, "source", [&](const JsonNode& node) { failure.source = node.text(); });
+        read_member(root, "test", [&](const JsonNode& node) { failure.test = node.text(); });
+        if (has_scene) read_runs(root, failure);
+        faults_.settle();
+        return failure;
+    }
+
+private:
+    void read_runs(const JsonNode& root, Failure& failure) {
+        read_member(root, "scene", [&](const JsonNode& node) { failure.scene = read_any_scene(node, failure); });
+        read_member(root, "shows", [&](const JsonNode& node) { failure.shows = read_shows(node); });
+        const bool of_curves = root.has("scene") && is_of_curves(root.at("scene"));
+        read_member(root, "fails", [&](const JsonNode& node) {
+            node.require_keys({"method", "kernel", "edition"});
+            failure.fails = read_run(node, of_curves);
+        });
+        read_member(root, "holds", [&](const JsonNode& node) {
+            node.require_keys({"method", "kernel", "edition"}, {"scene"});
+            failure.holds = read_run(node, of_curves);
+            if (node.has("scene")) failure.holds_scene = read_any_scene(node.at("scene"), failure);
+        });
+    }
+
+    AnyScene read_any_scene(const JsonNode& node, Failure& failure) const {
+        node.object();
+        if (is_of_curves(node)) return read_surface(node);
+        auto [scene, warnings] = read_scene(node, file_);
+        failure.warnings.insert(failure.warnings.end(), warnings.begin(), warnings.end());
+        return scene;
+    }
+
+    void read_member(const JsonNode& object, std::string_view key, auto&& read) {
+        if (object.has(key)) faults_.attempt([&] { read(object.at(key)); });
+    }
+
+    std::string file_;
+    Faults faults_;
+};
+
+}  // namespace
+
+bool is_failure(std::string_view text) { return document_format(text) == failure_format; }
+
+Failure read_failure(std::string_view text, const std::string& file) {
+    return read_json(text, file, [&](const JsonNode& root) { return FailureReader(file).read(root); });
+}
+
+}  // namespace vidno

@@ -1,0 +1,56 @@
+/// Failure files, `vidno-failure/1`: a scene on which a run fails, the run that holds, and what is to be seen. The atlas, lessons/failures,
+/// is made of these.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "choice/kernel_choice.h"
+#include "scene/surface.h"
+
+namespace vidno {
+
+/// How a scene is run.
+struct NamedRun {
+    std::string method;
+    NamedKernel kernel;
+    Edition edition{};
+};
+
+/// What of a failure can be seen, by the form in which its file says it.
+struct Shows {
+    std::optional<std::pair<int, int>> pixel;  // is painted wrong
+    std::optional<std::pair<int, int>>
+        column;         // of a curve, by its place: it is drawn over this column, or not, and should not, or should
+    std::string wrong;  // a procedure that decides wrongly
+    std::string fault;  // a line of the listing at which the run faults
+    std::string missing, present;  // a line that it does not reach, or alone reaches
+    bool more_windows = false;     // than the run that holds
+    std::optional<double> off;     // pixels by which an intersection is
+};
+
+struct Failure {
+    struct Words {
+        std::string english, russian;
+    };
+    Words title, why, remedy;
+    std::string source;             // published; may be empty
+    std::string test;               // where no scene can show it, the name of the test that does
+    std::optional<AnyScene> scene;  // one of these two
+    // Of a failure with a scene.
+    NamedRun fails, holds;
+    std::optional<AnyScene> holds_scene;  // if the run that holds has one of its own
+    Shows shows;
+    std::vector<std::string> warnings;  // of the scene
+};
+
+/// Whether a file is one of these, by what is in it.
+bool is_failure(std::string_view text);
+
+/// `text` is the JSON, `file` its name in messages. Throws Refused, with a line for each fault.
+Failure read_failure(std::string_view text, const std::string& file);
+
+}  // namespace vidno

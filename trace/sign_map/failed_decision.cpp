@@ -1,0 +1,43 @@
+#include "sign_map/failed_decision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "check/seen_failure.h"
+#include "refused.h"
+#include "scene/exact_scene.h"
+
+namespace vidno {
+
+namespace {
+
+/// From a double to the next that is farther from 0, but not less than near 1.
+double spacing_at(double coordinate) {
+    const double size = std::max(std::abs(coordinate), 1.0);
+    return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+}
+
+}  // namespace
+
+MappedDecision failed_decision(const Failure& failure, const std::string& file) {
+    const SeenFailure found = seen(failure);
+    const auto* orient = found.event ? found.event->get_if<event::Orient>() : nullptr;
+    if (!orient) throw Refused(file + ": fails at no orientation, which a map could show: " + found.there.english);
+
+    const auto& vertices = std::get<Scene>(*failure.scene).polygons[std::size_t(orient->polygon.index)].vertices;
+    const auto from = std::size_t(orient->edge);
+    const glm::dvec2 point{orient->point.x.number, orient->point.y.number};
+    MappedDecision decision{failure.title.english, {}, std::max(spacing_at(point.x), spacing_at(point.y)), {}};
+    const auto are_doubles = [&](double start) {
+        return exact_scene::are_doubles(start, decision.step, MappedDecision::side);
+    };
+    do {
+        decision.p = point - glm::dvec2(MappedDecision::side / 2) * decision.step;
+    } while (!(are_doubles(decision.p.x) && are_doubles(decision.p.y)) && (decision.step *= 2) < 1);
+    constexpr int pivot = 1;  // as SurroundTest has it: the edge's beginning
+    decision.asked = MappedOrientation{vertices[from], vertices[(from + 1) % vertices.size()], pivot};
+    return decision;
+}
+
+}  // namespace vidno

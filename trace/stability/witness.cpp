@@ -1,0 +1,104 @@
+#include "stability/witness.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "choice/method.h"
+#include "run/floating_horizon_run.h"
+#include "scene/scene_json.h"
+#include "scene/surface.h"
+#include "stability/shrink.h"
+
+namespace vidno {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Where a run is first wrong: a pixel, or a curve and a column.
+using Place = std::pair<int, int>;
+
+std::optional<Place> wrong_pixel(const Scene& scene, Method method, const NamedKernel& kernel) {
+    if (refusal_of(method, scene)) return std::nullopt;
+    const Picture painted = run({method, kernel, Edition::corrected, scene});
+    const Picture right = run({reference_of(method), *kernel_named("filtered"), Edition::corrected, scene});
+    const Area& area = scene.area;
+    for (int y = area.y; y < area.bottom(); ++y) {
+        for (int x = area.x; x < area.right(); ++x) {
+            if (painted.at(x, y) != right.at(x, y)) return Place{x, y};
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Place> wrong_column(const CurveScene& scene, const NamedKernel& kernel) {
+    const auto drawn = [&](const NamedKernel& by) {
+        return columns_drawn(run(FloatingHorizonRequest{by, Edition::corrected, scene}), scene);
+    };
+    const ColumnsDrawn taken = drawn(kernel), right = drawn(*kernel_named("filtered"));
+    for (std::size_t curve = 0; curve < taken.size(); ++curve) {
+        const auto [is, should] = std::mismatch(taken[curve].begin(), taken[curve].end(), right[curve].begin());
+        if (is == taken[curve].end()) continue;
+        return Place{int(curve), scene.curves[curve].samples.front().x + int(is - taken[curve].begin())};
+    }
+    return std::nullopt;
+}
+
+/// The file. A remedy is the kernel that is certain.
+std::string failure_of(const std::string& scene, const Family& family, const std::string& method,
+                       const std::string& kernel, const char* shown, const Place& place) {
+    const auto run = [&](const std::string& under) {
+        return Json{{"method", method}, {"kernel", under}, {"edition", "corrected"}};
+    };
+    const std::string name = std::string(family.name);
+    const Json failure{
+        {"format", "vidno-failure/1"},
+        {"title",
+         {{"en", method + " under " + kernel + ": " + name}, {"ru", method + ", числа " + kernel + ": " + name}}},
+        {"why",
+         {{"en", "A witness of the family " + name + ", " + std::string(family.shows) + "."},
+          {"ru", "Свидетель семейства " + name + "."}}},
+        {"remedy",
+         {{"en", "Decide by an error bound, and exactly where it cannot: kernel filtered."},
+          {"ru", "Решать по оценке погрешности, а где её не хватает, точно: числа filtered."}}},
+        {"fails", run(kernel)},
+        {"holds", run("filtered")},
+        {"shows", {{shown, {place.first, place.second}}}},
+        {"scene", Json::parse(scene)}};
+    return failure.dump(1) + "\n";
+}
+
+}  // namespace
+
+std::optional<std::string> witness(const Campaign& campaign, const Family& family, const std::string& method,
+                                   const std::string& kernel, const std::function<void()>& progress) {
+    const NamedKernel named = *kernel_named(kernel);
+    const auto tried = std::find(method_names.begin(), method_names.end(), method);
+    const auto of_scene = [&](const Scene& scene) {
+        progress();
+        return wrong_pixel(scene, Method(tried - method_names.begin()), named);
+    };
+    const auto of_curves = [&](const CurveScene& scene) {
+        progress();
+        return wrong_column(scene, named);
+    };
+    std::optional<std::string> found;
+    for_each_moved(campaign, family, [&](const AnyMoved& moved) {
+        if (const auto* curves = std::get_if<CurveScene>(&moved)) {
+            if (!of_curves(*curves)) return false;
+            const CurveScene smallest =
+                shrunk(*curves, [&](const CurveScene& smaller) { return of_curves(smaller).has_value(); });
+            found = failure_of(surface_json({std::string(family.name), smallest}), family, method, kernel, "column",
+                               *of_curves(smallest));
+        } else {
+            const auto& scene = std::get<Scene>(moved);
+            if (!of_scene(scene)) return false;
+            const Scene smallest = shrunk(scene, [&](const Scene& smaller) { return of_scene(smaller).has_value(); });
+            found = failure_of(scene_json(smallest), family, method, kernel, "pixel", *of_scene(smallest));
+        }
+        return true;
+    });
+    return found;
+}
+
+}  // namespace vidno

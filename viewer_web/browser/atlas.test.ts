@@ -1,0 +1,178 @@
+import { readFileSync } from 'node:fs';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import type { AppElement } from '../src/app/app.js';
+import { browser } from './browser.js';
+import { open, openFile, shown } from './page.js';
+
+const folder = new URL('../../lessons/failures/', import.meta.url);
+const text = (file: string): string => readFileSync(new URL(file, folder), 'utf8');
+
+interface Stated {
+  readonly name: string;
+  readonly title: string;
+  readonly remedy: string;
+  readonly step: string;
+  readonly there: string;
+  readonly pixel: readonly [number, number] | null;
+}
+
+/** What the table of the atlas states of each entry that has a scene; `table.mjs` works it out from traces alone. */
+const entries = text('README.md')
+  .split('\n')
+  .filter((line) => line.startsWith('| ['))
+  .flatMap((line): Stated[] => {
+    const [link = '', , , step = '', there = '', remedy = ''] = line.slice(2, -2).split(' | ');
+    const [, title = '', name = ''] = /^\[(.*)\]\((.*)\.json\)$/u.exec(link.trim()) ?? [];
+    const file = JSON.parse(text(`${name}.json`)) as {
+      scene?: object;
+      shows?: { pixel?: [number, number] };
+    };
+    if (file.scene === undefined) return [];
+    const pixel = file.shows?.pixel ?? null;
+    return [{ name, title, remedy, step: step.trim(), there: there.trim(), pixel }];
+  });
+
+async function openGallery(page: Page): Promise<void> {
+  await page.locator('button.atlas').click();
+  await page.locator('vidno-gallery dialog[open]').waitFor();
+}
+
+async function choose(page: Page, { name, there }: Stated): Promise<void> {
+  await openGallery(page);
+  await page.locator(`vidno-gallery [data-entry="${name}"]`).click();
+  await page.locator('vidno-failure-note .there', { hasText: there }).waitFor();
+}
+
+/** The step and the pixel that are shown, and the colours of that pixel in this run and in the one beside it. */
+function state(page: Page): Promise<{
+  readonly step: number;
+  readonly length: number;
+  readonly pixel: readonly number[] | null;
+  readonly colors: readonly (number | null)[];
+}> {
+  return page.evaluate(() => {
+    const app = document.querySelector<AppElement>('vidno-app');
+    if (!app) throw new Error('no page');
+    const { trace, rival, place, steps } = app.session;
+    const { pixel, step } = place;
+    const colors = [trace, rival.trace].map((run) => {
+      if (run === null || pixel === null) return null;
+      const { area } = run.header.scene;
+      const { picture } = run.timeline.seek(run.timeline.length).screen;
+      return picture.at(pixel[0] - area.x, pixel[1] - area.y);
+    });
+    return { step, length: steps, pixel, colors };
+  });
+}
+
+describe('the atlas of failures', () => {
+  it('opens each entry at its step, with its answer and remedy, and compares its pixel with the remedy’s', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    expect(entries.length).toBeGreaterThanOrEqual(52);
+    let pixels = 0;
+    for (const entry of entries) {
+      await choose(page, entry);
+      const note = page.locator('vidno-failure-note');
+      const step = entry.step === '' ? '' : `Step ${Number(entry.step).toLocaleString('en')}: `;
+      const said = (await note.locator('.there').textContent())?.trim();
+      expect(said, entry.name).toBe(`${step}${entry.there}`);
+      expect(await note.locator('.remedy').textContent(), entry.name).toContain(entry.remedy);
+      const { step: at, length, pixel } = await state(page);
+      expect(at, entry.name).toBe(
+        entry.step === '' ? length : Math.min(Number(entry.step), length),
+      );
+      expect(pixel, entry.name).toEqual(entry.pixel);
+      if (entry.pixel === null) continue;
+      pixels++;
+      await note.locator('[name=compare]').click();
+      await page.locator('vidno-comparison').waitFor();
+      const [fails, holds] = (await state(page)).colors;
+      expect(holds, entry.name).not.toBeNull();
+      expect(fails, entry.name).not.toBe(holds);
+      await note.locator('[name=compare]').click();
+    }
+    expect(pixels).toBeGreaterThanOrEqual(35);
+    expect(faults).toEqual([]);
+  });
+
+  it('has a picture of each, and is filtered by kind', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await openGallery(page);
+    const gallery = page.locator('vidno-gallery');
+    await expect.poll(() => gallery.locator('svg').count()).toBe(entries.length);
+    await gallery.locator('select[name=kind]').selectOption('mistake');
+    const names = await gallery
+      .locator('[data-entry]')
+      .evaluateAll((all) => all.map((each) => (each as HTMLElement).dataset['entry'] ?? ''));
+    expect(names.length).toBeGreaterThanOrEqual(11);
+    expect(names.filter((name) => !name.startsWith('mistake-'))).toEqual([]);
+    expect(faults).toEqual([]);
+  });
+
+  it('takes a surface’s remedy with samples of its own', async () => {
+    const { page } = await open(browser, '#lang=en');
+    const entry = entries.find(({ name }) => name === 'missed-peak');
+    if (entry === undefined) throw new Error('not there');
+    await choose(page, entry);
+    await page.locator('vidno-failure-note [name=compare]').click();
+    await page.locator('vidno-comparison').waitFor();
+    const name = await page.evaluate(
+      () => document.querySelector<AppElement>('vidno-app')?.session.rival.trace?.header.scene.name,
+    );
+    expect(name).toBe('The same, sampled where it bends');
+  });
+});
+
+describe('a failure of one’s own', () => {
+  it('is opened as a file, at its step', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await openFile(page, 'own.json', text('clip-pixel.json'));
+    await page.locator('vidno-failure-note .there', { hasText: 'columns: 15,16' }).waitFor();
+    expect((await shown(page)).step).toBe(74);
+    expect(faults).toEqual([]);
+  });
+});
+
+describe('a file that is no scene', () => {
+  it('tells all that is wrong with it, with lines and columns, however it is laid out', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    const scene = `{
+  "window": {"x": 0, "y": 0, "width": 0, "height": 9},
+  "polygons": [
+    {"colour": "#000000",
+     "vertices": [[0, 0, 0], [4, 0], [0, 4, 0]]}
+  ]
+}`;
+    await openFile(page, 'mine.json', scene);
+    await page.locator('vidno-notice .faults').waitFor();
+    expect(await page.locator('vidno-notice .faults li').allTextContents()).toEqual([
+      'line 2, column 39: /window/width: not from 1 to 16384',
+      'line 4, column 6: /polygons/0/colour: unknown key',
+      'line 5, column 30: /polygons/0/vertices/1: not three coordinates',
+    ]);
+    await openFile(page, 'broken.json', '{\n  "polygons": [\n    {"vertices" [[0, 0, 0]]}\n  ]\n}');
+    await page.locator('vidno-notice .refused', { hasText: 'broken.json' }).waitFor();
+    expect(await page.locator('vidno-notice .refused').textContent()).toContain(
+      'line 3, column 17: not valid JSON',
+    );
+    await openFile(page, 'chart.json', '{"format": "vidno-chart/1", "scenes": []}');
+    await page.locator('vidno-notice .chart', { hasText: 'is a chart' }).waitFor();
+    expect(faults).toEqual([]);
+  });
+
+  it('may leave out all but its vertices', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await openFile(
+      page,
+      'short.json',
+      '{"polygons": [{"vertices": [[1, 2, 0], [9, 2, 0], [1, 8, 0]]}]}',
+    );
+    await page.locator('vidno-player').waitFor();
+    const area = await page.waitForFunction(
+      () => document.querySelector<AppElement>('vidno-app')?.session.live.editing?.sketch.area,
+    );
+    await expect.poll(() => area.jsonValue()).toEqual({ x: 1, y: 2, width: 8, height: 6 });
+    expect(faults).toEqual([]);
+  });
+});

@@ -1,0 +1,36 @@
+import { html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import '../atlas/failure-note.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { Session } from './session.js';
+import type { Shown } from './stage.js';
+
+/** What there is to say of the failure that is open. */
+export function failing({ session, setup, ways }: Shown): TemplateResult | typeof nothing {
+  const { failure, rival, trace } = session;
+  if (failure === null || trace === null || setup.presenting) return nothing;
+  return html`<vidno-failure-note
+    .failure=${failure}
+    .language=${setup.language}
+    ?comparing=${rival.chosen !== null}
+    @go=${() => {
+      ways.leave();
+      session.move({ step: Math.min(failure.step ?? 0, session.steps) });
+    }}
+    @compare=${() => session.compareWithRemedy()}
+    @forget=${() => session.forgetFailure()}
+  ></vidno-failure-note>`;
+}
+
+/** The way to the atlas, if the page brings one along. */
+export function atlas(
+  { canRun }: Session,
+  language: Language,
+  open: () => void,
+): TemplateResult | typeof nothing {
+  if (!canRun || document.getElementById('vidno-atlas') === null) return nothing;
+  return html`<button class="own-surface atlas" @click=${open}>
+    ${texts[language].atlas.open}
+  </button>`;
+}

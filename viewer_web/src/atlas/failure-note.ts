@@ -1,0 +1,105 @@
+import { LitElement, css, html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { base } from '../elements/theme.js';
+import { texts } from '../i18n/index.js';
+import type { Language } from '../language/language.js';
+import type { Failure } from '../run/failures.js';
+
+/**
+ * What there is to say of the failure that is open: what goes wrong, where, and the remedy. Events tell what is asked for: `go`,
+ * to the step; `compare`, with the run that holds, or not any more; `forget`.
+ */
+@customElement('vidno-failure-note')
+export class FailureNoteElement extends LitElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        flex: none;
+        flex-wrap: wrap;
+        gap: 0.4rem 1.5rem;
+        align-items: center;
+        margin-bottom: 0.5rem;
+        padding: 0.5rem 0.75rem;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+        background: var(--panel);
+        font-size: 0.8125rem;
+      }
+      p + p {
+        margin-top: 0.2rem;
+      }
+      .there {
+        color: var(--bad);
+        font-weight: 600;
+      }
+      .told {
+        flex: 1 1 22rem;
+      }
+      .tools {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 0.4rem;
+      }
+      button {
+        min-height: 1.75rem;
+        padding: 0 0.6rem;
+        font-size: 0.8125rem;
+      }
+      button[aria-pressed='true'] {
+        border-color: var(--accent);
+        background: var(--accent-wash);
+      }
+      @media print {
+        .tools {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  @property({ attribute: false }) failure!: Failure;
+  @property({ attribute: false }) language: Language = 'en';
+  /** Whether the run that holds is beside the one that fails. */
+  @property({ type: Boolean }) comparing = false;
+
+  override render(): TemplateResult {
+    const { failure, language, comparing } = this;
+    const say = texts[language].atlas;
+    const { why, remedy, there, step, source } = failure;
+    return html`<div class="told">
+        <p class="why">${why[language]}${source === '' ? nothing : html` (${source})`}</p>
+        <p class="there">
+          ${step === null ? there[language] : say.at(step.toLocaleString(language), there[language])}
+        </p>
+        <p class="remedy">${say.remedy}: ${remedy[language]}</p>
+      </div>
+      <p class="tools">
+        ${
+          step === null
+            ? nothing
+            : html`<button name="go" @click=${() => this.tell('go')}>${say.goTo}</button>`
+        }
+        <button
+          name="compare"
+          aria-pressed=${comparing ? 'true' : 'false'}
+          @click=${() => this.tell('compare')}
+        >
+          ${comparing ? say.leave : say.compare}
+        </button>
+        <button name="forget" @click=${() => this.tell('forget')}>${say.forget}</button>
+      </p>`;
+  }
+
+  private tell(what: 'go' | 'compare' | 'forget'): void {
+    this.dispatchEvent(new CustomEvent(what));
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-failure-note': FailureNoteElement;
+  }
+}

@@ -1,0 +1,138 @@
+import { LitElement, html, nothing, svg } from 'lit';
+import type { TemplateResult } from 'lit';
+import { customElement, property, query, state } from 'lit/decorators.js';
+import { dialogStyle } from '../elements/dialog.style.js';
+import { base } from '../elements/theme.js';
+import { texts } from '../i18n/index.js';
+import type { AtlasTexts, FailureKind } from '../language/atlas-texts.js';
+import type { Language } from '../language/language.js';
+import { drawn } from '../picture/drawn.js';
+import { embeddedAtlas, entryKinds } from './entries.js';
+import type { Entry } from './entries.js';
+import { galleryStyle } from './gallery.style.js';
+import { Pictures } from './pictures.js';
+import type { Thumbnail } from './thumbnail.js';
+
+/** The atlas of failures as a dialog of pictures: an event `choose` tells which entry is to be opened. */
+@customElement('vidno-gallery')
+export class GalleryElement extends LitElement {
+  static override styles = [base, dialogStyle, galleryStyle];
+
+  @property({ attribute: false }) language: Language = 'en';
+  /** What draws the pictures; without it there are none, and no run can be opened. */
+  @property({ attribute: false }) library: Blob | null = null;
+  @state() private entries: readonly Entry[] = [];
+  @state() private kind: FailureKind | null = null;
+  @state() private pictures: ReadonlyMap<string, Thumbnail> = new Map();
+  @query('dialog') private dialog!: HTMLDialogElement;
+  private drawing = false;
+
+  get open(): boolean {
+    return this.dialog.open;
+  }
+
+  async show(): Promise<void> {
+    if (this.entries.length === 0) this.entries = await embeddedAtlas(document);
+    await this.updateComplete;
+    if (!this.dialog.open) this.dialog.showModal();
+    if (!this.drawing) await this.draw();
+  }
+
+  /** The pictures come one after the other, in the order in which they stand. */
+  private async draw(): Promise<void> {
+    const { library } = this;
+    if (library === null) return;
+    this.drawing = true;
+    const pictures = new Pictures(library);
+    for (const entry of this.entries) {
+      const picture = await pictures.of(entry);
+      if (picture !== null) this.pictures = new Map(this.pictures).set(entry.name, picture);
+    }
+  }
+
+  override render(): TemplateResult {
+    const { entries, kind, language } = this;
+    const say = texts[language].atlas;
+    const shown = entries.filter((entry) => kind === null || entry.kind === kind);
+    return html`<dialog aria-labelledby="title">
+      <div class="head">
+        <h2 id="title" tabindex="-1" autofocus>${say.title}</h2>
+        ${this.filter(say)}
+        <button class="close" @click=${() => this.dialog.close()}>${say.close}</button>
+      </div>
+      <ul>
+        ${shown.map((entry) => this.entry(entry, say))}
+      </ul>
+    </dialog>`;
+  }
+
+  private filter(say: AtlasTexts): TemplateResult {
+    const { entries } = this;
+    const count = (kind: FailureKind | null): number =>
+      entries.filter((entry) => kind === null || entry.kind === kind).length;
+    return html`<label>
+      ${say.show}
+      <select
+        name="kind"
+        @change=${({ target }: Event) => {
+          const { value } = target as HTMLSelectElement;
+          this.kind = entryKinds.find((each) => each === value) ?? null;
+        }}
+      >
+        <option value="">${say.all} (${count(null)})</option>
+        ${entryKinds.map(
+          (each) => html`<option value=${each}>${say.kinds[each]} (${count(each)})</option>`,
+        )}
+      </select>
+    </label>`;
+  }
+
+  private entry(entry: Entry, say: AtlasTexts): TemplateResult {
+    const { language } = this;
+    const { name, title, why, fails, kind } = entry;
+    const content = html`${this.picture(entry, say)}
+      <strong>${title[language]}</strong>
+      <small>${fails === undefined ? say.kinds[kind] : this.runOf(fails)}</small>
+      <span class="why" title=${why[language]}>${why[language]}</span>`;
+    return html`<li>
+      ${
+        fails === undefined || this.library === null
+          ? html`<div class="entry">${content}</div>`
+          : html`<button
+              class="entry"
+              data-entry=${name}
+              @click=${() => {
+                this.dialog.close();
+                this.dispatchEvent(new CustomEvent<Entry>('choose', { detail: entry }));
+              }}
+            >
+              ${content}
+            </button>`
+      }
+    </li>`;
+  }
+
+  private runOf({ method, kernel, edition }: NonNullable<Entry['fails']>): string {
+    const { page } = texts[this.language];
+    const text = edition === 'corrected' ? [] : [page.editions[edition]];
+    return [page.methods[method], kernel, ...text].join(' · ');
+  }
+
+  private picture({ name, fails }: Entry, say: AtlasTexts): TemplateResult {
+    const picture = this.pictures.get(name);
+    if (picture === undefined) {
+      return html`<div class="picture">${fails === undefined ? say.noScene : nothing}</div>`;
+    }
+    return html`<div class="picture">
+      <svg viewBox=${picture.shown.join(' ')} aria-hidden="true">
+        ${picture.shapes.map((shape) => svg`${drawn(shape)}`)}
+      </svg>
+    </div>`;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'vidno-gallery': GalleryElement;
+  }
+}

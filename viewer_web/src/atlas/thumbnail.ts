@@ -1,0 +1,46 @@
+import { toNumber } from '../language/words.js';
+import type { Shape } from '../picture/shapes.js';
+import { patchesOf } from '../picture/patches.js';
+import { boxData, pathData } from '../picture/shapes.js';
+import type { Trace } from '../replay/trace.js';
+import type { Point } from '../trace/values.js';
+import type { Rectangle } from '../picture/frame.js';
+
+/** A small picture of what a run came to, in the plane of its scene. */
+export interface Thumbnail {
+  readonly shown: Rectangle;
+  readonly shapes: readonly Shape[];
+}
+
+type Pair = readonly [number, number];
+const numbers = ([x, y]: Point): Pair => [toNumber(x), toNumber(y)];
+
+/** The pixels that were painted, with the wrong one in a frame; of curves the lines that were drawn. */
+export function thumbnailOf({ header: { scene }, timeline }: Trace, wrong: Pair | null): Thumbnail {
+  const { area, polygons, curves } = scene;
+  const { length } = timeline;
+  const shown = [area.x, area.y, area.width, area.height] as const;
+  if (curves !== null) {
+    const lines = timeline.lines.at(length);
+    const ends = lines.map(({ from, to }) => pathData([numbers(from), numbers(to)], false));
+    // Half a pixel: the samples stand on the middles of columns.
+    const [x, y, width, height] = shown;
+    return {
+      shown: [x - 0.5, y - 0.5, width, height],
+      shapes: [{ look: 'line', d: ends.join('') }],
+    };
+  }
+  const patches = patchesOf(timeline.seek(length).screen.picture, area);
+  return {
+    shown,
+    shapes: [
+      ...patches.map(({ color, d }) => ({ look: 'patch', d, fill: color })),
+      ...polygons.map(({ vertices, color }) => ({
+        look: 'outline',
+        d: pathData(vertices, true),
+        color,
+      })),
+      ...(wrong === null ? [] : [{ look: 'wrong', d: boxData([...wrong, 1, 1]) }]),
+    ],
+  };
+}

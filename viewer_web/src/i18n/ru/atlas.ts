@@ -1,0 +1,23 @@
+import type { AtlasTexts } from '../../language/atlas-texts.js';
+
+export const atlas: AtlasTexts = {
+  title: 'Атлас ошибок',
+  open: 'Атлас ошибок',
+  close: 'Закрыть',
+  show: 'Показать',
+  all: 'все',
+  kinds: {
+    rounding: 'округление',
+    printed: 'ошибки печатного текста',
+    mistake: 'обычные ошибки',
+    limit: 'пределы метода',
+    test: 'без сцены',
+  },
+  noScene: 'сценой не показать',
+  remedy: 'Средство',
+  at: (step, there) => `Шаг ${step}: ${there}`,
+  goTo: 'К шагу',
+  compare: 'Сравнить с исправленным',
+  leave: 'Закончить сравнение',
+  forget: 'Скрыть',
+};

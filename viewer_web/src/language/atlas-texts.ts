@@ -1,0 +1,23 @@
+/** What a failure of the atlas comes from. */
+export type FailureKind = 'rounding' | 'printed' | 'mistake' | 'limit' | 'test';
+
+/** What is said of the atlas of failures. */
+export interface AtlasTexts {
+  readonly title: string;
+  /** Of the button that opens it. */
+  readonly open: string;
+  readonly close: string;
+  readonly show: string;
+  readonly all: string;
+  readonly kinds: Readonly<Record<FailureKind, string>>;
+  /** Instead of a picture. */
+  readonly noScene: string;
+  readonly remedy: string;
+  /** Where a failure is seen, and what is there. */
+  readonly at: (step: string, there: string) => string;
+  readonly goTo: string;
+  readonly compare: string;
+  readonly leave: string;
+  /** Of the panel of the failure that is open. */
+  readonly forget: string;
+}

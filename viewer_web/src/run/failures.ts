@@ -1,0 +1,87 @@
+import type { Edition } from '../trace/editions.js';
+import type { Method } from '../trace/events.js';
+import type { Language } from '../language/language.js';
+import { Maker } from './maker.js';
+import { usual } from './options.js';
+import type { Options } from './options.js';
+
+type Bilingual = Readonly<Record<Language, string>>;
+
+interface NamedRun {
+  readonly method: Method;
+  readonly kernel: string;
+  readonly edition: Edition;
+}
+
+/** What the library says of a failure; `trace/wasm/live.cpp` documents it. */
+interface Told {
+  readonly title: Bilingual;
+  readonly why: Bilingual;
+  readonly remedy: Bilingual;
+  /** What is seen at the step. */
+  readonly there: Bilingual;
+  readonly source: string;
+  /** Null if no one step shows it. */
+  readonly step: number | null;
+  readonly pixel: readonly [number, number] | null;
+  readonly fails: NamedRun;
+  readonly holds: NamedRun;
+}
+
+/** A scene on which a run fails, as it can be shown. */
+export interface Failure extends Omit<Told, 'fails' | 'holds'> {
+  /** The text of its scene. */
+  readonly scene: string;
+  readonly fails: Options;
+  readonly holds: Options;
+  /** The scene of the run that holds, if that is another one. */
+  readonly holdsScene: string | null;
+}
+
+export type Found = { readonly failure: Failure } | { readonly messages: string };
+
+const optionsOf = (run: NamedRun): Options => ({ ...usual, ...run });
+
+function failureOf(text: string, made: string): Failure {
+  const { fails, holds, ...told } = JSON.parse(made) as Told;
+  const file = JSON.parse(text) as { scene: unknown; holds: { scene?: unknown } };
+  const own = file.holds.scene;
+  return {
+    ...told,
+    scene: JSON.stringify(file.scene),
+    fails: optionsOf(fails),
+    holds: optionsOf(holds),
+    holdsScene: own === undefined ? null : JSON.stringify(own),
+  };
+}
+
+/** Reads files of failures, and finds where each is seen, by the library that the page brings along. */
+export class Failures {
+  private readonly maker: Maker<'failure'>;
+  private tell: ((found: Found) => void) | null = null;
+  private text = '';
+
+  constructor(library: Blob) {
+    this.maker = new Maker(
+      library,
+      'failure',
+      ({ made, messages }) => this.take(made, messages),
+      () => this.take(null, ''),
+    );
+  }
+
+  /** Never settles if another one is asked for meanwhile. */
+  find(text: string): Promise<Found> {
+    this.text = text;
+    return new Promise((tell) => {
+      this.tell = tell;
+      this.maker.ask(text);
+    });
+  }
+
+  private take(made: string | null, messages: string): void {
+    if (this.maker.isBusy) return;
+    this.tell?.(made === null ? { messages } : { failure: failureOf(this.text, made) });
+    this.tell = null;
+  }
+}

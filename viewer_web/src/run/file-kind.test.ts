@@ -1,0 +1,24 @@
+import { expect, it } from 'vitest';
+import { kindOf } from './file-kind.js';
+
+it.each([
+  ['{"format":"vidno-scene/1","window":{}', 'scene'],
+  ['{\n  "name": "a: {\\"b",\n  "polygons": [', 'scene'],
+  ['{"curves": [[[0, 1], [1, 2]]]}', 'scene'],
+  ['{"function": "x"', 'scene'],
+  ['{\n  "format": "vidno-failure/1",\n  "scene": {"format": "vidno-scene/1"}', 'failure'],
+  ['{"title": {"polygons": 1}, "fails": {}}', 'failure'],
+  ['{"format": "vidno-chart/1", "curves": []}', 'chart'],
+  ['{"format":"vidno-trace/1","method":"warnock","scene":{"format":"vidno-scene/1"}}\n', 'trace'],
+  // The library says what is wrong with it, and where.
+  ['{\n  "windw": {"x": 0},\n  "background": "white"\n}', 'scene'],
+  ['{\n  "polygons": [\n    {"vertices" [[0', 'scene'],
+  ['{"format":"vidno-scene/1","polygons":[', 'scene'],
+  // What never was a scene is told as before: line by line.
+  ['{"e":"push","at":"W3"}\n{"e":"pop"}\n', 'trace'],
+  ['hello', 'trace'],
+  ['', 'trace'],
+  ['[1, 2]', 'trace'],
+])('%s', (start, kind) => {
+  expect(kindOf(start)).toBe(kind);
+});

@@ -1,0 +1,91 @@
+import { textStream } from '../base/text-file.js';
+
+/** What a file is. A scene, of polygons or of curves, is what the library reads, and says what is wrong with it. */
+export type FileKind = 'scene' | 'failure' | 'chart' | 'trace';
+
+/** Enough of a text to see what it is. */
+const peek = 2 ** 16;
+
+const kinds: ReadonlyMap<string, FileKind> = new Map([
+  ['vidno-scene/1', 'scene'],
+  ['vidno-surface/1', 'scene'],
+  ['vidno-failure/1', 'failure'],
+  ['vidno-chart/1', 'chart'],
+  ['vidno-trace/1', 'trace'],
+]);
+
+/** Keys that tell the kind of a file which does not say its format; `document_format` of the program has the same. */
+const telling: ReadonlyMap<string, FileKind> = new Map([
+  ['polygons', 'scene'],
+  ['curves', 'scene'],
+  ['function', 'scene'],
+  ['fails', 'failure'],
+]);
+
+const tokens = /"(?:[^"\\]|\\.)*"|[{}[\]:]/gsu;
+
+/** What the members of the outermost object say, up to where the text ends or is no JSON. */
+function saidIn(start: string): FileKind | null {
+  let depth = 0;
+  let key = '';
+  let last = '';
+  for (const [token] of start.matchAll(tokens)) {
+    if (depth === 1 && token === ':') {
+      key = last.slice(1, -1);
+      const told = telling.get(key);
+      if (told !== undefined) return told;
+    } else if (depth === 1 && key === 'format' && token.startsWith('"')) {
+      return kinds.get(token.slice(1, -1)) ?? null;
+    } else {
+      if (token === ':') continue;
+      if (token === '{' || token === '[') depth++;
+      if (token === '}' || token === ']') depth--;
+      if (depth === 1) key = '';
+    }
+    last = token;
+  }
+  return null;
+}
+
+function isObject(text: string): boolean {
+  try {
+    const value: unknown = JSON.parse(text);
+    return typeof value === 'object' && value !== null && !Array.isArray(value);
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * What a text is, by its beginning. One that says nothing of itself is a trace if its first line could be a trace's, or if it
+ * is no object at all.
+ */
+export function kindOf(start: string): FileKind {
+  const said = saidIn(start);
+  if (said !== null) return said;
+  const text = start.trimStart();
+  const [first = ''] = text.split('\n');
+  return text.startsWith('{') && !isObject(first) ? 'scene' : 'trace';
+}
+
+export async function kindOfFile(file: Blob): Promise<FileKind> {
+  return kindOf(await startOf(file));
+}
+
+/** The beginning of its text, as far as it can be read. */
+async function startOf(file: Blob): Promise<string> {
+  const reader = (await textStream(file)).getReader();
+  const decoder = new TextDecoder();
+  let start = '';
+  try {
+    while (start.length < peek) {
+      const { done, value } = await reader.read();
+      if (done) break;
+      start += decoder.decode(value, { stream: true });
+    }
+  } catch {
+    // Broken gzip: whoever reads the whole file says so.
+  }
+  reader.cancel().catch(() => undefined);
+  return start.slice(0, peek);
+}
