@@ -61,7 +61,7 @@ export class SideElement extends LitElement {
         display: flex;
         flex: none;
         flex-wrap: wrap;
-        padding: 0.15rem 0.4rem 0;
+        padding: 0.15rem 0.1rem 0;
         border-bottom: 1px solid var(--line);
       }
       :host([bare]) .choice {
@@ -95,8 +95,10 @@ export class SideElement extends LitElement {
         display: flex;
         margin-left: auto;
       }
-      .asides button {
-        padding-inline: 0.08rem;
+      /* No smaller than a target should be. */
+      .asides .outline {
+        min-width: 1.5rem;
+        padding-inline: 0;
       }
       .predict span {
         display: inline-block;
