@@ -1,7 +1,6 @@
 import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { texts } from '../i18n/index.js';
-import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';
 import '../run/notice.js';
 import type { Notice } from '../run/notice.js';

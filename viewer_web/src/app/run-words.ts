@@ -3,6 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
+import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';
 import type { KernelKind } from '../language/word-texts.js';
 import { isMistake, kindOfKernel } from '../trace/editions.js';
@@ -86,10 +87,11 @@ export class RunWordsElement extends LitElement {
   private get words(): readonly (readonly [word: string, meaning: string])[] {
     const { page, scene, family, words } = texts[this.language];
     const { method, edition, kernel, detail } = this.header;
-    const kind = isMistake(edition) ? 'mistake' : edition;
+    const isNamed = edition === 'corrected' || edition === 'printed';
+    const kind = isNamed ? edition : isMistake(edition) ? 'mistake' : 'defects';
     return [
       [page.methods[method], family.rules[method]],
-      [page.editions[edition], words.editions[kind]],
+      [editionName(page.editions, edition), words.editions[kind]],
       [kernel, words.kernels[kindOfKernel(kernel) as KernelKind]],
       [scene.details[detail], words.details[detail]],
     ];

@@ -5,6 +5,7 @@ import { dialogStyle } from '../elements/dialog.style.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { AtlasTexts, FailureKind } from '../language/atlas-texts.js';
+import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';
 import { drawn } from '../picture/drawn.js';
 import { embeddedAtlas, entryKinds } from './entries.js';
@@ -114,7 +115,7 @@ export class GalleryElement extends LitElement {
 
   private runOf({ method, kernel, edition }: NonNullable<Entry['fails']>): string {
     const { page } = texts[this.language];
-    const text = edition === 'corrected' ? [] : [page.editions[edition]];
+    const text = edition === 'corrected' ? [] : [editionName(page.editions, edition)];
     return [page.methods[method], kernel, ...text].join(' · ');
   }
 

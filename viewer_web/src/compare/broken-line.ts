@@ -5,7 +5,7 @@ import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { BrokenTexts } from '../language/compare-texts.js';
 import type { Language } from '../language/language.js';
-import { opaque, paint } from '../picture/paint.js';
+import { CellPainter, opaque } from '../picture/paint.js';
 import { isPainted } from '../replay/grid.js';
 import type { Grid } from '../replay/grid.js';
 import type { Deviation } from '../trace/editions.js';
@@ -203,7 +203,8 @@ function paintChanges(canvas: HTMLCanvasElement, own: Grid<number>, other: Grid<
   };
   const row = (j: number, columns: readonly number[]): ArrayLike<number> =>
     Uint32Array.from(columns, (i) => ink(i, j));
-  paint(canvas, { width, height, row }, { x: 0, y: 0, scale: scale * ratio, ratio });
+  const cells = { width, height, of: [own, other], row };
+  new CellPainter().paint(canvas, cells, { x: 0, y: 0, scale: scale * ratio, ratio });
 }
 
 declare global {

@@ -4,7 +4,6 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { quickRuns } from './quick.js';
 import type { With } from './rival.js';
-import { editionName } from '../language/family-texts.js';
 import type { CompareTexts } from '../language/compare-texts.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';

@@ -6,7 +6,7 @@ export type KernelKind = 'float' | 'double' | 'bits' | 'depth' | 'filtered' | 'g
 /** The words by which runs are named, explained. */
 export interface WordTexts {
   readonly explain: string;
-  readonly editions: Readonly<Record<'corrected' | 'printed' | 'mistake', string>>;
+  readonly editions: Readonly<Record<'corrected' | 'printed' | 'defects' | 'mistake', string>>;
   readonly kernels: Readonly<Record<KernelKind, string>>;
   readonly details: Readonly<Record<Detail, string>>;
 }

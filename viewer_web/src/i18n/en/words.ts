@@ -10,6 +10,7 @@ export const words: WordTexts = {
   editions: {
     corrected: 'The procedures of the course text, with its printing errors put right.',
     printed: 'The procedures exactly as the course text prints them, errors included.',
+    defects: 'The corrected procedures with single printing errors of the course text put back.',
     mistake: 'The corrected procedures with one usual mistake in them.',
   },
   kernels: {
