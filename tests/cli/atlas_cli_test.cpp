@@ -144,7 +144,7 @@ TEST_CASE("Atlas: what the options say counts") {
     CHECK(fails.status == 1);
     CHECK(fails.text.find("step 74: columns: 15,16, exactly 14,16") != std::string::npos);
     CHECK(holds.status == 0);
-    CHECK_MESSAGE(holds.text.find("step 74") == std::string::npos, "that is the step of the run that fails");
+    CHECK_MESSAGE(holds.text.find("step 74: columns") == std::string::npos, "that is the step of the run that fails");
 }
 
 TEST_CASE("Atlas: map shows the orientation at which an entry goes wrong, and refuses another decision") {

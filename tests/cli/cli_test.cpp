@@ -848,7 +848,7 @@ TEST_CASE("A run that a signal stops leaves no part of its file") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     const auto stopped = program("-c \"ulimit -f 1; '" VIDNO_FILE "' trace " + scene + " --detail signs -o " +
-                                     work.file("run.jsonl") + "; echo ended by $?\"",
+                                     work.file("run.jsonl") + "; echo ended by \\$?\"",
                                  "/bin/sh");
     CHECK(stopped.text.find("ended by 153") != std::string::npos);
     CHECK(work.files() == 1);

@@ -185,7 +185,8 @@ TEST_CASE("surfaces: a chart turns the sampling of a function, and the name deci
         CHECK_FALSE(work.has(name));
         return text;
     };
-    CHECK(refusal(sampled, "c.json") == "vidno: " + sampled + ": no function, which could be sampled in other ways\n");
+    CHECK(refusal(sampled, "c.json") ==
+          "vidno: " + sampled + ": line 1, column 1: no function, which could be sampled in other ways\n");
     CHECK(refusal(function + " " + polygons, "c.json") ==
           "vidno: " + polygons + ": a chart is of scenes or of surfaces, not of both\n");
     CHECK(refusal(function + " --error area", "c.svg") ==

@@ -135,25 +135,64 @@ SeenFailure seen_pixel(const Failure& failure, const std::pair<int, int>& pixel)
         {}};
 }
 
-/// The step that draws a curve over a column or, if none does, the last at which its segment there is looked at.
-SeenFailure seen_column(const Failure& failure, const std::pair<int, int>& place) {
-    const int curve = place.first, x = place.second;
+/// A fraction, "p/q", as well as a number.
+double number_of(const Value& value) {
+    if (!value.fraction) return value.number;
+    const std::string& text = *value.fraction;
+    const auto bar = text.find('/');
+    return std::stod(text) / (bar == std::string::npos ? 1 : std::stod(text.substr(bar + 1)));
+}
+
+bool is_over_column(const event::DrawLine& line, int x) {
+    return line.from_columns.second <= x && x <= line.to_columns.first;
+}
+bool is_over_place(const event::DrawLine& line, double x) {
+    return number_of(line.from.x) <= x && x <= number_of(line.to.x);
+}
+
+/// Whether a curve is drawn somewhere, and the step at which one sees that.
+struct Drawn {
+    std::optional<std::uint64_t> step;
+    bool is_drawn = false;
+};
+
+/// The step that draws a curve over an x or, if none does, the last at which its segment there is looked at.
+Drawn drawn_over(const Failure& failure, int curve, auto x, auto&& is_over) {
     bool is_in_curve = false;
     std::optional<std::uint64_t> drawn, looked;
     follow(*failure.scene, failure.fails, [&](std::uint64_t step, const EventView& event) {
         if (const auto* begun = event.get_if<event::Curve>()) is_in_curve = begun->curve == curve;
         if (!is_in_curve) return;
         if (const auto* line = event.get_if<event::DrawLine>()) {
-            if (!drawn && line->from_columns.second <= x && x <= line->to_columns.first) drawn = step;
+            if (!drawn && is_over(*line, x)) drawn = step;
         } else if (const auto* visibility = event.get_if<event::Visibility>()) {
             if (visibility->segment.first <= x && x <= visibility->segment.second) looked = step;
         }
     });
-    const std::string number = std::to_string(curve), column = std::to_string(x);
-    return {drawn ? drawn : looked,
-            {"curve " + number + " is " + (drawn ? "" : "not ") + "drawn over column " + column,
-             "кривая " + number + " над столбцом " + column + (drawn ? " нарисована" : " не нарисована")},
+    return {drawn ? drawn : looked, drawn.has_value()};
+}
+
+SeenFailure seen_curve(const Drawn& found, int curve, const std::string& there, const std::string& there_in_russian) {
+    const std::string number = std::to_string(curve);
+    return {found.step,
+            {"curve " + number + " is " + (found.is_drawn ? "" : "not ") + "drawn " + there,
+             "кривая " + number + " " + there_in_russian + (found.is_drawn ? " нарисована" : " не нарисована")},
             {}};
+}
+
+SeenFailure seen_column(const Failure& failure, const std::pair<int, int>& column) {
+    const auto [curve, x] = column;
+    const std::string number = std::to_string(x);
+    return seen_curve(drawn_over(failure, curve, x, is_over_column), curve, "over column " + number,
+                      "над столбцом " + number);
+}
+
+SeenFailure seen_place(const Failure& failure, const std::pair<int, double>& place) {
+    const auto [curve, x] = place;
+    std::string number = text_of(x);
+    const std::string there = "at x = " + number;
+    std::replace(number.begin(), number.end(), '.', ',');
+    return seen_curve(drawn_over(failure, curve, x, is_over_place), curve, there, "при x = " + number);
 }
 
 SeenFailure seen_fault(const Failure& failure) {
@@ -234,6 +273,7 @@ SeenFailure seen(const Failure& failure) {
         if (const auto wrong = first_wrong(failure)) return *wrong;
     }
     if (shows.column) return seen_column(failure, *shows.column);
+    if (shows.place) return seen_place(failure, *shows.place);
     if (shows.pixel) return seen_pixel(failure, *shows.pixel);
     return {{}, failure.title, {}};
 }

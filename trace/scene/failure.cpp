@@ -49,11 +49,16 @@ std::pair<int, int> read_place(const JsonNode& node) {
 }
 
 Shows read_shows(const JsonNode& node) {
-    node.require_keys({}, {"pixel", "column", "wrong", "fault", "missing", "present", "more_windows", "off"});
+    node.require_keys({}, {"pixel", "column", "place", "wrong", "fault", "missing", "present", "more_windows", "off"});
     if (node.keys().empty()) node.refuse("shows nothing");
     Shows shows;
     if (node.has("pixel")) shows.pixel = read_place(node.at("pixel"));
     if (node.has("column")) shows.column = read_place(node.at("column"));
+    if (node.has("place")) {
+        const JsonNode& place = node.at("place");
+        if (place.size() != 2) place.refuse("not a curve and an x");
+        shows.place = {place.at(0).whole_number(0, farthest_offset), place.at(1).number()};
+    }
     if (node.has("wrong")) shows.wrong = node.at("wrong").text();
     if (node.has("fault")) shows.fault = node.at("fault").text();
     if (node.has("missing")) shows.missing = node.at("missing").text();

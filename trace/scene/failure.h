@@ -24,12 +24,13 @@ struct NamedRun {
 struct Shows {
     std::optional<std::pair<int, int>> pixel;  // is painted wrong
     std::optional<std::pair<int, int>>
-        column;         // of a curve, by its place: it is drawn over this column, or not, and should not, or should
-    std::string wrong;  // a procedure that decides wrongly
-    std::string fault;  // a line of the listing at which the run faults
-    std::string missing, present;  // a line that it does not reach, or alone reaches
-    bool more_windows = false;     // than the run that holds
-    std::optional<double> off;     // pixels by which an intersection is
+        column;  // of a curve, by its place: it is drawn over this column, or not, and should not, or should
+    std::optional<std::pair<int, double>> place;  // the same at an x between columns
+    std::string wrong;                            // a procedure that decides wrongly
+    std::string fault;                            // a line of the listing at which the run faults
+    std::string missing, present;                 // a line that it does not reach, or alone reaches
+    bool more_windows = false;                    // than the run that holds
+    std::optional<double> off;                    // pixels by which an intersection is
 };
 
 struct Failure {

@@ -35,8 +35,8 @@ export interface Entry extends Told {
 /** An entry that no scene can show has a test of its own instead. */
 export function kindOfEntry({ fails }: Pick<Told, 'fails'>): FailureKind {
   if (fails === undefined) return 'test';
-  if (fails.edition === 'printed') return 'printed';
   if (isMistake(fails.edition)) return 'mistake';
+  if (fails.edition !== 'corrected') return 'printed';
   // Nothing rounds there: the method itself does not see it.
   return fails.kernel === 'exact' ? 'limit' : 'rounding';
 }
