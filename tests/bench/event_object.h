@@ -44,6 +44,7 @@ private:
     json value(const Answer& v) const {
         return std::visit([&](const auto& answer) { return value(answer); }, v);
     }
+    json value(const Operand& v) const { return list(v.name, v.used.text, v.exact.text); }
     json value(const Truth& v) const { return v.answer ? value(*v.answer) : json(); }
     json value(const ValuePoint& v) const { return list(v.x, v.y); }
     json value(const ValueVertex& v) const { return list(v.x, v.y, v.z); }
