@@ -3,7 +3,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import type { AppElement } from '../src/app/app.js';
 import { browser } from './browser.js';
-import { open, openFile, shown } from './page.js';
+import { open, openContents, openFile, shown } from './page.js';
 
 const folder = new URL('../../lessons/failures/', import.meta.url);
 const text = (file: string): string => readFileSync(new URL(file, folder), 'utf8');
@@ -34,6 +34,7 @@ const entries = text('README.md')
   });
 
 async function openGallery(page: Page): Promise<void> {
+  await openContents(page);
   await page.locator('button.atlas').click();
   await page.locator('vidno-gallery dialog[open]').waitFor();
 }

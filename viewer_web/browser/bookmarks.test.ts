@@ -17,7 +17,7 @@ describe('bookmarks', () => {
     await page.keyboard.type('b? a note, of 3 steps +');
     await page.keyboard.press('Enter');
     expect(await stepOf(page)).toBe(3); // in a note no key is a command
-    expect(await page.locator('vidno-player dialog').isVisible()).toBe(false);
+    expect(await page.locator('vidno-keys dialog').isVisible()).toBe(false);
     await page.keyboard.press('Shift+ArrowRight');
     await page.keyboard.press('b');
     await page.locator('textarea[data-note="13"]:focus').waitFor();

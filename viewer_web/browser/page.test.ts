@@ -114,9 +114,9 @@ describe('the controls', () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     await page.keyboard.press('?');
-    expect(await page.locator('vidno-player dialog').isVisible()).toBe(true);
+    expect(await page.locator('vidno-keys dialog').isVisible()).toBe(true);
     await page.keyboard.press('Escape');
-    expect(await page.locator('vidno-player dialog').isVisible()).toBe(false);
+    expect(await page.locator('vidno-keys dialog').isVisible()).toBe(false);
   });
 
   it('are all reached by Tab', async () => {
