@@ -18,7 +18,7 @@ const title = (page: Page): Promise<string> =>
 
 async function openRun(hash: string): Promise<{ page: Page; faults: readonly string[] }> {
   const opened = await open(browser, `#lang=en&${hash}`);
-  await opened.page.locator('main > .title h2', { hasText: /./u }).waitFor();
+  await opened.page.locator('.title h2', { hasText: /./u }).waitFor();
   await whole(opened.page);
   return opened;
 }
@@ -195,7 +195,7 @@ describe('a line that is broken', () => {
       ],
     });
     await openFile(page, 'below.json', curves);
-    await page.locator('main > .title h2', { hasText: 'A line below another' }).waitFor();
+    await page.locator('.title h2', { hasText: 'A line below another' }).waitFor();
     await breakLine(page, 'FH6', 'printed:x-h1');
     // The second line lies below the first over all four columns, and is not drawn.
     expect(await result(page)).toBe('Curves change over 4 columns.');

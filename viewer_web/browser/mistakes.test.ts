@@ -7,7 +7,7 @@ describe('a usual mistake', () => {
   it('of a trace that was opened is kept as its scene is run anew', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await opened(page, 'one-list.jsonl', sampleTrace('one-list.warnock.signs'));
-    const name = page.locator('div.title');
+    const name = page.locator('vidno-run-words button').first();
     expect(await name.textContent()).toContain('mistake: one list for all parts');
     const { lines } = await run(page);
     await edit(page);

@@ -50,7 +50,7 @@ describe('a point of the chart', () => {
     expect((await stepsOf(beside.page))[0]).toBe(1);
 
     const alone = await openUrl(browser, (await replay.getAttribute('href')) ?? '');
-    await alone.page.locator('.title p', { hasText: name?.[2] ?? '' }).waitFor();
+    await alone.page.locator('vidno-run-words button', { hasText: name?.[2] ?? '' }).waitFor();
     expect(alone.faults).toEqual([]);
     expect(faults).toEqual([]);
   });
