@@ -147,7 +147,7 @@ describe('a reader who must answer', () => {
   });
 
   it('comes by a link, which the page makes', async () => {
-    const { page } = await open(browser, '#lang=ru&view=workbench');
+    const { page } = await open(browser, '#lang=ru&view=workbench&lesson=first');
     await page.locator('vidno-side button.predict').click();
     await page.getByRole('checkbox', { name: 'Останавливать и спрашивать' }).check();
     await expect.poll(() => page.url()).toContain('ask=forced');

@@ -94,8 +94,7 @@ export class ListingElement extends LitElement {
       aria-hidden="true"
       title=${broken.offerAt(at)}
       @click=${() => void this.wrongLines.show(at)}
-      >≠</i
-    >`;
+    ></i>`;
   }
 
   toggleSource(): void {

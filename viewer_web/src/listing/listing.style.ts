@@ -131,6 +131,10 @@ export const listingStyle = css`
     opacity: 0.55;
     cursor: pointer;
   }
+  /* No part of the text of the line, for copies and for screen readers. */
+  .mark::after {
+    content: '≠';
+  }
   li:hover .mark,
   .now .mark {
     color: var(--accent);

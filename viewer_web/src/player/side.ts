@@ -97,7 +97,7 @@ export class SideElement extends LitElement {
       }
       /* No smaller than a target should be. */
       .asides .outline {
-        min-width: 1.5rem;
+        min-width: 1.55rem;
         padding-inline: 0;
       }
       .predict span {
