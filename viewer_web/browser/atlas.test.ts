@@ -39,10 +39,11 @@ async function openGallery(page: Page): Promise<void> {
   await page.locator('vidno-gallery dialog[open]').waitFor();
 }
 
-async function choose(page: Page, { name, there }: Stated): Promise<void> {
+async function choose(page: Page, { name, there, remedy }: Stated): Promise<void> {
   await openGallery(page);
   await page.locator(`vidno-gallery [data-entry="${name}"]`).click();
-  await page.locator('vidno-failure-note .there', { hasText: there }).waitFor();
+  const note = page.locator('vidno-failure-note').filter({ hasText: remedy });
+  await note.locator('.there', { hasText: there }).waitFor();
 }
 
 /** The step and the pixel that are shown, and the colours of that pixel in this run and in the one beside it. */
@@ -79,18 +80,24 @@ describe('the atlas of failures', () => {
       const said = (await note.locator('.there').textContent())?.trim();
       expect(said, entry.name).toBe(`${step}${entry.there}`);
       expect(await note.locator('.remedy').textContent(), entry.name).toContain(entry.remedy);
-      const { step: at, length, pixel } = await state(page);
-      expect(at, entry.name).toBe(
-        entry.step === '' ? length : Math.min(Number(entry.step), length),
-      );
-      expect(pixel, entry.name).toEqual(entry.pixel);
+      await expect
+        .poll(
+          async () => {
+            const { step: at, length, pixel } = await state(page);
+            const stated = entry.step === '' ? length : Math.min(Number(entry.step), length);
+            return { isThere: at === stated, pixel };
+          },
+          { message: entry.name },
+        )
+        .toEqual({ isThere: true, pixel: entry.pixel });
       if (entry.pixel === null) continue;
       pixels++;
       await note.locator('[name=compare]').click();
       await page.locator('vidno-comparison').waitFor();
-      const [fails, holds] = (await state(page)).colors;
-      expect(holds, entry.name).not.toBeNull();
-      expect(fails, entry.name).not.toBe(holds);
+      const isTold = async (): Promise<boolean> => (await state(page)).colors[1] !== null;
+      await expect.poll(isTold, { message: entry.name }).toBe(true);
+      const differ = async (): Promise<boolean> => new Set((await state(page)).colors).size === 2;
+      await expect.poll(differ, { message: entry.name }).toBe(true);
       await note.locator('[name=compare]').click();
     }
     expect(pixels).toBeGreaterThanOrEqual(35);
@@ -170,10 +177,11 @@ describe('a file that is no scene', () => {
       '{"polygons": [{"vertices": [[1, 2, 0], [9, 2, 0], [1, 8, 0]]}]}',
     );
     await page.locator('vidno-player').waitFor();
-    const area = await page.waitForFunction(
-      () => document.querySelector<AppElement>('vidno-app')?.session.live.editing?.sketch.area,
-    );
-    await expect.poll(() => area.jsonValue()).toEqual({ x: 1, y: 2, width: 8, height: 6 });
+    const area = () =>
+      page.evaluate(
+        () => document.querySelector<AppElement>('vidno-app')?.session.live.editing?.sketch.area,
+      );
+    await expect.poll(area).toEqual({ x: 1, y: 2, width: 8, height: 6 });
     expect(faults).toEqual([]);
   });
 });

@@ -102,7 +102,8 @@ export async function takeBack(isInOrder: boolean): Promise<void> {
       if (page.isClosed()) return;
       page.removeAllListeners();
       if (!isInOrder || uses >= mostUses) return page.context().close();
-      await page.evaluate(() => localStorage.clear());
+      // A page that was written into a blank tab has no storage.
+      if (!page.url().startsWith('about:')) await page.evaluate(() => localStorage.clear());
       await page.goto('about:blank');
       // Else the next page would be under the mouse where this one was.
       await page.mouse.move(-1, -1);

@@ -212,6 +212,8 @@ describe('a file of one’s own', () => {
 
   it('says what is wrong with the block of data', async () => {
     const { page } = await openChart(browser, 'lang=ru', '{"format":1}');
-    expect(await page.locator('p.failed').innerText()).toMatch(/^Файл chart\.html не читается/);
+    expect(await page.locator('p.failed').innerText()).toMatch(
+      /^Файл chart\.html нельзя прочитать/,
+    );
   });
 });

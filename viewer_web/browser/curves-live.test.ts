@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
-import { goTo, open, openFile, shown } from './page.js';
+import { goTo, open, openContents, openFile, shown } from './page.js';
 
 const waves = readFileSync(
   new URL('../../lessons/surfaces/waves-and-pit.json', import.meta.url),
@@ -105,6 +105,7 @@ describe('a surface that the page runs', () => {
 
   it('can be begun with nothing at hand, and is carried by a link', async () => {
     const { page, faults } = await open(browser, '#lang=en');
+    await openContents(page);
     await page.getByRole('button', { name: 'A surface y = f(x, z)' }).click();
     await page.locator('vidno-surface-form').waitFor();
     await page.waitForFunction(() => location.hash.includes('scene='));

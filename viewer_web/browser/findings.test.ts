@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { violations } from './axe.js';
 import { browser } from './browser.js';
-import { rerun, run, title } from './live.js';
+import { looks, rerun, run, title } from './live.js';
 import { goTo, open, openFile } from './page.js';
 
 /** The corners of the square lie on the centres of the pixels at the corners of a 2 x 2 area. */
@@ -66,6 +66,6 @@ describe('the margin of a vertex', () => {
     await goTo(page, lines.findIndex((line) => line.includes('"e":"orient"')) + 1);
     await page.locator('vidno-side button.scene').click();
     await page.locator('vidno-handles [data-spot="0,3"]').focus();
-    await page.locator('vidno-picture svg .margin').first().waitFor({ state: 'attached' });
+    await expect.poll(() => looks(page, 'margin')).toBeGreaterThan(0);
   });
 });

@@ -46,7 +46,7 @@ describe('keys of one letter', () => {
     expect(await stepOf(page)).toBe(1);
     await page.waitForFunction(() => location.hash.includes('keys=off.KX.XK'));
 
-    const again = await open(browser, new URL(page.url()).hash);
+    const again = await open(browser, `${new URL(page.url()).hash}&view=workbench`);
     await again.page.locator(title, { hasText: /./u }).waitFor();
     await press(again.page, 'k');
     expect(await panel(again.page)).toBe('state');
@@ -115,7 +115,8 @@ describe('by keyboard', () => {
     const skip = await page.getByRole('button', { name: 'To the controls' }).boundingBox();
     expect(skip?.height).toBeGreaterThan(20);
     let presses = 1;
-    for (; presses < 30 && !(await focused()).startsWith("Play"); presses++) await press(page, 'Tab');
+    for (; presses < 30 && !(await focused()).startsWith('Play'); presses++)
+      await press(page, 'Tab');
     expect(presses).toBeLessThanOrEqual(10);
     await page.getByRole('button', { name: 'To the controls' }).focus();
     await press(page, 'Enter');

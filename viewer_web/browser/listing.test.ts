@@ -53,7 +53,7 @@ describe('the listing', () => {
     await now.click({ trial: true }); // it is in sight
     await page.keyboard.press('c');
     expect(await source.count()).toBe(0);
-    await page.locator('vidno-listing button').focus();
+    await page.getByRole('button', { name: 'C++' }).focus();
     await page.keyboard.press('Enter');
     expect(await source.locator('h3').first().textContent()).toBe('warnock/warnock.h');
     expect(await violations(page)).toEqual([]);

@@ -147,7 +147,10 @@ describe('a reader who must answer', () => {
   });
 
   it('comes by a link, which the page makes', async () => {
-    const { page } = await open(browser, '#lang=ru&view=workbench&lesson=first');
+    const { page } = await open(
+      browser,
+      '#lang=ru&view=workbench&trace=09-usual-mistakes.warnock.double.corrected.signs&step=0',
+    );
     await page.locator('vidno-side button.predict').click();
     await page.getByRole('checkbox', { name: 'Останавливать и спрашивать' }).check();
     await expect.poll(() => page.url()).toContain('ask=forced');

@@ -66,7 +66,7 @@ BuiltLesson built_lesson(const std::string& folder, Problems& problems) {
                    {"edition", name_of(run.edition)},
                    {"detail", detail_names[std::size_t(run.detail)]}};
         const Json title = title_of(lesson, run);
-        if (title["en"] != "") trace["title"] = title;
+        if (!title["en"].get_ref<const std::string&>().empty()) trace["title"] = title;
         traces.push_back(std::move(trace));
     }
     made.entry = {{"id", lesson.id},

@@ -26,6 +26,7 @@ export class GalleryElement extends LitElement {
   @state() private kind: FailureKind | null = null;
   @state() private pictures: ReadonlyMap<string, Thumbnail> = new Map();
   @query('dialog') private dialog!: HTMLDialogElement;
+  @query('#title') private heading!: HTMLElement;
   private drawing = false;
 
   get open(): boolean {
@@ -36,6 +37,7 @@ export class GalleryElement extends LitElement {
     if (this.entries.length === 0) this.entries = await embeddedAtlas(document);
     await this.updateComplete;
     if (!this.dialog.open) this.dialog.showModal();
+    this.heading.focus();
     if (!this.drawing) await this.draw();
   }
 
@@ -57,7 +59,7 @@ export class GalleryElement extends LitElement {
     const shown = entries.filter((entry) => kind === null || entry.kind === kind);
     return html`<dialog aria-labelledby="title">
       <div class="head">
-        <h2 id="title" tabindex="-1" autofocus>${say.title}</h2>
+        <h2 id="title" tabindex="-1">${say.title}</h2>
         ${this.filter(say)}
         <button class="close" @click=${() => this.dialog.close()}>${say.close}</button>
       </div>
