@@ -89,7 +89,9 @@ describe('a run of curves', () => {
     await page.keyboard.press('v');
     await page.keyboard.press('x');
     expect(await page.locator('vidno-solid, vidno-layers').count()).toBe(0);
-    expect(await page.locator('vidno-exactness h3').first().innerText()).toBe('The flag of Visibility');
+    expect(await page.locator('vidno-exactness h3').first().innerText()).toBe(
+      'The flag of Visibility',
+    );
     expect(faults).toEqual([]);
   });
 });
