@@ -41,8 +41,6 @@ std::vector<Finding> of_kind(const Checked& checked, FindingKind kind) {
 /// Polygons and pixels as the picture rule has them, in rationals.
 class InRationals {
 public:
-    explicit InRationals(const Scene& scene) : scene_(scene) {}
-
     /// The ends of the closed polygon on a row's centre line; none if it does not reach it. One of no width counts as it does for the
     /// rule: not at all.
     std::optional<std::pair<Rational, Rational>> ends(const ScenePolygon& polygon, int row) const {
@@ -102,7 +100,6 @@ public:
 
 private:
     const Rational half = Rational(1) / 2;
-    const Scene& scene_;
 };
 
 using PolygonAtPixel = std::tuple<int, int, int>;        // a polygon, x, y
@@ -210,7 +207,7 @@ TEST_CASE(
             scene.polygons.push_back(scene.polygons[std::size_t(random.whole(0, int(scene.polygons.size()) - 1))]);
             scene.polygons.back().id = "copy";
         }
-        const InRationals exact(scene);
+        const InRationals exact;
         const Area& area = scene.area;
 
         const Rational half = Rational(1) / 2;

@@ -80,7 +80,10 @@ TEST_CASE("Atlas: trace runs each entry as it fails, and says title, step, what 
     const Workplace work;
     const auto entries = entries_with_scenes();
     CHECK(entries.size() >= 52);
-    for (const auto& [file, told, stated] : entries) {
+    for (const auto& entry : entries) {
+        const auto& file = entry.file;
+        const auto& told = entry.told;
+        const auto& stated = entry.stated;
         CAPTURE(file);
         const auto traced = program("trace " + file + " --max-events 20000 -o " + work.file("run.jsonl"));
         CHECK(traced.status <= 1);
@@ -98,7 +101,9 @@ TEST_CASE("Atlas: trace runs each entry as it fails, and says title, step, what 
 TEST_CASE("Atlas: render paints the pixel of each entry otherwise than the remedy does") {
     const Workplace work;
     int pixels = 0;
-    for (const auto& [file, told, stated] : entries_with_scenes()) {
+    for (const auto& entry : entries_with_scenes()) {
+        const auto& file = entry.file;
+        const auto& told = entry.told;
         if (!told["shows"].contains("pixel")) continue;
         CAPTURE(file);
         REQUIRE(program("render " + file + " -o " + work.file("fails.ppm")).status == 0);

@@ -193,7 +193,8 @@ TEST_CASE("1,000 margins: inside no sign changes, beyond a side those change tha
             const int vertex = random.whole(0, int(vertices.size()) - 1);
             const auto& now = vertices[std::size_t(vertex)];
             const Place at{Rational(now.x), Rational(now.y)};
-            const auto [step, event] = course.events[std::size_t(random.whole(0, int(course.events.size()) - 1))];
+            const auto& chosen = course.events[std::size_t(random.whole(0, int(course.events.size()) - 1))];
+            const std::uint64_t step = chosen.first;
             CAPTURE(margins);
             CAPTURE(step);
             const Margin margin = margin_of(request, step, polygon, vertex);

@@ -259,9 +259,9 @@ struct Side {
 };
 
 /// Those signs that depend on the vertex, by their lines.
-std::vector<Side> sides_of(std::vector<Collector::Found> signs) {
+std::vector<Side> sides_of(const std::vector<Collector::Found>& signs) {
     std::vector<Side> sides;
-    for (auto& [value, sign] : signs) {
+    for (const auto& [value, sign] : signs) {
         if (value.is_constant()) continue;
         const Rational scale = value.a != 0 ? value.a : value.b;
         const Linear line{value.a / scale, value.b / scale, value.c / scale};
@@ -270,9 +270,9 @@ std::vector<Side> sides_of(std::vector<Collector::Found> signs) {
             return side.value.a == line.a && side.value.b == line.b && side.value.c == line.c;
         });
         if (same == sides.end()) {
-            sides.push_back({line, kept, {std::move(sign)}});
+            sides.push_back({line, kept, {sign}});
         } else {
-            same->flips.push_back(std::move(sign));
+            same->flips.push_back(sign);
         }
     }
     return sides;

@@ -7,6 +7,12 @@ namespace vidno {
 
 namespace {
 
+/// Negative, zero, positive.
+std::size_t place_of(Sign sign) {
+    const int place = int(sign) + 1;
+    return std::size_t(place);
+}
+
 /// A fraction as one writes it: 3 for 3/1.
 std::string plain(const Fraction& fraction) {
     return fraction.text.ends_with("/1") ? fraction.text.substr(0, fraction.text.size() - 2) : fraction.text;
@@ -25,12 +31,12 @@ std::string expression(const MarginSide& side) {
         text += variables[i];
     }
     constexpr std::array<std::string_view, 3> relations{" < 0", " = 0", " > 0"};
-    return text + std::string(relations[std::size_t(int(side.sign) + 1)]);
+    return text + std::string(relations[place_of(side.sign)]);
 }
 
 std::string_view sign_text(Sign sign) {
     constexpr std::array<std::string_view, 3> words{"negative", "zero", "positive"};
-    return words[std::size_t(int(sign) + 1)];
+    return words[place_of(sign)];
 }
 
 std::string number_text(const Value& value) {

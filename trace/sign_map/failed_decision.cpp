@@ -32,8 +32,9 @@ MappedDecision failed_decision(const Failure& failure, const std::string& file) 
     const auto are_doubles = [&](double start) {
         return exact_scene::are_doubles(start, decision.step, MappedDecision::side);
     };
+    constexpr int before_middle = MappedDecision::side / 2;
     do {
-        decision.p = point - glm::dvec2(MappedDecision::side / 2) * decision.step;
+        decision.p = point - glm::dvec2(before_middle) * decision.step;
     } while (!(are_doubles(decision.p.x) && are_doubles(decision.p.y)) && (decision.step *= 2) < 1);
     constexpr int pivot = 1;  // as SurroundTest has it: the edge's beginning
     decision.asked = MappedOrientation{vertices[from], vertices[(from + 1) % vertices.size()], pivot};
