@@ -62,7 +62,7 @@ Operand renamed(Operand operand, std::string name) {
     return operand;
 }
 
-/// The columns of a span are told by its ends: the first centre from one and the last one up to the other.
+/// The ends of a span give its columns: the first centre from one end and the last one up to the other.
 JudgedDecision columns_of(const JudgedDecision& first, const JudgedDecision& last) {
     JudgedDecision columns = last;
     columns.taken = std::pair(std::get<int>(first.taken), std::get<int>(last.taken) + 1);

@@ -39,7 +39,7 @@ private:
     /// Whether events of level `polygons` tell decisions of this kind.
     static bool is_told_early(Decision of);
 
-    /// What stands beside the event's decision.
+    /// The fields that a checked trace adds to the event's decision.
     Told told_of(const ToldDecision& told, const std::vector<JudgedDecision>& decisions);
 
     Detail detail_;

@@ -27,14 +27,14 @@ struct ProcedureVerdicts {
     std::optional<std::uint64_t> first() const { return first_wrong ? first_wrong : first_wrong_for_operands; }
 };
 
-/// A constructed point so many pixels from the exact one is an error.
+/// A constructed point farther than this from the exact one, in pixels, is an error.
 inline constexpr double most_pixels_off = 0.5;
 
 struct DecisionReport {
     std::vector<ProcedureVerdicts> procedures{};                        // those that decided, in the order of Procedure
     std::uint64_t intersections = 0;                                    // computed, under `float`, `double`, `bits`
     double farthest_off = 0;                                            // of them, from the exact one, in pixels
-    std::uint64_t farthest_step = 0;                                    // at which it is told
+    std::uint64_t farthest_step = 0;                                    // the step that tells it
     std::uint64_t points_off = 0;                                       // of them, by more than most_pixels_off
     std::array<std::uint64_t, filter_stage_names.size()> decided_by{};  // under `filtered`: how many at each stage
 

@@ -35,7 +35,7 @@ struct Finding {
 /// Draws up a list of findings while a run goes on. It hears each event of level `signs`, and before it what followers hear.
 class FindingList {
 public:
-    /// `narrowest`: so many of the narrowest decisions are listed. Of zeros only the first `most_zeros` are, but all are counted.
+    /// `narrowest` is the number of narrow decisions that are listed. All zeros are counted, and the first `most_zeros` are listed.
     FindingList(Procedure method, const Area& area, std::size_t narrowest = 20,
                 std::size_t most_zeros = std::size_t(-1));
 

@@ -20,7 +20,7 @@ struct ZBufferDefects : Corrected {
     /// X-Z2: a line cannot lie on both sides of the area.
     static bool misses(int /*first*/, int /*end*/) { return false; }
 
-    /// X-Z3: the row and the column just past the area are scanned; what would be written there is told as a fault.
+    /// X-Z3: the row and the column just past the area are scanned; a write there is a fault in the trace.
     static int rows_end(const Area& area) { return area.bottom() + 1; }
     static void show_line(auto& run, int row, const auto& left, const auto& right, const auto& polygon) {
         const auto& kernel = run.kernel;
