@@ -362,12 +362,14 @@ TEST_CASE("check: a table and the wrong pixels, exit 1 if anything is wrong, a t
     CHECK(program("replay " + trace + " -o " + work.file("a.ppm")).status == 0);
 }
 
-TEST_CASE("check --list: the decisions worth looking at, as lines of JSON or as a table; another name is refused") {
+// The corners of the square are pixel centres: two rows of pixels end exactly on its sides, at two ends each.
+constexpr const char* square_on_pixel_centres =
+    R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":2},"polygons":[)"
+    R"({"color":"#ff0000","vertices":[[0.5,0.5,0],[1.5,0.5,0],[1.5,1.5,0],[0.5,1.5,0]]}]})";
+
+TEST_CASE("check --list writes the exact zeros of a square on pixel centres as lines of JSON") {
     const Workplace work;
-    // The corners of the square are on pixel centres, and so exact zeros are: two ends of each of two rows.
-    const std::string scene = work.write(
-        "scene.json", R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":2,"height":2},"polygons":[)"
-                      R"({"color":"#ff0000","vertices":[[0.5,0.5,0],[1.5,0.5,0],[1.5,1.5,0],[0.5,1.5,0]]}]})");
+    const std::string scene = work.write("scene.json", square_on_pixel_centres);
     const auto checked = program("check " + scene + " --method zbuffer --list " + work.file("list.jsonl"));
     CHECK(checked.status == 0);
     CHECK(checked.text.find("exact zeros: ") != std::string::npos);
@@ -376,30 +378,41 @@ TEST_CASE("check --list: the decisions worth looking at, as lines of JSON or as 
     std::string line;
     std::getline(lines, line);
     CHECK(nlohmann::json::parse(line).at("format") == "vidno-decisions/1");
-    int ends = 0;
-    std::size_t count = 0;
+    int ends_of_rows = 0;
     while (std::getline(lines, line)) {
-        ++count;
-        const auto found = nlohmann::json::parse(line);
-        CHECK(found.at("kind") != "wrong");
-        if (found.at("kind") == "zero") CHECK(found.at("gap") == "0/1");
-        if (found.at("procedure") == "ShowLine" && found.value("coincidence", "") == "on_pixel_centre" &&
-            found.at("kind") == "zero") {
-            ++ends;
-        }
+        const auto decision = nlohmann::json::parse(line);
+        CHECK(decision.at("kind") != "wrong");
+        if (decision.at("kind") != "zero") continue;
+        CHECK(decision.at("gap") == "0/1");
+        if (decision.at("procedure") == "ShowLine" && decision.value("coincidence", "") == "on_pixel_centre")
+            ++ends_of_rows;
     }
-    CHECK(ends >= 4);
-    CHECK(program("check " + scene + " --method zbuffer --list " + work.file("list.csv")).status == 0);
-    const std::string table = work.read("list.csv");
+    CHECK(ends_of_rows >= 4);
+}
+
+TEST_CASE("check --list writes the same decisions as a table") {
+    const Workplace work;
+    const std::string check =
+        "check " + work.write("scene.json", square_on_pixel_centres) + " --method zbuffer --list ";
+    REQUIRE(program(check + work.file("list.jsonl")).status == 0);
+    REQUIRE(program(check + work.file("list.csv")).status == 0);
+    const std::string json = work.read("list.jsonl"), table = work.read("list.csv");
     CHECK(table.starts_with("kind,step,at,procedure,of,polygons,pixels,"));
-    CHECK(std::size_t(std::count(table.begin(), table.end(), '\n')) == count + 1);
+    // Each of the two begins with one line that is no decision.
+    CHECK(std::count(table.begin(), table.end(), '\n') == std::count(json.begin(), json.end(), '\n'));
+}
+
+TEST_CASE("check --list refuses a file that is neither .csv nor .jsonl") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_on_pixel_centres);
     CHECK(program("check " + scene + " --list " + work.file("list.txt")).status == 2);
     CHECK_FALSE(fs::exists(work.file("list.txt")));
 }
 
 TEST_CASE("check: a constructed point more than half a pixel off is an error, and its step is said") {
     const Workplace work;
-    // From -5 to 25 the upper edge of A rises by 6 ulps at 8 = the side of a window: where it meets that is anybody's guess.
+    // The upper edge of A rises by 6 ulps from x = -5 to x = 25 and nearly lies on y = 8, the side of a window: rounding
+    // decides where the two meet.
     const std::string scene = work.write(
         "scene.json",
         R"({"format":"vidno-scene/1","window":{"x":0,"y":0,"width":16,"height":16},"polygons":[{"color":"#0072b2","vertices":)"
@@ -411,26 +424,39 @@ TEST_CASE("check: a constructed point more than half a pixel off is an error, an
     CHECK(checked.text.find(", at step ") != std::string::npos);
 }
 
-TEST_CASE("margin: half-planes of a step and a vertex, as text and as JSON; what has none is refused") {
-    const Workplace work;
-    const std::string scene = work.write("scene.json", square_scene);
-    const std::string trace = work.file("run.jsonl");
-    REQUIRE(program("trace " + scene + " --detail signs -o " + trace).status == 0);
+// Returns the first step of a traced run of `scene` that took the sign of an orientation.
+int first_orientation(const Workplace& work, const std::string& scene) {
+    REQUIRE(program("trace " + scene + " --detail signs -o " + work.file("run.jsonl")).status == 0);
     std::istringstream lines(work.read("run.jsonl"));
     std::string line;
-    int step = -1;
-    while (std::getline(lines, line) && line.find(R"("e":"orient")") == std::string::npos) ++step;
-    const std::string asked = scene + " --step " + std::to_string(step + 1) + " --vertex ";
-    const auto text = program("margin " + asked + "0.1");
+    std::getline(lines, line);
+    for (int step = 1; std::getline(lines, line); ++step)
+        if (line.find(R"("e":"orient")") != std::string::npos) return step;
+    FAIL("the run takes no orientation");
+    return 0;
+}
+
+TEST_CASE("margin tells the half-planes of a step and a vertex as text and as JSON") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string call =
+        "margin " + scene + " --step " + std::to_string(first_orientation(work, scene)) + " --vertex 0.1";
+    const auto text = program(call);
     CHECK(text.status == 0);
     CHECK(text.text.find("SurroundTest, vertex 0.1 at (1, 0)") != std::string::npos);
-    const auto json = nlohmann::json::parse(program("margin " + asked + "0.1 --json").text);
+    const auto json = nlohmann::json::parse(program(call + " --json").text);
     CHECK(json.at("format") == "vidno-margin/1");
     CHECK(json.at("vertex") == 1);
     CHECK(json.at("at") == nlohmann::json({1, 0}));
+}
+
+TEST_CASE("margin refuses a step without a sign and a vertex that the scene lacks") {
+    const Workplace work;
+    const std::string scene = work.write("scene.json", square_scene);
+    const std::string orientation = "margin " + scene + " --step " + std::to_string(first_orientation(work, scene));
     CHECK(program("margin " + scene + " --step 1 --vertex 0.1").status == 2);
-    CHECK(program("margin " + asked + "0.4").status == 2);
-    CHECK(program("margin " + asked + "1.0").status == 2);
+    CHECK(program(orientation + " --vertex 0.4").status == 2);
+    CHECK(program(orientation + " --vertex 1.0").status == 2);
 }
 
 TEST_CASE("A usual mistake runs by its name: traced, replayed, run again by check, held against the right run") {
