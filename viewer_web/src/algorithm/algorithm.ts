@@ -3,9 +3,8 @@ import type { Sum } from '../compare/survey.js';
 import type { Abouts } from '../exactness/mapped-decision.js';
 import type { Entry, Watch } from '../history/entry.js';
 import type { Reason } from '../history/why.js';
-import type { Language } from '../language/language.js';
 import type { SolidTexts } from '../language/solid-texts.js';
-import type { HistoryTexts, Sentences } from '../language/texts.js';
+import type { HistoryTexts, SentencesOf } from '../language/texts.js';
 import type { Known } from '../language/words.js';
 import type { Notes } from '../listing/notes.js';
 import type { Outlined } from '../outline/outlined.js';
@@ -31,7 +30,7 @@ import type { View } from './view.js';
  */
 export interface Algorithm {
   /** The sentences of the events that it alone tells, and of others where it says more. */
-  readonly sentences: Readonly<Record<Language, Partial<Sentences>>>;
+  readonly sentences: Partial<SentencesOf<EventName>>;
   /** What its events say beside their lines of the listing. */
   readonly notes: Partial<Notes>;
   /** The events that take a window, a polygon, a curve or a list in hand. */

@@ -1,9 +1,10 @@
 import { rulesOf, texts } from '../i18n/index.js';
-import type { Language } from '../language/language.js';
+import type { Bilingual, Language } from '../language/language.js';
 import { Words, withoutDoubledSigns } from '../language/words.js';
 import type { Known, ShownHeader } from '../language/words.js';
-import type { Event } from '../trace/events.js';
+import type { CommonEvents, Event } from '../trace/events.js';
 import { algorithmOf } from './algorithm.js';
+import { commonSentences } from './common-sentences.js';
 
 type Say = (event: Event, words: Words) => string;
 
@@ -15,9 +16,9 @@ export function sentence(
   header: ShownHeader,
   language: Language,
 ): string {
-  const own = algorithmOf(header).sentences[language];
-  const say = (own[event.e] ?? texts[language].sentences[event.e]) as Say | undefined;
+  const say = (algorithmOf(header).sentences[event.e] ??
+    commonSentences[event.e as keyof CommonEvents]) as Bilingual<Say> | undefined;
   if (say === undefined) throw new Error(`no sentence of ${event.e}`);
   const words = new Words(before, after, header, texts[language], rulesOf[language]);
-  return withoutDoubledSigns(say(event, words));
+  return withoutDoubledSigns(say[language](event, words));
 }

@@ -8,8 +8,7 @@ import { ColumnWatch } from './history.js';
 import './model.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
-import { sentences as en } from './sentences.en.js';
-import { sentences as ru } from './sentences.ru.js';
+import { sentences } from './sentences.js';
 
 /** The curves, and of the columns, which may be thousands, those that were looked at last. */
 function things({ header, after: { horizon } }: View): readonly string[] {
@@ -27,7 +26,7 @@ function landmark(event: Event, inHand: string): string | null {
 }
 
 defineAlgorithm(['floating-horizon'], {
-  sentences: { en, ru },
+  sentences,
   notes,
   begins: ['curve'],
   things,

@@ -1,8 +1,11 @@
 export const languages = ['en', 'ru'] as const;
 export type Language = (typeof languages)[number];
 
+/** What is said, or how, in each language. */
+export type Bilingual<T> = Readonly<Record<Language, T>>;
+
 /** Each language by its own name. */
-export const languageNames: Readonly<Record<Language, string>> = {
+export const languageNames: Bilingual<string> = {
   en: 'English',
   ru: 'Русский',
 };

@@ -8,7 +8,7 @@ import type { Case } from '../time/course.js';
 import type { GoalName } from '../time/goals.js';
 import type { Range } from '../time/range.js';
 import type { NamedEdition } from '../trace/editions.js';
-import type { CommonEvents, Event, EventName, Method, Procedure } from '../trace/events.js';
+import type { Event, EventName, Method, Procedure } from '../trace/events.js';
 import type { Reason, Reasons } from '../trace/refusal.js';
 import type { Corner } from '../trace/values.js';
 import type { AtlasTexts } from './atlas-texts.js';
@@ -17,6 +17,7 @@ import type { CurveTexts } from './curve-texts.js';
 import type { ExactTexts } from './exact-texts.js';
 import type { FamilyTexts } from './family-texts.js';
 import type { KeyTexts, KeyUse, NewsTexts } from './key-texts.js';
+import type { Bilingual } from './language.js';
 import type { OutlineTexts } from './outline-texts.js';
 import type { LegendEntry, PictureTexts } from './picture-texts.js';
 import type { PredictTexts } from './predict-texts.js';
@@ -28,9 +29,9 @@ import type * as words from './words.js';
 import type { TourTexts, VerdictTexts, WordTexts } from './word-texts.js';
 import type { Words } from './words.js';
 
-/** One sentence an event, made from the event and the step that it belongs to. */
-export type Sentences = {
-  readonly [K in EventName]: (event: Event<K>, words: Words) => string;
+/** One sentence an event in each language, made from the event and the step that it belongs to. */
+export type SentencesOf<Names extends EventName> = {
+  readonly [K in Names]: Bilingual<(event: Event<K>, words: Words) => string>;
 };
 
 export type ReasonTexts = {
@@ -51,14 +52,21 @@ export type Numbers = Pick<
   | 'windowText'
 >;
 
-/** Everything that the page says, in one language. */
+/** Parts of sentences that several algorithms use. */
+export interface Phrases {
+  /** "column 3", "columns 3 to 5". */
+  readonly columnsOf: (first: number, last: number) => string;
+  /** "3 pixels take". */
+  readonly takes: (n: number, words: Words) => string;
+}
+
+/** What the page says in one language, but for the sentences of its events, which stand in both beside each other. */
 export interface Texts {
   readonly numbers: Numbers;
+  readonly phrases: Phrases;
   readonly page: PageTexts;
   readonly places: Readonly<Record<Corner, string>>;
   readonly purposes: Readonly<Record<Procedure, string>>;
-  /** Of the events that all algorithms tell; those of its own each has itself. */
-  readonly sentences: Pick<Sentences, keyof CommonEvents> & Partial<Sentences>;
   readonly reasons: ReasonTexts;
   readonly history: HistoryTexts;
   readonly travel: TravelTexts;

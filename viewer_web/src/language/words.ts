@@ -1,6 +1,6 @@
 import type { Header } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
-import type { Texts } from './texts.js';
+import type { Numbers, Phrases, Texts } from './texts.js';
 
 const shortest = 7;
 const longest = 40;
@@ -138,9 +138,35 @@ export class Words {
     readonly before: Known,
     readonly after: Known,
     readonly header: ShownHeader,
-    private readonly texts: Pick<Texts, 'places'>,
+    readonly texts: Texts,
     private readonly rules: Intl.PluralRules,
   ) {}
+
+  get short(): Numbers['short'] {
+    return this.texts.numbers.short;
+  }
+
+  get shortApart(): Numbers['shortApart'] {
+    return this.texts.numbers.shortApart;
+  }
+
+  get signed(): Numbers['signed'] {
+    return this.texts.numbers.signed;
+  }
+
+  get point(): Numbers['point'] {
+    return this.texts.numbers.point;
+  }
+
+  get windowText(): Numbers['windowText'] {
+    return this.texts.numbers.windowText;
+  }
+
+  get columnsOf(): Phrases['columnsOf'] {
+    return this.texts.phrases.columnsOf;
+  }
+
+  readonly takes = (n: number): string => this.texts.phrases.takes(n, this);
 
   counted(n: number, forms: PluralForms): string {
     return counted(n, forms, this.rules);

@@ -21,8 +21,7 @@ import { marks, thingMarks } from './marks.js';
 import './model.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
-import { sentences as en } from './sentences.en.js';
-import { sentences as ru } from './sentences.ru.js';
+import { sentences } from './sentences.js';
 import { drawing, pointed } from './solid.js';
 import { caption } from './solid-caption.js';
 import { why } from './why.js';
@@ -59,7 +58,7 @@ const sums: Algorithm['sums'] = [
 ];
 
 defineAlgorithm(methods.filter(hasWindows), {
-  sentences: { en, ru },
+  sentences,
   notes,
   begins: ['pop'],
   things,

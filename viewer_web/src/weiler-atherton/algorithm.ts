@@ -17,11 +17,10 @@ import { marks } from './marks.js';
 import './model.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
-import { sentences as en } from './sentences.en.js';
-import { sentences as ru } from './sentences.ru.js';
+import { sentences } from './sentences.js';
 
 defineAlgorithm(['weiler-atherton'], {
-  sentences: { en, ru },
+  sentences,
   notes,
   begins: ['pop_list'],
   things: () => [],

@@ -1,6 +1,6 @@
 import type { RegionTexts } from '../language/region-texts.js';
-import { point, toNumber } from '../language/words.js';
-import type { PluralForms } from '../language/words.js';
+import { toNumber } from '../language/words.js';
+import type { PluralForms, Words } from '../language/words.js';
 import type { Region } from './events.js';
 import { boundsOf, verticesOf } from './geometry.js';
 
@@ -15,7 +15,7 @@ export function sized(
 }
 
 /** The corners of the box around a region, after a comma; nothing where rounding has left a vertex nowhere. */
-export function boxOf(region: Region): string {
+export function boxOf(region: Region, { point }: Pick<Words, 'point'>): string {
   const { from, to } = boundsOf(region);
   const isSomewhere = region.flat(2).every((value) => Number.isFinite(toNumber(value)));
   return isSomewhere ? `, ${point(from)} – ${point(to)}` : '';

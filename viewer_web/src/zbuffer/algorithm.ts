@@ -18,8 +18,7 @@ import { marks, thingMarks } from './marks.js';
 import './model.js';
 import { notes } from './notes.js';
 import { outline } from './outline.js';
-import { sentences as en } from './sentences.en.js';
-import { sentences as ru } from './sentences.ru.js';
+import { sentences } from './sentences.js';
 import { caption, drawing, pointed } from './solid.js';
 
 /** The edges of the polygon in hand, the active ones first. */
@@ -41,7 +40,7 @@ function landmark(event: Event, inHand: string): string | null {
 }
 
 defineAlgorithm(['zbuffer'], {
-  sentences: { en, ru },
+  sentences,
   notes,
   begins: ['polygon'],
   things,

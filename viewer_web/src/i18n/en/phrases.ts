@@ -1,12 +1,10 @@
 import { short } from '../../language/words.js';
-import type { Words } from '../../language/words.js';
+import type { Phrases } from '../../language/texts.js';
 
 const pixels = { one: 'pixel', other: 'pixels' };
 
-/** "column 3", "columns 3 to 5". */
-export const columnsOf = (first: number, last: number): string =>
+export const columnsOf: Phrases['columnsOf'] = (first, last) =>
   first === last ? `column ${short(first)}` : `columns ${short(first)} to ${short(last)}`;
 
-/** "3 pixels take". */
-export const takes = (n: number, words: Words): string =>
+export const takes: Phrases['takes'] = (n, words) =>
   `${words.counted(n, pixels)} ${n === 1 ? 'takes' : 'take'}`;

@@ -9,13 +9,13 @@ import { history } from './history.js';
 import * as numbers from './numbers.js';
 import { outline } from './outline.js';
 import { page, places, purposes } from './page.js';
+import * as phrases from './phrases.js';
 import { picture } from './picture.js';
 import { predict } from './predict.js';
 import { reader } from './reader.js';
 import { reasons } from './reasons.js';
 import { regions } from './regions.js';
 import { scene } from './scene.js';
-import { sentences } from './sentences.js';
 import { solid } from './solid.js';
 import { strip } from './strip.js';
 import { travel } from './travel.js';
@@ -23,10 +23,10 @@ import { tour, verdict, words } from './words.js';
 
 export const texts: Texts = {
   numbers,
+  phrases,
   page,
   places,
   purposes,
-  sentences,
   reasons,
   history,
   travel,

@@ -55,9 +55,10 @@ export function faultOf(
   const found = all.filter((id) => sentence.includes(id));
   const expected = all.filter((id) => ids.includes(id));
   if (found.join() !== expected.join()) return `names ${found.join()}, not ${expected.join()}`;
-  const stated = [...sentence.matchAll(number)]
-    .map(([text]) => shown(text))
-    .sort((a, b) => rising(a.value, b.value));
+  const texts = [...sentence.matchAll(number)].map(([text]) => text);
+  const foreign = texts.find((text) => text.includes(language === 'ru' ? '.' : ','));
+  if (foreign !== undefined) return `writes ${foreign} as another language does`;
+  const stated = texts.map(shown).sort((a, b) => rising(a.value, b.value));
   const right = numbers.map(value).sort(rising);
   const areRight =
     stated.length === right.length && stated.every((each, i) => isOf(each, right[i] ?? NaN));

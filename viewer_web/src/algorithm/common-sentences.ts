@@ -1,0 +1,38 @@
+import type { SentencesOf } from '../language/texts.js';
+import type { CommonEvents } from '../trace/events.js';
+
+/** The sentences of the events that all algorithms tell. */
+export const commonSentences: SentencesOf<keyof CommonEvents> = {
+  plane: {
+    en: ({ polygon, plane }, { texts }) =>
+      `The plane of ${polygon}: a, b, c, d = ${texts.numbers.list(plane)}.`,
+    ru: ({ polygon, plane }, { texts }) =>
+      `Плоскость ${polygon}: a, b, c, d = ${texts.numbers.list(plane)}.`,
+  },
+  call: {
+    en: ({ of }, { texts }) => `${of} begins: ${texts.purposes[of]}`,
+    ru: ({ of }, { texts }) => `Начинается ${of}: ${texts.purposes[of]}`,
+  },
+  depth: {
+    en: ({ polygon, point: at, z }, { point, short }) =>
+      `At the point ${point(at)} the plane of ${polygon} has depth ${short(z)}.`,
+    ru: ({ polygon, point: at, z }, { point, short }) =>
+      `В точке ${point(at)} глубина плоскости ${polygon} равна ${short(z)}.`,
+  },
+  fault: {
+    en: ({ reason, x, y }, { point }) =>
+      x === undefined || y === undefined
+        ? `The printed text fails here: ${reason}. The run ends.`
+        : `The printed text fails here: ${reason}, pixel ${point([x, y])}.`,
+    ru: ({ reason, x, y }, { point }) =>
+      x === undefined || y === undefined
+        ? `Напечатанный текст здесь ошибается: ${reason}. Прогон окончен.`
+        : `Напечатанный текст здесь ошибается: ${reason}, пиксель ${point([x, y])}.`,
+  },
+  disagree: {
+    en: ({ of, taken, exact, cause }, { texts: { exact: say } }) =>
+      `Wrong, ${say.decided[of]}: computed ${say.answer(taken)}, exactly ${say.answer(exact)}. ${say.causes[cause]}`,
+    ru: ({ of, taken, exact, cause }, { texts: { exact: say } }) =>
+      `Неверно, ${say.decided[of]}: вычислено ${say.answer(taken)}, точно ${say.answer(exact)}. ${say.causes[cause]}`,
+  },
+};
