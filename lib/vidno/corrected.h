@@ -107,6 +107,11 @@ struct Corrected : CorrectedPolygons,
     static bool shows(const auto& kernel, const auto& depth, const auto& stored, const Pixel& pixel) {
         return kernel.nearer(depth, stored, pixel);
     }
+    /// L6 for a block of pixels that have one answer. A set with another rule hides both.
+    static auto shows(const auto& kernel, const auto& depth, const auto& row, int first) requires requires {
+        kernel.nearer(depth, row, first);
+    }
+    { return kernel.nearer(depth, row, first); }
 };
 
 }  // namespace vidno

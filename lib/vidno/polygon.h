@@ -47,6 +47,7 @@ OnScreen polygon_on_screen(const auto& set, const auto& kernel, const Area& area
     polygon.index = index;
     polygon.color = source.color;
     polygon.edge_on = source.edge_on;
+    polygon.vertices.reserve(source.vertices.size());
     for (const auto& vertex : source.vertices) polygon.vertices.push_back(set.on_screen(kernel, area, vertex));
     polygon.box = box_around(polygon.vertices);
     return polygon;

@@ -13,7 +13,9 @@
 #include "run/recorder.h"
 #include "scene/snapped_scene.h"
 #include "vidno/kernels/filtered.h"
+#include "vidno/kernels/filtered_regions.h"
 #include "vidno/vidno.h"
+#include "vidno/weiler_atherton.h"
 
 namespace {
 
@@ -72,6 +74,16 @@ void draw_grid(benchmark::State& state) {
 }
 BENCHMARK(draw_grid<warnock>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw_grid<zbuffer>)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+
+/// The visible regions of triangles of which many pierce each other.
+template <class K>
+void regions(benchmark::State& state) {
+    const Scene scene = small_triangles(int(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(visible_regions(scene, K{}));
+}
+BENCHMARK(regions<Double>)->Arg(100)->Arg(200)->Arg(400)->Unit(benchmark::kMillisecond);
+BENCHMARK(regions<Filtered>)->Arg(100)->Arg(200)->Arg(400)->Unit(benchmark::kMillisecond);
+BENCHMARK(regions<Exact>)->Arg(100)->Arg(200)->Arg(400)->Unit(benchmark::kMillisecond);
 
 /// Orientation tests of random points, 512 pixels apart at most, under `filtered` and by CGAL's filtered predicate.
 void orient(benchmark::State& state) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <random>
+#include <string>
 
 namespace vidno {
 
@@ -29,6 +31,23 @@ inline Scene random_triangles(int count, int side, double overdraw) {
             const double angle = turn + corner * 2 * std::numbers::pi / 3;
             polygon.vertices.push_back(
                 centre + glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), random() * 0.2 - 0.1));
+        }
+        scene.polygons.push_back(polygon);
+    }
+    return scene;
+}
+
+/// `count` triangles in 64 x 64 pixels, each with random corners in a box of 10 x 10 and at random depths: many pierce each other.
+inline Scene small_triangles(int count) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<> place(0, 54), within(0, 10), depth(-1, 1);
+    Scene scene{.name = "small triangles", .area = {0, 0, 64, 64}, .background = {}, .polygons = {}};
+    for (int i = 0; i < count; ++i) {
+        ScenePolygon polygon{.id = std::to_string(i), .color = {}, .vertices = {}};
+        const double x = place(random), y = place(random);
+        for (int corner = 0; corner < 3; ++corner) {
+            const double dx = within(random), dy = within(random);
+            polygon.vertices.emplace_back(x + dx, y + dy, depth(random));
         }
         scene.polygons.push_back(polygon);
     }

@@ -203,7 +203,7 @@ TEST_CASE("Broken traces are refused with the line and the reason") {
     CHECK_MESSAGE(work.files() == 3, "no temporary file stays behind");
 }
 
-TEST_CASE("The scene of six lines in the help and in the README is one, and the same") {
+TEST_CASE("The help and the README show the same scene of six lines, and it runs") {
     const Workplace work;
     std::vector<std::string> scenes;
     for (const std::string& text : {program("trace --help").text, text_of(VIDNO_ROOT "/README.md")}) {

@@ -574,6 +574,24 @@ struct CountExact {
 
 }  // namespace
 
+TEST_CASE_TEMPLATE("A constructed number is shown as the double nearest to it", K, Filtered, Exact) {
+    // From x = -2^20, the edge y = 1 + 3x/4 of the nearer triangle meets two edges of the other one, which leave its vertex (4, 2), at
+    // (36/11, 38/11) and (20/7, 22/7): the vectors (-8, 16)/11 and (-8, 8)/7 there span a triangle of area 64/77/2.
+    const double x = -1048576;
+    const Scene scene = SceneBuilder({int(x), 0, 4, 4})
+                            .polygon({{x + 3, 4, 0}, {x + 4, 2, 0}, {x + 2, 4, 0}})
+                            .polygon({{x + 1, 4, .5}, {x + 4, 4, .5}, {x, 1, .5}})
+                            .build();
+    CHECK(visible_areas<K>(scene).at(0) == 32. / 77);
+}
+
+TEST_CASE("A double next to a rational number, and one of two equally near ones") {
+    CHECK(nearest_double(Rational(32) / Rational(77)) == 32. / 77);
+    CHECK(nearest_double(Rational(1) + Rational(0x1p-53)) == 1);                // even, as 1 + 2^-52 is not
+    CHECK(nearest_double(Rational(1) + Rational(3 * 0x1p-53)) == 1 + 0x1p-51);  // even, as 1 + 2^-52 is not
+    CHECK(nearest_double(-Rational(0x1p-1074) * Rational(0.75)) == -0x1p-1074);
+}
+
 TEST_CASE("Filtered asks for exact arithmetic where there are coincidences, and nowhere else") {
     const auto asked = [](const Scene& scene) {
         int exact = 0;

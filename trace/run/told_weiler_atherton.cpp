@@ -22,11 +22,12 @@ struct NumbersTellingSigns : ConstructedNumbers<StageTally> {
     explicit NumbersTellingSigns(const TellingSigns& kernel)
         : ConstructedNumbers<StageTally>(kernel), hear_sign(kernel.hear_sign) {}
 
-    Sign sign(const Constructed& value) const {
-        const Sign taken = ConstructedNumbers<StageTally>::sign(value);
+    Sign sign_of(const auto& formula, const auto&... values) const {
+        const Sign taken = ConstructedNumbers<StageTally>::sign_of(formula, values...);
         if (hear_sign) (*hear_sign)(taken);
         return taken;
     }
+    Sign sign(const Constructed& value) const { return sign_of(itself, value); }
 };
 
 template <Kernel K>

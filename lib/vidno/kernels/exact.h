@@ -3,10 +3,16 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
+#include <CGAL/Interval_nt.h>
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <sstream>
 #include <string>
+#include <utility>
 
+#include "../weiler_atherton/weiler_atherton_kernel.h"
 #include "number_kernel.h"
 
 namespace vidno {
@@ -50,6 +56,87 @@ private:
         const Integer quotient = p / q;  // towards zero
         return Integer(quotient * q) > p ? Integer(quotient - 1) : quotient;
     }
+};
+
+using Interval = CGAL::Interval_nt<false>;
+
+/// The double that is nearest to the value; of two equally near ones, the even one.
+inline double nearest_double(const Rational& value) {
+    double nearest = CGAL::to_double(value);  // or a few doubles away
+    while (std::isfinite(nearest)) {
+        const Rational missing = value - Rational(nearest);
+        const double next = std::nextafter(nearest, missing < 0 ? -HUGE_VAL : HUGE_VAL);
+        if (missing == 0 || !std::isfinite(next)) break;
+        const auto order = CGAL::compare(CGAL::abs(missing), CGAL::abs(Rational(value - Rational(next))));
+        const bool is_even = std::bit_cast<std::uint64_t>(nearest) % 2 == 0;
+        if (order == CGAL::SMALLER || (order == CGAL::EQUAL && is_even)) break;
+        nearest = next;
+    }
+    return nearest;
+}
+
+struct EnclosedSign {
+    Sign sign;
+    bool by_interval;  // otherwise by rational numbers
+};
+
+/// The sign of a formula of numbers of which each has an `interval()` and a value, `exactly()`. Where the formula's interval has a
+/// sign, no rational number is computed.
+EnclosedSign enclosed_sign(const auto& formula, const auto&... values) {
+    const auto by_interval = [&] {
+        const CGAL::Protect_FPU_rounding<true> upward;
+        return CGAL::sign(formula(values.interval()...));
+    }();
+    if (by_interval.is_certain()) return {Sign{int(by_interval.make_certain())}, true};
+    return {Sign{int(CGAL::sign(formula(values.exactly()...)))}, false};
+}
+
+EnclosedSign enclosed_sign(Difference, const auto& v, const auto& w) {
+    const auto by_interval = CGAL::compare(v.interval(), w.interval());
+    if (by_interval.is_certain()) return {Sign{int(by_interval.make_certain())}, true};
+    return {Sign{int(CGAL::compare(v.exactly(), w.exactly()))}, false};
+}
+
+/// A rational number and an interval that holds it.
+class Enclosed {
+public:
+    Enclosed(double given = 0) : value_(given), interval_(given) {}
+    Enclosed(Rational value) : value_(std::move(value)), interval_(CGAL::to_interval(value_)) {}
+
+    const Rational& exactly() const { return value_; }
+    const Interval& interval() const { return interval_; }
+    explicit operator double() const { return nearest_double(value_); }
+
+    Enclosed& operator+=(const Enclosed& other) { return *this = *this + other; }
+
+    friend Enclosed operator-(const Enclosed& a) { return Rational(-a.value_); }
+    friend Enclosed operator+(const Enclosed& a, const Enclosed& b) { return Rational(a.value_ + b.value_); }
+    friend Enclosed operator-(const Enclosed& a, const Enclosed& b) { return Rational(a.value_ - b.value_); }
+    friend Enclosed operator*(const Enclosed& a, const Enclosed& b) { return Rational(a.value_ * b.value_); }
+    friend Enclosed operator/(const Enclosed& a, const Enclosed& b) { return Rational(a.value_ / b.value_); }
+    friend bool operator<(const Enclosed& a, const Enclosed& b) {
+        const auto by_intervals = a.interval_ < b.interval_;
+        return by_intervals.is_certain() ? by_intervals.make_certain() : a.value_ < b.value_;
+    }
+    friend bool operator>(const Enclosed& a, const Enclosed& b) { return b < a; }
+    friend bool operator<=(const Enclosed& a, const Enclosed& b) { return !(b < a); }
+    friend bool operator>=(const Enclosed& a, const Enclosed& b) { return !(a < b); }
+
+private:
+    Rational value_;
+    Interval interval_;
+};
+
+/// What OnRegions asks a kernel for. Each number is computed exactly; the sign of a formula is that of its interval, where this has
+/// one, since Weiler and Atherton's algorithm asks for many signs of few points.
+struct EnclosedNumbers : NumberKernel<Enclosed> {
+    Sign sign_of(const auto& formula, const auto&... values) const { return enclosed_sign(formula, values...).sign; }
+};
+
+template <>
+struct OnRegions<Exact> : OnRegions<EnclosedNumbers> {
+    OnRegions() = default;
+    explicit OnRegions(const Exact&) {}
 };
 
 }  // namespace vidno

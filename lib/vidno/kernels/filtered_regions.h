@@ -16,14 +16,11 @@ class Constructed {
 public:
     Constructed(double given = 0) : value_(given) {}
 
-    /// Near enough to be shown; it asks for nothing exact.
-    explicit operator double() const { return CGAL::to_double(value_.approx()); }
+    explicit operator double() const { return interval().is_point() ? interval().inf() : nearest_double(exactly()); }
 
-    Rational exactly() const { return value_.exact(); }
+    const Rational& exactly() const { return value_.exact(); }
 
-    /// If the interval says it.
-    CGAL::Uncertain<CGAL::Sign> sign_by_interval() const { return CGAL::sign(value_.approx()); }
-    CGAL::Sign exact_sign() const { return CGAL::sign(value_.exact()); }
+    const Interval& interval() const { return value_.approx(); }
 
     Constructed& operator+=(const Constructed& other) { return *this = *this + other; }
 
@@ -52,11 +49,13 @@ struct ConstructedNumbers : FilteredBy<Tally> {
 
     Constructed number(double given) const { return given; }
 
-    Sign sign(const Constructed& value) const {
-        const auto certain = value.sign_by_interval();
-        tell(certain.is_certain() ? FilterStage::operands : FilterStage::exact);
-        return Sign{int(certain.is_certain() ? certain.make_certain() : value.exact_sign())};
+    /// The numbers in between are not constructed.
+    Sign sign_of(const auto& formula, const auto&... values) const {
+        const auto [sign, by_interval] = enclosed_sign(formula, values...);
+        tell(by_interval ? FilterStage::operands : FilterStage::exact);
+        return sign;
     }
+    Sign sign(const Constructed& value) const { return sign_of(itself, value); }
 
     int first_centre(const Constructed& value, int low, int end) const {
         return first_not([&](int pixel) { return sign(number(pixel + 0.5) - value) == Sign::negative; }, low, end);
@@ -64,6 +63,9 @@ struct ConstructedNumbers : FilteredBy<Tally> {
     int last_centre(const Constructed& value, int low, int end) const {
         return first_not([&](int pixel) { return sign(number(pixel + 0.5) - value) != Sign::positive; }, low, end) - 1;
     }
+
+protected:
+    static constexpr auto itself = [](const auto& value) { return value; };
 
 private:
     using FilteredBy<Tally>::first_not;

@@ -25,8 +25,9 @@ struct Converted {
 template <class T>
 int whole_part(const T& value, int low, int end) {
     if constexpr (std::numeric_limits<T>::has_infinity) {
-        using std::floor;
-        return int(double(floor(value)));
+        const auto given = double(value);
+        const int towards_zero = int(given);
+        return towards_zero > given ? towards_zero - 1 : towards_zero;
     } else {
         while (low + 1 < end) {
             const int middle = std::midpoint(low, end);
@@ -47,6 +48,8 @@ struct NumberKernel : Entry {
     using Outline = std::vector<Vertex<T>>;
 
     static constexpr bool has_infinity = std::numeric_limits<T>::has_infinity;
+    /// Without rounding the centre of every pixel that a scene may have.
+    static constexpr bool holds_centres = std::is_same_v<T, double>;
 
     /// Where the numbers have no infinity, "no polygon yet" is the empty depth: it compares below every other.
     using Depth = std::conditional_t<has_infinity, T, std::optional<T>>;
@@ -118,6 +121,7 @@ struct NumberKernel : Entry {
         if (!(value > centre(low))) return low;
         if (value > centre(end - 1)) return end;
         int pixel = whole_part(value, low, end);
+        if constexpr (holds_centres) return pixel + int(centre(pixel) < value);
         while (centre(pixel) < value) ++pixel;
         while (centre(pixel - 1) >= value) --pixel;
         return pixel;
@@ -127,6 +131,7 @@ struct NumberKernel : Entry {
         if (!(value >= centre(low))) return low - 1;
         if (value >= centre(end - 1)) return end - 1;
         int pixel = whole_part(value, low, end);
+        if constexpr (holds_centres) return pixel - int(centre(pixel) > value);
         while (centre(pixel) > value) --pixel;
         while (centre(pixel + 1) <= value) ++pixel;
         return pixel;

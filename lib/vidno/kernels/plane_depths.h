@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "../depth_buffer.h"
@@ -70,9 +72,10 @@ public:
         double value() const { return plane_->depth(first_x_ + steps_, y_); }
         const Plane& plane() const { return *plane_; }
         std::uint32_t number() const { return number_; }
-        float about() const { return steps_ * x_slope_ + first_; }
+        float about(int further = 0) const { return (steps_ + float(further)) * x_slope_ + first_; }
 
         void operator+=(double /*step*/) { steps_ += 1; }
+        void skip(int pixels) { steps_ += float(pixels); }
         explicit operator double() const { return value(); }
 
     private:
@@ -112,6 +115,14 @@ public:
         return closely_nearer(z.plane(), cell.plane(), at.x, at.y);
     }
 
+    /// Whether the depth is nearer than the cells at `block` pixels of a row from `first` on, where z is: nothing unless the cells alone
+    /// give one answer for all. The depth is no sum of steps, so the compiler compares several pixels at a time.
+    static constexpr int block = 8;
+    std::optional<bool> nearer(const Stepped& z, const auto& row,
+                               int first) const requires std::is_same_v<Tally, NoTally> {
+        return one_answer(z, &row.about[first]);
+    }
+
 protected:
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -134,6 +145,19 @@ protected:
     void tell(FilterStage stage) const { tally_(stage); }
 
 private:
+    // Where it is inlined, GCC unrolls the loop before it can vectorize it.
+    [[gnu::noinline]] static std::optional<bool> one_answer(const Stepped& z, const float* cells) {
+        int above = 0, below = 0;
+        for (int i = 0; i < block; ++i) {
+            const float difference = z.about(i) - cells[i];
+            above += int(difference > cell_error);
+            below += int(difference < -cell_error);
+        }
+        if (above == block) return true;
+        if (below == block) return false;
+        return std::nullopt;
+    }
+
     // Numbers, so that they stay in registers where this is not called.
     [[gnu::noinline]] bool closely_nearer(const Plane& plane, const Plane& than, int x, int y) const {
         const auto z = [&](const Plane& of) { return Depth{of.depth(x + 0.5, y + 0.5), &of}; };
@@ -163,43 +187,51 @@ private:
 template <class Plane, class Tally>
 class PlaneDepths<Plane, Tally>::DepthBuffer {
 public:
-    /// No more memory than a double: its speed is that of the inner loop.
-    struct Shown {
-        float about;
-        std::uint32_t plane;
-    };
+    /// What a pixel shows. Both together take no more memory than a double.
     class Cell {
     public:
-        Cell(Shown& shown, const Plane* planes, Pixel at) : shown_(shown), planes_(planes), at_(at) {}
+        Cell(float& about, std::uint32_t& plane, const Plane* planes, Pixel at)
+            : about_(about), plane_(plane), planes_(planes), at_(at) {}
 
-        float about() const { return shown_.about; }
-        const Plane& plane() const { return planes_[shown_.plane]; }
+        float about() const { return about_; }
+        const Plane& plane() const { return planes_[plane_]; }
         operator Depth() const { return {plane().depth(at_.x + 0.5, at_.y + 0.5), &plane()}; }
         explicit operator double() const { return Depth(*this).value; }
-        void operator=(const Stepped& z) { shown_ = {z.about(), z.number()}; }
+        void operator=(const Stepped& z) {
+            about_ = z.about();
+            plane_ = z.number();
+        }
 
     private:
-        Shown& shown_;
+        float& about_;
+        std::uint32_t& plane_;
         const Plane* planes_;
         Pixel at_;
     };
     struct Row {
-        PixelRow<Shown> shown;
+        PixelRow<float> about;
+        PixelRow<std::uint32_t> plane;
         const Plane* planes;
         int y;
 
-        Cell operator[](int x) const { return {shown[x], planes, {x, y}}; }
+        Cell operator[](int x) const { return {about[x], plane[x], planes, {x, y}}; }
+        void store_block(const Stepped& z, int first) const {
+            for (int i = 0; i < block; ++i) (&about[first])[i] = z.about(i);
+            for (int i = 0; i < block; ++i) (&plane[first])[i] = z.number();
+        }
     };
 
     void clear(const Area& area, const Depth& farthest) {
-        shown_.clear(area, {float(farthest.value), farthest.plane->number});
+        about_.clear(area, float(farthest.value));
+        plane_.clear(area, farthest.plane->number);
         planes_ = farthest.plane - farthest.plane->number;
     }
     Cell at(int x, int y) { return row(y)[x]; }
-    Row row(int y) { return {shown_.row(y), planes_, y}; }
+    Row row(int y) { return {about_.row(y), plane_.row(y), planes_, y}; }
 
 private:
-    vidno::DepthBuffer<Shown> shown_;
+    vidno::DepthBuffer<float> about_;
+    vidno::DepthBuffer<std::uint32_t> plane_;
     const Plane* planes_ = nullptr;
 };
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "insertion_sort.h"
+#include "../insertion_sort.h"
 #include "weiler_atherton_run.h"
 
 namespace vidno {

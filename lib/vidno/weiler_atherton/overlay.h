@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "insertion_sort.h"
+#include "../insertion_sort.h"
 #include "weiler_atherton_kernel.h"
 
 namespace vidno {

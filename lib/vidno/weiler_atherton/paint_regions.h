@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "insertion_sort.h"
+#include "../insertion_sort.h"
 #include "weiler_atherton_run.h"
 
 namespace vidno {

@@ -12,6 +12,14 @@
 
 namespace vidno {
 
+/// The formula by which two numbers are compared.
+struct Difference {
+    template <class T>
+    T operator()(const T& v, const T& w) const {
+        return v - w;
+    }
+};
+
 template <class K>
 concept WeilerAthertonKernel = requires(const K& kernel, const typename K::Number& number,
                                         const Point<typename K::Number>& point,
@@ -75,7 +83,9 @@ struct OnRegions : K {
         const auto [a, b] = slope_over(p, q);
         return K::sign(a) == Sign::zero && K::sign(b) == Sign::zero;
     }
-    bool parallel(const Edge& line, const Edge& other) const { return K::sign(cross(line, other)) == Sign::zero; }
+    bool parallel(const Edge& line, const Edge& other) const {
+        return sign_of(cross, line.a, line.b, other.a, other.b) == Sign::zero;
+    }
     /// Its point is the one next to the given one.
     Edge line_of(const Planes& p, const Planes& q, const Place& near) const {
         const auto [a, b] = slope_over(p, q);
@@ -83,7 +93,9 @@ struct OnRegions : K {
         return {a, b, {near.x - a * t, near.y - b * t}};
     }
 
-    Sign side(const Edge& line, const Place& p) const { return K::sign(height_over(line, p)); }
+    Sign side(const Edge& line, const Place& p) const {
+        return sign_of(height_over, line.a, line.b, line.on.x, line.on.y, p.x, p.y);
+    }
     Sign side(const Edge& line, const LoopVertex<Number>& v) const {
         return v.on(line) ? Sign::zero : side(line, v.at);
     }
@@ -93,8 +105,8 @@ struct OnRegions : K {
     }
 
     Place meet(const Edge& line, const Edge& other) const {
-        const Number height = height_over(other, line.on);
-        const Number divisor = cross(line, other);
+        const Number height = height_over(other.a, other.b, other.on.x, other.on.y, line.on.x, line.on.y);
+        const Number divisor = cross(line.a, line.b, other.a, other.b);
         return {line.on.x + line.b * height / divisor, line.on.y - line.a * height / divisor};
     }
 
@@ -129,13 +141,13 @@ struct OnRegions : K {
     }
 
     Sign turn(const Place& pivot, const Place& p, const Place& q) const {
-        return K::sign((p.x - pivot.x) * (q.y - pivot.y) - (p.y - pivot.y) * (q.x - pivot.x));
+        return sign_of(cross_about, pivot.x, pivot.y, p.x, p.y, q.x, q.y);
     }
 
     Number depth(const Planes& plane, const Place& p) const {
         return -(plane.a * p.x + plane.b * p.y + plane.d) / plane.c;
     }
-    Sign compare(const Number& v, const Number& w) const { return K::sign(v - w); }
+    Sign compare(const Number& v, const Number& w) const { return sign_of(Difference{}, v, w); }
 
 protected:
     /// Are both where the same two lines meet, which do so once.
@@ -146,9 +158,26 @@ protected:
 private:
     /// The slope of one plane's depth relative to another's.
     static Place slope_over(const Planes& p, const Planes& q) { return {q.a / q.c - p.a / p.c, q.b / q.c - p.b / p.c}; }
-    static Number cross(const Edge& line, const Edge& other) { return line.a * other.b - line.b * other.a; }
-    static Number height_over(const Edge& line, const Place& p) {
-        return line.a * (p.x - line.on.x) + line.b * (p.y - line.on.y);
+
+    // Formulas are functions of any numbers, so that a kernel whose numbers have bounds can evaluate one with the bounds first: its
+    // own `sign_of` does so.
+
+    static constexpr auto cross = []<class T>(const T& a, const T& b, const T& c, const T& d) -> T {
+        return a * d - b * c;
+    };
+    static constexpr auto cross_about = []<class T>(const T& x, const T& y, const T& px, const T& py, const T& qx,
+                                                    const T& qy) -> T {
+        return (px - x) * (qy - y) - (py - y) * (qx - x);
+    };
+    static constexpr auto height_over = []<class T>(const T& a, const T& b, const T& on_x, const T& on_y, const T& x,
+                                                    const T& y) -> T { return a * (x - on_x) + b * (y - on_y); };
+
+    Sign sign_of(const auto& formula, const auto&... values) const {
+        if constexpr (requires { K::sign_of(formula, values...); }) {
+            return K::sign_of(formula, values...);
+        } else {
+            return K::sign(formula(values...));
+        }
     }
 };
 

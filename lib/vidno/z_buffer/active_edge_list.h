@@ -34,6 +34,14 @@ struct ActiveEdge : PolygonEdge<K> {
     typename K::Interpolated z, dz;
 };
 
+/// The lists of a polygon. They keep their memory from polygon to polygon.
+template <Kernel K>
+struct EdgeLists {
+    std::vector<EdgeEnd<K>> vertices;
+    std::vector<PolygonEdge<K>> edges;        // S
+    std::vector<ActiveEdge<K>> active_edges;  // AEL
+};
+
 /// The edge with its rows: those of the area with y1 <= centre < y2. Only at the polygon's lowest point is the end
 /// included, so that the closed outline is painted; elsewhere the next edge takes over.
 template <class Run>

@@ -5,6 +5,11 @@
 /// Time    an addition and a comparison a pixel; under rounding the depth drifts with every step.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <type_traits>
+
 #include "../run.h"
 
 namespace vidno {
@@ -34,6 +39,8 @@ struct ShowLine {
         const auto depths = run.depth_buffer.row(row);
         const auto pixels = run.picture.row(row);
         const Color color = polygon.color;
+        constexpr bool is_heard = !std::is_same_v<decltype(run.trace), NoTrace>;
+        if constexpr (!is_heard) x = show_blocks(run, z, depths, pixels, x, end, color);
         for (; x < end; ++x, z += dz) {
             auto&& stored = depths[x];
             const auto& depth = kernel.to_store(z);
@@ -43,6 +50,35 @@ struct ShowLine {
             stored = depth;
             pixels[x] = color;
         }
+    }
+
+private:
+    /// L5 to L7 for whole blocks of pixels, if the kernel compares a block at a time. Returns the first pixel after them; z is stepped
+    /// there.
+    template <class Run>
+    static int show_blocks(Run& run, auto& z, const auto& depths, const auto& pixels, int x, int end, Color color) {
+        if constexpr (requires { run.set.shows(run.kernel, z, depths, x); }) {
+            constexpr int block = Run::Arithmetic::block;
+            std::array<Color, block> colors;
+            colors.fill(color);
+            for (; end - x >= block; x += block) {
+                const std::optional<bool> nearer = run.set.shows(run.kernel, z, depths, x);
+                if (!nearer) {
+                    for (int i = x; i < x + block; ++i, z.skip(1)) {
+                        if (!run.set.shows(run.kernel, z, depths[i], Pixel{i, depths.y})) continue;
+                        depths[i] = z;
+                        pixels[i] = color;
+                    }
+                    continue;
+                }
+                if (*nearer) {
+                    depths.store_block(z, x);
+                    std::copy_n(colors.begin(), block, &pixels[x]);
+                }
+                z.skip(block);
+            }
+        }
+        return x;
     }
 };
 

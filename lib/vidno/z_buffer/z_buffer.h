@@ -7,6 +7,7 @@
 /// Time    an addition for each row and edge, a comparison for each covered pixel.
 #pragma once
 
+#include "../insertion_sort.h"
 #include "active_edge_list.h"
 
 namespace vidno {
@@ -18,16 +19,18 @@ struct ZBuffer {
         const auto first_depth = run.set.first_depth(run.kernel);
         run.depth_buffer.clear(run.area, first_depth);
         run.trace.clear(Z1, run.background, first_depth);
+        EdgeLists<typename Run::Arithmetic> lists;
         for (const auto& polygon : run.polygons) {
             if (polygon.edge_on) continue;
             run.trace.polygon(Z2, polygon);
-            scan_polygon(run, polygon);
+            scan_polygon(run, polygon, lists);
         }
     }
 
 private:
     template <class Run>
-    static void scan_polygon(Run& run, const Polygon<typename Run::Arithmetic>& polygon) {
+    static void scan_polygon(Run& run, const Polygon<typename Run::Arithmetic>& polygon,
+                             EdgeLists<typename Run::Arithmetic>& lists) {
         using enum Line;
         auto& trace = run.trace;
 
@@ -35,18 +38,20 @@ private:
         const int bottom = run.set.rows_end(run.area);
         int row = run.kernel.first_centre(box.ymin, run.area.y, bottom);  // y_t
         const int last_row = run.kernel.last_centre(box.ymax, run.area.y, bottom);
-        auto edges = sorted_edges(run, polygon);  // S
+        sort_edges(run, polygon, lists);
         trace.extent(Z4, box.ymin, box.ymax);
 
-        std::vector<ActiveEdge<typename Run::Arithmetic>> active_edges;  // AEL
+        auto first_left = lists.edges.begin();  // of S: the edges before it have begun
+        auto& active_edges = lists.active_edges;
+        active_edges.clear();
         int next_start = row;
         int next_end = no_row;
         while (row <= last_row) {
             trace.scanline(Z6, run.set.scanline(run.kernel, polygon, row), row);
             if (row == next_start) {
                 const auto later = [&](const auto& edge) { return edge.first_row > row; };
-                const auto starting = std::find_if(edges.begin(), edges.end(), later);
-                for (auto edge = edges.begin(); edge != starting; ++edge) {
+                const auto starting = std::find_if(first_left, lists.edges.end(), later);
+                for (auto edge = first_left; edge != starting; ++edge) {
                     if (edge->last_row < edge->first_row) continue;
                     if (!edge->level()) {
                         active_edges.push_back(entry_of(run, polygon, *edge));
@@ -56,11 +61,11 @@ private:
                         run.show_line(Z9, row, edge->upper, edge->lower, polygon);
                     }
                 }
-                next_start = starting == edges.end() ? no_row : starting->first_row;
-                trace.leave(Z10, Part{edges.begin(), starting}, next_start);
-                edges.erase(edges.begin(), starting);
+                next_start = starting == lists.edges.end() ? no_row : starting->first_row;
+                trace.leave(Z10, Part{first_left, starting}, next_start);
+                first_left = starting;
                 const auto left_of = [&](const auto& a, const auto& b) { return run.kernel.left_of(a, b, row); };
-                std::stable_sort(active_edges.begin(), active_edges.end(), left_of);
+                insertion_sort(active_edges, left_of);
                 next_end = first_end(active_edges);
                 trace.ael_sort(Z12, active_edges, next_end);
             }
@@ -70,7 +75,8 @@ private:
             ++row;
             if (row >= next_end) {
                 const auto stays = [&](const auto& edge) { return edge.last_row >= row; };
-                const auto ended = std::stable_partition(active_edges.begin(), active_edges.end(), stays);
+                insertion_sort(active_edges, [&](const auto& a, const auto& b) { return stays(a) && !stays(b); });
+                const auto ended = std::find_if_not(active_edges.begin(), active_edges.end(), stays);
                 next_end = first_end(Part{active_edges.begin(), ended});
                 trace.ael_drop(Z16, Part{ended, active_edges.end()}, next_end);
                 active_edges.erase(ended, active_edges.end());
@@ -85,21 +91,22 @@ private:
 
     /// S: the edges by rising y1; the depth of a vertex is that of the plane.
     template <class Run>
-    static auto sorted_edges(Run& run, const Polygon<typename Run::Arithmetic>& polygon) {
+    static void sort_edges(Run& run, const Polygon<typename Run::Arithmetic>& polygon,
+                           EdgeLists<typename Run::Arithmetic>& lists) {
         using enum Line;
-        std::vector<EdgeEnd<typename Run::Arithmetic>> vertices;
+        auto& [vertices, edges, active_edges] = lists;
+        vertices.clear();
+        edges.clear();
         for (const auto& vertex : polygon.vertices) {
             vertices.push_back({vertex.x, vertex.y, run.kernel.finite(run.depth(Z3, polygon, vertex))});
         }
-        std::vector<PolygonEdge<typename Run::Arithmetic>> edges;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             const auto& next = vertices[(i + 1) % vertices.size()];
             edges.push_back(edge_between(run, polygon, int(i), vertices[i], next));
         }
         const auto above = [](const auto& a, const auto& b) { return a.upper.y < b.upper.y; };
-        std::stable_sort(edges.begin(), edges.end(), above);
+        insertion_sort(edges, above);
         for (const auto& edge : edges) run.trace.edge(Z3, edge);
-        return edges;
     }
 };
 

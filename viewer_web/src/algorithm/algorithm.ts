@@ -33,7 +33,7 @@ export interface Algorithm {
   readonly sentences: Partial<SentencesOf<EventName>>;
   /** What its events say beside their lines of the listing. */
   readonly notes: Partial<Notes>;
-  /** The events that take a window, a polygon, a curve or a list in hand. */
+  /** The events that make another window, polygon, curve or list the current item. */
   readonly begins: readonly EventName[];
 
   /** What can be pointed at in a step, beside the polygons. */
@@ -51,7 +51,7 @@ export interface Algorithm {
     caption(view: View, texts: SolidTexts): readonly string[];
   };
 
-  /** What the strip shows of a run, and how the steps are told that change what is in hand. */
+  /** What the strip shows of a run, and how the course learns of the steps that change the current item. */
   readonly lanes: Lanes;
   course(book: Book): Watched;
   /** What its outline has beside that. */
@@ -61,7 +61,7 @@ export interface Algorithm {
 
   /** Follows a pixel, or a column, through a run. */
   watch(pixel: Pixel, header: Header): Watch;
-  /** What was in hand at an entry of a pixel's history. */
+  /** The item that was current at an entry of a pixel's history. */
   heading(known: Known, event: Event): Heading | null;
   /** Why the entry that painted the pixel gave it its colour. */
   why?(entry: Entry, header: Header): Reason;
@@ -81,7 +81,7 @@ export interface Algorithm {
   readonly counts: Readonly<Partial<Record<Counter, readonly EventName[]>>>;
   /** What is counted otherwise. */
   readonly sums: readonly Sum[];
-  /** The events that a run has at most once with what is in hand: by these steps runs are paired. */
+  /** The events that a run has at most once with the current item: by these steps runs are paired. */
   readonly landmarks: readonly EventName[];
   landmark(event: Event, inHand: string): string | null;
 }

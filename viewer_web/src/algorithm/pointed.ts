@@ -6,7 +6,7 @@ import { numbersOf } from './view.js';
 import type { View } from './view.js';
 
 /**
- * What may be pointed at, wherever the page shows it: a polygon, an edge of the polygon in hand, a corner of the
+ * What may be pointed at, wherever the page shows it: a polygon, an edge of the current polygon, a corner of the
  * current window, a window, the pixel that a question is about, a curve, or a column. Its elements carry it as `data-thing`: its kind, a
  * space, and which one.
  */

@@ -34,7 +34,7 @@ export interface View {
   readonly pixel: Pixel | null;
   /** What is pointed at, as elements carry it. */
   readonly pointed: string | null;
-  /** What the question in hand is about, in the same form. */
+  /** What the current question is about, in the same form. */
   readonly asked?: readonly string[];
   /** What is marked of the decisions worth looking at. */
   readonly found?: readonly Mark[];

@@ -33,7 +33,7 @@ defineAlgorithm(['floating-horizon'], {
   marks: () => [],
   figure: figureOf,
   lanes: { first: 'curves', below: [[], ['calls']] },
-  /** What is in hand is a curve. */
+  /** The current item is a curve. */
   course: ({ begin, eventAt }) => ({
     curve: (step) => {
       const event = eventAt(step);

@@ -19,7 +19,7 @@ import { base } from '../elements/theme.js';
 const radius = 5;
 const reach = 12;
 
-/** The samples of the curve in hand over the picture, to be moved up and down. */
+/** The samples of the current curve over the picture, to be moved up and down. */
 @customElement('vidno-sample-handles')
 export class SampleHandlesElement extends LitElement {
   static override styles = [base, handlesStyle];
@@ -31,7 +31,7 @@ export class SampleHandlesElement extends LitElement {
   private readonly dragging = new Dragging(this);
   private keyed: SampleSpot | null = null;
 
-  /** That in hand, or the first. */
+  /** The current one, or the first. */
   private get curve(): number {
     return this.view.after.horizon?.curve ?? 0;
   }

@@ -20,7 +20,7 @@ declare module '../language/words.js' {
 /** A column that was looked at, and what Visibility said. */
 export type Looked = readonly [x: number, flag: Flag];
 
-/** What of the curve in hand was looked at last. */
+/** What of the current curve was looked at last. */
 interface Place {
   readonly segment: Segment | null;
   /** x and Pflag of the listing. */
@@ -31,7 +31,7 @@ interface Place {
 
 /** The state of the floating horizon, but for what it has over each column. */
 export interface FloatingHorizon {
-  /** The curve in hand, by its place in the scene. */
+  /** The current curve, by its place in the scene. */
   readonly curve: number | null;
   readonly place: Place;
   /** The height that Visibility looked at last, where the trace tells it. */

@@ -23,7 +23,7 @@ export function grouped(entries: readonly Entry[], method: Method): readonly Gro
 
 const page = 40;
 
-/** The part of so many entries that is shown around one of them; it stays while one goes about in it. */
+/** The entries that are shown around one of them. They stay while the reader moves among them. */
 export function shownAround(index: number, length: number): readonly [first: number, end: number] {
   const first = Math.max(0, (Math.floor(index / page) - 1) * page);
   return [first, Math.min(length, first + 3 * page)];

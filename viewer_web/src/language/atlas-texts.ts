@@ -4,7 +4,7 @@ export type FailureKind = 'rounding' | 'printed' | 'mistake' | 'limit' | 'test';
 /** What is said of the atlas of failures. */
 export interface AtlasTexts {
   readonly title: string;
-  /** Of the button that opens it. */
+  /** The label of the button that opens it. */
   readonly open: string;
   readonly close: string;
   readonly show: string;
@@ -18,6 +18,6 @@ export interface AtlasTexts {
   readonly goTo: string;
   readonly compare: string;
   readonly leave: string;
-  /** Of the panel of the failure that is open. */
+  /** The panel of the open failure. */
   readonly forget: string;
 }

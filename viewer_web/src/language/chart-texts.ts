@@ -73,7 +73,7 @@ export interface ChartTexts extends FileTexts {
   readonly error: string;
   readonly series: string;
   readonly methods: Readonly<Record<Method, string>>;
-  /** Of Warnock's algorithm. */
+  /** Warnock's algorithm. */
   readonly variants: string;
   readonly variantNames: FamilyTexts['names'];
   readonly knobs: Readonly<Record<Knob, string>>;

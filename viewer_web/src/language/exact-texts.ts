@@ -54,7 +54,7 @@ export interface ExactTexts {
   readonly drawing: string;
   readonly wrongPlaces: (wrong: number, all: number) => string;
   readonly drifted: string;
-  /** What is seen at a place so many ulps away. */
+  /** What is seen at a place the given number of ulps away. */
   readonly cell: (x: number, y: number, computed: string, exact: string) => string;
   readonly signs: Readonly<Record<`${Cell['exact']}`, string>>;
   readonly yesNo: Readonly<Record<`${Cell['exact']}`, string>>;

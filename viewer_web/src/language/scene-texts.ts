@@ -55,7 +55,7 @@ export interface SceneTexts {
   /** A place in the text of a file. */
   readonly at: (line: number, column: number) => string;
   readonly missing: (key: string) => string;
-  /** Of the library's reasons, those that a drawing can meet. */
+  /** The library's reasons that a drawing can meet. */
   readonly reasons: Readonly<Record<string, string>>;
   readonly more: (n: number) => string;
 }

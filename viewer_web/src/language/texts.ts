@@ -93,7 +93,7 @@ export interface Texts {
 export interface HistoryTexts {
   readonly pixel: string;
   readonly at: (x: number, y: number) => string;
-  /** Of the pixel where the keyboard is, for those who hear the picture. */
+  /** The pixel under the keyboard's cursor, for screen readers. */
   readonly spoken: (at: Pixel, facts: PixelFacts) => string;
   /** With the key for it, where keys of one character do something. */
   readonly hint: (key: string | null) => string;
@@ -202,7 +202,7 @@ export interface PageTexts extends FileTexts {
   readonly wrongLine: (line: number, where: string, reason: string) => string;
   readonly methods: Readonly<Record<Method, string>>;
   readonly editions: Readonly<Record<NamedEdition, string>>;
-  /** Of a run: its decisions were held against exact arithmetic. */
+  /** The decisions of a run were compared with exact arithmetic. */
   readonly checked: string;
   readonly kernel: string;
   readonly detail: string;

@@ -76,7 +76,7 @@ function asFraction(value: string): readonly [bigint, bigint] | null {
   return [BigInt(above), BigInt(below)];
 }
 
-/** How a number stands to another one, as they are told: -1, 0 or 1; null where neither is less, equal or greater. */
+/** How a number compares with another: -1, 0 or 1; null where neither is less, equal or greater. */
 export function orderOf(a: N, b: N): -1 | 0 | 1 | null {
   const [one, other] = [a, b].map((value) =>
     typeof value === 'string' ? asFraction(value) : null,

@@ -259,7 +259,7 @@ describe('an outline', () => {
     expect(outline.at(40)).not.toBe(none);
   });
 
-  it('has no node before anything is in hand, and none for a run without events', async () => {
+  it('has no node before anything is current, and none for a run without events', async () => {
     const outline = await outlineIn('small.zbuffer.signs');
     expect(outline.at(0)).toBe(none);
     const empty = new Outline(

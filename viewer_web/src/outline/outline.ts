@@ -16,7 +16,7 @@ const kindsByNumber: readonly Kind[] = [
   ...(Object.keys(callsFrom) as readonly Procedure[]),
 ];
 const [hand, part] = [0, 1];
-/** Of a call that has no result yet. */
+/** The result of a call that has none yet. */
 const pending = 255;
 
 const call = numberOf.get('call') ?? -1;
@@ -28,7 +28,7 @@ const resultOf = eventNames.map((name) => {
 });
 
 /**
- * The outline of a run: a tree of what it takes in hand, such as windows in windows, with its parts and the procedures that
+ * The outline of a run: a tree of its items, such as windows in windows, with its parts and the procedures that
  * were called. It is gathered in one pass over the numbers of the events' names, which a page may spread over frames and which
  * goes on as the trace grows. What else there is to say of a node is looked up when it is shown.
  */
@@ -36,9 +36,9 @@ export class Outline {
   readonly nodes = new NodeTable();
   private seen = 0;
   private atTop = 0;
-  /** The nodes that are open: first those in hand, each in the one before it, then perhaps a part, then calls. */
+  /** The nodes that are open: first the current ones, each in the one before it, then perhaps a part, then calls. */
   private open: number[] = [];
-  /** How many of these are in hand. */
+  /** How many of these are current. */
   private inHand = 0;
   private readonly closesCall: readonly boolean[];
   private readonly watch: readonly (((step: number) => void) | undefined)[];
@@ -124,7 +124,7 @@ export class Outline {
     for (let at = node; at !== none; at = this.nodes.parent[at] ?? none) yield at;
   }
 
-  /** The node of what is in hand that a node is or is in; `none` where nothing is. */
+  /** The node of the current item that a node is or is in; `none` where nothing is. */
   handOf(node: number): number {
     for (const at of this.wayUp(node)) if (this.nodes.kind[at] === hand) return at;
     return none;
@@ -154,7 +154,7 @@ export class Outline {
     };
   }
 
-  /** The last step of a node before anything else is taken in hand. */
+  /** The last step of a node before another item becomes current. */
   private ownLast(node: number): number {
     const { first, kind } = this.nodes;
     const end = this.endOf(node);
@@ -193,7 +193,7 @@ export class Outline {
     return node;
   }
 
-  /** Closes the nodes that are open but so many. */
+  /** Closes all but the given number of open nodes. */
   private close(left: number, last: number): void {
     const { nodes, open } = this;
     for (const node of open.splice(left)) {

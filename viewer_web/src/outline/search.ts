@@ -27,14 +27,14 @@ function mentionsIn(outline: Outline): Mentions {
 
 /**
  * Looks for the nodes that a query means in the outline of a whole run: calls, if it names a procedure; else parts, if it names
- * one; else what is in hand. The other terms are about these or what they are in.
+ * one; else the current item. The other terms are about these or what they are in.
  */
 export class Search {
   private readonly readings: readonly Reading[];
   private mentions: Mentions | null = null;
   private readonly found: number[] = [];
   private at = 0;
-  /** For polygons that are meant, which of the nodes in hand have a step that names one of them. */
+  /** For polygons that are meant, which of the current nodes have a step that names one of them. */
   private readonly naming = new Map<ReadonlySet<number>, Uint8Array>();
   private readonly numbers = new Map<number, number | null>();
 
@@ -107,7 +107,7 @@ export class Search {
     }
   }
 
-  /** A call, if its result names a polygon; else what is in hand, if it is that polygon or a step of it names that. */
+  /** A call, if its result names a polygon; else the current item, if it is that polygon or a step of it names that. */
   private concerns(node: number, polygons: ReadonlySet<number>): boolean {
     const { outline, mentions: named } = this;
     const own = outline.isHand(node) ? -1 : (named?.at(outline.lastOf(node)) ?? -1);

@@ -31,7 +31,7 @@ export class NodeTable {
   /** From 1 at the top. */
   depth = new Uint16Array(some);
   kind = new Uint8Array(some);
-  /** What the course of the run says of it, see `Stretches`; -1 of what it does not take in hand. */
+  /** What the course of the run says of it, see `Stretches`; -1 for what is no item. */
   part = new Int32Array(some);
   size = 0;
 

@@ -18,7 +18,7 @@ export function eventAt<K extends EventName>(
   return event?.e === name ? (event as Event<K>) : null;
 }
 
-/** The next step of a name after one, unless a step of another name comes first, which ends what is in hand. */
+/** The next step of a name after one, unless a step of another name comes first, which ends the current item. */
 export function nextOf<K extends EventName>(
   trace: Trace,
   after: number,

@@ -20,7 +20,7 @@ export interface Asker<K extends Kind = Kind> {
 /** The kinds of question that the runs of an algorithm answer. */
 export type Askers = { readonly [K in Kind]?: Asker<K> };
 
-/** Of more options one would lose sight. */
+/** More options would be hard to survey. */
 export const mostOptions = 8;
 
 export const optionsOf = (values: readonly string[]): readonly Option[] =>
@@ -41,7 +41,7 @@ const relations: readonly Relation[] = ['>', '=', '<'];
 export const relationBy = { '-1': '<', 0: '=', 1: '>' } as const satisfies Record<string, Relation>;
 export const relationOptions = optionsOf(relations);
 
-/** How a depth stands to the one before it; null where the numbers that are told do not show it. */
+/** How a depth compares with the one before it; null where the numbers in the trace do not show it. */
 export function relationOf(z: N, against: N, nearer: boolean, { kernel }: Header): Relation | null {
   const order = orderOf(z, against);
   if (order === null || (order === 1) !== nearer) return null;

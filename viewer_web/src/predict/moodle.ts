@@ -70,7 +70,7 @@ function category({ header }: Trace, language: Language): string {
 }
 
 /**
- * At most so many questions of a run, each with all that its answer needs, for the question bank of Moodle, in its XML
+ * At most the given number of questions of a run, each with all that its answer needs, for the question bank of Moodle, in its XML
  * format (https://docs.moodle.org/en/Moodle_XML_format); null if there are none. Leaves the timeline anywhere.
  */
 export function moodleXml(trace: Trace, language: Language, count = usualCount): string | null {

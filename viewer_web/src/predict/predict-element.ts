@@ -17,7 +17,7 @@ import './question-element.js';
 import { countOf, isRightAtFirst, scoreOf } from './score.js';
 import type { Answered } from './score.js';
 
-/** Where one says what the run will do next: the question in hand, what is asked about and how, and the score. */
+/** Where one says what the run will do next: the current question, what is asked about and how, and the score. */
 @customElement('vidno-predict')
 export class PredictElement extends LitElement {
   static override styles = [base, predictStyle];

@@ -28,7 +28,7 @@ export interface Predicted extends ReactiveControllerHost, HTMLElement {
   moveTo(step: number): void;
 }
 
-/** The question in hand. */
+/** The current question. */
 export interface Current {
   readonly question: Question;
   /** Whether its first answer was given, which counts. */
@@ -45,7 +45,7 @@ export class Predictor {
   current: Current | null = null;
   record: readonly Answered[] = [];
   wanted: ReadonlySet<Kind> = new Set(kinds);
-  /** Why the question in hand has its answer. */
+  /** Why the current question has its answer. */
   reasons: readonly Reason[] = [];
   /** Whether there was no other question when one was asked for. */
   isOver = false;
@@ -81,7 +81,7 @@ export class Predictor {
     return this.trace === null ? [] : kindsOf(this.trace.header);
   }
 
-  /** What the question in hand is about. */
+  /** What the current question is about. */
   get things(): readonly string[] {
     const { current, host } = this;
     return current?.question.step === host.step ? current.question.things : [];

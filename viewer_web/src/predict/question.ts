@@ -148,7 +148,7 @@ export interface Abouts {
   };
   readonly point: { readonly point: Point };
   readonly clip: { readonly polygon: string; readonly side: number };
-  /** The scanline in hand; null before the first one. */
+  /** The current scanline; null before the first one. */
   readonly ael: { readonly polygon: string; readonly row: number | null };
   readonly pixels: { readonly polygon: string; readonly row: number };
   readonly flags: { readonly curve: number };

@@ -2,7 +2,7 @@ import type { Trace } from '../replay/trace.js';
 import type { Kind, Question } from './question.js';
 import { kindsOf, nextQuestion } from './questions.js';
 
-/** At most so many questions of a kind, far apart as the run is long. */
+/** At most the given number of questions of a kind, spread over the run. */
 function paced(trace: Trace, kind: Kind, count: number): readonly Question[] {
   const stride = trace.timeline.length / count;
   const wanted = new Set([kind]);
@@ -22,7 +22,7 @@ const thinned = <T>(list: readonly T[], count: number): readonly T[] =>
     (_, i) => Math.floor((i * count) / list.length) !== Math.floor(((i - 1) * count) / list.length),
   );
 
-/** At most so many questions from the whole of a run, as many of each kind as there are; the same ones each time. */
+/** At most the given number of questions from the whole run, evenly by kind; the same ones each time. */
 export function spread(trace: Trace, count: number): readonly Question[] {
   const byKind = kindsOf(trace.header)
     .map((kind) => paced(trace, kind, count))

@@ -20,9 +20,9 @@ export interface SavedColumns {
 /** What the floating horizon has over the columns of the area. */
 export class Columns {
   readonly horizons: { readonly upper: Heights; readonly lower: Heights };
-  /** What the horizons were when the curve in hand began: those that it is compared with, but in the printed text. */
+  /** What the horizons were when the current curve began: those that it is compared with, but in the printed text. */
   readonly before: { readonly upper: Heights; readonly lower: Heights };
-  /** What Visibility said of the curve in hand. */
+  /** What Visibility said of the current curve. */
   readonly flags: Grid<Flag | null>;
 
   constructor(readonly scene: Scene) {

@@ -48,7 +48,7 @@ const isOn = ([left, right]: readonly [number, number]): boolean => left === rig
  */
 export class Lines {
   private readonly entries: Entry[] = [];
-  /** Of each line what it came to be. */
+  /** What each line came to be. */
   private readonly final: Line[] = [];
   private seen = 0;
   private curve = -1;

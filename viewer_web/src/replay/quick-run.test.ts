@@ -14,7 +14,7 @@ const file = new URL('../../../build/release/trace/wasm/vidno.wasm', import.meta
 const hasLibrary = existsSync(file);
 const library = hasLibrary ? new WebAssembly.Module(readFileSync(file)) : null;
 
-/** All that is told of a file, its bytes as text. */
+/** All that is reported of a file, its bytes as text. */
 async function newsOf(
   text: string | Uint8Array<ArrayBuffer>,
   by: typeof library,

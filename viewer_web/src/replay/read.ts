@@ -215,13 +215,13 @@ async function* readBy(reader: Reader, file: Blob, most: number): AsyncGenerator
   }
 }
 
-/** How to read: of at most so many bytes when unpacked, and by the library, where there is one. */
+/** How to read: at most the given number of unpacked bytes, and by the library, where there is one. */
 export interface Way {
   readonly most?: number | undefined;
   readonly library?: WebAssembly.Module | null;
 }
 
-/** Reads a trace, plain or gzip. Where the library leaves a line to `Run` the file is read again, and what is new is told. */
+/** Reads a trace, plain or gzip. Where the library leaves a line to `Run` the file is read again, and what is new is reported. */
 export async function* read(
   file: Blob,
   { most = mostBytes, library = null }: Way = {},

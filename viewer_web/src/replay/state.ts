@@ -124,7 +124,7 @@ export class State {
   }
 }
 
-/** An event sets the line of the procedure in hand; a call opens the frame of another. */
+/** An event sets the line of the current procedure; a call opens the frame of another. */
 function movedBy(event: Event, calls: readonly Frame[]): readonly Frame[] {
   const top = calls.at(-1);
   if (top === undefined || (top.at === event.at && event.e !== 'call')) return calls;

@@ -19,7 +19,7 @@ const mostListed = 16;
 const stride = 2048;
 /** Bytes of lines on a way that takes so long that it is gone in strides. */
 const far = 2 ** 22;
-/** The state so many bytes before a goal is kept where the way was twice as long: one often goes back a little. */
+/** The state this many bytes before a goal is kept if the way was twice as long: readers often go back a little. */
 const near = 2 ** 17;
 
 /**

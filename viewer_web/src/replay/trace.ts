@@ -49,7 +49,7 @@ export class Trace {
   }
 }
 
-/** Puts together what is told of a file; what is wrong with it is an `Unreadable`. */
+/** Assembles what is reported of a file; what is wrong with it is an `Unreadable`. */
 export function follow(trace: Trace | null, news: News): Trace | null {
   if (news.is === 'complaint') throw new Unreadable(news);
   if (news.is === 'header') return new Trace(news.header);

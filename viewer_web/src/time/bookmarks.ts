@@ -55,7 +55,7 @@ export function formatBookmarks(bookmarks: Bookmarks): string {
   return toBase64Url(new TextEncoder().encode(lines.join('\n')));
 }
 
-/** Of what is no bookmark nothing is taken. */
+/** Ignores what is no bookmark. */
 export function parseBookmarks(written: string): Bookmarks {
   return linesIn(written).reduce<Bookmarks>((bookmarks, line) => {
     const [, step, note = ''] = /^(\d{1,9})(?: (.*))?$/s.exec(line) ?? [];

@@ -25,7 +25,7 @@ export class Calls {
     return this.find(step, direction, this.depthAt(step));
   }
 
-  /** The step that ends the procedure in hand, or the one before its call. */
+  /** The step that ends the current procedure, or the one before its call. */
   out(step: number, direction: Direction): number {
     return this.find(step, direction, this.depthAt(step) - 1);
   }

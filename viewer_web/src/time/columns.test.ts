@@ -60,7 +60,7 @@ describe('the columns of a run', () => {
     const columns = await columnsIn(windows, 23);
     expect(columns[4]).toMatchObject({ first: 20, end: 25 });
     expect(columns.slice(0, 6).map(partsOf)).toEqual([
-      [['split', 3]], // nothing is in hand at steps 0 and 1
+      [['split', 3]], // nothing is current at steps 0 and 1
       [['split', 5]],
       [['split', 5]],
       [['split', 5]],

@@ -55,7 +55,7 @@ function stepsOf(column: number, count: number, range: Range): readonly [number,
 const happens = (steps: readonly number[], first: number, end: number): boolean =>
   (steps[indexFrom(steps, first)] ?? Infinity) < end;
 
-/** The strip of a run, whose course must be complete, or of a part of it, in so many columns. */
+/** The strip of a run, whose course must be complete, or of a part of it, in the given number of columns. */
 export function columnsOf(
   course: Course,
   count: number,

@@ -15,11 +15,11 @@ export interface Book {
   eventAt(step: number): Event | null;
   /** The place of a polygon in the scene. */
   indexOf(polygon: string): number;
-  /** Something else comes in hand: see `Stretches`. */
+  /** Another item becomes current: see `Stretches`. */
   begin(step: number, part: number, level?: number): void;
-  /** Nothing is in hand any more: what follows concerns the whole run. */
+  /** Nothing is current any more: what follows concerns the whole run. */
   end(step: number): void;
-  /** What the window in hand comes to. */
+  /** What the current window comes to. */
   decide(part: number): void;
   changeAel(step: number): void;
 }
@@ -35,21 +35,21 @@ export const cases = [
 export type Case = (typeof cases)[number];
 
 /**
- * Steps in a row with the same window, polygon, curve or clip polygon in hand, from its first step to the next one's. There may be
+ * Consecutive steps with the same current window, polygon, curve or clip polygon, from its first step to the next one's. There may be
  * some 100 000 of them, so that each of their properties is a column.
  */
 export interface Stretches {
   readonly first: number[];
   /** How often the area was split to get this window, from 1 for the area itself; of a list, how often it was put back; else 1. */
   readonly level: number[];
-  /** What the window comes to, as an index of `cases`; the polygon's index in the scene, or the curve's; -1 if not decided, or nothing is in hand. */
+  /** What the window comes to, as an index of `cases`; the polygon's index in the scene, or the curve's; -1 if not decided, or nothing is current. */
   readonly part: number[];
 }
 
 const atOnce = 16384;
 
 /**
- * The course of a run: what is in hand, how deep it is nested, and where something rare happens. It is gathered in one
+ * The course of a run: the current item, how deep it is nested, and where something rare happens. It is gathered in one
  * pass over the numbers of the events' names, which a page may spread over frames and which goes on as the trace grows;
  * only events that decide a window, name a polygon or a curve, or change AEL are asked for.
  */

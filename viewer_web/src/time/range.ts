@@ -19,7 +19,7 @@ export const isWhole = ({ from, to }: Range, length: number): boolean =>
 const clamp = (value: number, low: number, high: number): number =>
   Math.min(Math.max(low, value), high);
 
-/** A range of so many steps within a run, as near as can be to where it would begin. */
+/** A range of the given number of steps within a run, as near as possible to the wanted beginning. */
 function within(from: number, span: number, length: number): Range {
   const size = clamp(span, Math.min(least, length), length);
   const start = clamp(from, 0, length - size);

@@ -68,7 +68,7 @@ export class TravelElement extends LitElement {
     return this.goals.stepsOf(goal, this.history, this.bookmarks);
   }
 
-  /** Over a procedure, or out of the one in hand. */
+  /** Over a procedure, or out of the current one. */
   call(way: 'over' | 'out', direction: Direction): void {
     if (this.calls?.length !== this.view.length) this.calls = new Calls(this.trace);
     this.goTo(this.calls[way](this.view.step, direction));
@@ -134,7 +134,7 @@ export class TravelElement extends LitElement {
     return at < 0 ? String(steps.length) : `${at + 1} / ${steps.length}`;
   }
 
-  /** Of a run that was not checked nobody knows which decisions are wrong. */
+  /** Nobody knows which decisions are wrong in a run that was not checked. */
   private none(): string {
     const { exact } = texts[this.view.language];
     const { is } = this.check;

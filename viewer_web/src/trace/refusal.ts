@@ -57,12 +57,12 @@ export interface Reasons {
   twiceInAel: [edge: string];
   notAnOrder: [];
   depthCount: [depths: string, pixels: string];
-  // Of curves.
+  // Curves.
   fewSamples: [];
   notRight: [];
   noSuchCurve: [curve: string];
   notOfCurve: [segment: string];
-  // Of regions.
+  // Regions.
   noList: [];
   notTopList: [];
   noListInHand: [];

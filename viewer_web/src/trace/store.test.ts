@@ -18,7 +18,7 @@ function blockOf(lines: readonly string[]): Block {
   };
 }
 
-/** A store that grew by blocks of so many lines. */
+/** A store that grew by blocks of the given number of lines. */
 function storeOf(lines: readonly string[], size: number): Store {
   const store = new Store();
   for (let i = 0; i < lines.length; i += size) store.append(blockOf(lines.slice(i, i + size)));

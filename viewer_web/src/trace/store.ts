@@ -138,14 +138,14 @@ export class Store {
     return rest === null ? this.event(step) : (JSON.parse(head.slice(0, at) + rest) as Event);
   }
 
-  /** How many bytes the lines of the first so many steps have. */
+  /** How many bytes the lines of the first steps have, given their number. */
   bytesBefore(steps: number): number {
     if (steps >= this.count) return this.size;
     const { starts, before, bytesBefore } = this.find(steps + 1);
     return bytesBefore + (starts[steps - before] ?? 0) - (starts[0] ?? 0);
   }
 
-  /** The last step up to which the lines have no more than so many bytes. */
+  /** The last step up to which the lines have at most the given number of bytes. */
   stepAt(bytes: number): number {
     let from = 0;
     let end = this.count + 1;

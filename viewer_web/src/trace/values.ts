@@ -60,7 +60,7 @@ const nothing = written<null>('null', (value, path) => {
 /** The right answer; null where it is undefined. */
 export const truth = either(nothing, answer);
 
-/** Of a decision, under every kernel: a fraction, or what a number of the machine is that is none. */
+/** A value of a decision under any kernel: a fraction, or a machine number that is none. */
 export const fraction = written<string>(plainWord, (value, path) => {
   if (typeof value === 'string' && word.test(value)) return value;
   throw new Refusal(path, 'kernelNumber', describe(value));

@@ -26,7 +26,7 @@ import { drawing, pointed } from './solid.js';
 import { caption } from './solid-caption.js';
 import { why } from './why.js';
 
-/** The corners of the window in hand, and the windows on the stack, the next one first. */
+/** The corners of the current window, and the windows on the stack, the next one first. */
 function things({ after: { warnock } }: View): readonly string[] {
   if (warnock === undefined) return [];
   return [

@@ -10,7 +10,7 @@ import type { Warnock } from './state.js';
 /** How far from a window the numbers of its octants stand, by its sides. */
 const outward = 0.4;
 
-/** What of an outline was gone round so far to find out whether it surrounds the window. */
+/** The part of an outline that the containment test has traversed so far. */
 export function containmentMarks(warnock: Warnock | null, scene: Scene): readonly Mark[] {
   const { window = null, contained = [] } = warnock ?? {};
   const last = contained.at(-1);

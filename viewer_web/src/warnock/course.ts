@@ -3,10 +3,10 @@ import { cases } from '../time/course.js';
 import type { Book, Watched } from '../time/course.js';
 import type { OwnGoal } from '../time/goals.js';
 
-/** What is in hand is a window. */
+/** The current item is a window. */
 export function course({ begin, decide, eventAt }: Book): Watched {
   let level = 0;
-  // The levels of the windows on the stack: a window that is pushed is a part of the one in hand.
+  // The levels of the windows on the stack: a window that is pushed is a part of the current one.
   const stack: number[] = [];
   return {
     push: () => stack.push(level + 1),

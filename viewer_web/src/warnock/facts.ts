@@ -6,7 +6,7 @@ import type { Fact } from '../predict/facts.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Joined, Warnock } from './state.js';
 
-/** The window in hand and its polygons. */
+/** The current window and its polygons. */
 export function facts({ after, texts: page, language, header: { method } }: View): readonly Fact[] {
   const { window, apl, joined, way } = after.warnock ?? {};
   if (!window || !apl || !joined || !way) return [];

@@ -6,12 +6,12 @@ interface List {
   ids: readonly string[];
 }
 
-/** The lists of the windows on the stack and of the one in hand, without their marks. */
+/** The lists of the windows on the stack and of the current one, without their marks. */
 export class Lists {
   private readonly stack: List[] = [];
   private joined: Warnock['joined'] = { surrounding: [], outside: [] };
   private current: List = { ids: [] };
-  /** Whether a window on the stack has the same list as the one in hand: what is changed here shows there. */
+  /** Whether a window on the stack has the same list as the current one: what is changed here shows there. */
   shared = false;
 
   push({ apl, shared }: WarnockEvents['push']): void {

@@ -12,7 +12,7 @@ import { wayTo } from './lists.js';
 interface Place {
   readonly pixel: Pixel;
   readonly detail: Detail;
-  /** The row of FillPolygon that is in hand, if there is one. */
+  /** The current row of FillPolygon, if there is one. */
   row: number | null;
   /** Whether the point that SurroundTest looks at is that of PointColor. */
   centre: boolean;
@@ -27,7 +27,7 @@ function overlaps([x, y, width, height]: Box, [i, j]: Pixel): boolean {
   return x < i + 1 && x + width > i && y < j + 1 && y + height > j;
 }
 
-/** What an event means for the pixels of the window in hand. The others are steps on the way to these. */
+/** What an event means for the pixels of the current window. The others are steps on the way to these. */
 const inWindow: { readonly [K in EventName]?: Judge<K> } = {
   pop: note,
   box: ({ outside }) => test(!outside),
@@ -64,7 +64,7 @@ const inWindow: { readonly [K in EventName]?: Judge<K> } = {
   disagree: (_event, { row, pixel }) => (row === null || row === pixel[1] ? 'wrong' : null),
 };
 
-/** What an event means for the pixel, whatever window is in hand; nothing gives way to the table above. */
+/** What an event means for the pixel, whatever the current window; nothing gives way to the table above. */
 const anywhere: { readonly [K in EventName]?: Judge<K> } = {
   push: ({ window }, { pixel }) => (overlaps(window, pixel) ? 'note' : null),
   fill: ({ rect }, { pixel }) => (overlaps(rect, pixel) ? 'paint' : null),

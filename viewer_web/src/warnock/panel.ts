@@ -17,7 +17,7 @@ import { listValues } from './list-values.js';
 import { emptyWarnock } from './state.js';
 import type { Entry, Joined, StackedWindow, Warnock } from './state.js';
 
-/** The state of Warnock's algorithm: the window in hand, its list, its corners, and the stack. */
+/** The state of Warnock's algorithm: the current window, its list, its corners, and the stack. */
 @customElement('vidno-warnock')
 export class WarnockPanel extends LitElement {
   static override styles = [

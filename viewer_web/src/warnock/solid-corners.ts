@@ -9,15 +9,15 @@ export interface CornerDepth {
   readonly at: readonly [x: number, y: number];
   /** The nearest depth before this polygon. */
   readonly stored: N;
-  /** That of the plane of the polygon in hand, as soon as it is computed. */
+  /** That of the plane of the current polygon, as soon as it is computed. */
   readonly own: N | null;
-  /** Whether the polygon in hand is the nearer one, at the step that says so. */
+  /** Whether the current polygon is the nearer one, at the step that says so. */
   readonly nearer: boolean | null;
 }
 
 const isCompared = /^(PW[567]|HP[345])$/;
 
-/** The polygon whose depths at the corners are in hand. */
+/** The polygon whose depths at the corners are compared. */
 export function comparedPolygon({ event }: View): string | null {
   return event !== null && 'polygon' in event && isCompared.test(event.at) ? event.polygon : null;
 }

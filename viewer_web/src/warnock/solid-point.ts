@@ -5,7 +5,7 @@ import { holds } from '../solid/plane.js';
 import type { N } from '../trace/values.js';
 import { shownIn } from './lists.js';
 
-/** The depth of a polygon on the line through the point in hand. */
+/** The depth of a polygon on the line through the current point. */
 export interface PointDepth {
   readonly polygon: string;
   readonly z: N;

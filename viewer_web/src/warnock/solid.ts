@@ -61,7 +61,7 @@ function clipDrawing({ vertices, next }: Clip): Partial<Drawing> {
   };
 }
 
-/** The plane of the polygon in hand over the window, and the depths at the corners. */
+/** The plane of the current polygon over the window, and the depths at the corners. */
 function cornersDrawing(view: View, space: Space): Partial<Drawing> {
   const depths = cornerDepths(view);
   return together(planeDrawing(view, space), {

@@ -42,7 +42,7 @@ interface Found {
   readonly insider: boolean | null;
 }
 
-/** Of the current window; what the trace has not told of it yet is null. */
+/** What is known of the current window; null until the trace tells it. */
 export interface Warnock extends Found {
   /** The first window, which all others are parts of. */
   readonly root: Box | null;
@@ -53,12 +53,12 @@ export interface Warnock extends Found {
   /** With three lists the third, which all windows share; the others are those of polygons that joined them. */
   readonly apl: Apl | null;
   readonly joined: Readonly<Record<'surrounding' | 'outside', Joined>>;
-  /** What the edges of the outline that is gone round count so far, for containment. */
+  /** What the edges of the traversed outline count so far, for containment. */
   readonly contained: readonly (Event<'ray'> | Event<'octants'>)[];
   /** Which polygon surrounds the window and hides all so far; a coarse trace does not tell it. */
   readonly covering: string | null;
   readonly clip: Clip | null;
-  /** The depths of the polygon in hand at the corners so far, in the order of their names. */
+  /** The depths of the current polygon at the corners so far, in the order of their names. */
   readonly depths: readonly N[];
   /** What PointColor has found so far. */
   readonly nearest: { readonly polygon: string; readonly z: N } | null;
@@ -164,7 +164,7 @@ const handlers: Handlers = {
     depths: [],
   }),
   box: nothing,
-  // The list in hand takes what leaves it, and what is marked.
+  // The current list takes what leaves it, and what is marked.
   discard: nothing,
   count: ({ count }, now) => ({ ...finding({ count }, now), depths: [] }),
   compare: nothing,

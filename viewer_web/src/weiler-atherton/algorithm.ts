@@ -39,7 +39,7 @@ defineAlgorithm(['weiler-atherton'], {
   ],
   watch: (pixel) => new RegionWatch(pixel),
   heading({ regions }, event) {
-    // Once regions are painted no list is in hand.
+    // Once regions are painted no list is current.
     if (event.e === 'paint' || event.e === 'order') return event.polygon;
     return regions?.inHand?.pieces[0]?.[0] ?? null;
   },

@@ -5,7 +5,7 @@ import { optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { clippingAt } from './pieces.js';
 
-/** Of more points one would lose sight. */
+/** More points would be hard to survey. */
 const mostPoints = 12;
 
 /** The other points of a loop, in order, from the one after this; null if it is not once on one loop. */

@@ -1,6 +1,6 @@
 import type { Book, Watched } from '../time/course.js';
 
-/** What is in hand is a list with its clip polygon, until what is visible is painted. */
+/** The current item is a list with its clip polygon, until what is visible is painted. */
 export function course({ begin, end, eventAt, indexOf }: Book): Watched {
   let level = 1;
   // The levels of the lists on the stack: parts inside that are tried again are a level below their list, the parts outside are not.

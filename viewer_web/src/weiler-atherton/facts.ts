@@ -7,7 +7,7 @@ import { ownersOf } from './pieces.js';
 import { emptyRegions } from './state.js';
 import type { Regions } from './state.js';
 
-/** The list in hand; before there is one, what will be sorted. */
+/** The current list; before there is one, what will be sorted. */
 const piecesOf = ({ inHand, facets }: Regions): readonly Piece[] => inHand?.pieces ?? facets;
 
 /** The pieces with their outlines as one walks along them, and the polygons of the other lists, the top one first. */

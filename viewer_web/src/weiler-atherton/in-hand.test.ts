@@ -9,7 +9,7 @@ import { regionShapes } from './shapes.js';
 const shown = { language: 'en', pixel: null, pointed: null } as const;
 
 it.each(['windows', 'polygons', 'signs'])(
-  'no list is in hand while regions are painted, at level %s',
+  'no list is current while regions are painted, at level %s',
   async (detail) => {
     const trace = await traceOf(textOf(`wedge.weiler-atherton.${detail}.jsonl`));
     const { timeline } = trace;

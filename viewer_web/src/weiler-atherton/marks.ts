@@ -14,5 +14,5 @@ const draws: Draws = {
   ],
 };
 
-/** What the step decides; the pieces in hand are drawn as regions. */
+/** What the step decides; the current pieces are drawn as regions. */
 export const marks = (view: View): readonly Mark[] => eventMarks(draws, view);

@@ -19,7 +19,7 @@ import { sized } from './sizes.js';
 import { emptyRegions } from './state.js';
 import type { List, ListInHand, Regions } from './state.js';
 
-/** The state of Weiler and Atherton's algorithm: the list in hand and its parts, what is visible, and the stack of lists. */
+/** The state of Weiler and Atherton's algorithm: the current list and its parts, what is visible, and the stack of lists. */
 @customElement('vidno-regions')
 export class RegionsPanel extends LitElement {
   static override styles = [base, panelsStyle, regionsPanelStyle];
@@ -88,7 +88,7 @@ export class RegionsPanel extends LitElement {
     </section>`;
   }
 
-  /** What became of a piece of the list in hand. */
+  /** What became of a piece of the current list. */
   private roleOf(index: number): string {
     const { say, hand } = this;
     if (hand === null) return '';

@@ -9,7 +9,7 @@ export const ownersOf = (pieces: readonly Piece[]): readonly string[] => [
   ...new Set(pieces.map(([id]) => id)),
 ];
 
-/** A piece of the list in hand that is clipped by the first one. */
+/** A piece of the current list that is clipped by the first one. */
 interface Clipping {
   readonly clip: Piece;
   /** The outline of the piece, cut wherever it meets that of the clip polygon. */

@@ -24,7 +24,7 @@ export interface ListInHand {
   readonly seen: number;
   readonly inside: List;
   readonly outside: List;
-  /** Of the parts inside that are not ground, in their order, whether the clip polygon hides them. */
+  /** Whether the clip polygon hides each part inside that is not ground, in their order. */
   readonly behind: readonly boolean[];
 }
 
@@ -73,7 +73,7 @@ const nothing = (): Partial<Regions> => unchanged;
 
 const isEmpty = (region: Region): boolean => region.length === 0;
 
-/** The list in hand, of which this polygon's piece must be the next. */
+/** The current list, of which this polygon's piece must be the next. */
 function handWith(polygon: string, { inHand }: Regions): readonly [ListInHand, Piece] {
   if (inHand === null) throw new Refusal('', 'noListInHand');
   const next = inHand.pieces[inHand.seen];
@@ -81,7 +81,7 @@ function handWith(polygon: string, { inHand }: Regions): readonly [ListInHand, P
   return [inHand, next];
 }
 
-/** A piece of the list in hand went inside, outside, or in part to each. */
+/** A piece of the current list went inside, outside, or in part to each. */
 function parted(
   polygon: string,
   now: Regions,

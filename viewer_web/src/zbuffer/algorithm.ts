@@ -21,7 +21,7 @@ import { outline } from './outline.js';
 import { sentences } from './sentences.js';
 import { caption, drawing, pointed } from './solid.js';
 
-/** The edges of the polygon in hand, the active ones first. */
+/** The edges of the current polygon, the active ones first. */
 function things({ after: { zbuffer } }: View): readonly string[] {
   if (zbuffer === undefined) return [];
   return [...zbuffer.ael.map(({ edge }) => edge), ...zbuffer.edges].map(edgeThing);

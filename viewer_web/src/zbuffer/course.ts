@@ -7,7 +7,7 @@ export function changesAel(event: Event | null): boolean {
   return event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0);
 }
 
-/** What is in hand is a polygon. */
+/** The current item is a polygon. */
 export function course({ begin, changeAel, eventAt, indexOf }: Book): Watched {
   const look = (step: number): void => {
     if (changesAel(eventAt(step))) changeAel(step);

@@ -111,7 +111,7 @@ export class DepthsElement extends LitElement {
     return hasRoomForDepths(header.scene) ? texts.none : texts.depthsTooMany;
   }
 
-  /** The column in hand: the pixel's, or the middle of what is shown of the row. */
+  /** The current column: the pixel's, or the middle of what is shown of the row. */
   private get column(): number {
     const { event, after, header } = this.view;
     if (event?.e === 'pixel') return event.x;

@@ -73,7 +73,7 @@ function edgeLine(
   return from && to ? cased(role, [from, to], false) : [];
 }
 
-/** The ends of the lines that ShowLine has in hand, in space. */
+/** The ends of the lines that ShowLine is showing, in space. */
 function spansOf({ event, after }: View): readonly (readonly [Spot, Spot])[] {
   const { row = null, ael = [] } = after.zbuffer ?? {};
   const end = ({ x, z }: { readonly x: N; readonly z: N }): Spot => [
@@ -92,7 +92,7 @@ function spansOf({ event, after }: View): readonly (readonly [Spot, Spot])[] {
   });
 }
 
-/** The pixel in hand as a column, with the stored depth and the new one. */
+/** The current pixel as a column, with the stored depth and the new one. */
 function pixelDrawing(
   { x, y, z, stored, shown }: Event<'pixel'>,
   space: Space,

@@ -33,7 +33,7 @@ interface Scanned {
   readonly nextAel: N | null;
 }
 
-/** Of the current polygon; what the trace has not told of it yet is null. */
+/** What is known of the current polygon; null until the trace tells it. */
 export interface ZBuffer extends Scanned {
   readonly polygon: string | null;
   readonly edges: readonly number[];
