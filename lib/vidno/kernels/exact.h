@@ -104,6 +104,7 @@ public:
     Enclosed(Rational value) : value_(std::move(value)), interval_(CGAL::to_interval(value_)) {}
 
     const Rational& exactly() const { return value_; }
+    operator const Rational&() const { return value_; }
     const Interval& interval() const { return interval_; }
     explicit operator double() const { return nearest_double(value_); }
 
