@@ -91,7 +91,7 @@ EnclosedSign enclosed_sign(const auto& formula, const auto&... values) {
     return {Sign{int(CGAL::sign(formula(values.exactly()...)))}, false};
 }
 
-EnclosedSign enclosed_sign(Difference, const auto& v, const auto& w) {
+EnclosedSign enclosed_sign(NumberDifference, const auto& v, const auto& w) {
     const auto by_interval = CGAL::compare(v.interval(), w.interval());
     if (by_interval.is_certain()) return {Sign{int(by_interval.make_certain())}, true};
     return {Sign{int(CGAL::compare(v.exactly(), w.exactly()))}, false};

@@ -13,7 +13,7 @@
 namespace vidno {
 
 /// The formula by which two numbers are compared.
-struct Difference {
+struct NumberDifference {
     template <class T>
     T operator()(const T& v, const T& w) const {
         return v - w;
@@ -147,7 +147,7 @@ struct OnRegions : K {
     Number depth(const Planes& plane, const Place& p) const {
         return -(plane.a * p.x + plane.b * p.y + plane.d) / plane.c;
     }
-    Sign compare(const Number& v, const Number& w) const { return sign_of(Difference{}, v, w); }
+    Sign compare(const Number& v, const Number& w) const { return sign_of(NumberDifference{}, v, w); }
 
 protected:
     /// Are both where the same two lines meet, which do so once.
