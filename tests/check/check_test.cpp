@@ -134,7 +134,7 @@ TEST_CASE("After a division by what is exactly zero there is no truth") {
     CHECK_FALSE(court.last().wrong());
 }
 
-TEST_CASE("Depths: no polygon yet is farther than any") {
+TEST_CASE("Depths: any polygon is nearer than none") {
     Court court("double");
     const auto& kernel = court.kernel;
     const RunTimeKernel::Depth z(kernel.vertex({0, 0, -1}).z);
@@ -166,7 +166,7 @@ TEST_CASE("On the published maps the shadow finds precisely the places where dou
     }
 }
 
-TEST_CASE("A run with right decisions only paints the right picture, one with wrong pixels has wrong decisions") {
+TEST_CASE("A run with only right decisions paints the right picture, and a run with wrong pixels has wrong decisions") {
     RandomScenes random(8);
     int wrong_pictures = 0, right_pictures = 0;
     for (int i = 0; i < 150; ++i) {
@@ -195,7 +195,7 @@ TEST_CASE("Under filtered and exact nothing is wrong") {
     }
 }
 
-TEST_CASE("Under filtered it is counted what decided") {
+TEST_CASE("A run under filtered counts which stage decided") {
     // A square over 8 x 8 centres, none on its outline: each of its depths is nearer than no polygon.
     const Scene plain = SceneBuilder(area_16).quad(4, 4, 12, 12, .5).build();
     const auto easy = checked(plain, Method::zbuffer, "filtered").decided_by;
@@ -211,7 +211,7 @@ TEST_CASE("Under filtered it is counted what decided") {
     }
 }
 
-TEST_CASE("The printed text is wrong without a wrong decision: its procedures are") {
+TEST_CASE("The printed text paints wrong pixels without a wrong decision: its procedures are wrong") {
     // X-W3: the near square, 8 x 8 pixels, does not surround the window and is overlooked for the far one, which does.
     const Scene scene = SceneBuilder(area_16).polygon(far_quad).polygon(near_square).build();
     const CheckReport report = checked(scene, Method::warnock, "double", Edition::printed);

@@ -181,13 +181,6 @@ CurveScene true_curves(json surface) {
     return read_surface(surface.dump(), "surface").curves;
 }
 
-/// A fraction, "p/q", as well as a number.
-double number_of(const Value& value) {
-    if (!value.fraction) return value.number;
-    const auto bar = value.fraction->find('/');
-    return std::stod(*value.fraction) / (bar == std::string::npos ? 1 : std::stod(value.fraction->substr(bar + 1)));
-}
-
 /// Whether a curve is drawn at x, which may lie between columns.
 bool is_drawn(const DrawnLines& lines, std::size_t curve, double x) {
     return std::any_of(lines.begin(), lines.end(), [&](const auto& line) {

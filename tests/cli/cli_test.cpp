@@ -858,6 +858,23 @@ TEST_CASE("stability: shards put together and a run taken up are the run in one 
     CHECK(work.read("cut.jsonl") == expected);
 }
 
+TEST_CASE("stability: a campaign that is killed and called again ends as if it had not been, byte for byte") {
+    const Workplace work;
+    const std::string campaign = "stability --family slivers --kernel double --method zbuffer --count 40 ";
+    const auto whole = program(campaign + "-o " + work.file("whole.jsonl"));
+    REQUIRE(whole.status == 0);
+    // It is killed once it has written a few blocks, wherever it then is.
+    const std::string file = work.file("killed.jsonl");
+    const auto killed =
+        program("-c \"'" VIDNO_FILE "' " + campaign + "-o " + file + " & while [ ! -f " + file + " ] || [ \$(wc -l < " +
+                    file + ") -lt 4 ]; do :; done; kill -9 \$!; wait \$!; echo ended by \$?\"",
+                "/bin/sh");
+    CHECK(killed.text.find("ended by 137") != std::string::npos);
+    CHECK(work.read("killed.jsonl").size() < work.read("whole.jsonl").size());
+    CHECK(program(campaign + "-o " + file).text == whole.text);
+    CHECK(work.read("killed.jsonl") == work.read("whole.jsonl"));
+}
+
 TEST_CASE("import, then both methods paint the same picture of the mesh") {
     const Workplace work;
     const std::string scene = work.file("teapot.json");

@@ -50,19 +50,21 @@ std::vector<HalfPlane> lines_of(const Margin& margin) {
     return lines;
 }
 
-/// The test or clip to which a step belongs: its events.
+/// A call that asks for signs: its events, with their steps.
 struct Course {
+    Procedure procedure{};
+    std::optional<PolygonPlace> polygon;  // none: it asks for no sign
     std::vector<std::pair<std::uint64_t, Event>> events;
 
     using Signs = std::map<std::uint64_t, Sign>;
 
     /// Along this path, with a vertex moved.
     Signs signs(const Scene& scene, PolygonPlace moved, int vertex, const Place& to) const {
-        const auto outline = [&](PolygonPlace polygon) {
+        const auto outline = [&](PolygonPlace of) {
             std::vector<Place> places;
-            for (const auto& v : scene.polygons[std::size_t(polygon.index)].vertices)
+            for (const auto& v : scene.polygons[std::size_t(of.index)].vertices)
                 places.push_back({Rational(v.x), Rational(v.y)});
-            if (polygon == moved) places[std::size_t(vertex)] = to;
+            if (of == moved) places[std::size_t(vertex)] = to;
             return places;
         };
         const auto place = [](const ValuePoint& p) { return Place{Rational(p.x.number), Rational(p.y.number)}; };
@@ -101,32 +103,35 @@ struct Course {
     }
 };
 
-/// The tests and clips of a run, each with signs.
+/// The calls of a run that ask for signs.
 std::vector<Course> courses_of(const RunRequest& asked) {
+    static const std::set<Procedure> with_signs{Procedure::surround_test, Procedure::polygon_clip,
+                                                Procedure::trial_function, Procedure::ray_crossings,
+                                                Procedure::octant_angles};
     std::vector<Course> courses;
     std::optional<Course> running;
     std::uint64_t step = 0;
     HeardBy hear([&](const EventView& event) {
         ++step;
         const auto* call = event.get_if<event::Call>();
-        if (call && (call->of == Procedure::surround_test || call->of == Procedure::polygon_clip)) running.emplace();
-        if (running) running->events.emplace_back(step, event.copy());
-        if (running && (event.get_if<event::Surround>() || event.get_if<event::ClipResult>())) {
-            courses.push_back(std::move(*running));
-            running.reset();
-        }
+        if (call && with_signs.contains(call->of)) running = Course{call->of, {}, {}};
+        if (!running) return;
+        running->events.emplace_back(step, event.copy());
+        if (const auto* orient = event.get_if<event::Orient>()) running->polygon = orient->polygon;
+        if (const auto* begin = event.get_if<event::ClipBegin>()) running->polygon = begin->polygon;
+        event.visit([&]<class E>(const E&) {
+            if constexpr (requires { E::result_of; }) {
+                if (E::result_of != running->procedure) return;
+                if (running->polygon) courses.push_back(std::move(*running));
+                running.reset();
+            }
+        });
     });
     RunRequest request = asked;
     request.detail = Detail::signs;
     request.sink = &hear;
     run(request);
     return courses;
-}
-
-PolygonPlace polygon_of(const Course& course) {
-    const Event& last = course.events.back().second;
-    if (const auto* surround = last.get_if<event::Surround>()) return surround->polygon;
-    return last.get_if<event::ClipResult>()->polygon;
 }
 
 /// Where other lines leave a line: from `low` to `high` along it.
@@ -161,7 +166,11 @@ TEST_CASE("The edges of a triangle and a point: the half-planes are worked out b
     // With x in front: x - 9 y is negative.
     for (const auto& line : lines) CHECK((line == "1/1 -9/1 0/1 -1" || line == "1/1 -1/1 0/1 -1"));
     CHECK_FALSE(lines.empty());
-    CHECK(margin_text(margin, scene).find("x - y < 0") != std::string::npos);
+    const std::string text = margin_text(margin, scene);
+    CHECK(text.find("no sign changes while\n") != std::string::npos);
+    const std::string step = std::to_string(margin.sides.front().flips.front().step);
+    CHECK(text.find("  x - y < 0\n      edge 2 of A passes over (0, 0): the sign at step " + step +
+                    ", S2, is negative\n") != std::string::npos);
 }
 
 TEST_CASE("A step without a sign has no margin") {
@@ -171,24 +180,23 @@ TEST_CASE("A step without a sign has no margin") {
     CHECK_THROWS_AS(margin_of(request, 1'000'000, {0}, 0), Refused);
 }
 
-TEST_CASE("1,000 margins: inside no sign changes, beyond a side those change that it is labelled with") {
+TEST_CASE("1,000 margins: inside no sign changes, and beyond a side exactly those that its label names") {
     RandomScenes random(31);
     const int cases = 1000 / thinning;
-    int margins = 0, inside = 0, beyond = 0, of_clips = 0, on_lines = 0;
-    while (margins < cases) {
+    int margins = 0, inside = 0, beyond = 0, on_lines = 0;
+    std::map<Procedure, int> of;
+    constexpr std::array methods{Method::warnock, Method::warnock_full, Method::warnock_angles};
+    for (std::size_t scenes = 0; margins < cases; ++scenes) {
         const Scene scene = random.scene();
-        const RunRequest request{Method::warnock, *kernel_named("filtered"), Edition::corrected, scene};
-        const auto courses = courses_of(request);
+        const RunRequest request{methods[scenes % methods.size()], *kernel_named("filtered"), Edition::corrected,
+                                 scene};
+        // Some procedures are called far more often than others: each is drawn as often as any other.
+        std::map<Procedure, std::vector<Course>> courses;
+        for (auto& each : courses_of(request)) courses[each.procedure].push_back(std::move(each));
         for (int drawn = 0; drawn < 6 && margins < cases && !courses.empty(); ++drawn) {
-            // Clips are rarer than tests: half of the cases are to be clips, where there are some.
-            std::vector<const Course*> clips;
-            for (const auto& each : courses) {
-                if (each.events.back().second.get_if<event::ClipResult>()) clips.push_back(&each);
-            }
-            const bool clip = !clips.empty() && random.whole(0, 1) == 1;
-            const Course& course = clip ? *clips[std::size_t(random.whole(0, int(clips.size()) - 1))]
-                                        : courses[std::size_t(random.whole(0, int(courses.size()) - 1))];
-            const PolygonPlace polygon = polygon_of(course);
+            const auto& alike = std::next(courses.begin(), random.whole(0, int(courses.size()) - 1))->second;
+            const Course& course = alike[std::size_t(random.whole(0, int(alike.size()) - 1))];
+            const PolygonPlace polygon = *course.polygon;
             const auto& vertices = scene.polygons[std::size_t(polygon.index)].vertices;
             const int vertex = random.whole(0, int(vertices.size()) - 1);
             const auto& now = vertices[std::size_t(vertex)];
@@ -202,7 +210,8 @@ TEST_CASE("1,000 margins: inside no sign changes, beyond a side those change tha
             const auto signs = [&](const Place& p) { return course.signs(scene, polygon, vertex, p); };
             const auto right = signs(at);
             ++margins;
-            of_clips += margin.procedure == Procedure::polygon_clip ? 1 : 0;
+            CHECK(margin.procedure == course.procedure);
+            ++of[margin.procedure];
             for (const auto& line : lines) REQUIRE(line.keeps(at));
 
             // The lines that the region lies on.
@@ -301,9 +310,13 @@ TEST_CASE("1,000 margins: inside no sign changes, beyond a side those change tha
             }
         }
     }
-    MESSAGE(inside, " points inside, ", beyond, " beyond a side; ", of_clips, " clips, ", on_lines, " on lines");
+    MESSAGE(inside, " points inside, ", beyond, " beyond a side; ", on_lines, " margins on lines");
     CHECK(inside > 10 * cases);
     CHECK(beyond > cases);
-    CHECK(of_clips > cases / 20);
+    for (const auto procedure : {Procedure::surround_test, Procedure::polygon_clip, Procedure::trial_function,
+                                 Procedure::ray_crossings, Procedure::octant_angles}) {
+        CAPTURE(procedure_names[std::size_t(procedure)]);
+        CHECK(of[procedure] > cases / 20);
+    }
     CHECK(on_lines > cases / 50);
 }

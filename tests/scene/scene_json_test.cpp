@@ -163,7 +163,7 @@ TEST_CASE("the window is whole pixels within bounds") {
           "taken");
 }
 
-TEST_CASE("coordinates are numbers, or hexadecimal ones as text") {
+TEST_CASE("coordinates are numbers or hexadecimal text") {
     const auto scene_with_x = [](const std::string& x) {
         return scene_with(polygon_with("[[" + x + ", 0, 0], [99, 0, 0], [0, 99, 0]]"));
     };
@@ -258,7 +258,7 @@ TEST_CASE("colours begin again after the seventh, by the place in the scene") {
     for (std::size_t i = 1; i < 7; ++i) CHECK(scene.polygons[i].color != scene.polygons[i - 1].color);
 }
 
-TEST_CASE("a window is at least a pixel each way, and must be said where there is nothing to reach over") {
+TEST_CASE("a default window is at least a pixel each way, and there is none without vertices") {
     CHECK(read_scene(R"({"polygons": [{"vertices": [[2, 3, 0], [2, 3, 0], [2, 3, 0]]}]})", "f.json").scene.area ==
           Area{2, 3, 1, 1});
     check_refused({
@@ -272,7 +272,7 @@ TEST_CASE("a window is at least a pixel each way, and must be said where there i
     CHECK(message_for(R"({"polygons": [{"vertices": [[0, 0, 0], [16384, 0, 0], [0, 9, 0]]}]})") == "taken");
 }
 
-TEST_CASE("one pass tells everything that is wrong, in the order of the text, each with line, column and path") {
+TEST_CASE("one pass reports every fault in the order of the text, with line, column and path") {
     CHECK(message_for("{\n"
                       "  \"windw\": {\"x\": 0},\n"
                       "  \"background\": \"white\",\n"
@@ -291,7 +291,7 @@ TEST_CASE("one pass tells everything that is wrong, in the order of the text, ea
           "f.json: line 7, column 5: /polygons/2: \"vertices\" is missing");
 }
 
-TEST_CASE("what is pointed at: a value, its key, and a key for the second time") {
+TEST_CASE("a fault points at a value, at its key, or at the second of two equal keys") {
     CHECK(message_for(R"({"polygons": [], "a\u0062": {"b": 1}})").find("line 1, column 18: /ab: unknown key") !=
           std::string::npos);
     CHECK(message_for("{\"name\": \"{[\\\"\", \"polygons\": [],\n \"name\": \"b\"}") ==
@@ -300,7 +300,7 @@ TEST_CASE("what is pointed at: a value, its key, and a key for the second time")
           "f.json: line 1, column 39: /polygons/1/vertices/0/1: the number is beyond the range of doubles");
 }
 
-TEST_CASE("of a great many faults twenty are told") {
+TEST_CASE("the first twenty of a thousand faults are reported") {
     std::string many;
     for (int i = 0; i < 1000; ++i) many += R"({"vertices": []},)";
     many.pop_back();

@@ -136,7 +136,7 @@ TEST_CASE(
     CHECK(last == 201);
 }
 
-TEST_CASE("Surface: what is written is read as the same again") {
+TEST_CASE("Surface: a surface that is written and read again is the same") {
     const Surface surface = read_surface(small, "s.json");
     CHECK(read_surface(surface_json(surface), "again") == surface);
     const Surface given{"g", {{-3, 0, 8, 8}, {{{{-3, 0.1}, {4, -1e300}}}, {{{0, 5}, {1, 6}, {2, 5}}}}}};
@@ -146,7 +146,7 @@ TEST_CASE("Surface: what is written is read as the same again") {
     CHECK(read_surface(surface_json(given), "again") == given);
 }
 
-TEST_CASE("Surface: what is refused, with its place and reason") {
+TEST_CASE("Surface: a bad file is refused with the place and the reason") {
     const auto refused = [](const std::string& from, const std::string& to) {
         return without_places(refusal_of(changed(small, from, to)));
     };
@@ -190,7 +190,7 @@ TEST_CASE("Surface: format, name and window have defaults") {
           "s.json: \"window\" is missing, and there are no samples to reach over");
 }
 
-TEST_CASE("Surface: one pass tells everything that is wrong, each with its line, column and path") {
+TEST_CASE("Surface: one pass reports every fault with line, column and path") {
     CHECK(refusal_of("{\"window\": {\"x\": 0, \"y\": 0, \"width\": 9, \"height\": 0},\n"
                      " \"curves\": [\n"
                      "  [[0, 1], [0, 2]],\n"

@@ -229,6 +229,17 @@ TEST_CASE("Results of a killed run are taken up: what was half written is done a
     }
 }
 
+TEST_CASE("A file of before there were campaigns over all methods is gone on with, byte for byte") {
+    // Written by the program of then: vidno stability --seed 5 --count 1 --family triangles steep --kernel double.
+    const std::string file = VIDNO_ROOT "/tests/stability/campaign-of-before.jsonl";
+    const std::string expected = read_file(file);
+    const TemporaryFile half(expected.substr(0, expected.size() / 2));
+    Results resumed = Results::merged({half.name});
+    CHECK(resumed.missing() > 20);
+    run_all(resumed);
+    CHECK(resumed.text() == expected);
+}
+
 TEST_CASE("Results that are not of the campaign, or not results, are refused") {
     const Results results = whole({1, 1, {"edges"}, {"double"}, {"zbuffer"}});
     const std::string header = results.header();

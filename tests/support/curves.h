@@ -50,7 +50,8 @@ public:
         bool operator==(const Interval&) const = default;
     };
     struct CurveSeen {
-        std::vector<bool> visible;  // over each of its columns
+        std::vector<bool> visible;     // over each of its columns
+        std::vector<bool> on_horizon;  // there: as high as the upper or the lower one
         std::vector<Interval> parts;
     };
 
@@ -118,6 +119,7 @@ private:
             const Cell& up = upper(x);
             const Cell& low = lower(x);
             result.visible.push_back(!up || !(*up < y && y < *low));
+            result.on_horizon.push_back(up && (y == *up || y == *low));
             if (result.visible.back()) result.parts.push_back({x, x});
             if (x == end) break;
             const Number next_y = height(curve, x + 1);

@@ -135,14 +135,6 @@ SeenFailure seen_pixel(const Failure& failure, const std::pair<int, int>& pixel)
         {}};
 }
 
-/// A fraction, "p/q", as well as a number.
-double number_of(const Value& value) {
-    if (!value.fraction) return value.number;
-    const std::string& text = *value.fraction;
-    const auto bar = text.find('/');
-    return std::stod(text) / (bar == std::string::npos ? 1 : std::stod(text.substr(bar + 1)));
-}
-
 bool is_over_column(const event::DrawLine& line, int x) {
     return line.from_columns.second <= x && x <= line.to_columns.first;
 }

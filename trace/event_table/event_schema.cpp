@@ -1,4 +1,4 @@
-// The events of schema/trace.schema.json, and the words of its header.
+// The events of schema/trace.schema.json, the words of its header, and those of schema/failure.schema.json.
 
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -71,6 +71,13 @@ std::string kernel_pattern() {
     return "^(" + names + ")$";
 }
 
+/// The labels of lines: "W7".
+std::string label_pattern() {
+    std::string letters;
+    for (const auto own : line_letters()) letters += (letters.empty() ? "" : "|") + std::string(own);
+    return "^(" + letters + ")[1-9][0-9]?$";
+}
+
 /// The names of the editions that `exist`: those with a name of their own, and single defects.
 std::string edition_pattern(auto&& exist) {
     std::string names, defects;
@@ -82,6 +89,15 @@ std::string edition_pattern(auto&& exist) {
         if (!defect.empty() && exist(Deviation(i))) defects += (defects.empty() ? "" : "|") + std::string(defect);
     }
     return "^(" + names + "printed:(" + defects + ")([+](" + defects + "))*)$";
+}
+
+constexpr auto any_edition = [](Edition) { return true; };
+constexpr auto edition_of_curves = [](Edition edition) { return has_text_of_curves(edition); };
+
+Json all_methods() {
+    Json names = method_names;
+    names.push_back(floating_horizon_method);
+    return names;
 }
 
 /// What fits goes on one line.
@@ -105,8 +121,7 @@ std::string written(const Json& value, std::size_t indent, bool breaks = true) {
 }  // namespace
 
 std::string with_methods(const std::string& schema, bool with_floating_horizon) {
-    Json methods = method_names;
-    if (with_floating_horizon) methods.push_back(floating_horizon_method);
+    const Json methods = with_floating_horizon ? all_methods() : Json(method_names);
     const std::regex list(R"rx("method": *\{\s*"enum": *\[[^\]]*\]\s*\})rx");
     if (!std::regex_search(schema, list)) throw std::runtime_error("the schema has no list of methods");
     return std::regex_replace(schema, list, "\"method\": " + written({{"enum", methods}}, 8));
@@ -121,18 +136,29 @@ std::string with_event_schema(const std::string& schema) {
     }
     document["oneOf"] = lines;
     Json& header = document["$defs"]["header"]["properties"];
-    header["method"]["enum"] = method_names;
-    header["method"]["enum"].push_back(floating_horizon_method);
-    header["edition"] = {{"type", "string"}, {"pattern", edition_pattern([](Edition) { return true; })}};
-    document["$defs"]["header"]["then"]["properties"]["edition"] = {
-        {"pattern", edition_pattern([](Edition edition) { return has_text_of_curves(edition); })}};
+    header["method"]["enum"] = all_methods();
+    header["edition"] = {{"type", "string"}, {"pattern", edition_pattern(any_edition)}};
+    document["$defs"]["header"]["then"]["properties"]["edition"] = {{"pattern", edition_pattern(edition_of_curves)}};
     header["kernel"]["pattern"] = kernel_pattern();
     header["detail"]["enum"] = detail_names;
     document["$defs"]["events"] = events;
     for (const auto& shape : named_words()) document["$defs"][std::string(shape.name)] = {{"enum", shape.words}};
-    std::string letters;
-    for (const auto own : line_letters()) letters += (letters.empty() ? "" : "|") + std::string(own);
-    document["$defs"]["label"] = {{"type", "string"}, {"pattern", "^(" + letters + ")[1-9][0-9]?$"}};
+    document["$defs"]["label"] = {{"type", "string"}, {"pattern", label_pattern()}};
+    return written(document, 0) + "\n";
+}
+
+std::string with_failure_schema(const std::string& schema) {
+    Json document = Json::parse(schema);
+    Json& parts = document["$defs"];
+    Json& run = parts["run"]["properties"];
+    run["method"]["enum"] = all_methods();
+    run["kernel"]["pattern"] = kernel_pattern();
+    run["edition"]["pattern"] = edition_pattern(any_edition);
+    parts["run_of_polygons"]["properties"]["method"]["enum"] = method_names;
+    parts["run_of_curves"]["properties"]["method"]["const"] = floating_horizon_method;
+    parts["run_of_curves"]["properties"]["edition"]["pattern"] = edition_pattern(edition_of_curves);
+    parts["shows_of_polygons"]["properties"]["wrong"]["enum"] = procedure_names;
+    parts["line"]["pattern"] = label_pattern();
     return written(document, 0) + "\n";
 }
 

@@ -86,6 +86,7 @@ std::vector<Shape> named_words() {
 std::vector<DerivedDocument> derived_documents() {
     return {{"FORMAT.md", with_format_tables},
             {"schema/trace.schema.json", with_event_schema},
+            {"schema/failure.schema.json", with_failure_schema},
             {"schema/chart.schema.json", [](const std::string& text) { return with_methods(text, false); }},
             {"schema/lesson.schema.json", [](const std::string& text) { return with_methods(text, true); }}};
 }

@@ -66,6 +66,9 @@ std::string with_format_tables(const std::string& format);
 /// The schema of traces with its events as the table has them, and its header with the choices there are.
 std::string with_event_schema(const std::string& schema);
 
+/// The schema of failures with the choices, procedures and lines there are.
+std::string with_failure_schema(const std::string& schema);
+
 /// Another schema with the methods there are, of polygons, and perhaps that of curves.
 std::string with_methods(const std::string& schema, bool with_floating_horizon);
 

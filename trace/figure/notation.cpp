@@ -47,13 +47,6 @@ std::string short_number(double value, std::size_t most) {
     return written(value, std::chars_format::scientific, 1);
 }
 
-/// A whole number of any length: so many tens times the second.
-std::pair<int, double> scaled(std::string_view digits) {
-    constexpr std::size_t enough = 18;
-    const std::string leading(digits.substr(0, enough));
-    return {int(digits.size() - leading.size()), std::strtod(leading.c_str(), nullptr)};
-}
-
 std::string with_minus_sign(std::string text) {
     for (auto at = text.find('-'); at != text.npos; at = text.find('-', at)) text.replace(at, 1, "−");
     return text;
@@ -97,18 +90,6 @@ struct Note {
 };
 
 }  // namespace
-
-double number_of(const Value& value) {
-    if (!value.fraction) return value.number;
-    std::string_view text = *value.fraction;
-    const bool negative = text.starts_with('-');
-    if (negative) text.remove_prefix(1);
-    const auto slash = text.find('/');
-    const auto [above_tens, above] = scaled(text.substr(0, slash));
-    const auto [below_tens, below] = scaled(text.substr(slash + 1));
-    if (below == 0) return std::numeric_limits<double>::quiet_NaN();
-    return (negative ? -1 : 1) * above / below * std::pow(10, above_tens - below_tens);
-}
 
 std::string in_full(double value) { return with_minus_sign(shortest(value)); }
 

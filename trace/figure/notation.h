@@ -7,9 +7,6 @@
 
 namespace vidno::figures {
 
-/// The number itself, or of a fraction the nearest one but for its last digits. Of x/0, NaN.
-double number_of(const Value& value);
-
 /// With all its digits, and a real minus sign.
 std::string in_full(double value);
 

@@ -29,6 +29,9 @@ struct Value {
     }
 };
 
+/// The number itself; of a fraction the nearest one, perhaps but for its last digits. Of x/0, NaN.
+double number_of(const Value& value);
+
 /// A number of the kernel K.
 template <class K>
 Value as_value(const auto& number) {

@@ -87,9 +87,8 @@ private:
         return constant(at.x, at.y);
     }
     static Place constant(double x, double y) { return {{0, 0, Rational(x)}, {0, 0, Rational(y)}}; }
-    static Place constant(const ValuePoint& point) { return constant(number(point.x), number(point.y)); }
     /// Corners of windows and centres of pixels are doubles under every kernel.
-    static double number(const Value& value);
+    static Place constant(const ValuePoint& point) { return constant(number_of(point.x), number_of(point.y)); }
 
     int next(PolygonPlace polygon, int vertex) const { return (vertex + 1) % int(vertices(polygon).size()); }
 
@@ -128,12 +127,6 @@ private:
     std::size_t next_ = 0;  // of the outline: whose sign is told next
     OutlineVertex from_, to_;
 };
-
-double Collector::number(const Value& value) {
-    if (!value.fraction) return value.number;
-    const auto slash = value.fraction->find('/');
-    return std::stod(value.fraction->substr(0, slash)) / std::stod(value.fraction->substr(slash + 1));
-}
 
 void Collector::follow(const EventView& event) {
     ++steps_;

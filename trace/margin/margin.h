@@ -1,8 +1,9 @@
 /// Margin: where a vertex of the scene may be moved to so that no sign of a step changes.
 ///
-/// The signs of a step are those of the test or of the clip, SurroundTest or PolygonClip, to which it belongs. Each is the sign of a
-/// number that is linear in the coordinates of any one vertex: a cross product is, and where an edge is cut at a side of the window and
-/// the cut lies to another side is the side of the edge on which their corner lies. So the region is an intersection of half-planes.
+/// The signs of a step are those of the call to which it belongs, of SurroundTest, PolygonClip, TrialFunction, RayCrossings or
+/// OctantAngles. Each is the sign of a number that is linear in the coordinates of any one vertex. A cross product is linear. Where an
+/// edge is cut at one side of the window, the cut lies beyond another side if the corner of the two sides lies on a certain side of the
+/// edge, which is a cross product again. So the region is an intersection of half-planes.
 #pragma once
 
 #include <array>
@@ -15,15 +16,15 @@
 
 namespace vidno {
 
-/// A sign of the step, and what it says: of an edge and a point; of a vertex and a side of the window; or of the cut of an edge at one
-/// side and another side.
+/// A sign of the step: on which side of an edge a point lies, or whether a vertex, or the cut of an edge at one side of the window, lies
+/// beyond another side.
 struct StepSign {
     std::uint64_t step = 0;
     Line at{};
     PolygonPlace polygon{};
     std::optional<int> vertex{}, edge{};
     std::optional<ValuePoint> point{};
-    std::optional<int> cut{}, side{};  // 1 to 4, as PolygonClip goes round
+    std::optional<int> cut{}, side{};  // 1 to 4: top, left, bottom, right, as PolygonClip goes round
     Sign sign{};                       // in exact arithmetic
     Sign told{};                       // as the run has it
 };

@@ -55,16 +55,19 @@ void tell_numbers(auto&& tell, const std::string& name, const std::vector<Vertex
     }
 }
 
-/// Whole numbers that a question has beside its operands, `tell(name, number)`.
-struct NoConstants {
+/// What is decided, what it means if the numbers that decide are equal, and which pair of them does.
+template <Decision decision, Coincidence coincidence, Deciding pair = Deciding::nearest>
+struct Question {
+    static constexpr Decision of = decision;
+    static constexpr Coincidence if_zero = coincidence;
+    static constexpr Deciding deciding = pair;
+
+    /// Whole numbers that a question has beside its operands, `tell(name, number)`.
     static void constants(auto&&) {}
 };
 
 /// On which side of the line from the pivot to a does b lie?
-struct Orientation : NoConstants {
-    static constexpr Decision of = Decision::orientation;
-    static constexpr Coincidence if_zero = Coincidence::point_on_line;
-    static constexpr Deciding deciding = Deciding::nearest;
+struct Orientation : Question<Decision::orientation, Coincidence::point_on_line> {
     static constexpr std::array names{"pivot", "a", "b"};
 
     static Sign answer(const auto& kernel, const auto& pivot, const auto& a, const auto& b) {
@@ -80,10 +83,7 @@ struct Orientation : NoConstants {
 };
 
 /// Is the depth z nearer than another?
-struct Nearer : NoConstants {
-    static constexpr Decision of = Decision::nearer;
-    static constexpr Coincidence if_zero = Coincidence::equal_depths;
-    static constexpr Deciding deciding = Deciding::nearest;
+struct Nearer : Question<Decision::nearer, Coincidence::equal_depths> {
     static constexpr std::array names{"z", "against"};
 
     static bool answer(const auto& kernel, const auto& z, const auto& against) {
@@ -212,10 +212,7 @@ struct ColumnsOf : OfCentres {
 };
 
 /// Of the printed text: are two numbers the same once they are rounded?
-struct SameRounded : NoConstants {
-    static constexpr Decision of = Decision::same_rounded;
-    static constexpr Coincidence if_zero = Coincidence::on_pixel_centre;
-    static constexpr Deciding deciding = Deciding::nearest;
+struct SameRounded : Question<Decision::same_rounded, Coincidence::on_pixel_centre> {
     static constexpr std::array names{"v", "w"};
 
     static bool answer(const auto& kernel, const auto& v, const auto& w) { return kernel.same_rounded(v, w); }
@@ -225,10 +222,7 @@ struct SameRounded : NoConstants {
 };
 
 /// Of the printed text: which pixel holds a number?
-struct PixelOf : NoConstants {
-    static constexpr Decision of = Decision::pixel;
-    static constexpr Coincidence if_zero = Coincidence::equal_numbers;
-    static constexpr Deciding deciding = Deciding::nearest;
+struct PixelOf : Question<Decision::pixel, Coincidence::equal_numbers> {
     static constexpr std::array names{"v"};
 
     static int answer(const auto& kernel, const auto& value) { return kernel.pixel_of(value); }
@@ -240,16 +234,15 @@ struct PixelOf : NoConstants {
 // Weiler and Atherton's algorithm
 
 template <class Kernel>
-using RegionsOf = OnRegions<std::remove_cvref_t<Kernel>>;
+OnRegions<Kernel> regions(const Kernel& kernel) {
+    return OnRegions<Kernel>(kernel);
+}
 
-struct ParallelPlanes : NoConstants {
-    static constexpr Decision of = Decision::parallel;
-    static constexpr Coincidence if_zero = Coincidence::parallel_lines;
-    static constexpr Deciding deciding = Deciding::farthest;
+struct ParallelPlanes : Question<Decision::parallel, Coincidence::parallel_lines, Deciding::farthest> {
     static constexpr std::array names{"p", "q"};
 
     static bool answer(const auto& kernel, const auto& p, const auto& q) {
-        return !divides_by_zero(kernel, p, q) && RegionsOf<decltype(kernel)>(kernel).parallel(p, q);
+        return !divides_by_zero(kernel, p, q) && regions(kernel).parallel(p, q);
     }
     static void compare(const auto& kernel, auto&& tell, const auto& p, const auto& q) {
         if (divides_by_zero(kernel, p, q)) return;
@@ -264,57 +257,37 @@ private:
     }
 };
 
-struct ParallelEdges : NoConstants {
-    static constexpr Decision of = Decision::parallel;
-    static constexpr Coincidence if_zero = Coincidence::parallel_lines;
-    static constexpr Deciding deciding = Deciding::nearest;
+struct ParallelEdges : Question<Decision::parallel, Coincidence::parallel_lines> {
     static constexpr std::array names{"p", "q"};
 
-    static bool answer(const auto& kernel, const auto& p, const auto& q) {
-        return RegionsOf<decltype(kernel)>(kernel).parallel(p, q);
-    }
+    static bool answer(const auto& kernel, const auto& p, const auto& q) { return regions(kernel).parallel(p, q); }
     static void compare(const auto&, auto&& tell, const auto& p, const auto& q) { tell(p.a * q.b, p.b * q.a); }
 };
 
 /// On which side of a line does a point lie?
-struct Side : NoConstants {
-    static constexpr Decision of = Decision::orientation;
-    static constexpr Coincidence if_zero = Coincidence::point_on_line;
-    static constexpr Deciding deciding = Deciding::nearest;
+struct Side : Question<Decision::orientation, Coincidence::point_on_line> {
     static constexpr std::array names{"line", "p"};
 
-    static Sign answer(const auto& kernel, const auto& line, const auto& p) {
-        return RegionsOf<decltype(kernel)>(kernel).side(line, p);
-    }
+    static Sign answer(const auto& kernel, const auto& line, const auto& p) { return regions(kernel).side(line, p); }
     static void compare(const auto&, auto&& tell, const auto& line, const auto& p) {
         tell(line.a * (p.x - line.on.x), -(line.b * (p.y - line.on.y)));
     }
 };
 
-struct LeftOf : NoConstants {
-    static constexpr Decision of = Decision::left_of;
-    static constexpr Coincidence if_zero = Coincidence::point_on_line;
-    static constexpr Deciding deciding = Deciding::nearest;
+struct LeftOf : Question<Decision::left_of, Coincidence::point_on_line> {
     static constexpr std::array names{"p", "line"};
 
-    static bool answer(const auto& kernel, const auto& p, const auto& line) {
-        return RegionsOf<decltype(kernel)>(kernel).left_of(p, line);
-    }
+    static bool answer(const auto& kernel, const auto& p, const auto& line) { return regions(kernel).left_of(p, line); }
     static void compare(const auto& kernel, auto&& tell, const auto& p, const auto& line) {
         Side::compare(kernel, tell, line, p);
     }
 };
 
 /// By x and then by y.
-struct Order : NoConstants {
-    static constexpr Decision of = Decision::comparison;
-    static constexpr Coincidence if_zero = Coincidence::shared_points;
-    static constexpr Deciding deciding = Deciding::first;
+struct Order : Question<Decision::comparison, Coincidence::shared_points, Deciding::first> {
     static constexpr std::array names{"p", "q"};
 
-    static Sign answer(const auto& kernel, const auto& p, const auto& q) {
-        return RegionsOf<decltype(kernel)>(kernel).order(p, q);
-    }
+    static Sign answer(const auto& kernel, const auto& p, const auto& q) { return regions(kernel).order(p, q); }
     static void compare(const auto&, auto&& tell, const auto& p, const auto& q) {
         tell(p.x, q.x);
         tell(p.y, q.y);
@@ -323,19 +296,14 @@ struct Order : NoConstants {
 
 struct Turn : Orientation {
     static Sign answer(const auto& kernel, const auto& pivot, const auto& p, const auto& q) {
-        return RegionsOf<decltype(kernel)>(kernel).turn(pivot, p, q);
+        return regions(kernel).turn(pivot, p, q);
     }
 };
 
-struct Compare : NoConstants {
-    static constexpr Decision of = Decision::comparison;
-    static constexpr Coincidence if_zero = Coincidence::equal_numbers;
-    static constexpr Deciding deciding = Deciding::nearest;
+struct Compare : Question<Decision::comparison, Coincidence::equal_numbers> {
     static constexpr std::array names{"a", "b"};
 
-    static Sign answer(const auto& kernel, const auto& v, const auto& w) {
-        return RegionsOf<decltype(kernel)>(kernel).compare(v, w);
-    }
+    static Sign answer(const auto& kernel, const auto& v, const auto& w) { return regions(kernel).compare(v, w); }
     static void compare(const auto&, auto&& tell, const auto& v, const auto& w) { tell(v, w); }
 };
 

@@ -8,6 +8,7 @@
 #include "json/document_format.h"
 #include "json/json_node.h"
 #include "scene/scene_json.h"
+#include "vidno/line.h"
 
 namespace vidno {
 
@@ -48,8 +49,14 @@ std::pair<int, int> read_place(const JsonNode& node) {
     return {whole(0), whole(1)};
 }
 
-Shows read_shows(const JsonNode& node) {
-    node.require_keys({}, {"pixel", "column", "place", "wrong", "fault", "missing", "present", "more_windows", "off"});
+std::string read_line(const JsonNode& node) { return std::string(line_names[read_name(node, line_names, "line")]); }
+
+Shows read_shows(const JsonNode& node, bool of_curves) {
+    if (of_curves) {
+        node.require_keys({}, {"column", "place", "fault", "missing", "present"});
+    } else {
+        node.require_keys({}, {"pixel", "wrong", "fault", "missing", "present", "more_windows", "off"});
+    }
     if (node.keys().empty()) node.refuse("shows nothing");
     Shows shows;
     if (node.has("pixel")) shows.pixel = read_place(node.at("pixel"));
@@ -59,12 +66,20 @@ Shows read_shows(const JsonNode& node) {
         if (place.size() != 2) place.refuse("not a curve and an x");
         shows.place = {place.at(0).whole_number(0, farthest_offset), place.at(1).number()};
     }
-    if (node.has("wrong")) shows.wrong = node.at("wrong").text();
-    if (node.has("fault")) shows.fault = node.at("fault").text();
-    if (node.has("missing")) shows.missing = node.at("missing").text();
-    if (node.has("present")) shows.present = node.at("present").text();
-    if (node.has("more_windows")) shows.more_windows = node.at("more_windows").truth();
-    if (node.has("off")) shows.off = node.at("off").number();
+    if (node.has("wrong")) {
+        shows.wrong = procedure_names[read_name(node.at("wrong"), procedure_names, "procedure")];
+    }
+    if (node.has("fault")) shows.fault = read_line(node.at("fault"));
+    if (node.has("missing")) shows.missing = read_line(node.at("missing"));
+    if (node.has("present")) shows.present = read_line(node.at("present"));
+    if (node.has("more_windows")) {
+        shows.more_windows = node.at("more_windows").truth();
+        if (!shows.more_windows) node.at("more_windows").refuse("not true");
+    }
+    if (node.has("off")) {
+        shows.off = node.at("off").number();
+        if (!(*shows.off > 0)) node.at("off").refuse("not positive");
+    }
     return shows;
 }
 
@@ -99,8 +114,8 @@ public:
 private:
     void read_runs(const JsonNode& root, Failure& failure) {
         read_member(root, "scene", [&](const JsonNode& node) { failure.scene = read_any_scene(node, failure); });
-        read_member(root, "shows", [&](const JsonNode& node) { failure.shows = read_shows(node); });
         const bool of_curves = root.has("scene") && is_of_curves(root.at("scene"));
+        read_member(root, "shows", [&](const JsonNode& node) { failure.shows = read_shows(node, of_curves); });
         read_member(root, "fails", [&](const JsonNode& node) {
             node.require_keys({"method", "kernel", "edition"});
             failure.fails = read_run(node, of_curves);

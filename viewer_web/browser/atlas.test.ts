@@ -3,7 +3,8 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import type { AppElement } from '../src/app/app.js';
 import { browser } from './browser.js';
-import { open, openContents, openFile, shown } from './page.js';
+import { edit, rerun } from './live.js';
+import { goTo, open, openContents, openFile, shown } from './page.js';
 
 const folder = new URL('../../lessons/failures/', import.meta.url);
 const text = (file: string): string => readFileSync(new URL(file, folder), 'utf8');
@@ -32,6 +33,13 @@ const entries = text('README.md')
     const pixel = file.shows?.pixel ?? null;
     return [{ name, title, remedy, step: step.trim(), there: there.trim(), pixel }];
   });
+
+/** That of its name. */
+function entryOf(name: string): Stated {
+  const entry = entries.find((each) => each.name === name);
+  if (entry === undefined) throw new Error(`no entry ${name}`);
+  return entry;
+}
 
 async function openGallery(page: Page): Promise<void> {
   await openContents(page);
@@ -120,15 +128,106 @@ describe('the atlas of failures', () => {
 
   it('takes a surface’s remedy with samples of its own', async () => {
     const { page } = await open(browser, '#lang=en');
-    const entry = entries.find(({ name }) => name === 'missed-peak');
-    if (entry === undefined) throw new Error('not there');
-    await choose(page, entry);
+    await choose(page, entryOf('missed-peak'));
     await page.locator('vidno-failure-note [name=compare]').click();
     await page.locator('vidno-comparison').waitFor();
     const name = await page.evaluate(
       () => document.querySelector<AppElement>('vidno-app')?.session.rival.trace?.header.scene.name,
     );
     expect(name).toBe('The same, sampled where it bends');
+  });
+});
+
+const hashOf = async (page: Page, part: string): Promise<string> => {
+  await page.waitForFunction((text) => location.hash.includes(text), part);
+  return new URL(page.url()).hash;
+};
+const there = (page: Page) => page.locator('vidno-failure-note .there');
+
+describe('the address of an entry', () => {
+  const [clipped, peak] = [entryOf('clip-pixel'), entryOf('missed-peak')];
+
+  it('is its name, and leads to it at its step and its pixel', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await choose(page, clipped);
+    const hash = await hashOf(page, 'atlas=clip-pixel');
+    expect(hash).not.toContain('scene=');
+    const [again, bare] = [
+      await open(browser, hash),
+      await open(browser, '#lang=en&atlas=clip-pixel'),
+    ];
+    for (const { page: opened, faults } of [again, bare]) {
+      await there(opened).getByText(clipped.there).waitFor();
+      const { step, pixel } = await state(opened);
+      expect([step, pixel]).toEqual([Number(clipped.step), clipped.pixel]);
+      expect(faults).toEqual([]);
+    }
+  });
+
+  it('may say another step, and what stands beside the entry', async () => {
+    const { page, faults } = await open(browser, '#lang=ru&atlas=clip-pixel&step=12');
+    await there(page).waitFor();
+    expect((await state(page)).step).toBe(12);
+    await page.locator('vidno-failure-note [name=compare]').click();
+    await page.locator('vidno-comparison').waitFor();
+    const again = await open(browser, await hashOf(page, 'with='));
+    await again.page.locator('vidno-comparison').waitFor();
+    expect((await state(again.page)).step).toBe(12);
+    expect([...faults, ...again.faults]).toEqual([]);
+  });
+
+  it('has the remedy of a surface, which is of other samples', async () => {
+    const { page } = await open(browser, '#lang=en');
+    await choose(page, peak);
+    await page.locator('vidno-failure-note [name=compare]').click();
+    const again = await open(browser, await hashOf(page, 'with=remedy'));
+    await again.page.locator('vidno-comparison').waitFor();
+    const name = () =>
+      again.page.evaluate(
+        () =>
+          document.querySelector<AppElement>('vidno-app')?.session.rival.trace?.header.scene.name,
+      );
+    await expect.poll(name).toBe('The same, sampled where it bends');
+    expect(again.faults).toEqual([]);
+  });
+
+  it('is where Back leads, from another entry and from a jump', async () => {
+    const { page, faults } = await open(browser, '#lang=en');
+    await choose(page, clipped);
+    await hashOf(page, 'atlas=clip-pixel');
+    await goTo(page, 3);
+    await hashOf(page, 'step=3');
+    await choose(page, peak);
+    await hashOf(page, 'atlas=missed-peak');
+    await page.goBack();
+    await there(page).getByText(clipped.there).waitFor();
+    await expect.poll(async () => (await state(page)).step).toBe(3);
+    await page.goBack();
+    await expect.poll(async () => (await state(page)).step).toBe(Number(clipped.step));
+    await page.goForward();
+    await page.goForward();
+    await there(page).getByText(peak.there).waitFor();
+    expect(faults).toEqual([]);
+  });
+
+  it('is that of a scene once the scene is changed, and then nothing is said of the step', async () => {
+    const { page, faults } = await open(browser, '#lang=en&atlas=clip-pixel');
+    await there(page).waitFor();
+    await edit(page);
+    await rerun(page, () =>
+      page.locator('vidno-run-form select[name=kernel]').selectOption('filtered'),
+    );
+    await there(page).waitFor({ state: 'detached' });
+    expect(await hashOf(page, 'scene=')).not.toContain('atlas=');
+    await page.locator('vidno-failure-note .remedy', { hasText: clipped.remedy }).waitFor();
+    expect(faults).toEqual([]);
+  });
+
+  it('that names none says so', async () => {
+    const { page, faults } = await open(browser, '#lang=en&atlas=no-such-entry');
+    const notice = page.locator('vidno-notice [role=alert]');
+    await notice.getByText('“no-such-entry”, which this page does not contain').waitFor();
+    expect(faults).toEqual([]);
   });
 });
 

@@ -125,7 +125,7 @@ export class AppElement extends LitElement implements Shown, Told {
       memory.set('tour', 'offered');
       this.isOffered = true;
     }
-    void this.reading.follow(address).finally(() => (this.isOpening = false));
+    void this.reading.follow({ ...address, rival: beside }).finally(() => (this.isOpening = false));
   }
 
   /** The lessons are over the page: who turns to anything else does not want them any more. */
@@ -384,17 +384,17 @@ export class AppElement extends LitElement implements Shown, Told {
       <vidno-gallery
         .language=${language}
         .library=${session.library}
-        @choose=${({ detail }: CustomEvent<Entry>) => this.ways.replace(() => this.openFailure(detail))}
+        @choose=${({ detail }: CustomEvent<Entry>) => this.ways.replace(() => this.openEntry(detail))}
       ></vidno-gallery>
       <vidno-discard .language=${language} .name=${live.editing?.sketch.name ?? ''}></vidno-discard>
     `;
   }
 
-  private openFailure({ text, name }: Entry): void {
+  private openEntry({ name }: Entry): void {
     this.ways.leave();
     this.reading.close();
     this.session.rival.choose(null);
-    void this.session.openFailure(text, name);
+    void this.session.openEntry(name);
   }
 
   private openSurface(name: string): void {
@@ -404,9 +404,10 @@ export class AppElement extends LitElement implements Shown, Told {
     this.player.side = 'scene';
   }
 
-  /** A run of a lesson is named after what it shows. */
+  /** A run of a lesson is named after what it shows, a failure after what happens. */
   private get name(): string {
     const { session, setup } = this;
+    if (session.isFailing && session.failure !== null) return session.failure.title[setup.language];
     const isOpen = (trace: LessonTrace): boolean => idOf(trace) === session.lesson;
     const lesson = this.lessons.find(({ traces }) => traces.some(isOpen));
     const run = lesson?.traces.find(isOpen)?.title ?? lesson?.title;

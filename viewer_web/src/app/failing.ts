@@ -13,6 +13,7 @@ export function failing({ session, setup, ways }: Shown): TemplateResult | typeo
   return html`<vidno-failure-note
     .failure=${failure}
     .language=${setup.language}
+    ?there=${session.isFailing}
     ?comparing=${rival.chosen !== null}
     @go=${() => {
       ways.leave();

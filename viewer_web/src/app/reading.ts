@@ -49,7 +49,7 @@ export class Reading {
 
   /** Opens what an address names; without any the first lesson. A step that is named there stays, whatever the text says. */
   async follow(address: Address): Promise<void> {
-    const { lesson: id, at, trace: name, live, step, pixel, bookmarks } = address;
+    const { lesson: id, at, trace: name, entry, live, step, pixel, bookmarks } = address;
     const trace = this.lessons.flatMap(({ traces }) => traces).find((each) => idOf(each) === name);
     const named = this.lessons.find((each) => each.id === id) ?? this.lessonOf(trace);
     const isOpen = namesNothing(address);
@@ -59,7 +59,8 @@ export class Reading {
     const opened = this.open(lesson, at);
     const missing = missingIn(address, trace, this.lessons);
     if (missing !== null) this.session.miss(missing);
-    if (live !== null) void this.session.openCarried(live, place);
+    if (entry !== null) await this.session.openEntry(entry, address);
+    else if (live !== null) void this.session.openCarried(live, place);
     else if (trace !== undefined) this.show(trace, place);
     else if (lesson !== null && (await opened)) {
       if (at === null) this.goal = { place: null, isRead: false };

@@ -1,6 +1,8 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import { textOf } from '../base/text-file.js';
+import { embeddedAtlas } from '../atlas/entries.js';
 import { Rival } from '../compare/rival.js';
+import type { With } from '../compare/rival.js';
 import { Witness } from '../compare/witness.js';
 import { Live } from '../editor/live.js';
 import type { Carried } from '../editor/live.js';
@@ -20,7 +22,7 @@ import { noticeOf } from '../run/notice.js';
 import type { Notice } from '../run/notice.js';
 import { usual } from '../run/options.js';
 import type { Options } from '../run/options.js';
-import { optionsOf, unpacked } from '../run/packed.js';
+import { optionsOf, unpacked, wordOf } from '../run/packed.js';
 import { Failures } from '../run/failures.js';
 import type { Failure } from '../run/failures.js';
 import { kindOf, kindOfFile } from '../run/file-kind.js';
@@ -31,6 +33,27 @@ import { ownStep } from '../time/own-step.js';
 /** Where in a trace the page is, and what is marked in it. */
 export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };
 const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
+
+/** Where in the run of a failure an address leads; without a step of its own to where the failure is seen. */
+type Wanted = Pick<Address, 'step' | 'pixel' | 'bookmarks' | 'rival'>;
+const whereSeen: Wanted = { step: null, pixel: null, bookmarks: [], rival: null };
+const unnamed = { entry: null, wanted: whereSeen };
+
+function placeIn({ step: seenAt, pixel: seen }: Failure, wanted: Wanted): Place {
+  const { step, pixel, bookmarks } = wanted;
+  return { step: step ?? seenAt ?? Infinity, pixel: step === null ? seen : pixel, bookmarks };
+}
+
+/** A failure that is open, and the name of its entry in the atlas, if it is one. */
+interface OpenFailure extends Failure {
+  readonly entry: string | null;
+}
+
+/** The word in an address for the run that holds, where it has a scene of its own. */
+const remedy = 'remedy';
+
+const remedyOf = ({ holds: options, holdsScene: scene }: Failure): With =>
+  scene === null ? { kind: 'run', options } : { kind: 'other', options, scene, word: remedy };
 
 /** What is open: a lesson, a file, or a scene that is edited; and where in it one is. Each change is told. */
 export class Session implements ReactiveController {
@@ -44,7 +67,7 @@ export class Session implements ReactiveController {
   file: Blob | null = null;
   notice: Notice | null = null;
   /** The failure whose scene is open. */
-  failure: Failure | null = null;
+  failure: OpenFailure | null = null;
   /** What was shown before the scene was changed last. */
   earlier: Trace | null = null;
   readonly live: Live;
@@ -59,7 +82,7 @@ export class Session implements ReactiveController {
   /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
   private goal: Place | null = null;
   /** The failure whose scene is about to be run. */
-  private next: Failure | null = null;
+  private next: OpenFailure | null = null;
   /** The name of what was asked for last, which may be refused. */
   private asked = '';
   private stopReading = (): void => undefined;
@@ -94,6 +117,23 @@ export class Session implements ReactiveController {
   /** Where a vertex may be moved to; null while that is not known. */
   marginAt(trace: Trace, spot: Spot): Margin | null {
     return this.margins?.of(trace, this.place.step, spot) ?? null;
+  }
+
+  /** Whether what is shown is the run that fails, and neither its scene nor anything else was changed. */
+  get isFailing(): boolean {
+    const { failure, live } = this;
+    const options = live.editing?.options;
+    return (
+      failure !== null &&
+      options !== undefined &&
+      live.isAsOpened &&
+      wordOf(options) === wordOf(failure.fails)
+    );
+  }
+
+  /** The entry of the atlas that is shown. */
+  get entry(): string | null {
+    return this.isFailing ? (this.failure?.entry ?? null) : null;
   }
 
   /** Whether an address can lead here again. */
@@ -142,8 +182,28 @@ export class Session implements ReactiveController {
     else this.openOwn(await textOf(file), file.name);
   }
 
-  /** Runs the scene of a failure as it fails, and goes to where that is seen. */
-  async openFailure(text: string, name: string): Promise<void> {
+  /** Opens an entry of the atlas that the page brings along, as an address names it. */
+  async openEntry(name: string, wanted: Wanted = whereSeen): Promise<void> {
+    const { failure } = this;
+    if (failure !== null && this.entry === name) {
+      this.move(placeIn(failure, wanted));
+      this.besideRemedy(failure, wanted);
+      return;
+    }
+    this.stopReading();
+    this.say({ kind: 'reading', name });
+    const entries = await embeddedAtlas(document);
+    const entry = entries.find((each) => each.name === name && each.scene !== undefined);
+    if (entry === undefined) this.miss(name);
+    else await this.openFailure(entry.text, name, { entry: name, wanted });
+  }
+
+  /** Runs the scene of a failure as it fails, and goes to where that is seen or wanted. */
+  async openFailure(
+    text: string,
+    name: string,
+    { entry, wanted }: { readonly entry: string | null; readonly wanted: Wanted } = unnamed,
+  ): Promise<void> {
     this.stopReading();
     this.say({ kind: 'reading', name });
     const found = await this.failures?.find(text);
@@ -155,9 +215,10 @@ export class Session implements ReactiveController {
       this.say({ kind: 'refused', name, messages: found.messages });
       return;
     }
-    const { failure } = found;
-    const { scene, fails, step, pixel } = failure;
-    this.openScene(scene, name, fails, { ...beginning, step: step ?? Infinity, pixel }, failure);
+    const failure = { ...found.failure, entry };
+    const { scene, fails } = failure;
+    this.openScene(scene, name, fails, placeIn(failure, wanted), failure);
+    this.besideRemedy(failure, wanted);
   }
 
   /** The scene of the failure that is open stays, as any scene. */
@@ -170,10 +231,12 @@ export class Session implements ReactiveController {
   compareWithRemedy(): void {
     const { failure, rival } = this;
     if (failure === null) return;
-    const { holds: options, holdsScene } = failure;
-    if (rival.chosen !== null) rival.choose(null);
-    else if (holdsScene === null) rival.choose({ kind: 'run', options });
-    else rival.choose({ kind: 'other', options, scene: holdsScene });
+    rival.choose(rival.chosen === null ? remedyOf(failure) : null);
+  }
+
+  private besideRemedy(failure: Failure, wanted: Wanted): void {
+    const { rival } = this;
+    if (wanted.rival === remedy && rival.word !== remedy) rival.choose(remedyOf(failure));
   }
 
   /** Begins with a surface, of the page's own choice, that is given by a function. */
@@ -227,7 +290,7 @@ export class Session implements ReactiveController {
     name: string,
     options: Options,
     place: Place,
-    failure: Failure | null = null,
+    failure: OpenFailure | null = null,
   ): void {
     this.stopReading();
     this.asked = name;

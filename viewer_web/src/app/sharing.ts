@@ -29,7 +29,7 @@ const written = (
   live: Carried | null,
   trace: string | null,
 ): string => {
-  const { place, rival, witness } = session;
+  const { place, rival, witness, entry } = session;
   const lesson = reading.lesson?.story === undefined ? null : reading.lesson.id;
   const at = reading.reached.place;
   return formatAddress({
@@ -38,7 +38,9 @@ const written = (
     lesson,
     at,
     trace,
-    live,
+    entry,
+    // An entry has its scene.
+    live: entry === null ? live : null,
     rival: rival.word,
     witness: witness.word,
   });
@@ -46,7 +48,8 @@ const written = (
 
 /** The address of what is shown, where it is known at once. */
 export function addressNow(page: Shared): string | null {
-  const live = page.session.live.carriedNow;
+  const { entry, live: now } = page.session;
+  const live = entry === null ? now.carriedNow : null;
   return live === undefined ? null : written(page, live, page.session.lesson);
 }
 
@@ -66,8 +69,8 @@ export async function share(page: Shared): Promise<void> {
   } else await savePage(page, own);
 }
 
-async function ownOf({ lesson, live, trace, file }: Session): Promise<Own | null> {
-  if (lesson !== null || trace === null) return null;
+async function ownOf({ lesson, live, trace, file, entry }: Session): Promise<Own | null> {
+  if (lesson !== null || trace === null || entry !== null) return null;
   if (file !== null) {
     const { method, edition, kernel, detail } = trace.header;
     const run = { file: 'own.jsonl.gz', method, edition, kernel, detail };

@@ -3,6 +3,7 @@ import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
+import type { AtlasTexts } from '../language/atlas-texts.js';
 import type { Language } from '../language/language.js';
 import type { Failure } from '../run/failures.js';
 
@@ -62,18 +63,19 @@ export class FailureNoteElement extends LitElement {
 
   @property({ attribute: false }) failure!: Failure;
   @property({ attribute: false }) language: Language = 'en';
+  /** Whether the run that fails is shown as it is there: once it is changed, it may not be wrong at that step. */
+  @property({ type: Boolean }) there = false;
   /** Whether the run that holds is beside the one that fails. */
   @property({ type: Boolean }) comparing = false;
 
   override render(): TemplateResult {
     const { failure, language, comparing } = this;
     const say = texts[language].atlas;
-    const { why, remedy, there, step, source } = failure;
+    const { why, remedy, source } = failure;
+    const step = this.there ? failure.step : null;
     return html`<div class="told">
         <p class="why">${why[language]}${source === '' ? nothing : html` (${source})`}</p>
-        <p class="there">
-          ${step === null ? there[language] : say.at(step.toLocaleString(language), there[language])}
-        </p>
+        ${this.there ? this.seen(say) : nothing}
         <p class="remedy">${say.remedy}: ${remedy[language]}</p>
       </div>
       <p class="tools">
@@ -91,6 +93,15 @@ export class FailureNoteElement extends LitElement {
         </button>
         <button name="forget" @click=${() => this.tell('forget')}>${say.forget}</button>
       </p>`;
+  }
+
+  private seen(say: AtlasTexts): TemplateResult {
+    const { language } = this;
+    const { there, step } = this.failure;
+    const text = there[language];
+    return html`<p class="there">
+      ${step === null ? text : say.at(step.toLocaleString(language), text)}
+    </p>`;
   }
 
   private tell(what: 'go' | 'compare' | 'forget'): void {

@@ -18,7 +18,13 @@ import type { Scene } from '../trace/header.js';
  */
 export type With =
   | { readonly kind: 'run'; readonly options: Options }
-  | { readonly kind: 'other'; readonly options: Options; readonly scene: string }
+  | {
+      readonly kind: 'other';
+      readonly options: Options;
+      readonly scene: string;
+      /** What an address must hold to find it again. */
+      readonly word: string;
+    }
   | { readonly kind: 'before'; readonly trace: Trace }
   | { readonly kind: 'lesson'; readonly lesson: LessonTrace }
   | { readonly kind: 'file'; readonly file: File };
@@ -62,6 +68,7 @@ export class Rival {
   get word(): string | null {
     const { chosen } = this;
     if (chosen?.kind === 'run') return wordOf(chosen.options);
+    if (chosen?.kind === 'other') return chosen.word;
     return chosen?.kind === 'lesson' ? idOf(chosen.lesson) : null;
   }
 

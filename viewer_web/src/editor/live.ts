@@ -25,6 +25,8 @@ export class Live {
   link: LinkMade | null = null;
   /** Whether what is shown is a run of this scene, and no trace that was opened. */
   isRun = false;
+  /** The scene as it was opened. */
+  private opened: Sketch | null = null;
   /** The scene as it was opened or saved last. */
   private kept: Sketch | null = null;
   /** What was packed last: to pack takes a while. */
@@ -37,7 +39,7 @@ export class Live {
   ) {
     const changed = (editing: Editing): void => {
       this.editing = editing;
-      if (!editing.canUndo && !editing.canRedo) this.kept = editing.sketch;
+      if (!editing.canUndo && !editing.canRedo) this.opened = this.kept = editing.sketch;
       followers.changed();
     };
     const traced: Followers['traced'] = (trace) => {
@@ -45,6 +47,11 @@ export class Live {
       followers.traced(trace);
     };
     this.editor = library && new Editor(library, { ...followers, changed, traced });
+  }
+
+  /** Whether the scene is as it was opened. */
+  get isAsOpened(): boolean {
+    return this.editing !== null && this.editing.sketch === this.opened;
   }
 
   /** Whether there are changes of the scene that nobody has saved. */

@@ -19,6 +19,7 @@ import { mappedDecisionOf } from './mapped-decision.js';
 import type { MappedDecision } from './mapped-decision.js';
 import { side } from './places.js';
 import type { SignMap, SignMapSource } from './sign-map.js';
+import { superscript } from './superscript.js';
 import { verdictBy } from './truth.js';
 import type { Check } from './truth.js';
 import { isWrong } from './verdict.js';
@@ -271,6 +272,5 @@ function written(text: string, most = longest): string {
 
 /** A power of two as such. */
 function power(value: number): string {
-  const raised = String(Math.abs(Math.log2(value)));
-  return `2${value < 1 ? '⁻' : ''}${raised.replace(/\d/g, (digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)] ?? '')}`;
+  return `2${superscript(Math.log2(value))}`;
 }

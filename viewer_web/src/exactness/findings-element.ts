@@ -1,6 +1,7 @@
 import { LitElement, css, html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
+import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { panelsStyle } from '../elements/panels.style.js';
 import { base } from '../elements/theme.js';
@@ -8,9 +9,14 @@ import { texts } from '../i18n/index.js';
 import type { ExactTexts } from '../language/exact-texts.js';
 import { isSeen, orders, sortedBy } from './finding.js';
 import type { Finding, Order } from './finding.js';
+import type { N } from '../trace/values.js';
+import { superscript } from './superscript.js';
 
 /** Rows that are shown before one asks for more. */
 const page = 60;
+
+/** Characters of a number. */
+const longest = 60;
 
 /** The decisions of the run that are worth looking at, to be sorted; each leads to its step. */
 @customElement('vidno-findings')
@@ -48,7 +54,12 @@ export class FindingsElement extends LitElement {
         text-align: right;
         font-variant-numeric: tabular-nums;
       }
-      tr[aria-current] td {
+      .detail td {
+        padding: 0.1rem 0.4rem 0.4rem 1rem;
+        color: var(--soft);
+        overflow-wrap: anywhere;
+      }
+      tr:is([aria-current], .detail) td {
         background: var(--chosen, color-mix(in srgb, var(--accent) 14%, transparent));
       }
       td button {
@@ -124,15 +135,62 @@ export class FindingsElement extends LitElement {
       }`;
   }
 
-  private row({ step, at, kind, coincidence, ulps, off, polygons }: Finding): TemplateResult {
+  private row(finding: Finding): TemplateResult {
+    const { step, at, kind, coincidence, ulps, off, polygons } = finding;
     const say = this.texts.findings;
     const what = coincidence === undefined ? '' : say.coincidences[coincidence];
-    return html`<tr aria-current=${step === this.view.step ? 'step' : nothing}>
-      <td class="number"><button @click=${() => this.seek(step)}>${step}</button> ${at}</td>
-      <td>${say.kinds[kind]}${what === '' ? '' : ': '}${what}</td>
-      <td class="number">${off === undefined ? width(ulps) : say.pixels(width(off))}</td>
-      <td>${polygons.join(', ')}</td>
+    const isHere = step === this.view.step;
+    return html`<tr aria-current=${isHere ? 'step' : nothing}>
+        <td class="number"><button @click=${() => this.seek(step)}>${step}</button> ${at}</td>
+        <td>${say.kinds[kind]}${what === '' ? '' : ': '}${what}</td>
+        <td class="number">
+          ${off === undefined ? this.width(ulps) : say.pixels(this.width(off))}
+        </td>
+        <td>${polygons.join(', ')}</td>
+      </tr>
+      ${isHere ? this.detail(finding) : nothing}`;
+  }
+
+  /** At its step all that the list says of a decision. */
+  private detail({ procedure, of, taken, exact, cause, ...numbers }: Finding): TemplateResult {
+    const { texts: say } = this;
+    const { computed, gap, operands, pixels } = numbers;
+    const { windowText } = numbersOf(this.view);
+    const right = exact === undefined ? '' : `; ${say.exact}: ${say.answer(exact)}`;
+    const lines = [
+      of === undefined ? procedure : `${procedure}: ${say.decided[of]}`,
+      taken === undefined ? '' : `${say.computed}: ${say.answer(taken)}${right}`,
+      cause === undefined ? '' : say.causes[cause],
+      operands.map((each) => this.operand(each)).join('; '),
+      gap === undefined ? '' : say.findings.gap(this.number(computed ?? gap), this.number(gap)),
+      say.findings.decides(windowText(pixels)),
+    ];
+    return html`<tr class="detail">
+      <td colspan="4">
+        ${lines.filter((line) => line !== '').map((line) => html`<p title=${line}>${line}</p>`)}
+      </td>
     </tr>`;
+  }
+
+  private operand([name, used, exact]: Finding['operands'][number]): string {
+    const right = exact === used || exact === null ? '' : ` (${this.number(exact)})`;
+    return `${name} = ${this.number(used)}${right}`;
+  }
+
+  /** Fractions may be long: all of them stands in the file. */
+  private number(value: N): string {
+    const text = numbersOf(this.view).whole(value);
+    const plain = text.endsWith('/1') ? text.slice(0, -2) : text;
+    return plain.length > longest ? `${plain.slice(0, longest)}…` : plain;
+  }
+
+  /** Short: what counts is how small it is. */
+  private width(value: number | undefined): string {
+    if (value === undefined) return '';
+    const { whole } = numbersOf(this.view);
+    const [digits = '', power = '0'] = value.toExponential(2).split('e');
+    if (Math.abs(Number(power)) <= 5) return whole(Number(value.toPrecision(3)));
+    return `${whole(digits)} · 10${superscript(Number(power))}`;
   }
 
   private seek(step: number): void {
@@ -140,14 +198,6 @@ export class FindingsElement extends LitElement {
       new CustomEvent('command', { detail: { do: 'seek', step }, bubbles: true, composed: true }),
     );
   }
-}
-
-/** Short: what counts is how small it is. */
-function width(value: number | undefined): string {
-  if (value === undefined) return '';
-  const [digits = '', power] = value.toExponential(2).split('e');
-  if (Math.abs(Number(power)) > 5) return `${digits} · 10^${power?.replace('+', '') ?? ''}`;
-  return String(Number(value.toPrecision(3)));
 }
 
 declare global {

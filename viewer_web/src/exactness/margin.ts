@@ -1,11 +1,26 @@
-import { toNumber } from '../language/words.js';
+import type { ExactTexts } from '../language/exact-texts.js';
 import { note, path } from '../picture/mark.js';
 import type { Mark, Spot } from '../picture/mark.js';
 import { bool, list, oneOf, optional, point, text, whole } from '../trace/values.js';
 import { part } from '../trace/check.js';
 import type { Checked } from '../trace/check.js';
 import type { Area } from '../trace/header.js';
+import type { N } from '../trace/values.js';
 import { Fraction } from './fraction.js';
+
+/** A window's sides, as PolygonClip goes round. */
+const sideNames = ['top', 'left', 'bottom', 'right'] as const;
+export type WindowSide = (typeof sideNames)[number];
+export type WindowCorner = `${'top' | 'bottom'}-${'left' | 'right'}`;
+
+/** More is not read in a picture. */
+const mostTold = 3;
+
+/** How a margin is written. */
+export interface MarginWords {
+  readonly say: ExactTexts['margin'];
+  readonly point: (at: readonly N[]) => string;
+}
 
 const sign = oneOf(-1, 0, 1);
 
@@ -61,45 +76,83 @@ function halfPlane(side: Side): HalfPlane {
   return { side, at: ([x, y]) => side.sign * (a * x + b * y + c) };
 }
 
-/** What of a convex polygon lies in a half-plane. */
+/** What of a convex polygon, or of a segment, lies in a half-plane. */
 function clipped(outline: readonly Spot[], at: (spot: Spot) => number): readonly Spot[] {
+  const isSegment = outline.length === 2;
   return outline.flatMap((to, i) => {
     const from = outline[(i + outline.length - 1) % outline.length] ?? to;
     const [before, here] = [at(from), at(to)];
-    const meets = before * here < 0;
+    const meets = before * here < 0 && !(isSegment && i === 0);
     const t = before / (before - here);
     const cut: Spot = [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t];
     return [...(meets ? [cut] : []), ...(here >= 0 ? [to] : [])];
   });
 }
 
-/** The region within a frame about the area; empty if a sign is zero, for then it is a part of a line. */
-export function regionOf({ sides }: Margin, { x, y, width, height }: Area): readonly Spot[] {
+/** A line as far as anyone looks. */
+function segmentOn({ a, b, c }: Side, { x, y, width, height }: Area): readonly Spot[] {
+  const [p, q] = [nearly(a), nearly(b)];
+  const square = p * p + q * q;
+  // The point of the line that is nearest to the middle of the area.
+  const [middleX, middleY] = [x + width / 2, y + height / 2];
+  const off = (p * middleX + q * middleY + nearly(c)) / square;
+  const [footX, footY] = [middleX - p * off, middleY - q * off];
+  const far = (5 * (width + height)) / Math.sqrt(square);
+  return [
+    [footX - q * far, footY + p * far],
+    [footX + q * far, footY - p * far],
+  ];
+}
+
+/**
+ * The region within a frame about the area. Where a sign is zero the vertex must stay on its line: then the region is a segment. It
+ * is empty if two are zero, for then the vertex must not move at all.
+ */
+export function regionOf({ sides }: Margin, area: Area): readonly Spot[] {
+  const { x, y, width, height } = area;
   const frame: readonly Spot[] = [
     [x - 4 * width, y - 4 * height],
     [x + 5 * width, y - 4 * height],
     [x + 5 * width, y + 5 * height],
     [x - 4 * width, y + 5 * height],
   ];
-  if (sides.some((side) => side.sign === 0)) return [];
-  return sides.map(halfPlane).reduce((region, { at }) => clipped(region, at), frame);
+  const [line, ...others] = sides.filter(({ sign: of }) => of === 0);
+  if (others.length > 0) return [];
+  const whole = line === undefined ? frame : segmentOn(line, area);
+  return sides
+    .filter((side) => side !== line)
+    .map(halfPlane)
+    .reduce((region, { at }) => clipped(region, at), whole);
 }
 
-/** A few letters about what changes beyond a side: an edge and a point, or a vertex or a cut and a side of the window. */
-export function labelOf({ flips }: Side): string {
-  return flips
-    .map(({ edge, vertex, point: at, cut, side }) => {
-      if (at !== undefined) return `${edge ?? ''} (${at.map(toNumber).join(', ')})`;
-      const what = vertex === undefined ? `${edge ?? ''}/${cut ?? ''}` : `v${vertex}`;
-      return `${what} | ${side ?? ''}`;
-    })
-    .join('; ');
+/** What changes beyond a side, in words. */
+export function labelOf({ flips }: Side, { say, point: written }: MarginWords): string {
+  const texts = flips.map(({ edge, point: at, cut, side }) => {
+    if (edge !== undefined && at !== undefined) return say.edge(edge, written(at));
+    if (edge !== undefined && cut !== undefined && side !== undefined) {
+      const corner = cornerOf(cut, side);
+      if (corner !== null) return say.edgeAtCorner(edge, corner);
+    }
+    return say.vertex(sideNames[(side ?? 1) - 1] ?? 'top');
+  });
+  const different = [...new Set(texts)];
+  return [...different.slice(0, mostTold), ...(different.length > mostTold ? ['…'] : [])].join(
+    '; ',
+  );
+}
+
+/** The corner of the window at which two of its sides meet. */
+function cornerOf(one: number, other: number): WindowCorner | null {
+  const sides = new Set([one, other].map((number) => sideNames[number - 1]));
+  const upright = sides.has('left') ? 'left' : sides.has('right') ? 'right' : null;
+  const level = sides.has('top') ? 'top' : sides.has('bottom') ? 'bottom' : null;
+  return upright === null || level === null ? null : `${level}-${upright}`;
 }
 
 /** The region, shaded, with what changes beyond each of its sides. */
-export function marginMarks(found: Margin, area: Area): readonly Mark[] {
+export function marginMarks(found: Margin, area: Area, words: MarginWords): readonly Mark[] {
   const region = regionOf(found, area);
-  if (region.length < 3) return [];
+  if (region.length < 2) return [];
   const { x, y, width, height } = area;
   const isInSight = ([px, py]: Spot): boolean =>
     px >= x - width && px <= x + 2 * width && py >= y - height && py <= y + 2 * height;
@@ -115,7 +168,7 @@ export function marginMarks(found: Margin, area: Area): readonly Mark[] {
       const middle: Spot = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
       const places = [middle, from, to];
       const seen = places.find(isInSight);
-      return seen === undefined ? [] : [note(seen, labelOf(side))];
+      return seen === undefined ? [] : [note(seen, labelOf(side, words))];
     });
-  return [path('margin', region, true), ...notes];
+  return [path('margin', region, region.length > 2), ...notes];
 }

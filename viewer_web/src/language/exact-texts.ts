@@ -1,5 +1,6 @@
 import type { Column } from '../exactness/calculation.js';
 import type { Coincidence, FindingKind, Order } from '../exactness/finding.js';
+import type { WindowCorner, WindowSide } from '../exactness/margin.js';
 import type { Cell } from '../exactness/sign-map.js';
 import type { Unable } from '../exactness/truth.js';
 import type { Stage } from '../exactness/verdict.js';
@@ -41,6 +42,15 @@ export interface ExactTexts {
     readonly kinds: Readonly<Record<FindingKind, string>>;
     readonly coincidences: Readonly<Record<Coincidence, string>>;
     readonly pixels: (off: string) => string;
+    /** By how much two numbers differ. */
+    readonly gap: (computed: string, exact: string) => string;
+    readonly decides: (pixels: string) => string;
+  };
+  /** What happens where a vertex is moved over a side of its margin. */
+  readonly margin: {
+    readonly edge: (edge: number, at: string) => string;
+    readonly vertex: (side: WindowSide) => string;
+    readonly edgeAtCorner: (edge: number, corner: WindowCorner) => string;
   };
   /** Above the calculation line by line, and its two ways. */
   readonly byHand: string;

@@ -21,6 +21,7 @@ import { base, tokens } from '../elements/theme.js';
 import type { Check } from '../exactness/truth.js';
 import type { History } from '../history/history.js';
 import { PixelHistory } from '../history/pixel-history.js';
+import { texts } from '../i18n/index.js';
 import { hasSolid, sideName, whyNoSolid } from '../history/side-name.js';
 import type { Side } from '../history/side-name.js';
 import '../listing/listing-element.js';
@@ -113,7 +114,9 @@ export class PlayerElement extends StageElement {
   private marginMarks(): readonly Mark[] | undefined {
     const { trace, margin, side } = this;
     if (trace === null || margin === null || side !== 'scene') return undefined;
-    return marginMarks(margin, trace.header.scene.area);
+    const { exact, numbers } = texts[this.language];
+    const words = { say: exact.margin, point: numbers.point };
+    return marginMarks(margin, trace.header.scene.area, words);
   }
 
   override willUpdate(changed: PropertyValues<this>): void {

@@ -11,7 +11,7 @@ const usual = {
   reader: true,
   follows: false,
 } as const;
-const noLesson = { lesson: null, at: null } as const;
+const noLesson = { lesson: null, at: null, entry: null } as const;
 
 describe('the address', () => {
   it('comes back as it was written', () => {
@@ -37,6 +37,7 @@ describe('the address', () => {
       lesson: '01-near & far',
       at: 'split.2',
       trace: '01-near & far.warnock',
+      entry: null,
       live: null,
       rival: 'zbuffer.printed.float.signs',
       step: 17,
@@ -63,8 +64,24 @@ describe('the address', () => {
     expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
+  it('leads to an entry of the atlas beside its remedy, at the step where it is seen unless it says another', () => {
+    const entry = { ...noLesson, entry: 'near-parallel', trace: null, live: null };
+    const place = { step: null, pixel: null, bookmarks: [] };
+    const address = { setup: usual, ...entry, rival: 'remedy', ...place };
+    expect(formatAddress(address)).toBe('#lang=en&atlas=near-parallel&with=remedy');
+    expect(parseAddress('#lang=en&atlas=near-parallel&with=remedy')).toEqual(address);
+    expect(parseAddress('#lang=en&atlas=near-parallel&step=7').step).toBe(7);
+  });
+
   it('leads to a place in the text of a lesson, whose step is that of the place', () => {
-    const nothingElse = { trace: null, live: null, rival: null, step: null, pixel: null };
+    const nothingElse = {
+      trace: null,
+      entry: null,
+      live: null,
+      rival: null,
+      step: null,
+      pixel: null,
+    };
     const address = { setup: usual, lesson: '05-clip', at: '3', ...nothingElse, bookmarks: [] };
     expect(formatAddress(address)).toBe('#lang=en&lesson=05-clip&at=3');
     expect(parseAddress('#lang=en&lesson=05-clip&at=3')).toEqual(address);

@@ -27,8 +27,8 @@ export interface Setup {
 }
 
 /**
- * What the page's address holds behind `#`: how it is set up, lesson and place in its text, embedded trace or a scene of
- * one's own, what that is compared with, step, chosen pixel, and bookmarks.
+ * What the page's address holds behind `#`: how it is set up, lesson and place in its text, embedded trace, entry of the
+ * atlas or a scene of one's own, what that is compared with, step, chosen pixel, and bookmarks.
  */
 export interface Address {
   readonly setup: Omit<Setup, 'language'> & { readonly language: Language | null };
@@ -36,12 +36,14 @@ export interface Address {
   readonly lesson: string | null;
   readonly at: string | null;
   readonly trace: string | null;
+  /** An entry of the atlas of failures: its scene, run as it fails. */
+  readonly entry: string | null;
   readonly live: Carried | null;
-  /** What it is compared with: another embedded trace, or how else the scene is run. */
+  /** What it is compared with: another embedded trace, how else the scene is run, or the remedy of the entry. */
   readonly rival: string | null;
   /** Of the smallest scene that shows how the other run is broken, where that is shown, the step. */
   readonly witness?: number | null;
-  /** Null: that of the place in the text, or the beginning. */
+  /** Null: that of the place in the text, that at which the failure is seen, or the beginning. */
   readonly step: number | null;
   readonly pixel: Pixel | null;
   readonly bookmarks: Bookmarks;
@@ -73,6 +75,7 @@ export function parseAddress(hash: string): Address {
     lesson: fields.get('lesson'),
     at: fields.get('at'),
     trace: fields.get('trace'),
+    entry: fields.get('atlas'),
     live: scene === null ? null : { scene, run: fields.get('run') ?? '' },
     rival: fields.get('with'),
     ...(fields.has('witness') ? { witness: stepIn(fields.get('witness')) } : {}),
@@ -83,11 +86,17 @@ export function parseAddress(hash: string): Address {
 }
 
 /** Whether it leaves open what is to be shown. */
-export const namesNothing = ({ lesson, trace, live }: Address): boolean =>
-  lesson === null && trace === null && live === null;
+export const namesNothing = ({
+  lesson,
+  trace,
+  entry,
+  live,
+}: Pick<Address, 'lesson' | 'trace' | 'entry' | 'live'>): boolean =>
+  lesson === null && trace === null && entry === null && live === null;
 
 export function formatAddress(address: Address): string {
-  const { setup, lesson, at, trace, live, rival, witness = null, step, pixel, bookmarks } = address;
+  const { setup, lesson, at, trace, entry, live, rival, witness = null } = address;
+  const { step, pixel, bookmarks } = address;
   const { language, view, presenting, layer, setting, reader, follows } = setup;
   const shown = [view ?? [], presenting ? 'present' : []].flat();
   const fields = new URLSearchParams();
@@ -96,11 +105,12 @@ export function formatAddress(address: Address): string {
   if (lesson !== null) fields.set('lesson', lesson);
   if (lesson !== null && at !== null) fields.set('at', at);
   if (trace !== null) fields.set('trace', trace);
+  if (entry !== null) fields.set('atlas', entry);
   if (live !== null) {
     fields.set('run', live.run);
     fields.set('scene', live.scene);
   }
-  if (lesson !== null || trace !== null || live !== null) {
+  if (!namesNothing(address)) {
     if (!reader) fields.set('reader', 'off');
     if (follows) fields.set('follow', 'on');
     writeSetting(setting, fields);

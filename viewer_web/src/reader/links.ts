@@ -12,7 +12,14 @@ export type AddressOf = (lesson: string, place?: string) => string | null;
 export function addressIn(lessons: readonly Lesson[], setup: Setup): AddressOf {
   return (id, place) => {
     if (!lessons.some((each) => each.id === id)) return null;
-    const nothingElse = { trace: null, live: null, rival: null, step: null, pixel: null };
+    const nothingElse = {
+      trace: null,
+      entry: null,
+      live: null,
+      rival: null,
+      step: null,
+      pixel: null,
+    };
     return formatAddress({ setup, lesson: id, at: place ?? null, ...nothingElse, bookmarks: [] });
   };
 }

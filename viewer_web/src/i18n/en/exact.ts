@@ -82,6 +82,14 @@ export const exact: ExactTexts = {
       equal_numbers: 'equal numbers',
     },
     pixels: (off) => `${off} pixels`,
+    gap: (computed, exactly) => `Difference computed: ${computed}; exactly: ${exactly}`,
+    decides: (pixels) => `Decides the pixels ${pixels}`,
+  },
+  margin: {
+    edge: (edge, at) => `edge ${edge} passes over ${at}`,
+    vertex: (side) => `the vertex passes over the ${side} side of the window`,
+    edgeAtCorner: (edge, corner) =>
+      `edge ${edge} passes over the ${corner.replace('-', ' ')} corner of the window`,
   },
   byHand: 'Step by step',
   byHandWith: { used: 'With the numbers of this run', exact: 'With the exact numbers' },

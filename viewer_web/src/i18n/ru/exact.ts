@@ -11,6 +11,14 @@ const answer = (value: Answer): string => {
 
 const ulps = (n: number): string => `${n > 0 ? '+' : n < 0 ? '−' : ''}${Math.abs(n)}`;
 
+const sides = { top: 'верхнюю', left: 'левую', bottom: 'нижнюю', right: 'правую' } as const;
+const corners = {
+  'top-left': 'левый верхний',
+  'top-right': 'правый верхний',
+  'bottom-left': 'левый нижний',
+  'bottom-right': 'правый нижний',
+} as const;
+
 export const exact: ExactTexts = {
   exactness: 'Точно?',
   decided: {
@@ -81,7 +89,14 @@ export const exact: ExactTexts = {
       curve_on_horizon: 'кривая на горизонте',
       equal_numbers: 'равные числа',
     },
-    pixels: (off) => `${off.replace('.', ',')} пикс.`,
+    pixels: (off) => `${off} пикс.`,
+    gap: (computed, exactly) => `Разность вычислена: ${computed}; точно: ${exactly}`,
+    decides: (pixels) => `Решает о пикселях ${pixels}`,
+  },
+  margin: {
+    edge: (edge, at) => `ребро ${edge} проходит через ${at}`,
+    vertex: (side) => `вершина переходит через ${sides[side]} сторону окна`,
+    edgeAtCorner: (edge, corner) => `ребро ${edge} проходит через ${corners[corner]} угол окна`,
   },
   byHand: 'Вычисление по шагам',
   byHandWith: { used: 'С числами этого прогона', exact: 'С точными числами' },
