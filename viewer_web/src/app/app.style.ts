@@ -49,8 +49,7 @@ export const appStyle = css`
   }
   /* Where its room is given it is not asked for its own height: for that the browser would style and lay out all of it once more. */
   @media (min-width: 900px) {
-    vidno-player,
-    vidno-comparison {
+    vidno-player {
       flex: 1 0 0;
     }
   }

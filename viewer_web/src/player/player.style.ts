@@ -111,6 +111,8 @@ export const playerStyle = css`
       )
       / minmax(0, 1fr);
     gap: var(--gap);
+    height: 0;
+    min-height: 100%;
     overflow: auto;
   }
   .beside:has(> .scene):not(:has(> .side)) {
@@ -257,6 +259,7 @@ export const playerStyle = css`
     .beside:has(> .scene),
     .beside:has(> .scene):not(:has(> .side)) {
       grid-template: 'scene' minmax(20rem, auto) 'side' auto 'listing' 19rem / minmax(0, 1fr);
+      height: auto;
       overflow: visible;
     }
     .asides {
