@@ -176,7 +176,6 @@ describe('the view', () => {
       for (const [key, opens] of [
         ['x', 'exact'],
         ['v', 'solid'],
-        ['e', 'scene'],
         ['q', 'predict'],
       ] as const) {
         await page.keyboard.press(key);
@@ -184,11 +183,58 @@ describe('the view', () => {
         await page.keyboard.press(key === 'q' ? 'Escape' : key);
         await expect.poll(side).toBe('state');
       }
+      await page.keyboard.press('e');
+      await page.locator('vidno-scene-panel').waitFor();
+      await page.keyboard.press('e');
+      await page.locator('vidno-scene-panel').waitFor({ state: 'detached' });
       await page.keyboard.press('c');
       await page.locator('vidno-cpp').waitFor();
       await page.keyboard.press('c');
       await page.keyboard.press('w');
     }
+  });
+});
+
+describe('the scene', () => {
+  it.each([
+    ['workbench', 1440, 'reader=off'],
+    ['workbench', 1440, ''],
+    ['workbench', 1024, 'reader=off'],
+    ['lesson', 1440, ''],
+  ])('is edited beside listing and state: %s, %i px, %s', async (name, width, rest) => {
+    const { page, faults } = await openReader(
+      browser,
+      `#lang=en&lesson=first&view=${name}&step=60&${rest}`,
+      { viewport: { width, height: 900 } },
+    );
+    const before = await see(page);
+    await page.getByRole('button', { name: 'Edit' }).first().click();
+    await page.locator('vidno-scene-panel').waitFor();
+    const parts = [
+      'vidno-listing',
+      'vidno-scene-panel',
+      ...(name === 'lesson' ? [] : ['vidno-warnock']),
+    ];
+    for (const part of parts) {
+      const box = await page.locator(part).boundingBox();
+      expect(box?.height, part).toBeGreaterThan(130);
+      expect(box?.width, part).toBeGreaterThan(250);
+      expect((box?.y ?? NaN) + (box?.height ?? NaN), part).toBeLessThan(900);
+    }
+    // The picture stays as it is.
+    expect((await see(page)).side).toBe(before.side);
+    await page.locator('vidno-scene-panel .close').click();
+    await page.locator('vidno-scene-panel').waitFor({ state: 'detached' });
+    expect(faults).toEqual([]);
+  });
+
+  it('stays while another panel is opened', async () => {
+    const { page } = await openReader(browser, '#lang=en&lesson=first&view=workbench&step=60');
+    await page.keyboard.press('e');
+    await page.keyboard.press('x');
+    await page.locator('vidno-exactness').waitFor();
+    expect(await page.locator('vidno-scene-panel').isVisible()).toBe(true);
+    expect(await violations(page)).toEqual([]);
   });
 });
 
@@ -309,6 +355,33 @@ describe('common tasks take no more actions than before there were views', () =>
       page.getByRole('button', { name: 'Save the picture as SVG' }).click(),
     ]);
     expect(download.suggestedFilename()).toMatch(/step-60\.svg$/);
+  });
+
+  it.each([
+    ['Exact?', 'vidno-exactness'],
+    ['3D', 'vidno-solid'],
+    ['Predict', 'vidno-question'],
+  ])('%s: one', async (name, opened) => {
+    const { page } = await openReader(browser, at);
+    await page.locator('.sentence').hover();
+    await page.getByRole('button', { name, exact: true }).click();
+    await page.locator(opened).waitFor();
+  });
+
+  it('out of a procedure: one', async () => {
+    const { page } = await openReader(browser, at);
+    const calls = (): Promise<number> => page.locator('vidno-listing .calls li').count();
+    const deep = await calls();
+    expect(deep).toBeGreaterThan(1);
+    await page.locator('.sentence').hover();
+    await page.getByRole('button', { name: 'Out of the procedure, to its result' }).click();
+    await expect.poll(calls).toBe(deep - 1);
+  });
+
+  it('to any other lesson: one choice', async () => {
+    const { page } = await openReader(browser, at);
+    await page.locator('vidno-reader .bar select').selectOption('second');
+    await page.waitForFunction(() => location.hash.includes('lesson=second'));
   });
 
   it('to the step that the text speaks of, and to a step by its number: one', async () => {

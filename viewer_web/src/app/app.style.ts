@@ -47,6 +47,12 @@ export const appStyle = css`
   vidno-comparison {
     flex: 1 0 auto;
   }
+  /* Where its room is given it is not asked for its own height: for that the browser would style and lay out all of it once more. */
+  @media (min-width: 900px) {
+    vidno-player {
+      flex: 1 0 0;
+    }
+  }
   .title {
     display: flex;
     gap: 0.5rem;

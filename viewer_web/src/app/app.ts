@@ -51,6 +51,9 @@ import { atlas, failing } from './failing.js';
 import { alone, besides, ownSurface } from './stage.js';
 import type { Shown } from './stage.js';
 
+/** Always the same: with another list the player would be drawn a second time. */
+const noParts: readonly StatePart[] = [];
+
 /** The page: lessons, files of one's own, and the player. */
 @customElement('vidno-app')
 export class AppElement extends LitElement implements Shown, Told {
@@ -180,7 +183,7 @@ export class AppElement extends LitElement implements Shown, Told {
   }
 
   get parts(): readonly StatePart[] {
-    return this.reading.story?.shows ?? [];
+    return this.reading.story?.shows ?? noParts;
   }
 
   turned(): void {
@@ -244,11 +247,11 @@ export class AppElement extends LitElement implements Shown, Told {
   private edit(on = !this.isEdited): void {
     const { player, comparison } = this;
     if (comparison !== null) comparison.isEdited = on;
-    else if (on !== this.isEdited) player.toggleSide('scene');
+    else if (on !== this.isEdited) player.turnEditor();
   }
 
   private get isEdited(): boolean {
-    return this.comparison?.isEdited ?? this.player.side === 'scene';
+    return this.comparison?.isEdited ?? this.player.isEdited;
   }
 
   private ask(what: Asked): void {
@@ -401,7 +404,7 @@ export class AppElement extends LitElement implements Shown, Told {
     this.ways.leave();
     this.reading.close();
     this.session.openSurface(name);
-    this.player.side = 'scene';
+    this.player.isEdited = true;
   }
 
   /** A run of a lesson is named after what it shows, a failure after what happens. */

@@ -1,4 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import { rest } from '../base/rest.js';
 import { textOf } from '../base/text-file.js';
 import { embeddedAtlas } from '../atlas/entries.js';
 import { Rival } from '../compare/rival.js';
@@ -68,6 +69,9 @@ export class Session implements ReactiveController {
   notice: Notice | null = null;
   /** The failure whose scene is open. */
   failure: OpenFailure | null = null;
+  /** Whether the scene stays as it is: while it is dragged, nothing is made of its runs but what a frame shows. */
+  isResting = true;
+  private timer = 0;
   /** What was shown before the scene was changed last. */
   earlier: Trace | null = null;
   readonly live: Live;
@@ -116,6 +120,7 @@ export class Session implements ReactiveController {
 
   /** Where a vertex may be moved to; null while that is not known. */
   marginAt(trace: Trace, spot: Spot): Margin | null {
+    if (!this.isResting) return null;
     return this.margins?.of(trace, this.place.step, spot) ?? null;
   }
 
@@ -159,6 +164,7 @@ export class Session implements ReactiveController {
 
   hostDisconnected(): void {
     this.stopReading();
+    clearTimeout(this.timer);
   }
 
   async openLesson(chosen: LessonTrace, place = beginning): Promise<void> {
@@ -307,6 +313,7 @@ export class Session implements ReactiveController {
     const old = this.trace?.timeline ?? trace.timeline;
     const step = atEnd ? length : ownStep(old, this.place.step, trace.timeline);
     const { goal } = this;
+    this.wait(goal === null);
     if (goal !== null) {
       this.earlier = null;
       this.failure = this.next;
@@ -317,6 +324,17 @@ export class Session implements ReactiveController {
     this.show(trace, trace.header.scene.name, null, { ...this.place, ...place });
     this.goal = null;
     this.say(noticeOf(trace));
+  }
+
+  /** Until the scene has not changed for a while. */
+  private wait(isChanging: boolean): void {
+    clearTimeout(this.timer);
+    this.isResting = !isChanging;
+    if (!isChanging) return;
+    this.timer = window.setTimeout(() => {
+      this.isResting = true;
+      this.changed();
+    }, rest);
   }
 
   private open(file: Blob, name: string, lesson: string | null, place: Place): void {

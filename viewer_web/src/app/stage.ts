@@ -49,7 +49,8 @@ function exactOf({ session, setup }: Shown): Exact {
   const { header } = trace;
   if (header.scene.curves !== null) return null;
   const isOver = trace.complete && session.place.step >= session.steps;
-  const isWanted = needsExact(setup.layer) || (isOver && isComparedUnasked(header));
+  const isAwaited = isOver && session.isResting && isComparedUnasked(header);
+  const isWanted = needsExact(setup.layer) || isAwaited;
   return isWanted ? exact.of(header) : exact.unasked(header);
 }
 

@@ -39,6 +39,7 @@ export const factsStyle = css`
     display: flex;
     gap: 0.35rem;
     align-items: center;
+    min-height: 1.5rem;
     white-space: nowrap;
   }
   input {

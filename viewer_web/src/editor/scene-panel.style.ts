@@ -18,6 +18,10 @@ export const scenePanelStyle = css`
   .tools button {
     padding: 0 0.55rem;
   }
+  .tools .close {
+    margin-left: auto;
+    padding: 0;
+  }
   .draw[aria-pressed='true'] {
     background: var(--accent);
     border-color: var(--accent);

@@ -2,6 +2,7 @@ import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { showsOfEdited } from '../algorithm/shows.js';
+import { withKey } from '../base/key-map.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import { isOnDisk } from '../lessons/page-file.js';
@@ -13,7 +14,7 @@ import type { LinkMade } from './live.js';
 import './run-form.js';
 import { scenePanelStyle } from './scene-panel.style.js';
 
-/** The scene as a form, with what can be done with it as a whole, and what the library says of it. */
+/** The scene as a form, with what can be done with it as a whole, and what the library says of it. An event `close` asks to leave it. */
 @customElement('vidno-scene-panel')
 export class ScenePanelElement extends FormElement {
   static override styles = [base, scenePanelStyle];
@@ -44,6 +45,14 @@ export class ScenePanelElement extends FormElement {
       ${showsOfEdited(editing).isSolid ? this.drawing() : nothing}
       <button title=${say.saveHint} @click=${() => ask(this, 'vidno-save')}>${say.save}</button>
       ${this.sharing()}
+      <button
+        class="icon close"
+        aria-label=${texts[this.language].page.close}
+        title=${withKey(texts[this.language].page.close, 'E')}
+        @click=${() => this.dispatchEvent(new CustomEvent('close'))}
+      >
+        ✕
+      </button>
     </div>`;
   }
 

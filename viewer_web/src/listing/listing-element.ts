@@ -1,6 +1,7 @@
 import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
+import { guard } from 'lit/directives/guard.js';
 import { numbersOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import { base } from '../elements/theme.js';
@@ -15,6 +16,11 @@ import { listingsOf, wrongLines } from './listings.js';
 import type { Line, Listing } from './listings.js';
 import './wrong-lines.js';
 import type { WrongLine, WrongLinesElement } from './wrong-lines.js';
+
+interface LineKind {
+  readonly now: boolean;
+  readonly caller: boolean;
+}
 
 /** The procedures, the current line and the lines that wait for a result. */
 @customElement('vidno-listing')
@@ -32,6 +38,7 @@ export class ListingElement extends LitElement {
   private listings: readonly Listing[] = [];
   private shown = '';
   private values: ReadonlyMap<string, string> = new Map();
+  private callers: ReadonlySet<string | null> = new Set();
   private wrong: readonly WrongLine[] = [];
   @query('vidno-wrong-lines') private wrongLines!: WrongLinesElement;
 
@@ -103,6 +110,7 @@ export class ListingElement extends LitElement {
 
   private procedures(): TemplateResult {
     this.values = valuesInPlay(this.trace, this.view.step, numbersOf(this.view));
+    this.callers = new Set(this.view.after.calls.slice(0, -1).map(({ at }) => at));
     return html`<div
       class="procedures"
       tabindex="0"
@@ -119,8 +127,9 @@ export class ListingElement extends LitElement {
     return this.view.event?.at ?? null;
   }
 
-  private isCaller(at: string): boolean {
-    return this.view.after.calls.slice(0, -1).some((frame) => frame.at === at);
+  /** Whether the line is the current one, or waits for a result, or both. */
+  private kindOf(at: string): LineKind {
+    return { now: at === this.current, caller: this.callers.has(at) };
   }
 
   /** A procedure that was just called is at no line yet: its name is marked. */
@@ -129,22 +138,31 @@ export class ListingElement extends LitElement {
     return this.view.event?.e === 'call' && top?.of === name;
   }
 
-  private procedure({ name, title, takes, lines }: Listing): TemplateResult {
-    return html`
-      <section class=${this.isEntered(name) ? 'entered' : nothing}>
-        <h3><span class="name">${name}</span>(${takes}) <span class="title">${title}</span></h3>
-        <ol>
-          ${lines.map((line) => this.line(line))}
-        </ol>
-      </section>
-    `;
+  /** Most steps change nothing in most procedures. */
+  private procedure(listing: Listing): unknown {
+    const { name, title, takes, lines } = listing;
+    const isEntered = this.isEntered(name);
+    const told = lines.map(({ at }) => {
+      const { now, caller } = this.kindOf(at);
+      return `${now} ${caller} ${this.values.get(at) ?? ''}`;
+    });
+    return guard(
+      [listing, isEntered, ...told],
+      () => html`
+        <section class=${isEntered ? 'entered' : nothing}>
+          <h3><span class="name">${name}</span>(${takes}) <span class="title">${title}</span></h3>
+          <ol>
+            ${lines.map((line) => this.line(line))}
+          </ol>
+        </section>
+      `,
+    );
   }
 
   private line({ at, indent, text, defects, speaks }: Line): TemplateResult {
-    const now = at === this.current;
-    const kind = now && !this.isCaller(at) ? 'now' : this.isCaller(at) ? 'caller' : '';
+    const { now, caller } = this.kindOf(at);
     return html`
-      <li class=${kind} aria-current=${now ? 'step' : nothing}>
+      <li class=${caller ? 'caller' : now ? 'now' : ''} aria-current=${now ? 'step' : nothing}>
         <span class="at">${at}${this.mark(at)}</span>
         <code .style=${`--indent: ${indent}`}>${text}${speaks ? this.said(at) : nothing}</code>
         ${defects.map((id) => this.defect(id))}

@@ -22,13 +22,13 @@ export class AxesElement extends LitElement {
       :host {
         position: absolute;
         inset: 0;
-        overflow: hidden;
+        contain: strict;
         pointer-events: none;
       }
       svg {
         display: block;
-        width: 100%;
-        height: 100%;
+        width: var(--across, 100%);
+        height: var(--down, 100%);
       }
       text {
         fill: var(--soft);

@@ -5,7 +5,7 @@ export const pictureStyle = css`
   :host {
     display: block;
     position: relative;
-    overflow: hidden;
+    contain: strict;
     background: var(--well);
   }
   canvas,

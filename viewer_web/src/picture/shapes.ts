@@ -33,9 +33,18 @@ export function shapesOf(mark: Mark, scale: number): readonly Shape[] {
 
 function dataOf(mark: Exclude<Mark, { kind: 'point' | 'note' }>, scale: number): string {
   if (mark.kind === 'box') return boxData(mark.box);
-  if (mark.kind === 'boxes') return mark.boxes.map(boxData).join('');
+  if (mark.kind === 'boxes') return boxesData(mark.boxes);
   if (mark.kind === 'target') return aim(mark.at, reach / scale);
   return pathData(mark.points, mark.closed);
+}
+
+const known = new WeakMap<readonly Box[], string>();
+
+/** There may be thousands, which most steps leave as they are. */
+function boxesData(boxes: readonly Box[]): string {
+  const d = known.get(boxes) ?? boxes.map(boxData).join('');
+  known.set(boxes, d);
+  return d;
 }
 
 /** The outline of a pixel, and lines that lead to it. */

@@ -57,6 +57,11 @@ export const playerStyle = css`
     flex: 1;
     min-width: 0;
   }
+  /* What changes within a panel, or in the sentence, moves nothing outside of it: a step lays out no more than that. */
+  .beside > section,
+  .sentence {
+    contain: strict;
+  }
   .picture {
     grid-area: picture;
   }
@@ -81,6 +86,12 @@ export const playerStyle = css`
   .side {
     grid-area: side;
   }
+  .scene {
+    grid-area: scene;
+  }
+  .under {
+    grid-area: under;
+  }
   .beside:not(:has(> .side)) {
     grid-template: 'listing' minmax(0, 1fr) / minmax(0, 1fr);
   }
@@ -88,8 +99,31 @@ export const playerStyle = css`
     --side-share: 2fr;
     --caption: 4.4em;
   }
-  .beside:has(> .side:is(.scene, .exact, .predict)) {
+  .beside:has(> .side:is(.exact, .predict)) {
     --side-share: 2fr;
+  }
+  /* Listing, scene and state below each other; where that is too much for the room, they are scrolled to. */
+  .beside:has(> .scene) {
+    grid-template:
+      'listing' minmax(8.5rem, 1fr) 'scene' minmax(15rem, 1.6fr) 'side' minmax(
+        9rem,
+        var(--side-share, 1fr)
+      )
+      / minmax(0, 1fr);
+    gap: var(--gap);
+    height: 0;
+    min-height: 100%;
+    overflow: auto;
+  }
+  .beside:has(> .scene):not(:has(> .side)) {
+    grid-template:
+      'listing' minmax(8.5rem, var(--scene, 1fr))
+      'under' var(--gap)
+      'scene' minmax(15rem, var(--scene-rest, 2fr)) / minmax(0, 1fr);
+    gap: 0;
+  }
+  .beside:has(> .scene):has(> .side) > vidno-divider {
+    display: none;
   }
   .dock {
     z-index: 1;
@@ -114,6 +148,22 @@ export const playerStyle = css`
     font-size: 1.0625rem;
     line-height: 1.3;
   }
+  .asides {
+    display: flex;
+    flex: none;
+    gap: 0.25rem;
+    align-self: center;
+    visibility: var(--quiet, visible);
+  }
+  .asides button {
+    padding: 0 0.55rem;
+    color: var(--soft);
+    font-size: 0.8125rem;
+  }
+  .asides button[aria-pressed='true'] {
+    border-color: var(--accent);
+    color: var(--accent);
+  }
   .sentence .at {
     flex: none;
     min-width: 3.4rem;
@@ -123,15 +173,16 @@ export const playerStyle = css`
     font: 600 0.9375rem / 1.5 var(--mono);
     text-align: center;
   }
-  /* In a lesson what can be done with a panel is there as soon as one turns to it. */
-  :host([layout='lesson']) :is(vidno-picture-panel, vidno-listing) {
+  /* In a lesson what can be done with a panel, or seen of a step, is there as soon as one turns to it. */
+  :host([layout='lesson']) :is(vidno-picture-panel, vidno-listing, .dock) {
     --quiet: hidden;
   }
-  :host([layout='lesson']) :is(vidno-picture-panel, vidno-listing):is(:hover, :focus-within) {
+  :host([layout='lesson'])
+    :is(vidno-picture-panel, vidno-listing, .dock):is(:hover, :focus-within) {
     --quiet: visible;
   }
   @media (hover: none) {
-    :host([layout='lesson']) :is(vidno-picture-panel, vidno-listing) {
+    :host([layout='lesson']) :is(vidno-picture-panel, vidno-listing, .dock) {
       --quiet: visible;
     }
   }
@@ -148,6 +199,19 @@ export const playerStyle = css`
       grid-template:
         'listing between side' minmax(0, 1fr) / minmax(0, var(--listing, 1fr)) var(--gap)
         minmax(0, var(--listing-rest, 1fr));
+    }
+    /* The scene takes a part of the listing's column: picture and state stay as they are. */
+    :host([layout='workbench']:not([beside])) .beside:has(> .scene) {
+      grid-template:
+        'listing between side' minmax(0, var(--scene, 1fr))
+        'under between side' var(--gap)
+        'scene between side' minmax(0, var(--scene-rest, 1.3fr)) / minmax(0, var(--listing, 1fr))
+        var(--gap) minmax(0, var(--listing-rest, 1fr));
+      gap: 0;
+      overflow: visible;
+    }
+    :host([layout='workbench']:not([beside])) .beside > vidno-divider {
+      display: block;
     }
   }
   @container (min-width: 1500px) {
@@ -181,6 +245,9 @@ export const playerStyle = css`
       margin-top: var(--gap);
       contain: none;
     }
+    .beside > section {
+      contain: content;
+    }
     /* What was asked for comes first; what grows from step to step scrolls within its panel. */
     .beside:has(> .side:not(.state)) {
       grid-template-areas: 'side' 'listing';
@@ -188,6 +255,15 @@ export const playerStyle = css`
     }
     .beside:has(> .side:is(.pixel, .outline, .bookmarks, .solid)) {
       grid-template-rows: 22rem 19rem;
+    }
+    .beside:has(> .scene),
+    .beside:has(> .scene):not(:has(> .side)) {
+      grid-template: 'scene' minmax(20rem, auto) 'side' auto 'listing' 19rem / minmax(0, 1fr);
+      height: auto;
+      overflow: visible;
+    }
+    .asides {
+      display: none;
     }
     .dock {
       position: sticky;
@@ -236,6 +312,10 @@ export const playerStyle = css`
     .beside {
       display: contents;
     }
+    .beside > section,
+    .sentence {
+      contain: none;
+    }
     section {
       border-radius: 0;
     }
@@ -251,7 +331,7 @@ export const playerStyle = css`
       padding: 0;
       border: 0;
     }
-    :is(vidno-transport, vidno-divider) {
+    :is(vidno-transport, vidno-divider, .asides, .scene) {
       display: none;
     }
   }

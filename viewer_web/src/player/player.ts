@@ -5,10 +5,12 @@ import { sayThing } from '../algorithm/pointed.js';
 import { viewOf } from '../algorithm/view.js';
 import type { View } from '../algorithm/view.js';
 import type { StatePart } from '../algorithm/state-part.js';
+import { withKey } from '../base/key-map.js';
 import type { PageView } from '../base/page-view.js';
 import { isWay, plain } from '../base/setting.js';
 import type { Editing } from '../editor/editor.js';
 import type { LinkMade } from '../editor/live.js';
+import '../editor/scene-panel.js';
 import { announcerStyle } from '../elements/announcer.style.js';
 import '../elements/divider.js';
 import { findingMarks } from '../exactness/finding-marks.js';
@@ -21,9 +23,9 @@ import { base, tokens } from '../elements/theme.js';
 import type { Check } from '../exactness/truth.js';
 import type { History } from '../history/history.js';
 import { PixelHistory } from '../history/pixel-history.js';
-import { texts } from '../i18n/index.js';
-import { hasSolid, sideName, whyNoSolid } from '../history/side-name.js';
+import { hasSolid, sideKeys, sideName, whyNoSolid } from '../history/side-name.js';
 import type { Side } from '../history/side-name.js';
+import { texts } from '../i18n/index.js';
 import '../listing/listing-element.js';
 import type { ListingElement } from '../listing/listing-element.js';
 import { needsExact } from '../picture/layers.js';
@@ -100,6 +102,8 @@ export class PlayerElement extends StageElement {
   @state() private hits: readonly number[] = [];
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
+  /** Whether the scene is edited, beside listing and state. */
+  @property({ attribute: false }) isEdited = false;
   @query('vidno-listing') readonly listing!: ListingElement;
   @query('vidno-picture-panel') readonly picture!: PicturePanelElement;
   @query('vidno-travel') readonly travel!: TravelElement;
@@ -112,8 +116,8 @@ export class PlayerElement extends StageElement {
 
   /** While a vertex is chosen: where it may be moved to so that no sign of the step changes. */
   private marginMarks(): readonly Mark[] | undefined {
-    const { trace, margin, side } = this;
-    if (trace === null || margin === null || side !== 'scene') return undefined;
+    const { trace, margin, isEdited } = this;
+    if (trace === null || margin === null || !isEdited) return undefined;
     const { exact, numbers } = texts[this.language];
     const words = { say: exact.margin, point: numbers.point };
     return marginMarks(margin, trace.header.scene.area, words);
@@ -140,7 +144,9 @@ export class PlayerElement extends StageElement {
 
   override updated(changed: PropertyValues<this>): void {
     super.updated(changed);
-    if (changed.has('side')) this.dispatchEvent(new CustomEvent('vidno-side'));
+    if (changed.has('side') || changed.has('isEdited')) {
+      this.dispatchEvent(new CustomEvent('vidno-side'));
+    }
   }
 
   protected override actions(event: KeyboardEvent): Actions {
@@ -167,6 +173,15 @@ export class PlayerElement extends StageElement {
       this.side = this.side === side ? 'state' : side;
       this.announcer.say(news.panel(sideName(this.side, view)));
     }
+  }
+
+  /** Edits the scene, or no longer. */
+  turnEditor(): void {
+    const { view, language } = this;
+    if (!this.isFull || view === null || this.editing === null) return;
+    this.isEdited = !this.isEdited;
+    const { scene } = texts[language].scene;
+    this.announcer.say(view.texts.news.panel(this.isEdited ? scene : sideName(this.side, view)));
   }
 
   /** Stays where one is on a long way; else leaves the questions, unless the run waits for an answer. */
@@ -231,7 +246,7 @@ export class PlayerElement extends StageElement {
               <span class="at">${view.event?.at ?? '·'}</span
               ><span>${view.sentence} ${this.verdict(trace, view)}</span>
             </p>
-            ${this.presenter.corner(view)}
+            ${this.asides(view)} ${this.presenter.corner(view)}
           </div>
           ${this.playControls(view, check, history, {
             plain: !this.isFull,
@@ -243,7 +258,7 @@ export class PlayerElement extends StageElement {
         <section class="picture" aria-label=${texts.picture}>
           <vidno-picture-panel
             .view=${view}
-            .editing=${this.side === 'scene' ? this.editing : null}
+            .editing=${this.edited}
             .layer=${layer}
             .exact=${this.exact}
             @pixel=${({ detail }: CustomEvent<Pixel>) => this.chosen.choose(detail)}
@@ -263,6 +278,7 @@ export class PlayerElement extends StageElement {
               ?breakable=${this.breakable && !veiled}
             ></vidno-listing>
           </section>
+          ${this.edited === null ? nothing : this.editor(this.edited, view)}
           ${isShown('side', this.layout, this.side, this.parts.length > 0) ? this.sidePanel(view, check, history, veiled) : nothing}
         </div>
       </div>
@@ -276,10 +292,57 @@ export class PlayerElement extends StageElement {
     `;
   }
 
+  /** In a lesson, which has no choice between panels: those that one may want to see of a step. */
+  private asides(view: View): TemplateResult | typeof nothing {
+    if (!this.isFull || this.presenting || this.layout !== 'lesson') return nothing;
+    const sides: readonly Side[] = [
+      'exact',
+      ...(hasSolid(view) ? ['solid' as const] : []),
+      'predict',
+    ];
+    return html`<div class="asides">${sides.map((side) => this.aside(side, view))}</div>`;
+  }
+
+  private aside(side: Side, view: View): TemplateResult {
+    const name = sideName(side, view);
+    const open = (): void => (side === 'predict' ? this.predictor.next() : this.toggleSide(side));
+    return html`<button
+      class=${side}
+      aria-pressed=${this.side === side ? 'true' : 'false'}
+      title=${withKey(name, sideKeys[side] ?? '')}
+      @click=${open}
+    >
+      ${name}
+    </button>`;
+  }
+
   /** At the end, what came of it all. */
   private verdict(trace: Trace, view: View): TemplateResult | typeof nothing {
     const said = verdictOn(trace, view, this.exact);
     return said === null ? nothing : html`<strong class="verdict">${said}</strong>`;
+  }
+
+  /** The scene while it is edited. */
+  private get edited(): Editing | null {
+    return this.isEdited ? this.editing : null;
+  }
+
+  private editor(editing: Editing, { texts: say }: View): TemplateResult {
+    return html`<vidno-divider
+        class="under"
+        name="scene"
+        place=${this.layout}
+        label=${say.divider}
+      ></vidno-divider>
+      <section class="scene" aria-label=${texts[this.language].scene.scene}>
+        <vidno-scene-panel
+          .editing=${editing}
+          .language=${this.language}
+          .link=${this.link}
+          ?linked=${this.linked}
+          @close=${() => this.turnEditor()}
+        ></vidno-scene-panel>
+      </section>`;
   }
 
   private sidePanel(
@@ -315,8 +378,8 @@ export class PlayerElement extends StageElement {
           @search=${({ detail }: CustomEvent<string>) => (this.sought = detail)}
           @hits=${({ detail }: CustomEvent<readonly number[]>) => (this.hits = detail)}
           @forget=${() => this.chosen.choose(null)}
-          .editing=${this.editing}
-          .link=${this.link}
+          .edited=${this.editing === null ? null : this.isEdited}
+          @edit=${() => this.turnEditor()}
         ></vidno-side>
       </section>`;
   }

@@ -63,6 +63,13 @@ export const presenterStyle = css`
   :host([presenting]) .beside:not(:has(> .side)) {
     grid-template: 'listing' minmax(0, 1fr) / minmax(0, 1fr);
   }
+  :host([presenting]) .beside:has(> .scene) {
+    grid-template: 'listing' minmax(0, 1fr) 'scene' minmax(0, 1.6fr) / minmax(0, 1fr);
+    gap: var(--gap);
+  }
+  :host([presenting]) .beside:has(> .scene) > .side {
+    display: none;
+  }
   :host([presenting]) .beside:has(> .solid) {
     --side-share: 1.5fr;
   }

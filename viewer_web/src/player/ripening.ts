@@ -1,11 +1,10 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import { rest } from '../base/rest.js';
 import type { Timeline } from '../replay/timeline.js';
 import type { Trace } from '../replay/trace.js';
 
 /** Milliseconds at a time; between two of these the page does what is asked of it. */
 const atOnce = 6;
-/** Milliseconds that a run must stay: while a scene is dragged none does. */
-const rest = 150;
 
 /** Makes seeks quick in a run that is shown, while there is nothing else to do. */
 export class Ripening implements ReactiveController {

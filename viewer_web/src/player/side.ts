@@ -5,16 +5,14 @@ import type { StatePart } from '../algorithm/state-part.js';
 import { placesOf, showsOf } from '../algorithm/shows.js';
 import type { View } from '../algorithm/view.js';
 import { withKey } from '../base/key-map.js';
-import type { Editing } from '../editor/editor.js';
-import type { LinkMade } from '../editor/live.js';
-import '../editor/scene-panel.js';
 import { base } from '../elements/theme.js';
 import '../exactness/exactness-element.js';
 import type { Check } from '../exactness/truth.js';
 import type { History } from '../history/history.js';
 import '../history/history-element.js';
-import { hasSolid, sideName } from '../history/side-name.js';
+import { hasSolid, sideKeys, sideName } from '../history/side-name.js';
 import type { Side } from '../history/side-name.js';
+import { texts } from '../i18n/index.js';
 import '../outline/outline-element.js';
 import type { OutlineElement } from '../outline/outline-element.js';
 import '../predict/predict-element.js';
@@ -25,17 +23,6 @@ import { flag } from '../strip/lanes.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 import '../time/bookmarks-element.js';
 import type { BookmarksElement } from '../time/bookmarks-element.js';
-
-/** What opens it, besides its button. */
-const keys: Readonly<Partial<Record<Side, string>>> = {
-  outline: 'T',
-  pixel: 'P',
-  exact: 'X',
-  solid: 'V',
-  scene: 'E',
-  predict: 'Q',
-  bookmarks: 'Shift B',
-};
 
 /** Lines that are indented, as an outline is. */
 const tree = html`<svg viewBox="0 0 20 16" aria-hidden="true">
@@ -149,9 +136,8 @@ export class SideElement extends LitElement {
   @property({ attribute: false }) parts: readonly StatePart[] | null = null;
   /** Without the choice between panels. */
   @property({ type: Boolean, reflect: true }) bare = false;
-  /** None where the scene cannot be changed. */
-  @property({ attribute: false }) editing: Editing | null = null;
-  @property({ attribute: false }) link: LinkMade | null = null;
+  /** Whether the scene is edited beside it, which an event `edit` asks for; null where it cannot be. */
+  @property({ attribute: false }) edited: boolean | null = null;
   @property({ attribute: false }) predictor!: Predictor;
   @query('vidno-bookmarks') private list!: BookmarksElement | null;
   @query('vidno-outline') private outline!: OutlineElement | null;
@@ -170,7 +156,7 @@ export class SideElement extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { view, history, editing } = this;
+    const { view, history } = this;
     const name = (side: Side): string => sideName(side, view);
     const pixel = history === null ? name('pixel') : placesOf(view).at(...history.pixel);
     if (this.parts !== null) return html`${this.name()} ${this.panel()}`;
@@ -179,7 +165,7 @@ export class SideElement extends LitElement {
         ${this.button('state', name('state'))} ${this.button('pixel', pixel)}
         ${this.button('exact', name('exact'))}
         ${hasSolid(view) ? this.button('solid', name('solid')) : nothing}
-        ${editing === null ? nothing : this.button('scene', name('scene'))}
+        ${this.edited === null ? nothing : this.editor(this.edited)}
         <div class="asides">
           ${this.button('outline', name('outline'), tree)}
           ${this.button('predict', name('predict'), html`<span>Q</span>`)}
@@ -216,7 +202,7 @@ export class SideElement extends LitElement {
   }
 
   private panel(): TemplateResult {
-    const { view, history, editing } = this;
+    const { view, history } = this;
     switch (this.shown) {
       case 'pixel':
         return html`<vidno-history
@@ -246,8 +232,6 @@ export class SideElement extends LitElement {
           .predictor=${this.predictor}
           @command=${this.passOn}
         ></vidno-predict>`;
-      case 'scene':
-        return editing === null ? this.state() : this.scene(editing);
       case 'solid':
         return html`<vidno-solid .view=${view} ?bare=${this.bare}></vidno-solid>`;
       case 'outline':
@@ -269,13 +253,16 @@ export class SideElement extends LitElement {
     return showsOf(this.view).state(this.view, this.parts);
   }
 
-  private scene(editing: Editing): TemplateResult {
-    return html`<vidno-scene-panel
-      .editing=${editing}
-      .language=${this.view.language}
-      .link=${this.link}
-      ?linked=${this.linked}
-    ></vidno-scene-panel>`;
+  private editor(isOn: boolean): TemplateResult {
+    const { scene } = texts[this.view.language];
+    return html`<button
+      class="scene"
+      aria-pressed=${isOn ? 'true' : 'false'}
+      title=${withKey(scene.scene, 'E')}
+      @click=${() => this.dispatchEvent(new CustomEvent('edit'))}
+    >
+      ${scene.scene}
+    </button>`;
   }
 
   private button(
@@ -283,7 +270,7 @@ export class SideElement extends LitElement {
     label: string,
     shown: string | TemplateResult = label,
   ): TemplateResult {
-    const key = keys[side];
+    const key = sideKeys[side];
     return html`<button
       class=${side}
       aria-pressed=${side === this.shown ? 'true' : 'false'}

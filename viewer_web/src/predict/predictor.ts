@@ -121,8 +121,7 @@ export class Predictor {
   private open(question: Question): void {
     this.current = { question, isAnswered: false, verdict: null };
     this.ahead = null;
-    // A scene that is being edited keeps its panel.
-    if (this.host.side !== 'scene') this.host.side = 'predict';
+    this.host.side = 'predict';
   }
 
   private reason(trace: Trace): void {

@@ -2,6 +2,7 @@ import { LitElement, html, nothing } from 'lit';
 import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import { keyed } from 'lit/directives/keyed.js';
+import { live } from 'lit/directives/live.js';
 import { PrintedWhole } from '../elements/printed-whole.js';
 import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
@@ -25,7 +26,7 @@ export type Read = Reached & { readonly isScrolled: boolean };
 
 /**
  * The text of a lesson. Events tell what the reader does: `read`, comes to another place; `pin`, asks for one, by the
- * name of its place. What else stands in the line above it is in its slot.
+ * name of its place. What is in its slot takes the place of the choice of a lesson in the line above the text.
  */
 @customElement('vidno-reader')
 export class ReaderElement extends LitElement {
@@ -94,7 +95,7 @@ export class ReaderElement extends LitElement {
     const { reader } = texts[this.language];
     return html`
       <div class="bar">
-        <slot></slot>
+        <slot>${this.choice()}</slot>
         ${this.neighbours('short')}
       </div>
       <div class="box" tabindex="0" role="region" aria-label=${reader.text} @click=${this.onClick}>
@@ -134,6 +135,30 @@ export class ReaderElement extends LitElement {
         ${isRefusal(error) && say ? reader.refused(error.path, say(...error.details)) : reader.broken}
       </p>
     </article>`;
+  }
+
+  /** The way to any lesson that has a text. */
+  private choice(): TemplateResult | typeof nothing {
+    const { language, lessons, story } = this;
+    const told = lessons.filter((lesson) => lesson.story !== undefined);
+    if (told.length < 2 || story === null) return nothing;
+    return html`<select
+      aria-label=${texts[language].page.lessons}
+      .value=${live(story.id)}
+      @change=${this.onChoose}
+    >
+      ${told.map(
+        ({ id, title }) =>
+          html`<option value=${id} ?selected=${id === story.id}>${title[language]}</option>`,
+      )}
+    </select>`;
+  }
+
+  private onChoose(event: Event): void {
+    const address = this.addressOf((event.target as HTMLSelectElement).value);
+    if (address !== null) location.hash = address;
+    // Until that is read, and if one rather stays, it is still this one.
+    this.requestUpdate();
   }
 
   /** The ways to the lessons before and after this one. */

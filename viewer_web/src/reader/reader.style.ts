@@ -30,8 +30,20 @@ export const readerStyle = [
       color: var(--soft);
       font-size: 0.8125rem;
     }
+    .bar select {
+      min-width: 0;
+      min-height: 1.6rem;
+      margin-left: -0.4rem;
+      border-color: transparent;
+      background: none;
+      text-overflow: ellipsis;
+    }
+    .bar select:hover {
+      border-color: var(--line);
+    }
     nav.short {
       display: flex;
+      flex: none;
       gap: 0.15rem;
       margin-left: auto;
     }

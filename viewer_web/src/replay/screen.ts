@@ -22,6 +22,12 @@ export const keepsDepths = ({ detail, scene }: Pick<Header, 'detail' | 'scene'>)
 export const isCut = (header: Pick<Header, 'method'>): boolean =>
   modelOf(header).cutsAnywhere?.(header.method) ?? false;
 
+/** Windows, and what they were found in. */
+interface Divided {
+  readonly of: readonly unknown[];
+  readonly windows: readonly Box[];
+}
+
 /**
  * What the handlers of events write to: the picture, how the area is divided into windows and, where the trace carries
  * it, the buffer of depths.
@@ -35,6 +41,8 @@ export class Screen {
    */
   readonly division: Grid<number>;
   z: Grid<N> | null = null;
+  /** The windows that were asked for last. */
+  private divided: Divided | null = null;
   private places: ReadonlyMap<string, number> | null = null;
 
   constructor(
@@ -93,12 +101,16 @@ export class Screen {
     this.expectInside(x, y, width, height);
   }
 
-  /** The windows that the area is divided into, as far as they can be told apart. */
+  /** The windows that the area is divided into, as far as they can be told apart: the same list until one is divided. */
   windows(root: Box, sight: Sight): readonly Box[] {
+    const { division, divided, isCut } = this;
     const { area } = this.scene;
-    return this.isCut
-      ? pieces(this.division, area, sight)
-      : leaves(this.division, root, area, sight);
+    const { version } = division;
+    const of = [version, root, sight.shown, sight.least] as const;
+    if (divided?.of.every((each, i) => each === of[i]) === true) return divided.windows;
+    const windows = isCut ? pieces(division, area, sight) : leaves(division, root, area, sight);
+    this.divided = { of, windows };
+    return windows;
   }
 
   clear(color: string, z: N): void {

@@ -18,6 +18,7 @@ export const sliderStyle = css`
     margin: 0;
     border-radius: 4px;
     background: none;
+    contain: strict;
     cursor: pointer;
   }
   .slider::-webkit-slider-runnable-track {
@@ -64,6 +65,7 @@ export const sliderStyle = css`
     position: relative;
     display: var(--strip, block);
     height: ${stripHeight}px;
+    contain: layout size;
     cursor: pointer;
     touch-action: pan-y;
     user-select: none;

@@ -3,6 +3,7 @@ import type { PropertyValues, TemplateResult } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import type { View } from '../algorithm/view.js';
+import { rest } from '../base/rest.js';
 import { hiddenStyle } from '../elements/hidden.style.js';
 import { ReadOn } from '../elements/read-on.js';
 import { base } from '../elements/theme.js';
@@ -27,8 +28,6 @@ import { Zoom } from './zoom.js';
 import { zoomByKey } from './zoom-keys.js';
 
 const mostPerFrame = 8;
-/** Milliseconds that a run must stay: while a scene is dragged none does. */
-const rest = 150;
 
 /**
  * The slider, and along it the strip, which shows the run or a part of it. Both seek. What part the strip shows is chosen on

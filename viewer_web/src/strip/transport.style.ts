@@ -58,6 +58,8 @@ export const transportStyle = css`
   }
   input[type='number'] {
     width: 5.75rem;
+    height: 2rem;
+    contain: strict;
     padding: 0 0.4rem;
     color: var(--ink);
     font-family: var(--mono);

@@ -58,6 +58,12 @@ export const travelStyle = css`
   :host([brief]) :is(.name, .count) {
     display: none;
   }
+  :host([brief]) {
+    gap: 0.25rem;
+  }
+  :host([brief]) > button {
+    visibility: var(--quiet, visible);
+  }
   :host([brief]) select {
     width: 11rem;
   }

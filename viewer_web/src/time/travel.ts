@@ -37,7 +37,7 @@ export class TravelElement extends LitElement {
   @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) history: Followed | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
-  /** To the next goal alone; keys lead all ways. */
+  /** To the next goal, and out of the procedure; keys lead all ways. */
   @property({ type: Boolean, reflect: true }) brief = false;
   @state() private chosen: Goal | null = null;
   /** Whether somebody is about to choose. */
@@ -91,7 +91,7 @@ export class TravelElement extends LitElement {
     const { back, forward } = around(steps, view.step);
     const say = this.texts;
     return html`
-      ${this.brief ? nothing : this.procedures()}
+      ${this.brief ? this.out() : this.procedures()}
       <div class="group goal" role="group" aria-label=${say.goTo}>
         <span class="name" aria-hidden="true">${say.goTo}</span>
         ${
@@ -114,6 +114,12 @@ export class TravelElement extends LitElement {
     `;
   }
 
+  private out(): TemplateResult {
+    const { step, length } = this.view;
+    const say = this.texts;
+    return this.button('out', 1, [say.out, 'Shift ]'], step === length, () => this.call('out', 1));
+  }
+
   /** Over a procedure, and out of it. */
   private procedures(): TemplateResult {
     const { step, length } = this.view;
@@ -123,7 +129,7 @@ export class TravelElement extends LitElement {
       ${this.button('out', -1, [say.outBack, 'Shift ['], step === 0, () => this.call('out', -1))}
       ${this.button('over', -1, [say.overBack, '['], step === 0, () => this.call('over', -1))}
       ${this.button('over', 1, [say.over, ']'], step === length, () => this.call('over', 1))}
-      ${this.button('out', 1, [say.out, 'Shift ]'], step === length, () => this.call('out', 1))}
+      ${this.out()}
     </div>`;
   }
 
