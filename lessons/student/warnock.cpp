@@ -1,4 +1,5 @@
-// Warnock's algorithm, as one writes it for the course. The calls of `trace` are what vidno needs.
+// A frame for Warnock's algorithm: the stack of windows, and where each call of `trace` belongs. The procedures are yours to write. As it
+// stands, the program takes every window for empty, and `vidno grade` says so.
 //
 //     warnock [windows | polygons | signs]     writes warnock.jsonl
 #include "example.h"
@@ -6,18 +7,6 @@
 using namespace vidno::student;
 
 const double farthest = -2;  // behind all that is visible
-
-struct Point {
-    double x, y;
-};
-
-struct Plane {
-    double a, b, c, d;
-};
-
-struct Box {
-    double xmin, ymin, xmax, ymax;
-};
 
 struct Active {
     int polygon;
@@ -37,39 +26,14 @@ struct Summary {
     Color color{0, 0, 0};
 };
 
-int sign(double value) { return (value > 0) - (value < 0); }
-
-/// (a - o) x (b - o)
-double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
-
-Plane plane_through(const Vertex& p, const Vertex& q, const Vertex& r) {
-    const Vertex u{q.x - p.x, q.y - p.y, q.z - p.z}, v{r.x - p.x, r.y - p.y, r.z - p.z};
-    const double a = u.y * v.z - u.z * v.y, b = u.z * v.x - u.x * v.z, c = u.x * v.y - u.y * v.x;
-    return {a, b, c, -(a * p.x + b * p.y + c * p.z)};
-}
-
-Box box_of(const std::vector<Vertex>& vertices) {
-    Box box{vertices[0].x, vertices[0].y, vertices[0].x, vertices[0].y};
-    for (const Vertex& v : vertices) {
-        box = {std::min(box.xmin, v.x), std::min(box.ymin, v.y), std::max(box.xmax, v.x), std::max(box.ymax, v.y)};
-    }
-    return box;
-}
-
-/// The first row or column whose centre lies at v or after it.
-int first_centre(double v) { return int(std::ceil(v - 0.5)); }
-
 class Warnock {
 public:
     Warnock(const Scene& scene, WarnockTrace& trace) : scene_(scene), trace_(trace) {
+        // InitializePolygon: the plane of each polygon, from all of its vertices. One that is seen edge-on takes no part.
+        // trace.plane(i, a, b, c, d)
         Window whole{double(scene.area.x), double(scene.area.y), 1, {}};
         while (whole.size < scene.area.width || whole.size < scene.area.height) whole.size *= 2;
-        for (int i = 0; i < int(scene.polygons.size()); ++i) {
-            const auto& vertices = vertices_of(i);
-            planes_.push_back(plane_through(vertices[0], vertices[1], vertices[2]));
-            trace.plane(i, planes_[i].a, planes_[i].b, planes_[i].c, planes_[i].d);
-            whole.polygons.push_back({i, false});
-        }
+        for (int i = 0; i < int(scene.polygons.size()); ++i) whole.polygons.push_back({i, false});
         push(whole);
         while (!windows_.empty()) {
             Window window = windows_.back();
@@ -80,9 +44,6 @@ public:
     }
 
 private:
-    const std::vector<Vertex>& vertices_of(int polygon) const { return scene_.polygons[std::size_t(polygon)].vertices; }
-    Color color_of(int polygon) const { return scene_.polygons[std::size_t(polygon)].color; }
-
     void push(const Window& window) {
         const Area& area = scene_.area;
         if (window.x >= area.x + area.width || window.y >= area.y + area.height) {
@@ -93,180 +54,34 @@ private:
         trace_.push(window.x, window.y, window.size, window.size);
     }
 
+    /// W6 to W13. What is here is W7; the other cases are yours: Case::surrounded, Case::pixel, Case::single and Case::split, which pushes
+    /// the four parts.
     void show(Window& window) {
         const Summary found = process_window(window);
         if (found.count == 0) {
             trace_.decide(Case::empty);
             fill(window, scene_.background);
-        } else if (found.has_surround) {
-            trace_.decide(Case::surrounded);
-            fill(window, found.color);
-        } else if (window.size <= 1) {
-            trace_.decide(Case::pixel);
-            fill(window, point_color({window.x + window.size / 2, window.y + window.size / 2}, window.polygons));
-        } else if (found.count == 1) {
-            trace_.decide(Case::single);
-            fill(window, scene_.background);
-            const int polygon = window.polygons.front().polygon;
-            fill_polygon(polygon, found.insider ? vertices_of(polygon) : polygon_clip(polygon, window));
-        } else {
-            trace_.decide(Case::split);
-            const double half = window.size / 2;
-            for (const double x : {window.x, window.x + half}) {
-                for (const double y : {window.y, window.y + half}) push({x, y, half, window.polygons});
-            }
         }
     }
 
-    Summary process_window(Window& window) {
-        const double right = window.x + window.size, bottom = window.y + window.size;
-        const Point corners[4] = {{window.x, window.y}, {window.x, bottom}, {right, window.y}, {right, bottom}};
-        double nearest[4] = {farthest, farthest, farthest, farthest};
-        trace_.corners(farthest);
+    /// PW1 to PW10. The calls, in their order, for each polygon of the list:
+    ///     box, and discard if it lies outside of the window; count;
+    ///     depth at each corner; compare at each corner, and nearer; uncover;
+    ///     surround at the corners, and mark; cover, or insider
+    Summary process_window(Window&) {
         Summary found;
-        std::vector<Active> kept;
-        for (Active active : window.polygons) {
-            const int polygon = active.polygon;
-            const Box box = box_of(vertices_of(polygon));
-            const bool outside = box.xmax < window.x || box.xmin > right || box.ymax < window.y || box.ymin > bottom;
-            trace_.box(polygon, box.xmin, box.ymin, box.xmax, box.ymax, outside);
-            if (!active.surrounds && outside) {
-                trace_.discard(polygon);
-                continue;
-            }
-            trace_.count(polygon, ++found.count);
-
-            double z[4];
-            for (int i = 0; i < 4; ++i) z[i] = depth(polygon, corners[i]);
-            int k = 0;
-            for (int i = 0; i < 4; ++i) {
-                const bool nearer = z[i] > nearest[i];
-                trace_.compare(polygon, Corner(i), z[i], nearest[i], nearer);
-                if (!nearer) continue;
-                nearest[i] = z[i];
-                ++k;
-            }
-            trace_.nearer(polygon);
-            if (k > 0) {
-                found.has_surround = false;
-                trace_.uncover(polygon);
-            }
-
-            const auto holds = [&](Point corner) { return surround_test(polygon, corner); };
-            if (!active.surrounds && std::all_of(corners, corners + 4, holds)) {
-                active.surrounds = true;
-                trace_.mark(polygon);
-            }
-            if (active.surrounds && k == 4) {
-                found.has_surround = true;
-                found.color = color_of(polygon);
-                trace_.cover(polygon);
-            } else if (found.count == 1) {
-                found.insider = box.xmin > window.x && box.xmax < right && box.ymin > window.y && box.ymax < bottom;
-                trace_.insider(polygon, found.insider);
-            }
-            kept.push_back(active);
-        }
-        window.polygons = kept;
+        trace_.corners(farthest);
         trace_.summary(found.count, found.has_surround, found.color, found.insider);
         return found;
     }
 
-    Color point_color(Point point, const std::vector<Active>& polygons) {
-        Color color = scene_.background;
-        double nearest = farthest;
-        for (const Active& active : polygons) {
-            if (!surround_test(active.polygon, point)) continue;
-            const double z = depth(active.polygon, point);
-            trace_.compare(active.polygon, z, nearest, z > nearest);
-            if (z <= nearest) continue;
-            nearest = z;
-            color = color_of(active.polygon);
-            trace_.nearest(active.polygon, z);
-        }
-        trace_.color(point.x, point.y, color);
-        return color;
-    }
-
-    double depth(int polygon, Point point) {
-        const Plane& plane = planes_[std::size_t(polygon)];
-        const double z = -(plane.a * point.x + plane.b * point.y + plane.d) / plane.c;
-        trace_.depth(polygon, point.x, point.y, z);
-        return z;
-    }
-
-    bool surround_test(int polygon, Point point) {
-        const std::vector<Vertex>& vertices = vertices_of(polygon);
-        int first_sign = 0;
-        bool inside = true;
-        for (std::size_t i = 0; i < vertices.size() && inside; ++i) {
-            const Vertex &from = vertices[i], &to = vertices[(i + 1) % vertices.size()];
-            const double value = cross({from.x, from.y}, {to.x, to.y}, point);
-            trace_.orient(polygon, int(i), point.x, point.y, value, sign(value));
-            if (first_sign == 0) first_sign = sign(value);
-            inside = sign(value) == 0 || sign(value) == first_sign;
-        }
-        inside = inside && first_sign != 0;
-        trace_.surround(polygon, point.x, point.y, inside);
-        return inside;
-    }
-
-    std::vector<Vertex> polygon_clip(int polygon, const Window& window) {
-        const double right = window.x + window.size, bottom = window.y + window.size;
-        const Point corners[4] = {{window.x, window.y}, {window.x, bottom}, {right, bottom}, {right, window.y}};
-        std::vector<Vertex> vertices = vertices_of(polygon);
-        trace_.clip_begin(polygon);
-        for (int side = 0; side < 4 && !vertices.empty(); ++side) {
-            const Point corner = corners[side], before = corners[(side + 3) % 4];
-            trace_.clip_side(side + 1, before.x, before.y, corner.x, corner.y);
-            const auto outward = [&](const Vertex& v) {
-                const double value = cross(corner, {v.x, v.y}, before);
-                trace_.clip_sign(v, value, sign(value));
-                return value;
-            };
-            std::vector<Vertex> clipped;
-            Vertex p = vertices.back();
-            double p_outward = outward(p);
-            for (const Vertex& q : vertices) {
-                const double q_outward = outward(q);
-                if (sign(p_outward) * sign(q_outward) < 0) {
-                    const double t = p_outward / (p_outward - q_outward);
-                    clipped.push_back({p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t, p.z + (q.z - p.z) * t});
-                    trace_.clip_cross(clipped.back());
-                }
-                if (q_outward <= 0) {
-                    clipped.push_back(q);
-                    trace_.clip_keep(q);
-                } else {
-                    trace_.clip_drop(q);
-                }
-                p = q;
-                p_outward = q_outward;
-            }
-            vertices = clipped;
-            trace_.clip_list();
-        }
-        trace_.clip_result(polygon, vertices);
-        return vertices;
-    }
-
-    void fill_polygon(int polygon, const std::vector<Vertex>& vertices) {
-        const Area& area = scene_.area;
-        for (int row = area.y; row < area.y + area.height && !vertices.empty(); ++row) {
-            const double y = row + 0.5;
-            double left = area.x + area.width, right = area.x;
-            for (std::size_t i = 0; i < vertices.size(); ++i) {
-                const Vertex &p = vertices[i], &q = vertices[(i + 1) % vertices.size()];
-                if ((p.y <= y) == (q.y <= y)) continue;
-                const double x = p.x + (y - p.y) * (q.x - p.x) / (q.y - p.y);
-                left = std::min(left, x);
-                right = std::max(right, x);
-            }
-            const int end = std::min(first_centre(right), area.x + area.width);
-            if (left < right) trace_.row(row, left, right, first_centre(left), end);
-        }
-        trace_.draw(polygon);
-    }
+    // Yours, too:
+    //     PointColor(point)         surround and depth of each polygon, compare, nearest; the result: color
+    //     Depth(polygon, point)     depth
+    //     SurroundTest              orient for each edge; the result: surround
+    //     PolygonClip               clip_begin; for each side clip_side, clip_sign, clip_cross, clip_keep, clip_drop, clip_list;
+    //                               the result: clip_result
+    //     FillPolygon               row for each row; the result: draw
 
     void fill(const Window& window, Color color) {
         const Area& area = scene_.area;
@@ -276,7 +91,6 @@ private:
 
     const Scene& scene_;
     WarnockTrace& trace_;
-    std::vector<Plane> planes_;
     std::vector<Window> windows_;  // AW
 };
 

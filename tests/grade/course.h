@@ -23,11 +23,19 @@ struct Box {
 /// (a - o) x (b - o)
 inline double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
+/// By Newell's sum about the first vertex: the first three may lie on a line.
 inline Plane plane_of(const Polygon& polygon) {
-    const Vertex &p = polygon.vertices[0], &q = polygon.vertices[1], &r = polygon.vertices[2];
-    const Vertex u{q.x - p.x, q.y - p.y, q.z - p.z}, v{r.x - p.x, r.y - p.y, r.z - p.z};
-    const double a = u.y * v.z - u.z * v.y, b = u.z * v.x - u.x * v.z, c = u.x * v.y - u.y * v.x;
-    return {a, b, c, -(a * p.x + b * p.y + c * p.z)};
+    const Vertex& o = polygon.vertices[0];
+    Plane plane{0, 0, 0, 0};
+    for (std::size_t i = 2; i < polygon.vertices.size(); ++i) {
+        const Vertex &p = polygon.vertices[i - 1], &q = polygon.vertices[i];
+        const Vertex u{p.x - o.x, p.y - o.y, p.z - o.z}, v{q.x - o.x, q.y - o.y, q.z - o.z};
+        plane.a += u.y * v.z - u.z * v.y;
+        plane.b += u.z * v.x - u.x * v.z;
+        plane.c += u.x * v.y - u.y * v.x;
+    }
+    plane.d = -(plane.a * o.x + plane.b * o.y + plane.c * o.z);
+    return plane;
 }
 
 inline double depth(const Polygon& polygon, Point at) {

@@ -26,7 +26,10 @@ StudentRun run_of(const Scene& scene, Method method, const char* kernel, Edition
     return read_student_trace(std::move(text));
 }
 
-Judgement judgement_of(const StudentRun& run) { return judge(*run.header, run.events, run.complete); }
+Judgement judgement_of(const StudentRun& run) {
+    return judge(*run.header, run.events, run.complete,
+                 run.header->kernel == "float" ? Precision::single : Precision::twice);
+}
 
 /// The events of a run with one kind of them changed, wherever `change` finds something to change.
 template <class E>
@@ -85,20 +88,21 @@ TEST_CASE("The truth of a scene: the part of a polygon in a window, in any order
     const SceneTruth truth(scene, Precision::twice);
     const Window window{0, 0, 4, 4};  // the part is (0, 1) to (3, 4), of area 9
     const Corners part{{0, 1, .5}, {3, 1, .5}, {3, 4, .5}, {0, 4, .5}};
-    CHECK_FALSE(truth.no_part(0, window, part));
-    CHECK_FALSE(truth.no_part(0, window, {part.rbegin(), part.rend()}));
-    CHECK_FALSE(truth.no_part(0, window, {part[2], part[3], part[0], {1, 1, .5}, part[1]}));  // one more on an edge
-    CHECK(*truth.no_part(0, window, {part[0], part[1], part[2]}) ==
+    CHECK_FALSE(truth.no_part(0, window, part, Words()));
+    CHECK_FALSE(truth.no_part(0, window, {part.rbegin(), part.rend()}, Words()));
+    CHECK_FALSE(
+        truth.no_part(0, window, {part[2], part[3], part[0], {1, 1, .5}, part[1]}, Words()));  // one more on an edge
+    CHECK(*truth.no_part(0, window, {part[0], part[1], part[2]}, Words()) ==
           "its area is 4.5, that of the part in the window 9");
-    CHECK(*truth.no_part(0, window, {part[0], part[2], part[1], part[3]}) ==
+    CHECK(*truth.no_part(0, window, {part[0], part[2], part[1], part[3]}, Words()) ==
           "its area is 0, that of the part in the window 9");
-    CHECK(*truth.no_part(0, window, {part[0], part[1], {3, 5, .5}, {0, 5, .5}}) ==
+    CHECK(*truth.no_part(0, window, {part[0], part[1], {3, 5, .5}, {0, 5, .5}}, Words()) ==
           "(3, 5, 0.5) lies outside the window");
-    CHECK(*truth.no_part(0, window, {part[0], {4, 1, .5}, {4, 4, .5}, part[3]}) ==
+    CHECK(*truth.no_part(0, window, {part[0], {4, 1, .5}, {4, 4, .5}, part[3]}, Words()) ==
           "(4, 1, 0.5) lies outside the polygon");
-    CHECK(*truth.no_part(0, window, {part[0], part[1], part[2], {0, 4, .25}}) ==
+    CHECK(*truth.no_part(0, window, {part[0], part[1], part[2], {0, 4, .25}}, Words()) ==
           "(0, 4, 0.25) is not on the polygon's plane: its depth there is 0.5");
-    CHECK(*truth.no_part(0, window, {}) == "nothing is left of it, and in the window there is an area of 9");
+    CHECK(*truth.no_part(0, window, {}, Words()) == "nothing is left of it, and in the window there is an area of 9");
 }
 
 TEST_CASE("The truth of a scene: a point of an outline may show what is beside it, but where two meet no hole") {
@@ -218,25 +222,31 @@ TEST_CASE("Judging: what is no number is no answer") {
     }
 }
 
-TEST_CASE("Judging: the library's own usual mistakes are found, and named") {
-    for (const NamedEdition& named : named_editions) {
-        const Edition edition = named.edition;
-        if (!is_mistake(edition)) continue;
+TEST_CASE(
+    "Judging: each deviation of the course's methods is found and named on the scenes for students, from what is told "
+    "of it") {
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        const Edition edition{Deviation(i)};
         for (const Method method : {Method::warnock, Method::zbuffer}) {
             if (!kernel_named("double")->choice->runs(method, edition)) continue;
-            CAPTURE(named.name);
-            CAPTURE(int(method));
-            std::vector<StudentRun> runs;
-            std::vector<Judgement> judgements;
-            for (const Scene& scene : scenes_to_grade()) {
-                runs.push_back(run_of(scene, method, "double", edition));
-                judgements.push_back(judgement_of(runs.back()));
+            for (const Detail detail : {Detail::windows, Detail::signs}) {
+                CAPTURE(name_of(edition));
+                CAPTURE(int(method));
+                CAPTURE(int(detail));
+                std::vector<StudentRun> runs;
+                std::vector<Judgement> judgements;
+                for (const Scene& scene : scenes_to_grade()) {
+                    runs.push_back(run_of(scene, method, "double", edition, detail));
+                    judgements.push_back(judgement_of(runs.back()));
+                }
+                std::vector<Observation> observed;
+                for (std::size_t j = 0; j < runs.size(); ++j)
+                    observed.push_back({&*runs[j].header, &runs[j].events, &judgements[j], true});
+                const auto is_wrong = [](const Judgement& judgement) { return judgement.wrong.has_value(); };
+                CHECK(std::any_of(judgements.begin(), judgements.end(), is_wrong));
+                const auto found = deviation_of(observed, Precision::twice);
+                CHECK(found == Deviation(i));
             }
-            std::vector<Observation> observed;
-            for (std::size_t i = 0; i < runs.size(); ++i) observed.push_back({&*runs[i].header, &judgements[i], true});
-            const auto is_wrong = [](const Judgement& judgement) { return judgement.wrong.has_value(); };
-            CHECK(std::any_of(judgements.begin(), judgements.end(), is_wrong));
-            CHECK(usual_mistake(observed) == edition);
         }
     }
 }
@@ -244,8 +254,10 @@ TEST_CASE("Judging: the library's own usual mistakes are found, and named") {
 TEST_CASE("Judging: a trace that was cut short is judged as far as it goes") {
     StudentRun run = run_of(neighbours(), Method::warnock, "double");
     run.events.erase(run.events.begin() + std::ptrdiff_t(run.events.size() / 2), run.events.end());
-    CHECK(wrong_of(judge(*run.header, run.events, false)) == "right");
-    CHECK(judge(*run.header, run.events, true).wrong.has_value());  // pixels are missing
+    run.complete = false;
+    CHECK(wrong_of(judgement_of(run)) == "right");
+    run.complete = true;
+    CHECK(judgement_of(run).wrong.has_value());  // pixels are missing
 }
 
 TEST_CASE("A scene is the same to a judge, whatever the order of its polygons and vertices") {

@@ -248,7 +248,7 @@ TEST_CASE(
         const std::string_view name = choice_of(mistake).mistake;
         CAPTURE(name);
         const bool is_of_variant = is_family(choice_of(mistake).methods.front());
-        CHECK_MESSAGE(choice_of(mistake).advice.empty() == is_of_variant, "students write no variant");
+        CHECK_MESSAGE(choice_of(mistake).advice.english.empty() == is_of_variant, "students write no variant");
         const auto entry = entry_of(name);
         const Scene scene = witness(name);
         const Picture right = Reference(scene).picture();

@@ -1,8 +1,9 @@
-# The header for students' own programs, by each of COMPILERS: the examples' traces are read whole by VIDNO and paint what
+# The header for students' own programs, by each of COMPILERS: the traces of two right programs are read whole by VIDNO and paint what
 # the rule of the picture demands; wrong use is said, and leaves a trace. Run with -P.
 cmake_minimum_required(VERSION 3.25)
 set(student ${CMAKE_CURRENT_LIST_DIR}/../../lessons/student)
-set(sources ${student}/warnock.cpp ${student}/z_buffer.cpp)
+set(right ${CMAKE_CURRENT_LIST_DIR}/../grade/right)
+set(sources ${right}/warnock.cpp ${right}/z_buffer.cpp)
 foreach(name IN ITEMS sha256 wrong_use crash)
     list(APPEND sources ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp)
 endforeach()
@@ -102,6 +103,12 @@ foreach(compiler IN LISTS COMPILERS)
     foreach(source IN LISTS sources)
         get_filename_component(program ${source} NAME_WE)
         must(${compiler} -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${student} ${source} -o ${program})
+    endforeach()
+    # The frames that students begin with, which paint nothing yet, compile and write whole traces.
+    foreach(frame IN ITEMS warnock z_buffer)
+        must(${compiler} -std=c++14 -Wall -Wextra -Wpedantic -Wshadow -Werror ${student}/${frame}.cpp -o frame)
+        must_say("" ./frame)
+        replay(${frame})
     endforeach()
     must(./sha256)
     test_example(warnock warnock)

@@ -56,7 +56,7 @@ struct DeviationChoice {
     std::span<const Line> lines;      // of the listings, which it changes
     std::span<const Method> methods;  // none: the floating horizon
     std::string_view witness;         // the file of lessons/failures that shows it, without its ending
-    std::string_view advice{};  // to those whose program makes the mistake; none where students write no such method
+    Bilingual advice{};  // to those whose program makes the mistake; none where students write no such method
 };
 
 namespace deviation {
@@ -229,16 +229,20 @@ inline constexpr auto deviations = [] {
          .lines = at<W13>,
          .methods = of<warnock>,
          .witness = "mistake-one-list",
-         .advice = "one APL is shared by all parts of a window: what leaves it in one part is gone in the "
-                   "others. Give each part a copy"},
+         .advice = {"all parts of a window share one APL: what leaves it in one part is gone in the others. Give "
+                    "each part a copy",
+                    "у всех частей окна один APL: что ушло из него в одной части, пропадает и в остальных. Дайте "
+                    "каждой части копию"}},
         {.mistake = "depths-not-cleared",
          .title = {"Z not cleared", "Z не очищен"},
          .says = {"Z starts at 0, as a new array does", "Z начинается с 0, как новый массив"},
          .lines = at<Z1>,
          .methods = of<zbuffer>,
          .witness = "mistake-depths-not-cleared",
-         .advice = "the depths are not cleared: they start at 0, and what lies behind that never shows. Start "
-                   "below all depths"},
+         .advice = {"the depths are not cleared: they start at 0, and what lies behind that never shows. Start below "
+                    "all depths",
+                    "глубины не очищены: они начинаются с 0, и лежащее за этой глубиной не видно никогда. Начните с "
+                    "глубины, меньшей всех"}},
         {.mistake = "clip-order-reversed",
          .title = {"clip order reversed", "обратный порядок отсечения"},
          .says = {"the window's corners are taken in the opposite order, so that inside and outside change places",
@@ -246,30 +250,36 @@ inline constexpr auto deviations = [] {
          .lines = at<PL1>,
          .methods = of<warnock>,
          .witness = "mistake-clip-order-reversed",
-         .advice = "the sides of the window are gone round the other way when clipping, so that inside and "
-                   "outside are exchanged. Turn the order of its corners or the sign round"},
+         .advice = {"clipping takes the sides of the window in the opposite direction, so that inside and outside "
+                    "change places. Reverse the order of its corners, or the sign",
+                    "при отсечении стороны окна обходятся в обратную сторону, и внутренняя сторона становится "
+                    "внешней. Измените порядок углов или знак"}},
         {.mistake = "y-flipped",
          .title = {"y flipped", "y перевёрнут"},
          .says = {"y grows upward: the picture is upside down", "y растёт вверх: изображение перевёрнуто"},
          .lines = at<I1>,
          .methods = of<warnock, zbuffer>,
          .witness = "mistake-y-flipped",
-         .advice = "the picture is upside down: y grows downward, row 0 is the uppermost"},
+         .advice = {"the picture is upside down: y grows downward, row 0 is the uppermost",
+                    "изображение перевёрнуто: y растёт вниз, строка 0 — верхняя"}},
         {.mistake = "depth-sign-reversed",
          .title = {"sign of z reversed", "обратный знак z"},
          .says = {"the smaller z is the nearer", "ближе тот, у кого z меньше"},
          .lines = at<D1>,
          .methods = of<warnock, zbuffer>,
          .witness = "mistake-depth-sign-reversed",
-         .advice = "the sign of z is reversed: the greater z is the nearer"},
+         .advice = {"the sign of z is reversed: the greater z is the nearer",
+                    "перепутан знак z: ближе тот, у кого z больше"}},
         {.mistake = "boundary-outside",
          .title = {"boundary outside", "граница снаружи"},
          .says = {"points on the outline count as outside", "точки границы считаются внешними"},
          .lines = at<S3, L4>,
          .methods = of<warnock, zbuffer>,
          .witness = "mistake-boundary-outside",
-         .advice = "points on an outline count as outside of both polygons that share it: pixels there belong "
-                   "to nobody. Let a product of 0 count as inside, or give such points to one of the two"},
+         .advice = {"points on an outline count as outside of both polygons that share it: pixels there belong to "
+                    "nobody. Let a product of 0 count as inside, or give such points to one of the two",
+                    "точки общей границы считаются внешними для обоих многоугольников, и пиксели там ничьи. Пусть "
+                    "нулевое произведение значит «внутри», или отдайте такие точки одному из двух"}},
         {.mistake = "integer-division",
          .title = {"integer division", "деление нацело"},
          .says = {"the area is halved in whole numbers, and the rest is lost",
@@ -277,16 +287,20 @@ inline constexpr auto deviations = [] {
          .lines = at<W3, W13>,
          .methods = of<warnock>,
          .witness = "mistake-integer-division",
-         .advice = "a window is halved in whole numbers: of an odd number of pixels one is lost. Begin with a "
-                   "square of 2^m pixels a side that covers the area"},
+         .advice = {"a window is halved in whole numbers: if its side is odd, one column or row is lost. Begin with "
+                    "a square of 2^m pixels a side that covers the area",
+                    "окно делится пополам нацело: при нечётной стороне теряется столбец или строка. Начните с "
+                    "квадрата со стороной 2^m пикселей, накрывающего область"}},
         {.mistake = "surround-kept",
          .title = {"hasSurround never reset", "hasSurround не сбрасывается"},
          .says = {"hasSurround is never reset", "hasSurround никогда не сбрасывается"},
          .lines = at<PW7>,
          .methods = of<warnock>,
          .witness = "mistake-surround-kept",
-         .advice = "hasSurround is never reset: a polygon that lies before the surrounding one in a part of "
-                   "the window is overlooked. Set it to false wherever a nearer polygon is found"},
+         .advice = {"hasSurround is never reset: a polygon that lies before the surrounding one in a part of the "
+                    "window is overlooked. Set it to false wherever a nearer polygon is found",
+                    "hasSurround не сбрасывается: многоугольник, который в части окна ближе охватывающего, "
+                    "пропускается. Сбрасывайте его всякий раз, когда найден более близкий многоугольник"}},
         {.mistake = "vertex-counted-twice",
          .title = {"pierced vertex counted twice", "проткнутая вершина за два"},
          .says = {"a ray crosses a vertex twice, whether it is pierced or touched",

@@ -1,14 +1,14 @@
 #include "grade/grade.h"
 
 #include <algorithm>
-#include <iomanip>
+#include <filesystem>
 #include <iostream>
-#include <map>
 
 #include "cli/commands.h"
 #include "cli/shared/progress.h"
 #include "cli/shared/scene_files.h"
 #include "cli/shared/trace_files.h"
+#include "grade/report.h"
 #include "grade/scenes.h"
 #include "output.h"
 #include "page/page.h"
@@ -19,88 +19,14 @@ namespace vidno::cli {
 namespace {
 
 struct GradeOptions {
-    std::string program, output;      // or a trace; the output may be empty
+    std::string program, output;      // or a trace, or a folder; the output may be empty
     std::vector<std::string> scenes;  // none: those of the program
     int seconds = 10;
+    int random = 8;
+    unsigned seed = 1;
+    std::string detail{detail_names[0]}, language{figures::language_codes[0]};
+    bool no_sandbox = false, first = false;
 };
-
-/// A program that did not end so often is not waited for any more.
-constexpr int enough_endless = 2;
-
-std::string quoted(const Scene& scene) { return '"' + (scene.name.empty() ? "a scene" : scene.name) + '"'; }
-
-std::string place_of(const Wrong& wrong) {
-    return "step " + std::to_string(wrong.step) + (wrong.at.empty() ? "" : ", " + wrong.at);
-}
-
-void print_line(const SceneGrade& grade, const Limits& limits) {
-    const auto line = [&](const char* verdict, const std::string& more) {
-        std::cout << "  " << std::left << std::setw(11) << verdict << grade.scene.name << (more.empty() ? "" : ": ")
-                  << more << '\n';
-    };
-    if (!grade.judgement) return line("not judged", grade.not_judged);
-    const std::string ended = grade.run.ended.ending == Ending::done ? "" : words_of(grade.run.ended, limits);
-    if (grade.judgement->wrong) {
-        return line("wrong", place_of(*grade.judgement->wrong) + (ended.empty() ? "" : "; ") + ended);
-    }
-    if (!ended.empty()) return line("wrong", ended);
-    if (!grade.run.unreadable.empty()) return line("wrong", grade.run.unreadable);
-    if (!grade.run.complete) return line("wrong", "the trace is cut short");
-    line("right", "");
-}
-
-/// What is different from our procedures and as right.
-void print_differences(const std::vector<SceneGrade>& grades) {
-    std::map<Difference, int> scenes;
-    for (const auto& grade : grades) {
-        if (!grade.judgement) continue;
-        for (const Difference each : grade.judgement->differences) ++scenes[each];
-    }
-    if (!scenes.empty()) std::cout << "\nDifferent, and as right:\n";
-    for (const auto& [difference, count] : scenes) {
-        std::cout << "  " << words_of(difference) << " (" << count << (count == 1 ? " scene" : " scenes") << ")\n";
-    }
-}
-
-/// What the program printed, indented; the first lines of it.
-void print_said(const std::string& said) {
-    std::size_t begin = 0;
-    for (int lines = 0; lines < 5 && begin < said.size(); ++lines) {
-        const std::size_t end = std::min(said.find('\n', begin), said.size());
-        std::cout << "    | " << said.substr(begin, end - begin) << '\n';
-        begin = end + 1;
-    }
-}
-
-void print_failure(const SceneGrade& grade, const Limits& limits) {
-    const StudentRun& run = grade.run;
-    if (run.ended.ending != Ending::done) {
-        std::cout << "  The program " << words_of(run.ended, limits);
-        if (const auto cause = cause_of(run.ended); !cause.empty()) std::cout << ": " << cause;
-        if (run.header) std::cout << ". The trace ends after step " << run.events.size();
-        std::cout << ".\n";
-    }
-    if (!grade.judgement) std::cout << "  Not judged: " << grade.not_judged << ".\n";
-    if (grade.judgement && grade.judgement->wrong) {
-        const Wrong& wrong = *grade.judgement->wrong;
-        std::cout << "  " << place_of(wrong) << '\n'
-                  << "    the program: " << wrong.told << '\n'
-                  << "    but:         " << wrong.right << '\n';
-    }
-    print_said(run.ended.said);
-}
-
-void print_polygons(const Scene& scene) {
-    const Area& area = scene.area;
-    std::cout << "  area (" << area.x << ", " << area.y << ") of " << area.width << " x " << area.height << '\n';
-    for (const auto& polygon : scene.polygons) {
-        std::cout << "  " << polygon.id;
-        for (const auto& v : polygon.vertices) {
-            std::cout << " (" << in_words(v.x) << ", " << in_words(v.y) << ", " << in_words(v.z) << ')';
-        }
-        std::cout << '\n';
-    }
-}
 
 PageFile page_file(const std::string& title, const TraceHeader& header, const std::string& trace) {
     return {title,
@@ -113,113 +39,172 @@ PageFile page_file(const std::string& title, const TraceHeader& header, const st
 }
 
 /// The right run of the scene that the program drew, by the same method.
-PageFile right_run(const TraceHeader& drawn) {
+PageFile right_run(const TraceHeader& drawn, const Words& say) {
     const NamedKernel kernel = *kernel_named("filtered");
     const TraceHeader header{drawn.method, Edition::corrected, kernel.name(), Detail::signs, drawn.scene};
     std::string text;
     TraceWriter writer(header, [&](std::string_view part) { text += part; });
     write_trace({drawn.method, kernel, Edition::corrected, drawn.scene, Detail::signs}, writer);
-    return page_file("Right", header, text);
+    return page_file(say({"Right", "Верно"}), header, text);
+}
+
+/// The page of a run beside the right one.
+std::string page_of(const SceneGrade& grade, const Words& say) {
+    PageContent content;
+    content.add(page_file(say({"Your program: {}", "Ваша программа: {}"}, grade.scene.name), *grade.run.header,
+                          grade.run.trace));
+    content.add(right_run(*grade.run.header, say));
+    return trace_page(content);
 }
 
 /// Writes the page and says its address, at the wrong step.
-void write_page(const SceneGrade& grade, const std::string& file) {
+void write_page(const SceneGrade& grade, const std::string& file, const Words& say) {
     if (!grade.run.header) throw Refused(file + ": there is no trace to be shown");
-    PageContent content;
-    content.add(page_file("Your program: " + grade.scene.name, *grade.run.header, grade.run.trace));
-    content.add(right_run(*grade.run.header));
-    OutputFile output(file);
-    output.write(trace_page(content));
-    output.commit();
+    write_file(file, page_of(grade, say));
     const auto& judgement = grade.judgement;
     const std::uint64_t step = judgement && judgement->wrong ? judgement->wrong->step : grade.run.events.size();
-    std::cout << "\nThe program's run beside the right one, at that step:\n  "
+    std::cout << say({"\nThe program's run beside the right one, at that step:\n  ",
+                      "\nРабота программы рядом с верной, на этом шаге:\n  "})
               << file_address(std::filesystem::absolute(file)) << "#trace=1&with=2&step=" << step << '\n';
 }
 
-std::vector<Scene> scenes_of(const GradeOptions& options) {
-    if (options.scenes.empty()) return scenes_to_grade();
+std::vector<Scene> scenes_of(const GradeOptions& options, const Words& say) {
     std::vector<Scene> scenes;
     for (const auto& file : options.scenes) scenes.push_back(scene_from(file));
+    if (!scenes.empty()) return scenes;
+    scenes = scenes_to_grade();
+    if (options.random == 0) return scenes;
+    std::cout << say({"{} random scenes from the seed {}.\n", "Случайных сцен {}, начальное число {}.\n"},
+                     options.random, std::to_string(options.seed));
+    for (Scene& scene : random_scenes_to_grade(options.seed, options.random)) scenes.push_back(std::move(scene));
     return scenes;
 }
 
-std::vector<SceneGrade> grades_of(const GradeOptions& options, const Limits& limits) {
-    std::vector<SceneGrade> grades;
+Grading grading_of(const GradeOptions& options) {
+    Grading grading;
+    grading.say = Words(options.language == figures::language_codes[1] ? Language::russian : Language::english);
+    grading.limits.time = std::chrono::seconds(options.seconds);
+    grading.detail = Detail(std::find(detail_names.begin(), detail_names.end(), options.detail) - detail_names.begin());
+    grading.first_only = options.first;
+    if (options.no_sandbox || is_trace(options.program)) return grading;
+    const Sandbox sandbox = find_sandbox();
+    grading.limits.bubblewrap = sandbox.bubblewrap;
+    if (!sandbox.missing.empty()) {
+        std::cerr << grading.say({"No sandbox: {}. The program can read your files and reach the network.\n",
+                                  "Песочницы нет: {}. Программе доступны ваши файлы и сеть.\n"},
+                                 sandbox.missing);
+    }
+    return grading;
+}
+
+/// A program that never tells anything that can be judged is none to be graded: why, or empty.
+std::string mute(const ProgramGrade& grade) {
+    const auto is_mute = [](const SceneGrade& each) {
+        return !each.judgement && each.run.ended.ending == Ending::done;
+    };
+    return std::all_of(grade.scenes.begin(), grade.scenes.end(), is_mute) ? grade.scenes.front().not_judged : "";
+}
+
+/// Of a program that can be run again.
+SceneGrade smallest_of(const std::string& program, const ProgramGrade& grade, const Grading& grading,
+                       const Patience& patience) {
+    Progress progress("scenes tried");
+    return smallest_failing(program, *grade.first_wrong(), grade.precision, grading, patience,
+                            [&, runs = 0ULL]() mutable { progress.show(++runs); });
+}
+
+int grade_one(const GradeOptions& options, const Grading& grading) {
+    const Words& say = grading.say;
+    ProgramGrade grade;
+    std::size_t scenes_given = 1;
     if (is_trace(options.program)) {
         LineReader lines(options.program);
         std::string text;
         for (std::string line; lines.next(line);) text += line + '\n';
-        grades.push_back(grade_trace(std::move(text)));
-        return grades;
+        grade = grade_trace(std::move(text), grading);
+    } else {
+        const std::vector<Scene> scenes = scenes_of(options, say);
+        Progress progress("scenes");
+        scenes_given = scenes.size();
+        grade = grade_program(options.program, scenes, grading, [&](std::size_t done) { progress.show(done); });
     }
-    Progress progress("scenes");
-    const std::vector<Scene> scenes = scenes_of(options);
-    int endless = 0;
-    for (const Scene& scene : scenes) {
-        progress.show(grades.size());
-        grades.push_back(grade_scene(options.program, scene, limits));
-        if (grades.back().run.ended.ending == Ending::out_of_time && ++endless == enough_endless) break;
+    if (const std::string reason = mute(grade); !reason.empty()) throw Refused(options.program + ": " + reason);
+    std::cout << report_of(grade, scenes_given, grading);
+    if (grade.wrong() == 0) return grade.right() ? 0 : 1;
+    SceneGrade shown = *grade.first_wrong();
+    if (!is_trace(options.program) && !options.first && shown.run.header) {
+        shown = smallest_of(options.program, grade, grading, {});
+        std::cout << report_of_smallest(shown, grading);
     }
-    progress.clear();
-    if (grades.size() < scenes.size())
-        std::cout << "  Not run on the " << scenes.size() - grades.size() << " scenes after these.\n";
-    return grades;
+    if (!options.output.empty()) write_page(shown, options.output, say);
+    return 1;
 }
 
-/// A program that never tells anything that can be judged is none to be graded.
-void expect_judged(const std::vector<SceneGrade>& grades, const std::string& program) {
-    const auto is_mute = [](const SceneGrade& grade) {
-        return !grade.judgement && grade.run.ended.ending == Ending::done;
-    };
-    if (std::all_of(grades.begin(), grades.end(), is_mute)) throw Refused(program + ": " + grades.front().not_judged);
+/// The programs in a folder, by their names.
+std::vector<std::filesystem::path> programs_in(const std::string& folder) {
+    std::vector<std::filesystem::path> programs;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const auto executable = std::filesystem::perms::owner_exec;
+        if (entry.is_regular_file() && (entry.status().permissions() & executable) != std::filesystem::perms::none)
+            programs.push_back(entry.path());
+    }
+    std::sort(programs.begin(), programs.end());
+    if (programs.empty()) throw Refused(folder + ": no programs in it");
+    return programs;
 }
 
-/// Of the failures that say what is wrong the first; else the first of all.
-const SceneGrade& telling(const std::vector<SceneGrade>& grades) {
-    const auto tells = [](const SceneGrade& grade) { return grade.judgement && grade.judgement->wrong; };
-    const auto told = std::find_if(grades.begin(), grades.end(), tells);
-    if (told != grades.end()) return *told;
-    return *std::find_if(grades.begin(), grades.end(), [](const auto& grade) { return !grade.right(); });
+/// Into the table's folder, which has its name without the ending, a report of each program; of a wrong one a page too.
+int grade_folder(const GradeOptions& options, const Grading& grading) {
+    const std::vector<std::filesystem::path> programs = programs_in(options.program);
+    const std::filesystem::path reports = std::filesystem::path(options.output).replace_extension();
+    std::filesystem::create_directories(reports);
+    const std::vector<Scene> scenes = scenes_of(options, grading.say);
+    const Patience patience{100, std::chrono::seconds(5)};
+    std::vector<TableRow> rows;
+    for (const auto& program : programs) {
+        TableRow row{program.filename().string(), std::nullopt, {}};
+        const std::string report = (reports / row.program).string();
+        std::string text;
+        try {
+            ProgramGrade grade = grade_program(program, scenes, grading, [](std::size_t) {});
+            row.reason = mute(grade);
+            if (row.reason.empty()) {
+                text = report_of(grade, scenes.size(), grading);
+                const SceneGrade* first = grade.first_wrong();
+                if (first && first->run.header) {
+                    const SceneGrade smallest = smallest_of(program.string(), grade, grading, patience);
+                    text += report_of_smallest(smallest, grading);
+                    write_file(report + ".html", page_of(smallest, grading.say));
+                }
+                row.grade = std::move(grade);
+            }
+        } catch (const Refused& refused) {
+            row.reason = refused.what();
+        }
+        write_file(report + ".txt", row.grade ? text : row.reason + '\n');
+        std::cout << "  " << row.program << ": "
+                  << (!row.grade           ? row.reason
+                      : row.grade->right() ? grading.say({"right", "верно"})
+                                           : grading.say({"wrong on {} of {}", "неверно на сценах: {} из {}"},
+                                                         row.grade->wrong(), row.grade->scenes.size()))
+                  << '\n';
+        rows.push_back(std::move(row));
+    }
+    write_file(options.output,
+               options.output.ends_with(".csv") ? table_as_csv(rows, grading.say) : table_as_json(rows, grading.say));
+    const auto is_right = [](const TableRow& row) { return row.grade && row.grade->right(); };
+    return std::all_of(rows.begin(), rows.end(), is_right) ? 0 : 1;
 }
 
 int grade(const GradeOptions& options) {
-    if (!options.output.empty()) {
-        if (!options.output.ends_with(".html")) throw Refused(options.output + ": not .html");
-        trace_page({});  // refuses what would be missing in the end before the work
-    }
-    Limits limits;
-    limits.time = std::chrono::seconds(options.seconds);
-    const std::vector<SceneGrade> grades = grades_of(options, limits);
-    expect_judged(grades, options.program);
-    for (const auto& each : grades) print_line(each, limits);
-    print_differences(grades);
-    const auto wrong = std::count_if(grades.begin(), grades.end(), [](const auto& each) { return !each.right(); });
-    if (wrong == 0) {
-        std::cout << "\nRight" << (grades.size() > 1 ? " on all " + std::to_string(grades.size()) + " scenes" : "")
-                  << ".\n";
-        return 0;
-    }
-    const SceneGrade& first = telling(grades);
-    std::cout << "\nWrong on " << wrong << " of " << grades.size() << ", first on " << quoted(first.scene) << ":\n";
-    print_failure(first, limits);
-    if (const auto mistake = usual_mistake(grades)) {
-        std::cout << "\nIt behaves like a usual mistake, " << name_of(*mistake) << ": "
-                  << choice_of(*single_deviation(*mistake)).advice << ".\n";
-    }
-    if (is_trace(options.program) || !first.run.header) {
-        if (!options.output.empty()) write_page(first, options.output);
-        return 1;
-    }
-    Progress progress("scenes tried");
-    const SceneGrade smallest =
-        smallest_failing(options.program, first, limits, {}, [&, runs = 0ULL]() mutable { progress.show(++runs); });
-    progress.clear();
-    std::cout << "\nThe smallest scene that shows it:\n";
-    print_polygons(smallest.scene);
-    print_failure(smallest, limits);
-    if (!options.output.empty()) write_page(smallest, options.output);
-    return 1;
+    const bool is_folder = std::filesystem::is_directory(options.program);
+    if (is_folder && !options.output.ends_with(".csv") && !options.output.ends_with(".json"))
+        throw Refused(options.program + ": of a folder -o names a table, .csv or .json");
+    if (!is_folder && !options.output.empty() && !options.output.ends_with(".html"))
+        throw Refused(options.output + ": not .html");
+    if (!options.output.empty()) trace_page({});  // refuses what would be missing in the end before the work
+    const Grading grading = grading_of(options);
+    return is_folder ? grade_folder(options, grading) : grade_one(options, grading);
 }
 
 }  // namespace
@@ -230,21 +215,39 @@ void add_grade(CLI::App& program, int& status) {
     const auto options = std::make_shared<GradeOptions>();
     command
         .add_option(
-            "PROGRAM|TRACE", options->program,
-            "A program that writes a trace by lessons/student/vidno_student.h, or such a trace (.jsonl, .jsonl.gz)")
+            "PROGRAM|TRACE|FOLDER", options->program,
+            "A program that writes a trace by lessons/student/vidno_student.h, such a trace (.jsonl, .jsonl.gz), "
+            "or a folder of such programs")
         ->required();
     command.add_option("--scenes", options->scenes, "Scene files to run it on; without them, on a set of small ones");
+    command.add_option("--random", options->random, "How many random scenes to add to that set")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    command.add_option("--seed", options->seed, "Of the random scenes")->capture_default_str();
+    command.add_option("--detail", options->detail, "Claims of this level must be told, or the exit status is 1")
+        ->check(CLI::IsMember(words(detail_names)))
+        ->capture_default_str();
     command.add_option("--seconds", options->seconds, "How long a run may take")
         ->check(CLI::Range(1, 3600))
         ->capture_default_str();
+    command.add_flag("--first", options->first, "Stop at the first scene that goes wrong, and look for no smaller one");
+    command.add_flag("--no-sandbox", options->no_sandbox,
+                     "Run the program with access to your files and to the network");
+    command.add_option("--language", options->language, "Of the report")
+        ->check(CLI::IsMember(words(figures::language_codes)))
+        ->capture_default_str();
     command.add_option("-o", options->output,
-                       "A page, .html, with the wrong run on the smallest scene beside the right one");
+                       "A page, .html, with the wrong run on the smallest scene beside the right one; of a folder a "
+                       "table, .csv or .json, and in a folder of the same name a report on each program");
     command.footer(
-        "Another order, another rule for outlines, recursion and float are as right. The program is run with limits "
-        "of\n"
-        "time, memory and output, which guard against mistakes, not against malice.\n"
+        "Another order, another rule for outlines, recursion and float are as right. What a program does not tell is "
+        "not\n"
+        "judged; the report says what it told. Programs run with limits of time, memory and output, and under "
+        "bubblewrap,\n"
+        "where that is installed, without network and without your files.\n"
         "Example: vidno grade ./warnock -o report.html\n"
-        "Exit status 1: something is wrong.");
+        "Example: vidno grade homework/ --detail polygons -o table.csv\n"
+        "Exit status 1: something is wrong, or is not told.");
     command.callback([options, &status] { status = grade(*options); });
 }
 

@@ -5,15 +5,16 @@
 
 namespace vidno::grading {
 
-using vidno::in_words;
-
 std::string Claims::owner_of(Color color) const {
     std::string owners;
     for (const auto& polygon : scene().polygons) {
-        if (polygon.color == color) owners += (owners.empty() ? "" : " or ") + polygon.id;
+        if (polygon.color != color) continue;
+        if (!owners.empty()) owners += say({" or ", " или "});
+        owners += polygon.id;
     }
     if (!owners.empty()) return owners;
-    return color == scene().background ? "the background" : "no polygon, " + in_words(color);
+    if (color == scene().background) return say({"the background", "фон"});
+    return say({"no polygon, {}", "цвет {}, которого нет ни у одного многоугольника"}, color);
 }
 
 void Claims::judge_plane(const event::Plane& e) const {
@@ -22,23 +23,26 @@ void Claims::judge_plane(const event::Plane& e) const {
     const auto& [a, b, c, d] = e.plane;
     if (truth_.is_plane(p, {a.number, b.number, c.number, d.number})) return;
     throw False{Symptom::plane,
-                "the plane of " + id(p) + " is " + in_words(a.number) + " x + " + in_words(b.number) + " y + " +
-                    in_words(c.number) + " z + " + in_words(d.number) + " = 0",
-                "its vertices do not lie on that"};
+                say({"the plane of {} is {} x + {} y + {} z + {} = 0", "плоскость {}: {} x + {} y + {} z + {} = 0"},
+                    id(p), a.number, b.number, c.number, d.number),
+                say({"its vertices do not lie on that", "его вершины на ней не лежат"})};
 }
 
 void Claims::judge_depth(int polygon, double x, double y, double z) const {
     if (!truth_.has_inside(polygon) || truth_.is_depth(polygon, x, y, z)) return;
-    throw False{Symptom::depth, "the depth of " + id(polygon) + " at " + point_in_words(x, y) + " is " + in_words(z),
-                "it is " + in_words(truth_.depth(polygon, x, y))};
+    throw False{Symptom::depth,
+                say({"the depth of {} at {} is {}", "глубина {} в точке {} равна {}"}, id(polygon), say.point(x, y), z),
+                say({"it is {}", "она равна {}"}, truth_.depth(polygon, x, y))};
 }
 
-void Claims::judge_start(double z, const std::string& what) const {
+void Claims::judge_start(double z, const Bilingual& what) const {
     for (int p = 0; p < int(scene().polygons.size()); ++p) {
         if (!truth_.has_inside(p) || truth_.farthest(p) > z) continue;
-        throw False{Symptom::start, what + " at " + in_words(z),
-                    id(p) + " has a vertex at depth " + in_words(truth_.farthest(p)) +
-                        ", which is not nearer than that: start below all depths"};
+        throw False{
+            Symptom::start, say(what, z),
+            say({"{} has a vertex at depth {}, which is not nearer than that: start below all depths",
+                 "у {} есть вершина на глубине {}, и она не ближе: начальное значение должно быть меньше всех глубин"},
+                id(p), truth_.farthest(p))};
     }
 }
 
@@ -52,25 +56,34 @@ std::string Claims::why_not(int column, int row, Color color) const {
     const double x = column + 0.5, y = row + 0.5;
     const SeenPixel& seen = truth_.seen(column, row);
     const int right = seen.by_rule;
-    const std::string where = pixel_in_words(column, row);
+    const std::string where = pixel(column, row);
     if (is_hole(column, row, color)) {
-        return where + ": its centre is on an outline, and in no direction does " + owner_of(color) +
-               " show beside it: outlines that meet there must not both leave it out";
+        return say({"pixel {}: its centre is on an outline, and in no direction does {} show beside it: outlines that "
+                    "meet there must not both leave it out",
+                    "пиксель {}: его центр лежит на границе, и ни с одной стороны рядом с ним не виден {}: "
+                    "сходящиеся там границы не могут обе его не включать"},
+                   where, owner_of(color));
     }
     for (int p = 0; p < int(scene().polygons.size()); ++p) {
         if (truth_.color_of(p) != color || truth_.place(p, x, y) == SceneTruth::Place::outside) continue;
-        return where + ": the depth of " + id(p) + " at its centre is " + in_words(truth_.depth(p, x, y)) +
-               ", that of " + id(right) + " is " + in_words(truth_.depth(right, x, y)) + ", which is nearer";
+        return say({"pixel {}: the depth of {} at its centre is {}, that of {} is {}, which is nearer",
+                    "пиксель {}: глубина {} в его центре равна {}, а глубина {} равна {}, и он ближе"},
+                   where, id(p), truth_.depth(p, x, y), id(right), truth_.depth(right, x, y));
     }
-    if (right == SeenPixel::background) return where + ": no polygon has its centre";
-    return where + ": " + owner_of(truth_.color_of(right)) + " shows at its centre";
+    if (right == SeenPixel::background) {
+        return say({"pixel {}: no polygon has its centre", "пиксель {}: его центр не лежит ни в одном многоугольнике"},
+                   where);
+    }
+    return say({"pixel {}: {} shows at its centre", "пиксель {}: в его центре виден {}"}, where,
+               owner_of(truth_.color_of(right)));
 }
 
 void Claims::judge_pixel(int column, int row, Color color) {
     const SeenPixel& seen = truth_.seen(column, row);
     if (!truth_.allows(column, row, color)) {
         throw False{is_hole(column, row, color) ? Symptom::hole : Symptom::colour,
-                    pixel_in_words(column, row) + " shows " + owner_of(color), why_not(column, row, color)};
+                    say({"pixel {} shows {}", "в пикселе {} виден {}"}, pixel(column, row), owner_of(color)),
+                    why_not(column, row, color)};
     }
     if (truth_.color_of(seen.by_rule) != color) note(seen.on_outline ? Difference::outline : Difference::equally_near);
 }
@@ -79,8 +92,33 @@ void Claims::judge_comparison(double z, double against, bool nearer) {
     if (nearer == (z > against)) return;
     if (truth_.nearly_equal(z, against)) return note(Difference::equally_near);
     throw False{Symptom::comparison,
-                in_words(z) + (nearer ? " is nearer than " : " is not nearer than ") + in_words(against),
-                "the greater z is the nearer"};
+                nearer ? say({"{} is nearer than {}", "{} ближе, чем {}"}, z, against)
+                       : say({"{} is not nearer than {}", "{} не ближе, чем {}"}, z, against),
+                say({"the greater z is the nearer", "ближе тот, у кого z больше"})};
+}
+
+void Claims::judge_nearest_so_far(double told, const std::optional<double>& known) const {
+    if (!known || *known == told || truth_.nearly_equal(*known, told)) return;
+    throw False{Symptom::comparison,
+                say({"the nearest depth so far is {}", "ближайшая из прежних глубин равна {}"}, told),
+                say({"the trace has told {} before", "раньше в записи сказано {}"}, *known)};
+}
+
+void Claims::judge_columns(int polygon, int row, int first, int end, const SceneTruth::Crossing& left,
+                           const SceneTruth::Crossing& right) const {
+    const Area& area = scene().area;
+    const auto is_at = [&](double end_x, int column) { return truth_.same_coordinate(end_x, column + 0.5); };
+    for (int column = area.x; column < area.right(); ++column) {
+        const bool is_told = first <= column && column < end,
+                   is_between = left.x < column + 0.5 && column + 0.5 < right.x;
+        if (is_told == is_between || is_at(left.x, column) || is_at(right.x, column)) continue;
+        throw False{
+            Symptom::edge,
+            say({"on row {} the centres of the columns from {} to {} are in {}",
+                 "в строке {} центры столбцов от {} до {} лежат в {}"},
+                row, first, end - 1, id(polygon)),
+            say({"it reaches from x = {} to {} there", "там он простирается от x = {} до {}"}, left.x, right.x)};
+    }
 }
 
 }  // namespace vidno::grading

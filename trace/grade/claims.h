@@ -1,4 +1,4 @@
-/// Claims: what the judges of both methods share.
+/// Claims: what the judges of all methods share.
 #pragma once
 
 #include "grade/judge.h"
@@ -15,10 +15,12 @@ struct False {
 
 class Claims {
 public:
-    Claims(const SceneTruth& truth, const State& state, std::set<Difference>& differences)
-        : truth_(truth), state_(state), differences_(differences) {}
+    Claims(const SceneTruth& truth, const State& state, std::set<Difference>& differences, const Words& words)
+        : say(words), truth_(truth), state_(state), differences_(differences) {}
 
 protected:
+    const Words& say;
+
     const SceneTruth& truth() const { return truth_; }
     const Scene& scene() const { return truth_.scene(); }
     const State& state() const { return state_; }  // before the event is taken
@@ -33,14 +35,21 @@ protected:
     /// D1, and what comes to the same: z of a polygon at a point.
     void judge_depth(int polygon, double x, double y, double z) const;
     /// A depth behind which nothing may be.
-    void judge_start(double z, const std::string& what) const;
+    void judge_start(double z, const Bilingual& what) const;
     /// Claims that a pixel shows a colour.
     void judge_pixel(int column, int row, Color color);
     /// Which of two depths is nearer, as they were computed.
     void judge_comparison(double z, double against, bool nearer);
+    /// That a depth is the nearest so far, where that is known.
+    void judge_nearest_so_far(double told, const std::optional<double>& known) const;
+    /// The pixels first <= column < end of a row are those between two ends of the polygon on the row's centre line.
+    void judge_columns(int polygon, int row, int first, int end, const SceneTruth::Crossing& left,
+                       const SceneTruth::Crossing& right) const;
 
     /// Why a pixel does not show a colour.
     std::string why_not(int column, int row, Color color) const;
+
+    std::string pixel(int column, int row) const { return say.point(column, row); }
 
 private:
     bool is_hole(int column, int row, Color color) const;
@@ -49,18 +58,5 @@ private:
     const State& state_;
     std::set<Difference>& differences_;
 };
-
-inline std::string in_words(const PixelRectangle& r) {
-    return "(" + std::to_string(r.x) + ", " + std::to_string(r.y) + ") of " + std::to_string(r.width) + " x " +
-           std::to_string(r.height);
-}
-
-inline std::string point_in_words(double x, double y) {
-    return "(" + vidno::in_words(x) + ", " + vidno::in_words(y) + ")";
-}
-
-inline std::string pixel_in_words(int column, int row) {
-    return "pixel (" + std::to_string(column) + ", " + std::to_string(row) + ")";
-}
 
 }  // namespace vidno::grading

@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <string_view>
 
 #include "refused.h"
@@ -49,7 +50,7 @@ void limit(int resource, std::uint64_t amount) {
 }
 
 /// In the child, between fork and exec: only what may be called there.
-[[noreturn]] void become(const char* program, const char* folder, char* const* environment, int output,
+[[noreturn]] void become(char* const* words, const char* folder, char* const* environment, int output,
                          const Limits& limits) {
     setpgid(0, 0);
     const int nothing = open("/dev/null", O_RDONLY);
@@ -60,8 +61,7 @@ void limit(int resource, std::uint64_t amount) {
     limit(RLIMIT_AS, limits.memory);
     limit(RLIMIT_FSIZE, limits.file);
     limit(RLIMIT_CORE, 0);
-    char* const words[] = {const_cast<char*>(program), nullptr};
-    if (chdir(folder) == 0) execve(program, words, environment);
+    if (chdir(folder) == 0) execve(words[0], words, environment);
     _exit(cannot_start);
 }
 
@@ -112,16 +112,25 @@ Ending ending_of(int status, const rusage& used, const std::string& said, const 
 
 struct SignalWords {
     int signal;
-    std::string_view name, cause;
+    std::string_view name;
+    Bilingual cause;
 };
 
 constexpr std::array signal_words{
-    SignalWords{SIGSEGV, "SIGSEGV", "it reached for memory that is not its own, or called itself without end"},
-    SignalWords{SIGBUS, "SIGBUS", "it reached for memory that is not there"},
-    SignalWords{SIGABRT, "SIGABRT", "it gave up, as after an exception that nobody catches or a failed assertion"},
-    SignalWords{SIGFPE, "SIGFPE", "it divided a whole number by zero"},
-    SignalWords{SIGILL, "SIGILL",
-                "it reached an instruction that there is not, as at the end of a function without return"},
+    SignalWords{SIGSEGV,
+                "SIGSEGV",
+                {"it reached for memory that is not its own, or called itself without end",
+                 "обращение к чужой памяти или бесконечная рекурсия"}},
+    SignalWords{SIGBUS, "SIGBUS", {"it reached for memory that is not there", "обращение к памяти, которой нет"}},
+    SignalWords{SIGABRT,
+                "SIGABRT",
+                {"it gave up, as after an exception that nobody catches or a failed assertion",
+                 "неперехваченное исключение или не выполненное утверждение assert"}},
+    SignalWords{SIGFPE, "SIGFPE", {"it divided a whole number by zero", "целое число разделено на ноль"}},
+    SignalWords{SIGILL,
+                "SIGILL",
+                {"it reached an instruction that does not exist, as at the end of a function without return",
+                 "недопустимая инструкция, как в конце функции без return"}},
 };
 
 /// Null for a signal that has none.
@@ -131,27 +140,102 @@ const SignalWords* words_of_signal(int signal) {
     return found == signal_words.end() ? nullptr : found;
 }
 
+using Variables = std::vector<std::pair<std::string, std::string>>;
+
+constexpr const char* program_inside = "/program";
+
+/// The words that run the program in a sandbox. The system's folders that are links to others are so inside, too.
+std::vector<std::string> in_sandbox(const std::string& bubblewrap, const std::string& program,
+                                    const std::string& folder, const Variables& variables) {
+    std::vector<std::string> words{bubblewrap,      "--unshare-all", "--die-with-parent",
+                                   "--new-session", "--cap-drop",    "ALL"};
+    const auto add = [&](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
+    for (const std::string place : {"/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"}) {
+        if (std::filesystem::is_symlink(place)) {
+            add({"--symlink", std::filesystem::read_symlink(place).string(), place});
+        } else {
+            add({"--ro-bind-try", place, place});
+        }
+    }
+    for (const std::string file : {"/etc/ld.so.cache", "/etc/alternatives"}) add({"--ro-bind-try", file, file});
+    add({"--proc", "/proc", "--dev", "/dev", "--bind", folder, folder, "--ro-bind", program, program_inside});
+    add({"--remount-ro", "/", "--chdir", folder, "--clearenv"});
+    add({"--setenv", "PATH", "/usr/local/bin:/usr/bin:/bin", "--setenv", "HOME", folder, "--setenv", "TMPDIR", folder});
+    for (const auto& [name, value] : variables) add({"--setenv", name, value});
+    add({"--", program_inside});
+    return words;
+}
+
+/// Bubblewrap ends as the shell does where its program was ended by a signal.
+void name_signal(Ended& ended) {
+    constexpr int signalled = 128, signals = 64;
+    if (ended.code <= signalled || ended.code > signalled + signals) return;
+    ended.code -= signalled;
+    if (ended.code == SIGXFSZ)
+        ended.ending = Ending::too_much_output;
+    else if (ended.code == SIGXCPU || ended.code == SIGKILL)
+        ended.ending = Ending::out_of_time;
+    else if (ended.ending == Ending::failed)
+        ended.ending = Ending::crashed;
+}
+
+/// Pointers as exec takes them.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+    std::vector<char*> pointers;
+    for (auto& each : words) pointers.push_back(each.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
 }  // namespace
 
-std::string words_of(const Ended& ended, const Limits& limits) {
-    const auto mebibytes = [](std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
+Sandbox find_sandbox() {
+    const char* const path = std::getenv("PATH");
+    std::istringstream places(path ? path : "");
+    Sandbox found{{}, "bubblewrap is not installed"};
+    for (std::string place; std::getline(places, place, ':');) {
+        const std::string file = place + "/bwrap";
+        if (access(file.c_str(), X_OK) != 0) continue;
+        // Where user namespaces are forbidden, as in many containers, there is a program and no sandbox.
+        const TemporaryFolder folder;
+        Limits limits;
+        limits.bubblewrap = file;
+        try {
+            const Ended ended = run_contained("/bin/true", folder.path(), {}, limits);
+            if (ended.ending == Ending::done) return {file, {}};
+            found.missing = ended.said.substr(0, ended.said.find('\n'));
+        } catch (const Refused& refused) {
+            found.missing = refused.what();
+        }
+        return found;
+    }
+    return found;
+}
+
+std::string words_of(const Ended& ended, const Limits& limits, const Words& say) {
+    const auto mebibytes = [](std::uint64_t bytes) { return int(bytes >> 20); };
     switch (ended.ending) {
-        case Ending::done: return "ended";
-        case Ending::failed: return "ended with exit status " + std::to_string(ended.code);
+        case Ending::done: return say({"ended", "завершилась"});
+        case Ending::failed: return say({"ended with exit status {}", "завершилась с кодом {}"}, ended.code);
         case Ending::crashed: {
             const auto* words = words_of_signal(ended.code);
-            return "crashed (" + std::string(words ? words->name : strsignal(ended.code)) + ")";
+            return say({"crashed ({})", "аварийно завершилась ({})"},
+                       std::string(words ? words->name : strsignal(ended.code)));
         }
-        case Ending::out_of_time: return "did not end within " + std::to_string(limits.time.count()) + " s";
-        case Ending::out_of_memory: return "asked for more than " + mebibytes(limits.memory) + " of memory";
-        case Ending::too_much_output: return "wrote more than " + mebibytes(limits.file);
+        case Ending::out_of_time:
+            return say({"did not end within {} s", "не завершилась за {} с"}, int(limits.time.count()));
+        case Ending::out_of_memory:
+            return say({"asked for more than {} MiB of memory", "запросила больше {} МиБ памяти"},
+                       mebibytes(limits.memory));
+        case Ending::too_much_output:
+            return say({"wrote more than {} MiB", "записала больше {} МиБ"}, mebibytes(limits.file));
     }
     return "";
 }
 
-std::string cause_of(const Ended& ended) {
+std::string cause_of(const Ended& ended, const Words& say) {
     const auto* words = ended.ending == Ending::crashed ? words_of_signal(ended.code) : nullptr;
-    return std::string(words ? words->cause : "");
+    return words ? say(words->cause) : "";
 }
 
 TemporaryFolder::TemporaryFolder() {
@@ -169,19 +253,19 @@ Ended run_contained(const std::filesystem::path& program, const std::filesystem:
                     const std::vector<std::pair<std::string, std::string>>& environment, const Limits& limits) {
     const std::string file = std::filesystem::absolute(program).string(), place = folder.string();
     if (access(file.c_str(), X_OK) != 0) throw Refused(program.string() + ": " + system_reason());
-    std::vector<std::string> variables;
+    const bool in_a_sandbox = !limits.bubblewrap.empty();
+    std::vector<std::string> words{file}, variables;
+    if (in_a_sandbox) words = in_sandbox(limits.bubblewrap, file, place, environment);
     for (char** each = environ; *each; ++each) variables.emplace_back(*each);
     for (const auto& [name, value] : environment) variables.emplace_back(name).append("=").append(value);
-    std::vector<char*> words;
-    for (auto& each : variables) words.push_back(each.data());
-    words.push_back(nullptr);
+    const std::vector<char*> argv = pointers_to(words), envp = pointers_to(variables);
 
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw Refused(program.string() + ": " + system_reason());
     Descriptor in(ends[0]), out(ends[1]);
     const pid_t child = fork();
     if (child < 0) throw Refused(program.string() + ": " + system_reason());
-    if (child == 0) become(file.c_str(), place.c_str(), words.data(), out.number(), limits);
+    if (child == 0) become(argv.data(), place.c_str(), envp.data(), out.number(), limits);
     setpgid(child, child);  // in both processes: either may run first
     out.close();
 
@@ -198,6 +282,9 @@ Ended run_contained(const std::filesystem::path& program, const std::filesystem:
     }
     ended.ending = ending_of(status, used, ended.said, limits);
     ended.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+    if (in_a_sandbox) name_signal(ended);
+    if (in_a_sandbox && ended.ending == Ending::failed && ended.said.starts_with("bwrap: "))
+        throw Refused(program.string() + ": " + ended.said.substr(0, ended.said.find('\n')) + "; see --no-sandbox");
     if (ended.code == cannot_start && ended.said.empty()) throw Refused(program.string() + ": cannot be started");
     return ended;
 }

@@ -1,8 +1,9 @@
 /// Contained: a program of somebody else, run so that whatever it does is over soon.
 ///
-/// It has a process group, a working folder, limits of time, memory and file size of its own, no input, and two variables of
-/// its environment more than ours. What it prints is read to the end, of which the beginning is kept. This is no sandbox: it
-/// guards against mistakes and not against malice.
+/// It has a process group, a working folder, limits of time, memory and file size of its own, and no input. What it prints is
+/// read to the end, of which the beginning is kept. That guards against mistakes. Against malice guards a sandbox, bubblewrap's:
+/// there is no network in it, no other process, and of the files only those of the system, which it may not write, the program
+/// itself and its working folder.
 #pragma once
 
 #include <chrono>
@@ -12,12 +13,15 @@
 #include <utility>
 #include <vector>
 
+#include "grade/words.h"
+
 namespace vidno {
 
 struct Limits {
     std::chrono::seconds time{10};  // of the processor; by the clock twice as much
     std::uint64_t memory = std::uint64_t{1} << 29;
     std::uint64_t file = std::uint64_t{1} << 26;  // each file that it writes, and all that it prints
+    std::string bubblewrap{};                     // the program of that name; empty: without a sandbox
 };
 
 enum class Ending : unsigned char {
@@ -36,10 +40,10 @@ struct Ended {
 };
 
 /// In words, "crashed (SIGSEGV)".
-std::string words_of(const Ended& ended, const Limits& limits);
+std::string words_of(const Ended& ended, const Limits& limits, const Words& say);
 
 /// What a crash like this comes from, as a rule; empty if that is not known, or there was none.
-std::string cause_of(const Ended& ended);
+std::string cause_of(const Ended& ended, const Words& say);
 
 /// A temporary folder, removed with the object. Throws Refused if it cannot be made.
 class TemporaryFolder {
@@ -54,6 +58,12 @@ public:
 private:
     std::filesystem::path path_;
 };
+
+/// Where bubblewrap is, if a sandbox can be made here; else why there is none.
+struct Sandbox {
+    std::string bubblewrap, missing;
+};
+Sandbox find_sandbox();
 
 /// Runs a program without arguments in the folder. Throws Refused if it cannot be started.
 Ended run_contained(const std::filesystem::path& program, const std::filesystem::path& folder,

@@ -1,5 +1,7 @@
 #include "grade/grade.h"
 
+#include <algorithm>
+
 #include "choice/method.h"
 #include "stability/shrink.h"
 
@@ -7,29 +9,60 @@ namespace vidno {
 
 namespace {
 
+bool is_judged(Method method) { return is_of_course(method) || method == Method::weiler_atherton; }
+
 /// Why a run gives nothing to judge; empty if it does.
-std::string nothing_to_judge(const StudentRun& run, const Scene& scene) {
+std::string nothing_to_judge(const StudentRun& run, const Scene& scene, const Words& say) {
     if (run.trace.empty()) {
-        return "no trace was written: draw scene_to_draw(...), and tell a WarnockTrace or ZBufferTrace what you do";
+        return say(
+            {"no trace was written: draw scene_to_draw(...), and tell a WarnockTrace or ZBufferTrace what you do",
+             "запись не создана: рисуйте scene_to_draw(...) и сообщайте о шагах объекту WarnockTrace или "
+             "ZBufferTrace"});
     }
     if (!run.header) return run.unreadable;
-    if (!is_of_course(run.header->method)) {
-        return "a trace of " + std::string(method_names[std::size_t(run.header->method)]) +
-               ": only warnock and zbuffer are judged";
+    if (!is_judged(run.header->method)) {
+        return say({"a trace of {}: only warnock, zbuffer and weiler-atherton are judged",
+                    "запись метода {}: проверяются только warnock, zbuffer и weiler-atherton"},
+                   method_names[std::size_t(run.header->method)]);
     }
     if (run.header->kernel != "float" && run.header->kernel != "double") {
-        return "a trace of the kernel " + run.header->kernel + ": only float and double are judged";
+        return say({"a trace of the kernel {}: only float and double are judged",
+                    "запись с арифметикой {}: проверяются только float и double"},
+                   run.header->kernel);
     }
     if (!same_scene(run.header->scene, scene)) {
-        return "another scene was drawn than the one that was given: draw scene_to_draw(...)";
+        return say({"another scene was drawn than the one that was given: draw scene_to_draw(...)",
+                    "нарисована другая сцена, а не заданная: рисуйте scene_to_draw(...)"});
     }
     return "";
 }
 
-SceneGrade graded(const Scene& scene, StudentRun run) {
-    SceneGrade grade{scene, std::move(run), std::nullopt, {}};
-    grade.not_judged = nothing_to_judge(grade.run, scene);
-    if (grade.not_judged.empty()) grade.judgement = judge(*grade.run.header, grade.run.events, grade.run.complete);
+void judge_run(SceneGrade& grade, Precision precision, const Words& say) {
+    grade.not_judged = nothing_to_judge(grade.run, grade.scene, say);
+    if (grade.not_judged.empty())
+        grade.judgement = judge(*grade.run.header, grade.run.events, grade.run.complete, precision, say);
+}
+
+/// Judges runs of one program.
+ProgramGrade judged(std::vector<SceneGrade> runs, const Grading& grading) {
+    ProgramGrade grade;
+    std::vector<const std::vector<Event>*> traces;
+    bool says_single = false;
+    for (const auto& [scene, run, judgement, not_judged] : runs) {
+        traces.push_back(&run.events);
+        says_single = says_single || (run.header && run.header->kernel == "float");
+    }
+    grade.precision = precision_of(traces, says_single);
+    std::vector<Observation> observed;
+    for (auto& each : runs) {
+        judge_run(each, grade.precision, grading.say);
+        if (!each.judgement) continue;
+        observed.push_back({&*each.run.header, &each.run.events, &*each.judgement, each.run.complete});
+        grade.told += told_by(method_names[std::size_t(each.run.header->method)], each.run.events);
+    }
+    if (grading.detail != Detail::windows) grade.missing = missing_from(grade.told, grading.detail, grading.say);
+    grade.deviation = deviation_of(observed, grade.precision);
+    grade.scenes = std::move(runs);
     return grade;
 }
 
@@ -46,32 +79,48 @@ bool fails_alike(const SceneGrade& a, const SceneGrade& b) {
 
 }  // namespace
 
-SceneGrade grade_scene(const std::filesystem::path& program, const Scene& scene, const Limits& limits) {
-    return graded(scene, run_student(program, scene, limits));
+const SceneGrade* ProgramGrade::first_wrong() const {
+    const auto tells = [](const SceneGrade& grade) { return grade.judgement && grade.judgement->wrong; };
+    const auto fails = [](const SceneGrade& grade) { return !grade.right(); };
+    auto found = std::find_if(scenes.begin(), scenes.end(), tells);
+    if (found == scenes.end()) found = std::find_if(scenes.begin(), scenes.end(), fails);
+    return found == scenes.end() ? nullptr : &*found;
 }
 
-SceneGrade grade_trace(std::string text) {
+ProgramGrade grade_program(const std::filesystem::path& program, const std::vector<Scene>& scenes,
+                           const Grading& grading, const std::function<void(std::size_t)>& progress) {
+    constexpr int enough_endless = 2;
+    std::vector<SceneGrade> runs;
+    int endless = 0;
+    for (const Scene& scene : scenes) {
+        progress(runs.size());
+        runs.push_back({scene, run_student(program, scene, grading.limits)});
+        if (runs.back().run.ended.ending == Ending::out_of_time && ++endless == enough_endless) break;
+        if (!grading.first_only) continue;
+        SceneGrade judged_alone = runs.back();
+        judge_run(judged_alone, Precision::twice, grading.say);
+        if (!judged_alone.right()) break;
+    }
+    return judged(std::move(runs), grading);
+}
+
+ProgramGrade grade_trace(std::string text, const Grading& grading) {
     StudentRun run = read_student_trace(std::move(text));
     const Scene scene = run.header ? run.header->scene : Scene{};
-    return graded(scene, std::move(run));
+    std::vector<SceneGrade> runs;
+    runs.push_back({scene, std::move(run)});
+    return judged(std::move(runs), grading);
 }
 
-std::optional<Edition> usual_mistake(const std::vector<SceneGrade>& grades) {
-    std::vector<Observation> observed;
-    for (const auto& each : grades) {
-        if (each.judgement) observed.push_back({&*each.run.header, &*each.judgement, each.run.complete});
-    }
-    return usual_mistake(observed);
-}
-
-SceneGrade smallest_failing(const std::filesystem::path& program, const SceneGrade& failing, const Limits& limits,
-                            const Patience& patience, const std::function<void()>& progress) {
+SceneGrade smallest_failing(const std::filesystem::path& program, const SceneGrade& failing, Precision precision,
+                            const Grading& grading, const Patience& patience, const std::function<void()>& progress) {
     const auto deadline = std::chrono::steady_clock::now() + patience.time;
     SceneGrade smallest = failing;
     shrunk(failing.scene, [&, runs = 0](const Scene& smaller) mutable {
         if (++runs > patience.runs || std::chrono::steady_clock::now() > deadline) return false;
         progress();
-        SceneGrade grade = grade_scene(program, smaller, limits);
+        SceneGrade grade{smaller, run_student(program, smaller, grading.limits)};
+        judge_run(grade, precision, grading.say);
         const bool alike = fails_alike(failing, grade);
         if (alike) smallest = std::move(grade);
         return alike;

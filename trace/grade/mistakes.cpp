@@ -1,7 +1,9 @@
 #include "grade/mistakes.h"
 
 #include <algorithm>
-#include <vector>
+#include <array>
+#include <memory>
+#include <set>
 
 #include "run/run.h"
 
@@ -9,81 +11,128 @@ namespace vidno {
 
 namespace {
 
-bool paints_right(const Observation& observed) {
-    const SceneTruth truth(observed.header->scene, Precision::single);
-    const Area& area = observed.header->scene.area;
+/// The kinds of events that a program tells; those that make the picture are always heard.
+using Kinds = std::set<std::size_t>;
+
+bool makes_picture(const EventView& event) {
+    return event.visit(
+        []<class E>(const E&) { return E::kind.from == Detail::windows && !std::is_same_v<E, event::Clear>; });
+}
+
+/// The events of a run, but those that the program tells no such of.
+class Filter final : public EventSink {
+public:
+    explicit Filter(const Kinds& kinds) : kinds_(kinds) {}
+    void hear(const EventView& event) override {
+        if (makes_picture(event) || kinds_.contains(event.place())) events.push_back(event.copy());
+    }
+
+    std::vector<Event> events;
+
+private:
+    const Kinds& kinds_;
+};
+
+Judgement judgement_of(Deviation deviation, const TraceHeader& of, const Kinds& kinds, Precision precision) {
+    // The mistakes run in `double` alone.
+    const NamedKernel single = *kernel_named("float");
+    const bool in_single = precision == Precision::single && single.choice->runs(of.method, deviation);
+    const NamedKernel kernel = in_single ? single : *kernel_named("double");
+    Filter filter(kinds);
+    run({of.method, kernel, deviation, of.scene, Detail::signs, &filter});
+    // Below level `polygons` no call stack is kept: the calls are left out.
+    const TraceHeader header{of.method, Edition(deviation), kernel.name(), Detail::windows, of.scene};
+    return judge(header, filter.events, true, precision);
+}
+
+/// The wrong pixels of a picture: where they are and what they show.
+std::vector<std::array<int, 5>> wrong_pixels(const SceneTruth& truth, const Picture& picture) {
+    std::vector<std::array<int, 5>> wrong;
+    const Area& area = truth.scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
         for (int column = area.x; column < area.right(); ++column) {
-            if (!truth.allows(column, row, observed.judgement->picture.at(column, row))) return false;
+            const Color color = picture.at(column, row);
+            if (!truth.allows(column, row, color)) wrong.push_back({column, row, color.red, color.green, color.blue});
         }
     }
-    return true;
+    return wrong;
 }
 
-bool paints_as(const Observation& observed, Edition edition) {
-    const TraceHeader& header = *observed.header;
-    const NamedKernel kernel = *kernel_named("double");
-    return kernel.choice->runs(header.method, edition) &&
-           run({header.method, kernel, edition, header.scene}) == observed.judgement->picture;
-}
-
-/// The mistake that is counted most often, if that is on two scenes of three.
-std::optional<Edition> most_frequent(std::size_t scenes, auto&& count) {
-    std::optional<Edition> best;
-    std::ptrdiff_t most = 0;
-    for (const auto& [edition, name, rule, title] : named_editions) {
-        if (!is_mistake(edition)) continue;
-        const std::ptrdiff_t counted = count(edition);
-        if (counted <= most || 3 * std::size_t(counted) < 2 * scenes) continue;
-        most = counted;
-        best = edition;
+bool has_outline_on_centre(const SceneTruth& truth) {
+    const Area& area = truth.scene().area;
+    for (int row = area.y; row < area.bottom(); ++row) {
+        for (int column = area.x; column < area.right(); ++column) {
+            if (truth.seen(column, row).on_outline) return true;
+        }
     }
-    return best;
+    return false;
 }
 
-/// By the pictures that are wrong.
-std::optional<Edition> by_pictures(const std::vector<Observation>& observed) {
-    std::vector<const Observation*> wrong;
-    for (const auto& each : observed) {
-        if (each.complete && each.judgement->wrong && !paints_right(each)) wrong.push_back(&each);
-    }
-    return most_frequent(wrong.size(), [&](Edition mistake) {
-        return std::count_if(wrong.begin(), wrong.end(), [&](const auto* each) { return paints_as(*each, mistake); });
-    });
-}
+/// What the program did on a scene, made ready to be compared.
+struct Compared {
+    const Observation* observed;
+    std::unique_ptr<SceneTruth> truth;
+    std::vector<std::array<int, 5>> wrong;
+    bool is_plain;  // no centre of a pixel lies on an outline
 
-std::optional<Edition> mistake_of(Symptom symptom) {
-    switch (symptom) {
-        case Symptom::overlooked: return Deviation::one_list;
-        case Symptom::start: return Deviation::depths_not_cleared;
-        case Symptom::clipped_away:
-        case Symptom::clipped_inside: return Deviation::clip_order_reversed;
-        case Symptom::off_window: return Deviation::y_flipped;
-        case Symptom::comparison: return Deviation::depth_sign_reversed;
-        case Symptom::hole: return Deviation::boundary_outside;
-        case Symptom::parts_missing: return Deviation::integer_division;
-        case Symptom::surrounded: return Deviation::surround_kept;
-        default: return std::nullopt;
-    }
-}
+    bool is_wrong() const { return observed->judgement->wrong.has_value(); }
+};
 
-/// By the kinds of steps that are wrong.
-std::optional<Edition> by_steps(const std::vector<Observation>& observed) {
-    std::vector<Symptom> symptoms;
-    for (const auto& each : observed) {
-        if (each.judgement->wrong) symptoms.push_back(each.judgement->wrong->symptom);
-    }
-    return most_frequent(symptoms.size(), [&](Edition mistake) {
-        return std::count_if(symptoms.begin(), symptoms.end(),
-                             [&](Symptom each) { return mistake_of(each) == mistake; });
-    });
+bool does_the_same(Deviation deviation, const Compared& on, const Kinds& kinds, Precision precision) {
+    const auto made = judgement_of(deviation, *on.observed->header, kinds, precision);
+    if (wrong_pixels(*on.truth, made.picture) != on.wrong) return false;
+    if (!on.is_wrong()) return !made.wrong;
+    const auto& claims = made.false_claims;
+    return std::find(claims.begin(), claims.end(), on.observed->judgement->false_claims.front()) != claims.end();
 }
 
 }  // namespace
 
-std::optional<Edition> usual_mistake(const std::vector<Observation>& observed) {
-    const auto mistake = by_pictures(observed);
-    return mistake ? mistake : by_steps(observed);
+std::optional<Deviation> deviation_of(const std::vector<Observation>& observed, Precision precision) {
+    std::vector<Compared> cases;
+    Kinds kinds;
+    for (const auto& each : observed) {
+        for (const auto& event : *each.events) kinds.insert(event.place());
+        if (!each.complete) continue;
+        auto truth = std::make_unique<SceneTruth>(each.header->scene, precision);
+        auto wrong = wrong_pixels(*truth, each.judgement->picture);
+        const bool is_plain = !has_outline_on_centre(*truth);
+        cases.push_back({&each, std::move(truth), std::move(wrong), is_plain});
+    }
+    kinds.erase(event_place<event::Call>);
+    const bool any_plain =
+        std::any_of(cases.begin(), cases.end(), [](const Compared& each) { return each.is_plain && each.is_wrong(); });
+    std::erase_if(cases, [&](const Compared& each) { return any_plain ? !each.is_plain : !each.is_wrong(); });
+    // Where it is wrong first: a deviation that differs does so there.
+    std::stable_partition(cases.begin(), cases.end(), [](const Compared& each) { return each.is_wrong(); });
+    if (cases.empty() || !cases.front().is_wrong() || kinds.empty()) return std::nullopt;
+
+    const Method method = cases.front().observed->header->method;
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        const auto deviation = Deviation(i);
+        if (!has_text(Edition(deviation), method)) continue;
+        const std::size_t needed = any_plain ? cases.size() : (2 * cases.size() + 2) / 3;
+        std::size_t agree = 0, left = cases.size();
+        for (const Compared& each : cases) {
+            if (agree + left < needed) break;
+            agree += std::size_t(does_the_same(deviation, each, kinds, precision));
+            --left;
+        }
+        if (agree >= needed) return deviation;
+    }
+    return std::nullopt;
+}
+
+std::string in_words(Deviation deviation, const Words& say) {
+    const DeviationChoice& choice = choice_of(deviation);
+    if (choice.mistake.empty()) {
+        return say({"It behaves like the defect {} of the printed text: {}.",
+                    "Она ведёт себя как дефект {} печатного текста: {}."},
+                   std::string(choice.title.english), say.of(choice.says));
+    }
+    return say({"It behaves like a usual mistake, {}: {}.", "Она ведёт себя как при обычной ошибке {}: {}."},
+               std::string(choice.mistake),
+               choice.advice.english.empty() ? say.of(choice.says) : say.of(choice.advice));
 }
 
 }  // namespace vidno

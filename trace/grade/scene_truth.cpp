@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "grade/words.h"
 #include "json/json_text.h"
 #include "vidno/kernels/exact.h"
 
@@ -64,9 +65,8 @@ void set_plane(ExactPolygon& polygon, const std::vector<glm::dvec3>& vertices, d
         slack * thinness * (1 + std::abs(CGAL::to_double(polygon.zx)) + std::abs(CGAL::to_double(polygon.zy)));
 }
 
-/// What is left of an outline on the side of a line where `along` times (coordinate - at) is not negative.
-Outline2 half_of(const Outline2& outline, bool by_x, int along, const Rational& at) {
-    const auto beyond = [&](const Point2& p) { return Rational(along * ((by_x ? p.x : p.y) - at)); };
+/// What is left of an outline where a linear function of a point is not negative.
+Outline2 half_of(const Outline2& outline, const auto& beyond) {
     Outline2 kept;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Point2 &p = outline[i], &q = outline[(i + 1) % outline.size()];
@@ -81,10 +81,11 @@ Outline2 half_of(const Outline2& outline, bool by_x, int along, const Rational& 
 }
 
 Outline2 part_of(const Outline2& outline, const Window& window) {
-    Outline2 part = half_of(outline, true, 1, window.x);
-    part = half_of(part, true, -1, window.right());
-    part = half_of(part, false, 1, window.y);
-    return half_of(part, false, -1, window.bottom());
+    const Rational left(window.x), right(window.right()), top(window.y), bottom(window.bottom());
+    Outline2 part = half_of(outline, [&](const Point2& p) { return Rational(p.x - left); });
+    part = half_of(part, [&](const Point2& p) { return Rational(right - p.x); });
+    part = half_of(part, [&](const Point2& p) { return Rational(p.y - top); });
+    return half_of(part, [&](const Point2& p) { return Rational(bottom - p.y); });
 }
 
 struct Direction {
@@ -216,6 +217,11 @@ struct SceneTruth::Exactly {
             if (seen.by_rule == SeenPixel::background || at(q).depth(p) > at(seen.by_rule).depth(p)) seen.by_rule = q;
         }
         seen.on_outline = !on.empty();
+        if (seen.by_rule != SeenPixel::background) {
+            const auto differs = [&](int q) { return at(q).depth(p) != at(seen.by_rule).depth(p); };
+            const std::vector<int> front = front_of(closed, p);
+            seen.is_open = std::any_of(front.begin(), front.end(), differs);
+        }
         seen.by_none = front_of(in, p).front();
         const auto allow = [&](const std::vector<int>& candidates) {
             for (const int q : front_of(candidates, p)) {
@@ -293,6 +299,17 @@ double SceneTruth::farthest(int polygon) const {
     return least;
 }
 
+PlainBox SceneTruth::box(int polygon) const {
+    const auto& vertices = scene().polygons[std::size_t(polygon)].vertices;
+    PlainBox box{vertices[0].x, vertices[0].y, vertices[0].x, vertices[0].y};
+    for (const auto& v : vertices) {
+        box = {std::min(box.xmin, v.x), std::min(box.ymin, v.y), std::max(box.xmax, v.x), std::max(box.ymax, v.y)};
+    }
+    return box;
+}
+
+double SceneTruth::depth_slope(int polygon) const { return CGAL::to_double(exactly_->at(polygon).zx); }
+
 int SceneTruth::side(int polygon, int edge, double x, double y) const {
     if (!std::isfinite(x + y)) return 0;
     const auto& vertices = scene().polygons[std::size_t(polygon)].vertices;
@@ -326,6 +343,25 @@ std::optional<std::pair<SceneTruth::Crossing, SceneTruth::Crossing>> SceneTruth:
     return found;
 }
 
+std::optional<std::pair<SceneTruth::Crossing, SceneTruth::Crossing>> SceneTruth::ends_in(int polygon,
+                                                                                         const Window& window,
+                                                                                         double y) const {
+    const ExactPolygon& own = exactly_->at(polygon);
+    std::optional<std::pair<Crossing, Crossing>> found;
+    if (!own.has_inside || !std::isfinite(y)) return found;
+    const Outline2 part = part_of(own.outline, window);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        const Point2 &p = part[i], &q = part[(i + 1) % part.size()];
+        if (p.y == q.y || Rational(y) < std::min(p.y, q.y) || Rational(y) > std::max(p.y, q.y)) continue;
+        const Rational x = p.x + (Rational(y) - p.y) * (q.x - p.x) / (q.y - p.y);
+        const Crossing at{CGAL::to_double(x), CGAL::to_double(own.depth({x, y}))};
+        if (!found) found.emplace(at, at);
+        if (at.x < found->first.x) found->first = at;
+        if (at.x > found->second.x) found->second = at;
+    }
+    return found;
+}
+
 bool SceneTruth::same_coordinate(double v, double w) const {
     // An edge that is nearly level multiplies the tolerance by its extent in a row.
     return std::abs(v - w) <= 64 * exactly_->slack;
@@ -347,31 +383,164 @@ bool SceneTruth::holds(int polygon, const Window& window) const {
     return true;
 }
 
+Window SceneTruth::in_area(const Window& window) const {
+    const Area& area = scene().area;
+    const double left = std::max(window.x, double(area.x)), top = std::max(window.y, double(area.y));
+    return {left, top, std::max(0.0, std::min(window.right(), double(area.right())) - left),
+            std::max(0.0, std::min(window.bottom(), double(area.bottom())) - top)};
+}
+
+std::optional<int> SceneTruth::nearer_in(int polygon, const Window& window) const {
+    const ExactPolygon& own = exactly_->at(polygon);
+    for (int q = 0; q < int(exactly_->polygons.size()); ++q) {
+        if (q == polygon || !meets(q, window)) continue;
+        const ExactPolygon& other = exactly_->at(q);
+        const Rational open(own.depth_slack + other.depth_slack);
+        for (const Point2& p : part_of(other.outline, window)) {
+            if (other.depth(p) > own.depth(p) + open) return q;
+        }
+    }
+    return std::nullopt;
+}
+
+bool SceneTruth::has_vertex(int polygon, const glm::dvec3& v) const {
+    const ExactPolygon& own = exactly_->at(polygon);
+    if (!own.has_inside) return true;
+    return std::isfinite(v.x + v.y + v.z) && exactly_->place(own, {v.x, v.y}, 64 * exactly_->slack) != Place::outside &&
+           magnitude(own.depth({v.x, v.y}) - Rational(v.z)) <= Rational(64 * own.depth_slack);
+}
+
 std::optional<std::string> SceneTruth::no_part(int polygon, const Window& window,
-                                               const std::vector<glm::dvec3>& vertices) const {
+                                               const std::vector<glm::dvec3>& vertices, const Words& say) const {
     const ExactPolygon& own = exactly_->at(polygon);
     if (!own.has_inside) return std::nullopt;
     const double open = 64 * exactly_->slack;
     Outline2 told;
     for (const auto& v : vertices) {
-        const std::string name = "(" + in_words(v.x) + ", " + in_words(v.y) + ", " + in_words(v.z) + ")";
-        if (!std::isfinite(v.x + v.y + v.z)) return name + " is no point";
+        const std::string name = say.point(v.x, v.y, v.z);
+        if (!std::isfinite(v.x + v.y + v.z)) return say({"{} is no point", "{} — не точка"}, name);
         const bool in_window = v.x >= window.x - open && v.x <= window.right() + open && v.y >= window.y - open &&
                                v.y <= window.bottom() + open;
-        if (!in_window) return name + " lies outside the window";
-        if (exactly_->place(own, {v.x, v.y}, open) == Place::outside) return name + " lies outside the polygon";
+        if (!in_window) return say({"{} lies outside the window", "{} лежит вне окна"}, name);
+        if (exactly_->place(own, {v.x, v.y}, open) == Place::outside)
+            return say({"{} lies outside the polygon", "{} лежит вне многоугольника"}, name);
         if (magnitude(own.depth({v.x, v.y}) - Rational(v.z)) > Rational(64 * own.depth_slack)) {
-            return name + " is not on the polygon's plane: its depth there is " + in_words(depth(polygon, v.x, v.y));
+            return say({"{} is not on the polygon's plane: its depth there is {}",
+                        "{} не лежит в плоскости многоугольника: его глубина там равна {}"},
+                       name, depth(polygon, v.x, v.y));
         }
         told.push_back({v.x, v.y});
     }
     const Rational right = twice_area(part_of(own.outline, window));
     const Rational area = magnitude(twice_area(told));
     if (magnitude(right - area) <= Rational(open) * Rational(4 * (window.width + window.height))) return std::nullopt;
-    if (told.empty())
-        return "nothing is left of it, and in the window there is an area of " + in_words(CGAL::to_double(right) / 2);
-    return "its area is " + in_words(CGAL::to_double(area) / 2) + ", that of the part in the window " +
-           in_words(CGAL::to_double(right) / 2);
+    if (told.empty()) {
+        return say({"nothing is left of it, and in the window there is an area of {}",
+                    "от него ничего не осталось, а в окне лежит площадь {}"},
+                   CGAL::to_double(right) / 2);
+    }
+    return say({"its area is {}, that of the part in the window {}", "её площадь {}, а площадь части в окне {}"},
+               CGAL::to_double(area) / 2, CGAL::to_double(right) / 2);
+}
+
+double SceneTruth::area_of(const RegionLoops& region) {
+    double twice = 0;
+    for (const auto& loop : region) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const ValuePoint &p = loop[i], &q = loop[(i + 1) % loop.size()];
+            twice += p.x.number * q.y.number - p.y.number * q.x.number;
+        }
+    }
+    return std::abs(twice) / 2;
+}
+
+double SceneTruth::area_in(int polygon, const Window& window) const {
+    return CGAL::to_double(twice_area(part_of(exactly_->at(polygon).outline, window))) / 2;
+}
+
+bool SceneTruth::same_area(double told, double right) const {
+    const Area& area = scene().area;
+    return std::abs(told - right) <=
+           64 * exactly_->slack * (area.width + area.height) * double(scene().polygons.size() + 1);
+}
+
+bool SceneTruth::has_point(int polygon, double x, double y) const {
+    const ExactPolygon& own = exactly_->at(polygon);
+    return std::isfinite(x + y) && exactly_->place(own, {x, y}, 64 * exactly_->slack) != Place::outside;
+}
+
+std::optional<std::pair<int, double>> SceneTruth::hidden_by(int polygon, const RegionLoops& region) const {
+    const ExactPolygon& own = exactly_->at(polygon);
+    for (int q = 0; q < int(exactly_->polygons.size()); ++q) {
+        const ExactPolygon& other = exactly_->at(q);
+        if (q == polygon || !other.has_inside) continue;
+        // Clipping a loop by half-planes leaves edges that run to and fro along their lines; the area is right all the same.
+        Rational twice(0);
+        for (const auto& loop : region) {
+            Outline2 part;
+            for (const ValuePoint& p : loop) part.push_back({p.x.number, p.y.number});
+            for (std::size_t i = 0; i < other.outline.size() && !part.empty(); ++i) {
+                const Point2 &from = other.outline[i], &to = other.outline[(i + 1) % other.outline.size()];
+                part = half_of(part, [&](const Point2& p) { return cross(from, to, p); });
+            }
+            const Rational open(own.depth_slack + other.depth_slack);
+            part = half_of(part, [&](const Point2& p) { return Rational(other.depth(p) - own.depth(p) - open); });
+            twice += twice_area(part);
+        }
+        const double hidden = std::abs(CGAL::to_double(twice)) / 2;
+        if (!same_area(hidden, 0)) return std::pair(q, hidden);
+    }
+    return std::nullopt;
+}
+
+/// By bands between the heights at which an outline has a vertex or two of them cross: in a band the polygons are trapezia, of
+/// which the union is a sum of intervals at its middle.
+double SceneTruth::covered_area() const {
+    std::vector<Outline2> parts;
+    for (const auto& polygon : exactly_->polygons) {
+        if (polygon.has_inside) parts.push_back(part_of(polygon.outline, whole_area(scene().area)));
+    }
+    std::vector<Rational> heights;
+    const auto for_edges = [&](auto&& with) {
+        for (const auto& part : parts) {
+            for (std::size_t i = 0; i < part.size(); ++i) with(part[i], part[(i + 1) % part.size()]);
+        }
+    };
+    for_edges([&](const Point2& p, const Point2& q) {
+        heights.push_back(p.y);
+        for_edges([&](const Point2& r, const Point2& s) {
+            const Rational before = cross(r, s, p), after = cross(r, s, q);
+            if ((before < 0 && after > 0) || (before > 0 && after < 0))
+                heights.push_back(p.y + (q.y - p.y) * before / (before - after));
+        });
+    });
+    std::sort(heights.begin(), heights.end());
+    Rational covered(0);
+    for (std::size_t i = 1; i < heights.size(); ++i) {
+        if (heights[i] == heights[i - 1]) continue;
+        const Rational y = (heights[i] + heights[i - 1]) / 2;
+        std::vector<std::pair<Rational, Rational>> intervals;
+        for (const auto& part : parts) {
+            std::optional<std::pair<Rational, Rational>> ends;
+            for (std::size_t j = 0; j < part.size(); ++j) {
+                const Point2 &p = part[j], &q = part[(j + 1) % part.size()];
+                if ((p.y <= y) == (q.y <= y)) continue;
+                const Rational x = p.x + (y - p.y) * (q.x - p.x) / (q.y - p.y);
+                ends = ends ? std::pair(std::min(ends->first, x), std::max(ends->second, x)) : std::pair(x, x);
+            }
+            if (ends) intervals.push_back(*ends);
+        }
+        std::sort(intervals.begin(), intervals.end());
+        Rational length(0);
+        std::optional<Rational> reached;
+        for (const auto& [from, to] : intervals) {
+            const Rational begin = reached ? std::max(from, *reached) : from;
+            if (to > begin) length += to - begin;
+            reached = reached ? std::max(to, *reached) : to;
+        }
+        covered += length * (heights[i] - heights[i - 1]);
+    }
+    return CGAL::to_double(covered);
 }
 
 const SeenPixel& SceneTruth::seen(int column, int row) const {
@@ -402,8 +571,7 @@ std::string in_words(Color color) {
 }
 
 std::string in_words(const Window& window) {
-    return "the window (" + in_words(window.x) + ", " + in_words(window.y) + ") of " + in_words(window.width) + " x " +
-           in_words(window.height);
+    return in_words(window.x) + " " + in_words(window.y) + " " + in_words(window.width) + " " + in_words(window.height);
 }
 
 }  // namespace vidno

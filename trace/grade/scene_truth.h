@@ -16,10 +16,13 @@
 #include <utility>
 #include <vector>
 
+#include "format/event.h"
 #include "vidno/scene.h"
 #include "vidno/window.h"
 
 namespace vidno {
+
+class Words;
 
 /// The numbers of a program.
 enum class Precision : unsigned char { single, twice };
@@ -32,6 +35,12 @@ struct SeenPixel {
     int by_none = background;  // if points of outlines belonged to nobody
     std::vector<int> allowed;  // that one among them
     bool on_outline = false;   // of any polygon
+    bool is_open = false;      // rounding may decide between two depths that differ
+};
+
+/// The least box around a polygon.
+struct PlainBox {
+    double xmin, ymin, xmax, ymax;
 };
 
 class SceneTruth {
@@ -58,6 +67,9 @@ public:
     bool is_plane(int polygon, const std::array<double, 4>& plane) const;
     /// The polygon's least depth at a vertex.
     double farthest(int polygon) const;
+    PlainBox box(int polygon) const;
+    /// What its depth changes by from a column to the next.
+    double depth_slope(int polygon) const;
 
     /// On which side of an edge a point is: the sign of (edge's end - its begin) x (point - its begin); 0 if open.
     int side(int polygon, int edge, double x, double y) const;
@@ -68,6 +80,8 @@ public:
     std::optional<Crossing> crossing(int polygon, int edge, double y) const;
     /// The ends of the polygon on a horizontal line, from the left; none if it does not meet it.
     std::optional<std::pair<Crossing, Crossing>> ends(int polygon, double y) const;
+    /// The same of its part in a window.
+    std::optional<std::pair<Crossing, Crossing>> ends_in(int polygon, const Window& window, double y) const;
     /// Whether two coordinates are the same but for rounding; depths along an outline too.
     bool same_coordinate(double v, double w) const;
 
@@ -75,9 +89,26 @@ public:
     bool meets(int polygon, const Window& window) const;
     /// Whether the polygon holds the whole window.
     bool holds(int polygon, const Window& window) const;
+    /// A polygon that is nearer than this one somewhere in the window; none if this one hides all others that reach into it.
+    std::optional<int> nearer_in(int polygon, const Window& window) const;
+    /// Whether the point is on the polygon, and on its plane; as exact as a clipped vertex.
+    bool has_vertex(int polygon, const glm::dvec3& vertex) const;
+    /// The part of the window in the area.
+    Window in_area(const Window& window) const;
     /// Why the vertices, in any order round the outline, are not those of the polygon's part in the window; none if they are.
-    std::optional<std::string> no_part(int polygon, const Window& window,
-                                       const std::vector<glm::dvec3>& vertices) const;
+    std::optional<std::string> no_part(int polygon, const Window& window, const std::vector<glm::dvec3>& vertices,
+                                       const Words& say) const;
+
+    // Regions: loops, holes the other way round.
+    static double area_of(const RegionLoops& region);
+    double area_in(int polygon, const Window& window) const;
+    /// How much of the area the polygons cover together.
+    double covered_area() const;
+    bool same_area(double told, double right) const;
+    /// Whether the point is in the polygon, or on its outline as exactly as a clipped vertex.
+    bool has_point(int polygon, double x, double y) const;
+    /// A polygon that is nearer than this one in a part of the region, and the area of that part.
+    std::optional<std::pair<int, double>> hidden_by(int polygon, const RegionLoops& region) const;
 
     const SeenPixel& seen(int column, int row) const;
     Color color_of(int polygon) const;  // or of the background

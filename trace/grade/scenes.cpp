@@ -1,10 +1,12 @@
 #include "grade/scenes.h"
 
+#include <algorithm>
 #include <cassert>
-#include <initializer_list>
+#include <cmath>
 #include <utility>
 
 #include "scene/exact_scene.h"
+#include "scene/families.h"
 
 namespace vidno {
 
@@ -24,6 +26,13 @@ Vertices sloping(double left, double top, double right, double bottom, double z_
     return {{left, top, z_left}, {right, top, z_right}, {right, bottom, z_right}, {left, bottom, z_left}};
 }
 
+/// The depth of each vertex is `at` + `by_x` x + `by_y` y.
+Vertices tilted(std::vector<std::pair<double, double>> outline, double at, double by_x, double by_y) {
+    Vertices vertices;
+    for (const auto& [x, y] : outline) vertices.push_back({x, y, at + by_x * x + by_y * y});
+    return vertices;
+}
+
 Scene scene(std::string name, const Area& area, const std::vector<Vertices>& polygons) {
     Scene made{std::move(name), area, {255, 255, 255}, {}};
     for (const auto& vertices : polygons) {
@@ -33,6 +42,45 @@ Scene scene(std::string name, const Area& area, const std::vector<Vertices>& pol
         assert(admitted.admission == Admission::admitted);
     }
     return made;
+}
+
+/// From -1 to 1 that is two millionths, and what `float` cannot tell at these coordinates.
+constexpr double gap = 0x1p-19;
+
+Scene on(Color background, Scene scene) {
+    scene.background = background;
+    return scene;
+}
+
+/// Three to seven polygons of three to eight vertices on ellipses, on planes of their own, in an area of any size.
+Scene convex_polygons(RandomPolygons& random) {
+    Scene scene{"convex polygons",
+                {random.whole(-9, 9), random.whole(-9, 9), random.whole(3, 16), random.whole(3, 16)},
+                {255, 255, 255},
+                {}};
+    const Area& area = scene.area;
+    const auto eighths = [&](double low, double high) { return random.whole(int(8 * low), int(8 * high)) / 8.0; };
+    for (int polygons = random.whole(3, 7); polygons > 0; --polygons) {
+        const double x = area.x + eighths(0, area.width), y = area.y + eighths(0, area.height);
+        const double width = eighths(1, area.width), height = eighths(1, area.height);
+        const double z = random.whole(-40, 40) / 64.0, by_x = random.whole(-8, 8) / 512.0,
+                     by_y = random.whole(-8, 8) / 512.0;
+        std::vector<double> angles;
+        for (int vertices = random.whole(3, 8); vertices > 0; --vertices) angles.push_back(random.whole(0, 359));
+        std::sort(angles.begin(), angles.end());
+        if (random.whole(0, 1) == 1) std::reverse(angles.begin(), angles.end());
+        Vertices vertices;
+        for (const double degrees : angles) {
+            // In steps of 1/1024, so that no machine's sine shows.
+            const auto stepped = [](double value) { return std::round(value * 1024) / 1024; };
+            const double u = stepped(width * std::cos(degrees / 57.296)),
+                         v = stepped(height * std::sin(degrees / 57.296));
+            vertices.push_back({x + u, y + v, z + by_x * u + by_y * v});
+        }
+        const std::size_t i = scene.polygons.size();
+        scene.polygons.push_back({std::string(1, char('A' + i)), colors[i % colors.size()], vertices, false});
+    }
+    return admitted(scene);
 }
 
 }  // namespace
@@ -81,7 +129,110 @@ std::vector<Scene> scenes_to_grade() {
               {level(.5, .5, 3.5, 3.5, .25), level(4, 4, 8, 8, .5), {{0.5, 7.5, 0}, {3.5, 4.5, 0}, {3.5, 7.5, 0}}}),
         scene("Two in one plane", {0, 0, 8, 8},
               {sloping(1.25, 1.25, 5.25, 5.25, .125, .375), sloping(1.25, 3.25, 7.25, 6.75, .125, .5)}),
+        scene("Five vertices, six and nine", square,
+              {tilted({{2.25, 1.25}, {8.25, .75}, {13.25, 4.25}, {9.75, 7.25}, {3.25, 6.25}}, .25, 0, .03125),
+               tilted({{6.25, 5.25}, {10.25, 5.75}, {14.75, 9.25}, {13.25, 14.75}, {9.25, 13.75}, {5.25, 9.75}}, .75,
+                      -.0625, 0),
+               tilted({{1.25, 9.25},
+                       {2.25, 7.75},
+                       {4.25, 7.25},
+                       {6.25, 8.25},
+                       {7.25, 10.25},
+                       {6.75, 12.75},
+                       {5.25, 14.25},
+                       {3.25, 14.75},
+                       {1.75, 12.75}},
+                      -.25, .0625, .03125)}),
+        scene("The first three vertices on a line", square,
+              {tilted({{1.25, 1.25}, {6.25, 1.25}, {12.25, 1.25}, {12.25, 9.25}, {1.25, 9.25}}, -.25, 0, .0625),
+               tilted({{8.25, 6.25}, {8.25, 9.25}, {8.25, 14.25}, {14.75, 11.25}}, .75, -.0625, 0),
+               level(3.25, 3.25, 9.75, 12.75, .125)}),
+        scene("The first vertex twice", square,
+              {tilted({{2.25, 2.25}, {2.25, 2.25}, {13.25, 3.25}, {11.25, 12.75}}, .5, -.03125, .015625),
+               level(5.25, 1.25, 14.75, 8.25, .25)}),
+        scene(
+            "Vertices on the lines of windows", square,
+            {level(13.75, 13.25, 15.25, 15.75, .5), tilted({{8, 1.25}, {13.25, 8}, {8, 12.75}, {2.75, 8}}, .25, 0, 0)}),
+        scene("Vertices and edges on the lines of windows", square,
+              {level(14.25, .25, 15.75, 1.75, .5),
+               tilted({{4, 4}, {12, 4}, {14, 8}, {12, 12}, {4, 12}, {2, 8}}, .125, .03125, 0)}),
+        scene("Vertices on the corners of windows", square,
+              {tilted({{1.25, 1.75}, {2.75, 1.25}, {2.25, 2.75}}, .5, 0, 0),
+               tilted({{4, 8}, {8, 4}, {12, 8}, {8, 12}}, .25, .015625, .015625),
+               level(13.25, 12.25, 15.25, 14.75, .375)}),
+        scene("Corners of windows, cut off", square,
+              {level(12.75, 1.25, 14.75, 2.75, .25), tilted({{-3, 6}, {6, -3}, {7.5, 7.5}}, .125, .015625, -.015625),
+               tilted({{1.25, 19.25}, {12.25, 6.25}, {18.75, 17.25}}, .0625, 0, .03125)}),
+        scene("Nearer by a millionth of the range", square,
+              {level(-1, -1, 17, 17, .25), level(2.25, 2.25, 12.25, 9.75, .25 + gap),
+               level(5.25, 5.25, 14.75, 14.25, .25)}),
+        scene("Farther by a millionth of the range", square,
+              {level(2.25, 2.25, 12.25, 9.75, .25), level(5.25, 5.25, 14.75, 14.25, .25 - gap),
+               sloping(1.25, 8.25, 13.25, 15.25, .25 - 2 * gap, .25 + 2 * gap)}),
+        scene("Tilted, a millionth of the range apart", square,
+              {tilted({{1.25, 1.25}, {12.25, 2.25}, {11.25, 11.25}}, -.75, .03125, .0625),
+               tilted({{-2, -2}, {18, -2}, {18, 18}, {-2, 18}}, -.75 - gap, .03125, .0625),
+               tilted({{3.25, 5.25}, {14.25, 3.25}, {9.25, 13.75}}, -.75 + gap, .03125, .0625)}),
+        scene("At both ends of the range", square,
+              {level(-1, -1, 17, 17, -1), level(3.25, 2.25, 9.75, 12.25, 1), sloping(6.25, 5.25, 14.25, 10.75, -1, 1)}),
+        scene("Nothing but the farthest depth", {0, 0, 8, 8}, {level(1.25, 1.25, 6.75, 6.75, -1)}),
+        scene("Four bars, each before the next", square,
+              {sloping(.75, 2.25, 14.75, 4.75, .25, -.25),
+               tilted({{11.25, .75}, {13.75, .75}, {13.75, 14.75}, {11.25, 14.75}}, .25, 0, -.03125),
+               sloping(1.25, 11.25, 15.25, 13.75, -.25, .25),
+               tilted({{2.25, 1.25}, {4.75, 1.25}, {4.75, 15.25}, {2.25, 15.25}}, -.25, 0, .03125)}),
+        scene("Thinner than a pixel", square,
+              {{{.25, .25, .5}, {15.75, 14.75, .5}, {15.25, 15.75, .5}},
+               {{1.25, 14.75, .25}, {14.25, 1.25, .375}, {14.5, 1.5, .375}},
+               level(2.25, 6.125, 13.75, 6.75, .125)}),
+        scene("Between the centres of pixels", square,
+              {level(-1, -1, 17, 17, .125), level(3.625, 1.25, 4.375, 14.75, .5),
+               level(8.5625, 9.5625, 9.4375, 10.4375, .75)}),
+        scene("Less than a pixel, alone", square,
+              {level(2.625, 2.625, 3.375, 3.25, .5), level(9.25, 10.125, 9.75, 10.875, .25)}),
+        scene("Over each side of the area", square,
+              {level(-3.25, 3.25, 2.75, 6.25, .25), level(12.25, 8.25, 19.75, 11.75, .375),
+               level(7.25, -2.25, 10.25, 2.75, .125), level(4.25, 13.25, 8.75, 20.25, .5),
+               level(6.25, 6.25, 9.75, 9.75, .25)}),
+        scene("From near to far", square,
+              {level(6.25, 6.25, 9.75, 9.75, .75), level(4.25, 4.25, 11.75, 11.75, .5),
+               level(2.25, 2.25, 13.75, 13.75, .25), level(.25, .25, 15.75, 15.75, 0)}),
+        scene("From far to near", square,
+              {level(.25, .25, 15.75, 15.75, 0), level(2.25, 2.25, 13.75, 13.75, .25),
+               level(4.25, 4.25, 11.75, 11.75, .5), level(6.25, 6.25, 9.75, 9.75, .75)}),
+        scene("Two that surround, and one before each", square,
+              {level(-1, -1, 17, 17, .25), level(2.25, 9.25, 6.25, 13.25, .5), level(-2, -2, 18, 18, .375),
+               level(9.25, 2.25, 13.25, 6.25, .3125)}),
+        scene("Through the one that surrounds", square,
+              {level(-1, -1, 17, 17, .125), tilted({{-1, -1}, {17, -1}, {17, 17}, {-1, 17}}, -.625, .0625, .03125),
+               sloping(2.25, 3.25, 13.75, 12.25, .375, -.125)}),
+        scene("The other direction", square,
+              {{{2.25, 2.25, .25}, {2.25, 9.75, .25}, {11.25, 9.75, .25}, {11.25, 2.25, .25}},
+               {{6.25, 14.25, .5}, {14.25, 12.25, .5}, {13.25, 5.25, 0}, {5.25, 7.25, 0}}}),
+        scene("Edges on the centres of rows", {0, 0, 8, 8},
+              {level(1.25, 1.5, 5.75, 4.5, .25), tilted({{2.5, 5.5}, {6.5, 5.5}, {4.5, 7.5}}, .25, 0, 0),
+               tilted({{4.5, .5}, {7.5, 2.5}, {6.5, 6.5}}, .375, 0, 0)}),
+        scene("An area of 5 x 12", {2, -3, 5, 12},
+              {level(1, -4, 8, 10, -.25), tilted({{3.25, -2.25}, {6.75, 2.25}, {2.25, 8.25}}, .25, .03125, 0),
+               level(2.25, 3.25, 5.75, 7.25, .125)}),
+        scene("An area of 16 x 3", {-9, 4, 16, 3},
+              {level(-8.25, 4.25, 6.25, 5.75, .25), sloping(-4.25, 3.25, 5.25, 8.25, -.5, 1)}),
+        scene("A single pixel", {3, 3, 1, 1}, {level(2.25, 2.25, 5.25, 5.25, .25), level(3.25, 3.25, 3.75, 3.75, .5)}),
+        on(Color{16, 16, 32}, scene("A dark background", {0, 0, 12, 12},
+                                    {level(1.25, 1.25, 7.75, 5.25, .25),
+                                     tilted({{5.25, 3.25}, {10.25, 4.25}, {7.25, 10.75}}, .375, 0, 0)})),
     };
+}
+
+std::vector<Scene> random_scenes_to_grade(unsigned seed, int count) {
+    RandomPolygons random{std::mt19937(seed)};
+    std::vector<Scene> scenes;
+    for (int i = 0; i < count; ++i) {
+        scenes.push_back(i % 2 == 0 ? convex_polygons(random)
+                                    : random_scene(families[std::size_t(i / 2) % families.size()], random));
+        scenes.back().name = "Random, " + std::to_string(i + 1) + ": " + scenes.back().name;
+    }
+    return scenes;
 }
 
 }  // namespace vidno

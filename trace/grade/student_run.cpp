@@ -80,7 +80,9 @@ StudentRun run_student(const std::filesystem::path& program, const Scene& scene,
     const Ended ended = run_contained(
         program, folder.path(), {{"VIDNO_SCENE", scene_file.string()}, {"VIDNO_TRACE", trace_file.string()}}, limits);
     StudentRun run;
-    if (std::filesystem::exists(trace_file)) run = read_student_trace(read_file(trace_file.string()));
+    // A link would lead to a file that is not the program's own.
+    const auto kind = std::filesystem::symlink_status(trace_file).type();
+    if (kind == std::filesystem::file_type::regular) run = read_student_trace(read_file(trace_file.string()));
     run.ended = ended;
     return run;
 }

@@ -5,8 +5,6 @@
 
 namespace vidno::grading {
 
-using vidno::in_words;
-
 namespace {
 
 int sign_of(double value) { return (value > 0) - (value < 0); }
@@ -23,6 +21,8 @@ double twice_area(const auto& vertices, auto&& x, auto&& y) {
     }
     return sum;
 }
+
+constexpr Bilingual not_looked_at{"; but {} was not looked at in this window", "; но {} в этом окне не рассмотрен"};
 
 }  // namespace
 
@@ -44,9 +44,9 @@ bool WarnockJudge::needs(int column, int row, int polygon) const {
 
 void WarnockJudge::judge_shown(int column, int row, Color color) {
     if (!truth().allows(column, row, color) && overlooks(column, row)) {
-        throw False{Symptom::overlooked, pixel_in_words(column, row) + " shows " + owner_of(color),
-                    why_not(column, row, color) + "; but " + id(truth().seen(column, row).by_rule) +
-                        " was not looked at in this window"};
+        throw False{Symptom::overlooked,
+                    say({"pixel {} shows {}", "в пикселе {} виден {}"}, pixel(column, row), owner_of(color)),
+                    why_not(column, row, color) + say(not_looked_at, id(truth().seen(column, row).by_rule))};
     }
     judge_pixel(column, row, color);
 }
@@ -55,7 +55,10 @@ void WarnockJudge::judge_in_window(int column, int row, const std::string& told)
     const bool is_in = scene().area.contains(column, row) && column >= std::floor(window_.x) &&
                        column < std::ceil(window_.right()) && row >= std::floor(window_.y) &&
                        row < std::ceil(window_.bottom());
-    if (!is_in) throw False{Symptom::off_window, told, pixel_in_words(column, row) + " is not in " + in_words(window_)};
+    if (is_in) return;
+    throw False{
+        Symptom::off_window, told,
+        say({"pixel {} is not in the window {}", "пиксель {} не лежит в окне {}"}, pixel(column, row), window_)};
 }
 
 void WarnockJudge::judge(const event::Push& e) {
@@ -65,20 +68,23 @@ void WarnockJudge::judge(const event::Push& e) {
         const bool covers = e.window.x <= area.x && e.window.y <= area.y && e.window.right() >= area.right() &&
                             e.window.bottom() >= area.bottom();
         if (!covers) {
-            throw False{Symptom::stray_window, "the first window is " + in_words(e.window),
-                        "the area is " + in_words(whole_area(area))};
+            throw False{Symptom::stray_window, say({"the first window is {}", "первое окно — {}"}, e.window),
+                        say({"the area is {}", "область — {}"}, whole_area(area))};
         }
         if (!(e.window == covering_square(area))) note(Difference::other_windows);
     }
     if (tree_.push(e.window, step_)) return;
-    throw False{Symptom::stray_window, in_words(e.window) + " goes on the stack",
-                "it is no part of a window that was split"};
+    throw False{Symptom::stray_window, say({"the window {} goes on the stack", "окно {} помещается в стек"}, e.window),
+                say({"it is no part of a window that was split", "оно не часть разделённого окна"})};
 }
 
 void WarnockJudge::judge_parts() {
     if (const auto missing = tree_.uncovered_now()) {
-        throw False{Symptom::parts_missing, "these are all parts of " + in_words(missing->window),
-                    pixel_in_words(missing->column, missing->row) + " is in none of them", missing->step};
+        throw False{Symptom::parts_missing,
+                    say({"these are all parts of the window {}", "это все части окна {}"}, missing->window),
+                    say({"pixel {} is in none of them", "пиксель {} не лежит ни в одной из них"},
+                        pixel(missing->column, missing->row)),
+                    missing->step};
     }
     if (decided_ != Case::split || tree_.parts().size() < 2) return;
     std::vector<Window> usual = parts_of(window_), told = tree_.parts();
@@ -95,9 +101,14 @@ void WarnockJudge::judge(const event::Pop& e) {
     tree_.pop(e.window);
     window_ = e.window;
     decided_.reset();
+    summary_.reset();
     counted_.clear();
     depths_.clear();
     nearest_.fill(std::nullopt);
+    compared_.fill(std::nullopt);
+    has_surround_.reset();
+    nearest_of_point_.reset();
+    rows_.clear();
 }
 
 /// A single polygon is painted on the background: only then do the pixels have their colours.
@@ -108,7 +119,8 @@ void WarnockJudge::finish_window() {
         const Color color = state().picture().at(column, row);
         if (truth().allows(column, row, color)) return;
         throw False{Symptom::clipped_away,
-                    in_words(window_) + " is done: " + pixel_in_words(column, row) + " shows " + owner_of(color),
+                    say({"the window {} is done: pixel {} shows {}", "окно {} готово: в пикселе {} виден {}"}, window_,
+                        pixel(column, row), owner_of(color)),
                     why_not(column, row, color), last_step_};
     });
 }
@@ -116,8 +128,11 @@ void WarnockJudge::finish_window() {
 void WarnockJudge::finish() {
     if (decided_) finish_window();
     if (const auto missing = tree_.uncovered()) {
-        throw False{Symptom::parts_missing, "these are all parts of " + in_words(missing->window),
-                    pixel_in_words(missing->column, missing->row) + " is in none of them", missing->step};
+        throw False{Symptom::parts_missing,
+                    say({"these are all parts of the window {}", "это все части окна {}"}, missing->window),
+                    say({"pixel {} is in none of them", "пиксель {} не лежит ни в одной из них"},
+                        pixel(missing->column, missing->row)),
+                    missing->step};
     }
     const Area& area = scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
@@ -125,24 +140,47 @@ void WarnockJudge::finish() {
             const Color color = state().picture().at(column, row);
             if (!truth().allows(column, row, color) && !painted_.contains({column, row})) {
                 throw False{Symptom::not_painted,
-                            "the run is over, and nothing has painted " + pixel_in_words(column, row),
+                            say({"the run is over, and nothing has painted pixel {}",
+                                 "работа закончена, а пиксель {} не закрашен"},
+                                pixel(column, row)),
                             why_not(column, row, color)};
             }
             judge_pixel(column, row, color);
         }
     }
     if (tree_.is_recursive()) note(Difference::recursion);
+    if (tree_.is_breadth_first()) note(Difference::breadth_first);
 }
 
 void WarnockJudge::judge(const event::Corners& e) {
-    judge_start(e.z.number, "the depths at the corners start");
+    judge_start(e.z.number, {"the depths at the corners start at {}", "глубины в углах начинаются с {}"});
     nearest_.fill(e.z.number);
+    compared_.fill(std::nullopt);
 }
 
 void WarnockJudge::judge(const event::Box& e) const {
     const int p = e.polygon.index;
-    const bool meets = e.outside && truth().meets(p, window_);
-    if (meets) throw False{Symptom::left_list, id(p) + " lies outside of " + in_words(window_), "it has a part in it"};
+    const PlainBox box = truth().box(p);
+    const std::array right{box.xmin, box.ymin, box.xmax, box.ymax};
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (truth().same_coordinate(e.box[i].number, right[i])) continue;
+        constexpr std::array names{"xmin", "ymin", "xmax", "ymax"};
+        throw False{Symptom::box,
+                    say({"{} of the box of {} is {}", "{} габарита {} равен {}"}, names[i], id(p), e.box[i].number),
+                    say({"it is {}", "он равен {}"}, right[i])};
+    }
+    const double off =
+        std::max({window_.x - box.xmax, box.xmin - window_.right(), window_.y - box.ymax, box.ymin - window_.bottom()});
+    const bool may_be_outside = off >= 0 || truth().same_coordinate(off, 0);
+    const bool must_be_outside = off > 0 && !truth().same_coordinate(off, 0);
+    if (e.outside ? may_be_outside || !truth().meets(p, window_) : !must_be_outside) return;
+    throw False{e.outside ? Symptom::left_list : Symptom::box,
+                e.outside
+                    ? say({"{} lies outside of the window {}", "{} лежит вне окна {}"}, id(p), window_)
+                    : say({"the box of {} does not lie outside of the window {}", "габарит {} не лежит вне окна {}"},
+                          id(p), window_),
+                e.outside ? say({"it has a part in it", "часть его лежит в окне"})
+                          : say({"it lies beside it", "он лежит рядом с окном"})};
 }
 
 void WarnockJudge::judge(const event::Discard& e) {
@@ -150,8 +188,10 @@ void WarnockJudge::judge(const event::Discard& e) {
     if (!truth().meets(p, window_)) return;
     for_pixels([&](int column, int row) {
         if (!needs(column, row, p)) return;
-        throw False{Symptom::left_list, id(p) + " leaves the list of " + in_words(window_),
-                    "it shows in that window, at " + pixel_in_words(column, row)};
+        throw False{
+            Symptom::left_list,
+            say({"{} leaves the list of the window {}", "{} уходит из списка окна {}"}, id(p), window_),
+            say({"it shows in that window, at pixel {}", "он виден в этом окне, в пикселе {}"}, pixel(column, row))};
     });
     note(Difference::hidden_leave);
 }
@@ -161,6 +201,9 @@ void WarnockJudge::judge(const event::Count& e) {
     if (!counted_.empty() && counted_.back() > p) note(Difference::order_of_polygons);
     counted_.push_back(p);
     tells_counts_ = true;
+    if (e.count == int(counted_.size())) return;
+    throw False{Symptom::count, say({"with {} the count is {}", "вместе с {} насчитано {}"}, id(p), e.count),
+                say({"so far the trace has counted {}", "в записи их пока {}"}, counted_.size())};
 }
 
 void WarnockJudge::judge(const event::Depth& e) {
@@ -173,8 +216,33 @@ void WarnockJudge::judge(const event::Depth& e) {
 }
 
 void WarnockJudge::judge(const event::Compare& e) {
-    if (!truth().has_inside(e.polygon.index)) return;
-    judge_comparison(e.z.number, e.against.number, e.nearer);
+    const int p = e.polygon.index;
+    if (!truth().has_inside(p)) return;
+    const double z = e.z.number, against = e.against.number;
+    if (e.corner) {
+        const auto corner = std::size_t(*e.corner);
+        const auto [x, y] = corners_of(window_)[corner];
+        judge_depth(p, x, y, z);
+        judge_nearest_so_far(against, compared_[corner] ? compared_[corner] : nearest_[corner]);
+    } else {
+        if (!nearest_of_point_)
+            judge_start(against, {"the depth of PointColor starts at {}", "глубина в PointColor начинается с {}"});
+        judge_nearest_so_far(against, nearest_of_point_);
+    }
+    judge_comparison(z, against, e.nearer);
+    if (e.corner) {
+        if (e.nearer) compared_[std::size_t(*e.corner)] = z;
+    } else {
+        nearest_of_point_ = e.nearer ? z : against;
+    }
+}
+
+void WarnockJudge::judge(const event::Nearest& e) {
+    const int p = e.polygon.index;
+    if (!truth().has_inside(p)) return;
+    if (is_pixel() && window_.width == 1 && window_.height == 1)
+        judge_depth(p, window_.x + 0.5, window_.y + 0.5, e.z.number);
+    nearest_of_point_ = e.z.number;
 }
 
 void WarnockJudge::judge(const event::Nearer& e) {
@@ -185,6 +253,7 @@ void WarnockJudge::judge(const event::Nearer& e) {
         if (z && nearest_[i] && truth().has_inside(p)) judge_comparison(*z, *nearest_[i], listed);
         if (listed && z) nearest_[i] = z;
     }
+    compared_.fill(std::nullopt);
 }
 
 void WarnockJudge::judge(const event::Surround& e) {
@@ -196,66 +265,137 @@ void WarnockJudge::judge(const event::Surround& e) {
         return;
     }
     if (e.inside == (where == SceneTruth::Place::inside)) return;
-    throw False{
-        Symptom::point_in_polygon,
-        point_in_words(e.point.x.number, e.point.y.number) + " is " + (e.inside ? "inside " : "outside ") + id(p),
-        std::string("it is ") + (e.inside ? "outside" : "inside")};
+    const std::string point = say.point(e.point.x.number, e.point.y.number);
+    throw False{Symptom::point_in_polygon,
+                e.inside ? say({"{} is inside {}", "точка {} лежит внутри {}"}, point, id(p))
+                         : say({"{} is outside {}", "точка {} лежит вне {}"}, point, id(p)),
+                e.inside ? say({"it is outside", "она лежит вне его"}) : say({"it is inside", "она лежит внутри"})};
 }
 
 void WarnockJudge::judge(const event::Orient& e) {
     const int p = e.polygon.index, told = int(e.sign);
     const int side = truth().side(p, e.edge, e.point.x.number, e.point.y.number);
-    const std::string claim = "the sign for edge " + std::to_string(e.edge) + " of " + id(p) + " and " +
-                              point_in_words(e.point.x.number, e.point.y.number) + " is " + std::to_string(told);
+    const std::string claim =
+        say({"the sign for edge {} of {} and {} is {}", "знак для ребра {} многоугольника {} и точки {} равен {}"},
+            e.edge, id(p), say.point(e.point.x.number, e.point.y.number), told);
     if (sign_of(e.value.number) != told) {
-        throw False{Symptom::point_in_polygon, claim, "its value is " + in_words(e.value.number)};
+        throw False{Symptom::point_in_polygon, claim,
+                    say({"its value is {}", "само значение равно {}"}, e.value.number)};
     }
     if (side == 0 || !truth().has_inside(p)) return;
-    if (told == 0) throw False{Symptom::point_in_polygon, claim, "the point is not on that edge's line"};
+    if (told == 0) {
+        throw False{Symptom::point_in_polygon, claim,
+                    say({"the point is not on that edge's line", "точка не лежит на прямой этого ребра"})};
+    }
     const int convention = orientations_.try_emplace(p, told * side).first->second;
     if (convention == told * side) return;
-    throw False{Symptom::point_in_polygon, claim, "by the signs before it would be " + std::to_string(-told)};
+    throw False{Symptom::point_in_polygon, claim,
+                say({"by the signs before it would be {}", "судя по прежним знакам, он должен быть {}"}, -told)};
 }
 
 void WarnockJudge::judge(const event::Mark& e) const {
     const int p = e.polygon.index;
-    if (truth().holds(p, window_)) return;
-    throw False{Symptom::point_in_polygon, id(p) + " surrounds " + in_words(window_),
-                "not all of its corners are inside"};
+    if (truth().holds(p, truth().in_area(window_))) return;
+    throw False{Symptom::point_in_polygon, say({"{} surrounds the window {}", "{} охватывает окно {}"}, id(p), window_),
+                say({"not all of its corners are inside", "не все углы окна лежат внутри"})};
 }
 
-void WarnockJudge::judge(const event::Insider& e) const {
-    if (!e.inside) return;
+/// So far nothing that was counted is nearer.
+void WarnockJudge::judge(const event::Cover& e) {
     const int p = e.polygon.index;
-    for (const auto& v : scene().polygons[std::size_t(p)].vertices) {
-        if (window_.x <= v.x && v.x <= window_.right() && window_.y <= v.y && v.y <= window_.bottom()) continue;
-        throw False{Symptom::insider, id(p) + " lies inside of " + in_words(window_),
-                    "its vertex " + point_in_words(v.x, v.y) + " does not"};
+    has_surround_ = true;
+    if (!truth().has_inside(p)) return;
+    const std::string told =
+        say({"{} surrounds the window {} and is the nearest so far", "{} охватывает окно {} и ближе всех предыдущих"},
+            id(p), window_);
+    if (!truth().holds(p, truth().in_area(window_)))
+        throw False{Symptom::surrounded, told, say({"it does not surround it", "он его не охватывает"})};
+    for (const int q : counted_) {
+        if (q == p || !truth().has_inside(q)) continue;
+        for (const auto& [x, y] : corners_of(window_)) {
+            if (truth().nearer(q, p, x, y) <= 0) continue;
+            throw False{Symptom::surrounded, told,
+                        say({"{} is nearer at the corner {}", "{} ближе в углу {}"}, id(q), say.point(x, y))};
+        }
     }
 }
 
+/// Strictly inside or not; where it touches the window's sides, either.
+void WarnockJudge::judge(const event::Insider& e) const {
+    const int p = e.polygon.index;
+    const PlainBox box = truth().box(p);
+    const double room =
+        std::min({box.xmin - window_.x, box.ymin - window_.y, window_.right() - box.xmax, window_.bottom() - box.ymax});
+    if (truth().same_coordinate(room, 0) || e.inside == (room > 0)) return;
+    throw False{Symptom::insider,
+                e.inside
+                    ? say({"{} lies inside of the window {}", "{} лежит внутри окна {}"}, id(p), window_)
+                    : say({"{} does not lie inside of the window {}", "{} не лежит внутри окна {}"}, id(p), window_),
+                e.inside ? say({"it reaches beyond its sides", "он выходит за его стороны"})
+                         : say({"it does not reach its sides", "он не доходит до его сторон"})};
+}
+
 void WarnockJudge::judge(const event::Summary& e) {
+    summary_ = e;
+    if (!counted_.empty() && e.count != int(counted_.size())) {
+        throw False{Symptom::count, say({"{} polygons are in the window", "многоугольников в окне: {}"}, e.count),
+                    say({"the trace has counted {}", "в записи их {}"}, counted_.size())};
+    }
+    if (has_surround_ && *has_surround_ != e.has_surround) {
+        throw False{
+            Symptom::contradiction,
+            say({"hasSurround is {}", "hasSurround равен {}"}, e.has_surround ? "true" : "false"),
+            say({"it was set to {} before", "раньше он получил значение {}"}, e.has_surround ? "false" : "true")};
+    }
     if (e.has_surround && e.color) judge_surrounded(*e.color);
 }
 
 void WarnockJudge::judge_surrounded(Color color) {
+    const std::string told =
+        say({"{} hides all else in the window {}", "{} закрывает всё остальное в окне {}"}, owner_of(color), window_);
     for_pixels([&](int column, int row) {
         if (truth().allows(column, row, color)) return;
         const bool overlooked = overlooks(column, row);
-        throw False{
-            overlooked ? Symptom::overlooked : Symptom::surrounded,
-            owner_of(color) + " hides all else in " + in_words(window_),
-            why_not(column, row, color) + (overlooked ? "; but that polygon was not looked at in this window" : "")};
+        const int right = truth().seen(column, row).by_rule;
+        throw False{overlooked ? Symptom::overlooked : Symptom::surrounded, told,
+                    why_not(column, row, color) + (overlooked ? say(not_looked_at, id(right)) : "")};
     });
+    if (!is_pixel()) judge_surrounds(color);
+}
+
+/// Some polygon of the colour must surround the window, and be nearer than all others in it, between the pixels too.
+void WarnockJudge::judge_surrounds(Color color) const {
+    const Window window = truth().in_area(window_);
+    std::optional<std::pair<int, int>> before;  // one that surrounds it, and one that is nearer
+    for (int p = 0; p < int(scene().polygons.size()); ++p) {
+        if (scene().polygons[std::size_t(p)].color != color || !truth().has_inside(p) || !truth().holds(p, window))
+            continue;
+        const auto nearer = truth().nearer_in(p, window);
+        if (!nearer) return;
+        before = {p, *nearer};
+    }
+    throw False{Symptom::surrounded,
+                say({"{} surrounds the window {} and hides all else in it",
+                     "{} охватывает окно {} и закрывает всё остальное в нём"},
+                    owner_of(color), window_),
+                before ? say({"{} is nearer than {} in a part of it", "{} в части окна ближе, чем {}"},
+                             id(before->second), id(before->first))
+                       : say({"no polygon of that colour has all of its corners inside",
+                              "ни в одном многоугольнике этого цвета не лежат все его углы"})};
 }
 
 void WarnockJudge::judge_empty() {
+    const std::string told = say({"the window {} is empty", "окно {} пусто"}, window_);
     for_pixels([&](int column, int row) {
         if (truth().allows(column, row, scene().background)) return;
         const bool known = tells_counts_ && !overlooks(column, row);
-        throw False{known ? Symptom::not_plain : Symptom::overlooked, in_words(window_) + " is empty",
-                    why_not(column, row, scene().background)};
+        throw False{known ? Symptom::not_plain : Symptom::overlooked, told, why_not(column, row, scene().background)};
     });
+    if (is_pixel()) return;
+    for (int p = 0; p < int(scene().polygons.size()); ++p) {
+        if (!truth().meets(p, truth().in_area(window_))) continue;
+        throw False{Symptom::not_plain, told, say({"{} has a part in it", "в нём лежит часть {}"}, id(p))};
+    }
 }
 
 /// Some polygon and the background must be enough for all pixels.
@@ -275,12 +415,36 @@ void WarnockJudge::judge_single() {
         if (!enough.empty()) return;
         const bool overlooked = overlooks(column, row) || overlooks(first->first, first->second);
         const auto shown = [&](int x, int y) {
-            return id(truth().seen(x, y).by_rule) + " shows at " + pixel_in_words(x, y);
+            return say({"{} shows at pixel {}", "{} виден в пикселе {}"}, id(truth().seen(x, y).by_rule), pixel(x, y));
         };
-        throw False{overlooked ? Symptom::overlooked : Symptom::not_plain,
-                    "no more than one polygon shows in " + in_words(window_),
-                    shown(first->first, first->second) + ", " + shown(column, row)};
+        throw False{
+            overlooked ? Symptom::overlooked : Symptom::not_plain,
+            say({"no more than one polygon shows in the window {}", "в окне {} виден не более чем один многоугольник"},
+                window_),
+            shown(first->first, first->second) + ", " + shown(column, row)};
     });
+}
+
+/// The case must be one that what ProcessWindow found allows.
+void WarnockJudge::judge_follows(Case which) const {
+    if (!summary_) return;
+    const auto& [at, count, has_surround, color, insider] = *summary_;
+    const bool follows = which == Case::empty        ? count == 0
+                         : which == Case::surrounded ? has_surround
+                         : which == Case::single     ? count == 1
+                         : which == Case::split      ? count > 0 && !has_surround
+                                                     : true;
+    if (follows) return;
+    constexpr std::array<Bilingual, 5> names{{{"empty", "пусто"},
+                                              {"surrounded", "охвачено"},
+                                              {"a pixel", "пиксель"},
+                                              {"of a single polygon", "с единственным многоугольником"},
+                                              {"to be split", "подлежит делению"}}};
+    throw False{Symptom::contradiction,
+                say({"the window {} is {}", "окно {}: {}"}, window_, say(names[std::size_t(which)])),
+                say({"what was found in it is: {} polygons, hasSurround {}",
+                     "найдено в нём: многоугольников {}, hasSurround {}"},
+                    count, has_surround ? "true" : "false")};
 }
 
 void WarnockJudge::judge(const event::Decide& e) {
@@ -289,18 +453,22 @@ void WarnockJudge::judge(const event::Decide& e) {
     if (e.which == Case::single) judge_single();
     if (e.which == Case::split) {
         tree_.split(step_);
-        if (window_.width <= 1 && window_.height <= 1) {
-            throw False{Symptom::too_small, in_words(window_) + " is split", "it is no larger than a pixel"};
+        if (is_pixel()) {
+            throw False{Symptom::too_small, say({"the window {} is split", "окно {} делится"}, window_),
+                        say({"it is no larger than a pixel", "оно не больше пикселя"})};
         }
     }
     if (e.which == Case::pixel && pixels().width * pixels().height > 1) {
-        throw False{Symptom::too_small, in_words(window_) + " is no larger than a pixel", "it has more of them"};
+        throw False{Symptom::too_small,
+                    say({"the window {} is no larger than a pixel", "окно {} не больше пикселя"}, window_),
+                    say({"it has more of them", "пикселей в нём больше"})};
     }
+    judge_follows(e.which);
 }
 
 void WarnockJudge::judge(const event::Fill& e) {
     const auto& r = e.rect;
-    const std::string told = "the pixels " + in_words(r) + " take " + owner_of(e.color);
+    const std::string told = say({"the pixels {} take {}", "пиксели {} получают цвет: {}"}, r, owner_of(e.color));
     for (int row = r.y; row < r.y + r.height; ++row) {
         for (int column = r.x; column < r.x + r.width; ++column) {
             judge_in_window(column, row, told);
@@ -308,11 +476,9 @@ void WarnockJudge::judge(const event::Fill& e) {
         }
     }
     if (decided_ == Case::single) return;
+    if (decided_ == Case::surrounded) judge_surrounded(e.color);
     for (int row = r.y; row < r.y + r.height; ++row) {
-        for (int column = r.x; column < r.x + r.width; ++column) {
-            if (decided_ == Case::surrounded && !truth().allows(column, row, e.color)) judge_surrounded(e.color);
-            judge_shown(column, row, e.color);
-        }
+        for (int column = r.x; column < r.x + r.width; ++column) judge_shown(column, row, e.color);
     }
 }
 
@@ -322,13 +488,37 @@ void WarnockJudge::judge(const event::PointColor& e) {
         scene().area.x <= x && x < scene().area.right() && scene().area.y <= y && y < scene().area.bottom();
     if (e.point.x.number != x + 0.5 || e.point.y.number != y + 0.5 || !in_area) {
         throw False{Symptom::colour,
-                    "the colour at " + point_in_words(e.point.x.number, e.point.y.number) + " is that of a pixel",
-                    "no pixel of the area has its centre there"};
+                    say({"the colour at {} is that of a pixel", "цвет в точке {} — цвет пикселя"},
+                        say.point(e.point.x.number, e.point.y.number)),
+                    say({"no pixel of the area has its centre there", "ни у одного пикселя области нет там центра"})};
     }
     judge_shown(int(x), int(y), e.color);
 }
 
-/// 1 if a vertex is outside the window by the current side, -1 if inside, 0 if either is right.
+void WarnockJudge::judge(const event::ClipBegin& e) {
+    side_.reset();
+    clipped_ = e.polygon.index;
+}
+
+void WarnockJudge::judge(const event::ClipSide& e) {
+    side_ = {e.from, e.to};
+    const auto corners = corners_of(window_);
+    const auto is_corner = [&](const ValuePoint& p) {
+        return std::any_of(corners.begin(), corners.end(), [&](const auto& corner) {
+            return truth().same_coordinate(p.x.number, corner.first) &&
+                   truth().same_coordinate(p.y.number, corner.second);
+        });
+    };
+    if (is_corner(e.from) && is_corner(e.to) &&
+        (e.from.x.number == e.to.x.number) != (e.from.y.number == e.to.y.number))
+        return;
+    throw False{Symptom::clip,
+                say({"side {} of the window {} goes from {} to {}", "сторона {} окна {} идёт от {} до {}"}, e.side,
+                    window_, say.point(e.from.x.number, e.from.y.number), say.point(e.to.x.number, e.to.y.number)),
+                say({"that is no side of it", "такой стороны у него нет"})};
+}
+
+/// 1 if a vertex lies outside by the current side, -1 if it lies inside, 0 if it is on the side or nothing is known.
 int WarnockJudge::beyond_side(const ValueVertex& v) const {
     if (!side_) return 0;
     const auto& [from, to] = *side_;
@@ -340,33 +530,95 @@ int WarnockJudge::beyond_side(const ValueVertex& v) const {
     return (value > at) == (inside > at) ? -1 : 1;
 }
 
+void WarnockJudge::judge(const event::ClipSign& e) const {
+    const int told = int(e.sign), right = beyond_side(e.vertex);
+    const std::string vertex = say.point(e.vertex.x.number, e.vertex.y.number);
+    const std::string claim = say({"the sign for {} is {}", "знак для {} равен {}"}, vertex, told);
+    if (sign_of(e.value.number) != told)
+        throw False{Symptom::clipped_inside, claim, say({"its value is {}", "само значение равно {}"}, e.value.number)};
+    if (right == 0 || told == right) return;
+    throw False{Symptom::clipped_inside, claim,
+                right > 0
+                    ? say({"it lies outside of the window {} by the current side, where signs are positive",
+                           "она лежит вне окна {} по текущей стороне, а там знаки положительны"},
+                          window_)
+                    : say({"it lies on the inner side of the current side of the window {}, where signs are negative",
+                           "она лежит с внутренней стороны окна {}, а там знаки отрицательны"},
+                          window_)};
+}
+
+void WarnockJudge::judge(const event::ClipCross& e) const {
+    const bool on_side = beyond_side(e.vertex) == 0;
+    if (on_side &&
+        (clipped_ < 0 || truth().has_vertex(clipped_, {e.vertex.x.number, e.vertex.y.number, e.vertex.z.number})))
+        return;
+    throw False{Symptom::clip,
+                say({"{} is where the outline crosses the current side", "{} — точка пересечения с текущей стороной"},
+                    say.point(e.vertex.x.number, e.vertex.y.number, e.vertex.z.number)),
+                on_side ? say({"it is not on the polygon", "она не лежит на многоугольнике"})
+                        : say({"it is not on that side", "она не лежит на этой стороне"})};
+}
+
 void WarnockJudge::judge(const event::ClipKeep& e) const {
     if (beyond_side(e.vertex) <= 0) return;
-    throw False{Symptom::clipped_inside, point_in_words(e.vertex.x.number, e.vertex.y.number) + " is kept",
-                "it lies outside of " + in_words(window_) + " by the current side"};
+    throw False{
+        Symptom::clipped_inside,
+        say({"{} is kept", "вершина {} остаётся"}, say.point(e.vertex.x.number, e.vertex.y.number)),
+        say({"it lies outside of the window {} by the current side", "она лежит вне окна {} по текущей стороне"},
+            window_)};
 }
 
 void WarnockJudge::judge(const event::ClipDrop& e) const {
     if (beyond_side(e.vertex) >= 0) return;
-    throw False{Symptom::clipped_inside, point_in_words(e.vertex.x.number, e.vertex.y.number) + " is dropped",
-                "it lies on the inner side of the current side of " + in_words(window_)};
+    throw False{Symptom::clipped_inside,
+                say({"{} is dropped", "вершина {} отбрасывается"}, say.point(e.vertex.x.number, e.vertex.y.number)),
+                say({"it lies on the inner side of the current side of the window {}",
+                     "она лежит с внутренней стороны текущей стороны окна {}"},
+                    window_)};
 }
 
 void WarnockJudge::judge(const event::ClipResult& e) {
     const int p = e.polygon.index;
     std::vector<glm::dvec3> vertices;
     for (const auto& v : e.vertices) vertices.push_back({v.x.number, v.y.number, v.z.number});
-    if (const auto reason = truth().no_part(p, window_, vertices)) {
-        throw False{vertices.empty() ? Symptom::clipped_away : Symptom::clip,
-                    "the part of " + id(p) + " in " + in_words(window_) + " has " + std::to_string(vertices.size()) +
-                        " vertices",
-                    *reason};
+    if (const auto reason = truth().no_part(p, window_, vertices, say)) {
+        throw False{
+            vertices.empty() ? Symptom::clipped_away : Symptom::clip,
+            say({"the part of {} in the window {} has {} vertices", "в части {}, лежащей в окне {}, вершин: {}"}, id(p),
+                window_, vertices.size()),
+            *reason};
     }
     const auto turn = [](const auto& list) {
         return twice_area(
             list, [](const auto& v) { return v.x; }, [](const auto& v) { return v.y; });
     };
     if (turn(vertices) * turn(scene().polygons[std::size_t(p)].vertices) < 0) note(Difference::order_of_vertices);
+    clipped_ = p;
+}
+
+/// The rows before a `draw`: their ends are those of the polygon or of its part in the window.
+void WarnockJudge::judge_rows(int polygon) {
+    if (!truth().has_inside(polygon)) return;
+    for (const event::Row& e : rows_) {
+        const auto whole = truth().ends(polygon, e.row + 0.5);
+        const auto part = truth().ends_in(polygon, window_, e.row + 0.5);
+        const auto is_end = [&](double told, auto&& end_of) {
+            return (whole && truth().same_coordinate(told, end_of(*whole))) ||
+                   (part && truth().same_coordinate(told, end_of(*part)));
+        };
+        const bool right = (is_end(e.left.number, [](const auto& ends) { return ends.first.x; }) &&
+                            is_end(e.right.number, [](const auto& ends) { return ends.second.x; })) ||
+                           !(e.left.number < e.right.number);
+        if (!right) {
+            throw False{Symptom::edge,
+                        say({"on row {} {} goes from x = {} to {}", "в строке {} {} занимает от x = {} до {}"}, e.row,
+                            id(polygon), e.left.number, e.right.number),
+                        whole
+                            ? say({"it goes from {} to {}", "он занимает от {} до {}"}, whole->first.x, whole->second.x)
+                            : say({"it does not meet that row's line", "он не пересекает линию этой строки"})};
+        }
+    }
+    rows_.clear();
 }
 
 void WarnockJudge::judge(const event::Draw& e) {
@@ -375,7 +627,8 @@ void WarnockJudge::judge(const event::Draw& e) {
     bool any = false;
     for (const auto& run : e.runs) {
         for (int column = run.first; column < run.end; ++column) {
-            const std::string told = id(p) + " is drawn at " + pixel_in_words(column, run.row);
+            const std::string told =
+                say({"{} is drawn at pixel {}", "{} рисуется в пикселе {}"}, id(p), pixel(column, run.row));
             judge_in_window(column, run.row, told);
             if (truth().place(p, column + 0.5, run.row + 0.5) == SceneTruth::Place::outside) {
                 throw False{Symptom::off_polygon, told, why_not(column, run.row, e.color)};
@@ -385,13 +638,15 @@ void WarnockJudge::judge(const event::Draw& e) {
         }
         after.paint(run, e.color);
     }
+    judge_rows(p);
     if (decided_ != Case::single) return;
     for_pixels([&](int column, int row) {
         const Color color = after.at(column, row);
         if (!truth().allows(column, row, color)) {
             throw False{any ? Symptom::colour : Symptom::clipped_away,
-                        id(p) + " is drawn in " + in_words(window_) + ", and " + pixel_in_words(column, row) +
-                            " shows " + owner_of(color),
+                        say({"{} is drawn in the window {}, and pixel {} shows {}",
+                             "{} нарисован в окне {}, и в пикселе {} виден {}"},
+                            id(p), window_, pixel(column, row), owner_of(color)),
                         why_not(column, row, color)};
         }
         judge_pixel(column, row, color);

@@ -11,8 +11,8 @@ namespace vidno::grading {
 
 class WarnockJudge : public Claims {
 public:
-    WarnockJudge(const SceneTruth& truth, const State& state, std::set<Difference>& differences)
-        : Claims(truth, state, differences), tree_(truth.scene().area) {}
+    WarnockJudge(const SceneTruth& truth, const State& state, std::set<Difference>& differences, const Words& words)
+        : Claims(truth, state, differences, words), tree_(truth.scene().area) {}
 
     /// Before the state takes the event. Throws False.
     void take(const EventView& event, std::uint64_t step) {
@@ -23,7 +23,12 @@ public:
     /// After the last event. Throws False.
     void finish();
 
+    /// What a claim is about, beside a polygon.
+    std::string place() const { return in_words(window_); }
+
 private:
+    using Corners = std::array<std::optional<double>, 4>;
+
     void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well
     void judge(const event::Plane& e) { judge_plane(e); }
     void judge(const event::Push& e);
@@ -36,32 +41,42 @@ private:
     void judge(const event::Depth& e);
     void judge(const event::Compare& e);
     void judge(const event::Nearer& e);
+    void judge(const event::Uncover&) { has_surround_ = false; }
     void judge(const event::Surround& e);
     void judge(const event::Orient& e);
     void judge(const event::Mark& e) const;
+    void judge(const event::Cover& e);
     void judge(const event::Insider& e) const;
     void judge(const event::Summary& e);
     void judge(const event::Decide& e);
     void judge(const event::Fill& e);
+    void judge(const event::Nearest& e);
     void judge(const event::PointColor& e);
-    void judge(const event::ClipBegin&) { side_.reset(); }
-    void judge(const event::ClipSide& e) { side_ = {e.from, e.to}; }
+    void judge(const event::ClipBegin& e);
+    void judge(const event::ClipSide& e);
+    void judge(const event::ClipSign& e) const;
+    void judge(const event::ClipCross& e) const;
     void judge(const event::ClipKeep& e) const;
     void judge(const event::ClipDrop& e) const;
     void judge(const event::ClipResult& e);
+    void judge(const event::Row& e) { rows_.push_back(e); }
     void judge(const event::Draw& e);
 
     void finish_window();
     void judge_shown(int column, int row, Color color);
     void judge_surrounded(Color color);
+    void judge_surrounds(Color color) const;
     void judge_empty();
     void judge_single();
+    void judge_follows(Case which) const;
+    void judge_rows(int polygon);
     void judge_in_window(int column, int row, const std::string& told) const;
     void judge_parts();
     bool looked_at(int polygon) const;
     int beyond_side(const ValueVertex& v) const;
     bool overlooks(int column, int row) const;
     bool needs(int column, int row, int polygon) const;
+    bool is_pixel() const { return window_.width <= 1 && window_.height <= 1; }
     PixelRectangle pixels() const { return state().picture().pixels_of(window_); }
 
     /// Calls `with(column, row)` for each pixel of the current window.
@@ -79,12 +94,17 @@ private:
     // About the current window
     Window window_;
     std::optional<Case> decided_;
+    std::optional<event::Summary> summary_;
     std::vector<int> counted_;
-    bool tells_counts_ = false;  // anywhere
-    std::array<std::optional<double>, 4> nearest_;
-    std::map<int, std::array<std::optional<double>, 4>> depths_;
+    bool tells_counts_ = false;   // anywhere
+    Corners nearest_, compared_;  // as the program has them; since `nearer`, as its comparisons leave them
+    std::map<int, Corners> depths_;
+    std::optional<bool> has_surround_;        // as `cover` and `uncover` leave it
+    std::optional<double> nearest_of_point_;  // of PointColor
 
     std::optional<std::pair<ValuePoint, ValuePoint>> side_;  // by which is being clipped
+    int clipped_ = -1;                                       // polygon
+    std::vector<event::Row> rows_;                           // since the last `draw`
     std::map<int, int>
         orientations_;  // of each polygon: which sign its program gives to the side that we call positive
 };

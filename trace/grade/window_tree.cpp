@@ -20,33 +20,47 @@ bool holds_centre(const Window& window, int column, int row) {
 
 }  // namespace
 
-bool WindowTree::push(const Window& window, std::uint64_t step) {
-    std::optional<std::size_t> parent;
-    if (!nodes_.empty()) {
-        // A program that calls itself pushes a part when it comes to it, long after its window was split.
-        parent = current_;
-        while (parent && !(nodes_[*parent].split && holds(nodes_[*parent].window, window)))
-            parent = nodes_[*parent].parent;
-        if (!parent) return false;
-        if (*parent != current_) recursive_ = true;
-        nodes_[*parent].parts.push_back(window);
-        nodes_[*parent].step = step;
+WindowTree::Node* WindowTree::parent_of(const Window& window) {
+    Node* smallest = nullptr;
+    for (Node& node : nodes_) {
+        if (!node.split || !holds(node.window, window)) continue;
+        const bool is_smaller =
+            !smallest || node.window.width * node.window.height <= smallest->window.width * smallest->window.height;
+        if (is_smaller) smallest = &node;
     }
-    stack_.push_back(nodes_.size());
-    nodes_.push_back({window, parent, false, step, {}});
+    return smallest;
+}
+
+bool WindowTree::push(const Window& window, std::uint64_t step) {
+    const auto waits = [&](const Node& node) { return node.waits && node.window == window; };
+    if (std::any_of(nodes_.begin(), nodes_.end(), waits)) return true;
+    if (!nodes_.empty()) {
+        Node* const parent = parent_of(window);
+        if (!parent) return false;
+        parent->parts.push_back(window);
+        parent->step = step;
+        if (parent == &nodes_[current_]) ++parent->at_once;
+        in_turn_ = in_turn_ || parent != &nodes_[current_];
+        breadth_first_ = breadth_first_ || !holds(parent->window, nodes_[current_].window);
+    }
+    nodes_.push_back({window});
+    nodes_.back().step = step;
     return true;
 }
 
 void WindowTree::skip(const Window& window) {
-    if (!nodes_.empty()) nodes_[current_].parts.push_back(window);
+    if (Node* const parent = parent_of(window)) parent->parts.push_back(window);
 }
 
 void WindowTree::pop(const Window& window) {
-    const auto is_it = [&](std::size_t i) { return nodes_[i].window == window; };
-    const auto found = std::find_if(stack_.rbegin(), stack_.rend(), is_it);
-    if (found == stack_.rend()) return;
-    current_ = *found;
-    stack_.erase(std::next(found).base());
+    const auto is_it = [&](const Node& node) { return node.waits && node.window == window; };
+    const auto found = std::find_if(nodes_.begin(), nodes_.end(), is_it);
+    if (found == nodes_.end()) return;
+    found->waits = false;
+    const Window& before = nodes_[current_].window;
+    const bool skips_parts = nodes_[current_].split && !nodes_[current_].parts.empty() && !holds(before, window);
+    breadth_first_ = breadth_first_ || skips_parts;
+    current_ = std::size_t(found - nodes_.begin());
 }
 
 void WindowTree::split(std::uint64_t step) {
@@ -69,7 +83,7 @@ std::optional<WindowTree::Uncovered> WindowTree::uncovered(const Node& node) con
 }
 
 std::optional<WindowTree::Uncovered> WindowTree::uncovered_now() const {
-    if (nodes_.empty() || nodes_[current_].parts.size() < 2) return std::nullopt;
+    if (nodes_.empty() || nodes_[current_].at_once < 2) return std::nullopt;
     return uncovered(nodes_[current_]);
 }
 

@@ -1,4 +1,4 @@
-/// WindowTree: which windows came from which, and whether the parts of each cover it.
+/// WindowTree: which windows came from which, in whatever order they are looked at, and whether the parts of each cover it.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,8 @@ public:
         std::uint64_t step;
     };
 
-    /// False if it is no part of a window that was split.
+    /// A part belongs to the smallest window that was split and holds it: a program that tells a part when its turn comes may have
+    /// looked at any others since. A window that waits already may be told again. False if it is no part of any.
     bool push(const Window& window, std::uint64_t step);
     void skip(const Window& window);
     /// The window becomes the current one.
@@ -32,7 +33,10 @@ public:
     /// The same for any window.
     std::optional<Uncovered> uncovered() const;
 
-    bool is_recursive() const { return recursive_; }
+    /// Each part was told when its turn came, and its own parts came right after it.
+    bool is_recursive() const { return in_turn_ && !breadth_first_; }
+    /// Other windows came between a window and its parts.
+    bool is_breadth_first() const { return breadth_first_; }
 
     /// The parts of the current window, in their order.
     const std::vector<Window>& parts() const { return nodes_[current_].parts; }
@@ -41,19 +45,20 @@ public:
 private:
     struct Node {
         Window window;
-        std::optional<std::size_t> parent;
         bool split = false;
+        bool waits = true;
         std::uint64_t step = 0;
-        std::vector<Window> parts;
+        std::size_t at_once = 0;  // parts that were told while this was the current window
+        std::vector<Window> parts{};
     };
 
+    Node* parent_of(const Window& window);
     std::optional<Uncovered> uncovered(const Node& node) const;
 
     Area area_;
     std::vector<Node> nodes_;
-    std::vector<std::size_t> stack_;
     std::size_t current_ = 0;
-    bool recursive_ = false;
+    bool in_turn_ = false, breadth_first_ = false;
 };
 
 }  // namespace vidno::grading

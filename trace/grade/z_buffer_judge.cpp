@@ -5,10 +5,8 @@
 
 namespace vidno::grading {
 
-using vidno::in_words;
-
 void ZBufferJudge::judge(const event::Clear& e) {
-    judge_start(e.z.number, "the depths of the Z-buffer start");
+    judge_start(e.z.number, {"the depths of the Z-buffer start at {}", "глубины Z-буфера начинаются с {}"});
     cells_.clear();
     cleared_ = e.z.number;
 }
@@ -17,6 +15,7 @@ void ZBufferJudge::judge(const event::Polygon& e) {
     finish_polygon();
     if (polygon_ && *polygon_ > e.polygon.index) note(Difference::order_of_polygons);
     polygon_ = e.polygon.index;
+    line_.reset();
 }
 
 /// What is nearer than all before it must show where it is.
@@ -30,12 +29,16 @@ void ZBufferJudge::finish_polygon() {
             const int shown = found == cells_.end() ? SeenPixel::background : found->second.polygon;
             if (shown == *polygon_ || truth().place(*polygon_, x, y) != SceneTruth::Place::inside) continue;
             if (shown != SeenPixel::background && truth().nearer(*polygon_, shown, x, y) <= 0) continue;
-            const std::string there = shown == SeenPixel::background ? "nothing" : id(shown);
+            const std::string there = shown == SeenPixel::background ? say({"nothing", "ничего"}) : id(shown);
             throw False{Symptom::not_painted,
-                        id(*polygon_) + " is done, and " + pixel_in_words(column, row) + " shows " + there +
-                            " of what came so far",
-                        "its centre is inside " + id(*polygon_) +
-                            (shown == SeenPixel::background ? "" : ", which is nearer there than " + id(shown)),
+                        say({"{} is done, and pixel {} shows {} of what came so far",
+                             "{} готов, а в пикселе {} из уже рассмотренного видно: {}"},
+                            id(*polygon_), pixel(column, row), there),
+                        shown == SeenPixel::background
+                            ? say({"its centre is inside {}", "его центр лежит внутри {}"}, id(*polygon_))
+                            : say({"its centre is inside {0}, which is nearer there than {1}",
+                                   "его центр лежит внутри {0}, который там ближе, чем {1}"},
+                                  id(*polygon_), id(shown)),
                         last_step_};
         }
     }
@@ -64,25 +67,68 @@ void ZBufferJudge::judge(const event::Edge& e) const {
     };
     const auto i = std::size_t(e.edge);
     if (i < vertices.size() && ((is(e.from, i) && is(e.to, i + 1)) || (is(e.from, i + 1) && is(e.to, i)))) return;
+    throw False{
+        Symptom::edge,
+        say({"edge {} of {} goes from {} to {}", "ребро {} многоугольника {} идёт от {} до {}"}, e.edge, id(*polygon_),
+            say.point(e.from.x.number, e.from.y.number), say.point(e.to.x.number, e.to.y.number)),
+        say({"that is not from its vertex {} to the next", "это не от его вершины {} к следующей"}, e.edge)};
+}
+
+void ZBufferJudge::judge(const event::Extent& e) const {
+    if (!polygon_) return;
+    const PlainBox box = truth().box(*polygon_);
+    if (truth().same_coordinate(e.ymin.number, box.ymin) && truth().same_coordinate(e.ymax.number, box.ymax)) return;
+    throw False{Symptom::box,
+                say({"{} reaches from y = {} to {}", "{} занимает от y = {} до {}"}, id(*polygon_), e.ymin.number,
+                    e.ymax.number),
+                say({"it reaches from {} to {}", "он занимает от {} до {}"}, box.ymin, box.ymax)};
+}
+
+void ZBufferJudge::judge(const event::Scanline& e) const {
+    if (e.row <= e.y.number && e.y.number <= e.row + 1) return;
     throw False{Symptom::edge,
-                "edge " + std::to_string(e.edge) + " of " + id(*polygon_) + " goes from " +
-                    point_in_words(e.from.x.number, e.from.y.number) + " to " +
-                    point_in_words(e.to.x.number, e.to.y.number),
-                "that is not from its vertex " + std::to_string(e.edge) + " to the next"};
+                say({"the scanline y = {} is that of row {}", "строке {1} соответствует y = {0}"}, e.y.number, e.row),
+                say({"that row reaches from {} to {}", "эта строка занимает от {} до {}"}, e.row, e.row + 1)};
 }
 
 void ZBufferJudge::judge_entry(int edge, double y, double x, double z) const {
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
     const auto right = truth().crossing(*polygon_, edge, y);
     if (!right || (truth().same_coordinate(x, right->x) && truth().nearly_equal(z, right->z))) return;
-    throw False{
-        Symptom::edge,
-        "edge " + std::to_string(edge) + " of " + id(*polygon_) + " is at x = " + in_words(x) + ", z = " + in_words(z),
-        "at y = " + in_words(y) + " it is at x = " + in_words(right->x) + ", z = " + in_words(right->z)};
+    throw False{Symptom::edge,
+                say({"edge {} of {} is at x = {}, z = {}", "ребро {} многоугольника {}: x = {}, z = {}"}, edge,
+                    id(*polygon_), x, z),
+                say({"at y = {} it is at x = {}, z = {}", "при y = {} у него x = {}, z = {}"}, y, right->x, right->z)};
 }
 
+/// Where it is, what a row changes, and until which row it stays.
 void ZBufferJudge::judge(const event::AelAdd& e) const {
+    if (!polygon_ || !truth().has_inside(*polygon_)) return;
     if (state().y()) judge_entry(e.edge, height(), e.x.number, e.z.number);
+    const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
+    const auto &p = vertices[std::size_t(e.edge)], &q = vertices[std::size_t(e.edge + 1) % vertices.size()];
+    const auto above = truth().crossing(*polygon_, e.edge, std::min(p.y, q.y)),
+               below = truth().crossing(*polygon_, e.edge, std::max(p.y, q.y));
+    if (!above) return;
+    const double rows = std::abs(q.y - p.y), dx = (below->x - above->x) / rows, dz = (below->z - above->z) / rows;
+    // From one end to the other what rounding leaves open is what it leaves open at an end.
+    if (!truth().same_coordinate(e.dx.number * rows, dx * rows) ||
+        !truth().nearly_equal(e.dz.number * rows, dz * rows)) {
+        throw False{Symptom::edge,
+                    say({"from row to row edge {} of {} changes by dx = {}, dz = {}",
+                         "от строки к строке у ребра {} многоугольника {} dx = {}, dz = {}"},
+                        e.edge, id(*polygon_), e.dx.number, e.dz.number),
+                    say({"it changes by dx = {}, dz = {}", "у него dx = {}, dz = {}"}, dx, dz)};
+    }
+    const double lower = std::max(p.y, q.y), last = e.until.number + 0.5;
+    const bool is_last = (last <= lower || truth().same_coordinate(last, lower)) &&
+                         (lower <= last + 1 || truth().same_coordinate(lower, last + 1));
+    const bool is_last_of_area = e.until.number >= scene().area.bottom() - 1 && last <= lower;
+    if (is_last || is_last_of_area) return;
+    throw False{Symptom::edge,
+                say({"the last row of edge {} of {} is {}", "последняя строка ребра {} многоугольника {} — {}"}, e.edge,
+                    id(*polygon_), e.until.number),
+                say({"it goes down to y = {}", "оно доходит до y = {}"}, lower)};
 }
 
 void ZBufferJudge::judge(const event::AelStep& e) const {
@@ -97,9 +143,10 @@ void ZBufferJudge::judge(const event::AelSort& e) const {
         if (entry == ael.end()) continue;
         const double x = entry->x.number;
         if (x < last && !truth().same_coordinate(x, last)) {
-            throw False{Symptom::edge, "AEL is in order",
-                        "edge " + std::to_string(edge) + " is at x = " + in_words(x) +
-                            ", to the left of the one before, at " + in_words(last)};
+            throw False{Symptom::edge, say({"AEL is in order", "AEL упорядочен"}),
+                        say({"edge {} is at x = {}, to the left of the one before, at {}",
+                             "ребро {} стоит при x = {}, левее предыдущего, при {}"},
+                            edge, x, last)};
         }
         last = x;
     }
@@ -114,31 +161,70 @@ void ZBufferJudge::judge(const event::AelDrop& e) const {
             std::max(vertices[std::size_t(edge)].y, vertices[std::size_t(edge + 1) % vertices.size()].y);
         const double next = *state().row() + 1.5;
         if (lower <= next || truth().same_coordinate(lower, next)) continue;
-        throw False{Symptom::edge,
-                    "edge " + std::to_string(edge) + " of " + id(*polygon_) + " leaves AEL after row " +
-                        std::to_string(*state().row()),
-                    "it goes down to y = " + in_words(lower) + ", beyond the centre of the next row"};
+        throw False{
+            Symptom::edge,
+            say({"edge {} of {} leaves AEL after row {}", "ребро {} многоугольника {} уходит из AEL после строки {}"},
+                edge, id(*polygon_), *state().row()),
+            say({"it goes down to y = {}, beyond the centre of the next row",
+                 "оно доходит до y = {}, дальше центра следующей строки"},
+                lower)};
     }
 }
 
-void ZBufferJudge::judge(const event::ShownLine& e) const {
+void ZBufferJudge::judge(const event::ShownLine& e) {
+    line_ = e;
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
     const double y = state().y() && state().row() == e.row ? height() : e.row + 0.5;
     const auto right = truth().ends(*polygon_, y);
-    const std::string told = "on row " + std::to_string(e.row) + " " + id(*polygon_) +
-                             " goes from x = " + in_words(e.from.x.number) + " to " + in_words(e.to.x.number);
-    if (!right) throw False{Symptom::edge, told, "it does not meet that row's line, y = " + in_words(y)};
-    const auto& [left, end] = std::minmax(e.from.x.number, e.to.x.number);
-    if (truth().same_coordinate(left, right->first.x) && truth().same_coordinate(end, right->second.x)) return;
-    throw False{Symptom::edge, told, "it goes from " + in_words(right->first.x) + " to " + in_words(right->second.x)};
+    const std::string told = say({"on row {} {} goes from x = {} to {}", "в строке {} {} занимает от x = {} до {}"},
+                                 e.row, id(*polygon_), e.from.x.number, e.to.x.number);
+    if (!right) {
+        throw False{Symptom::edge, told,
+                    say({"it does not meet that row's line, y = {}", "он не пересекает линию этой строки, y = {}"}, y)};
+    }
+    const auto& [from, to] = e.from.x.number <= e.to.x.number ? std::pair(e.from, e.to) : std::pair(e.to, e.from);
+    if (!truth().same_coordinate(from.x.number, right->first.x) ||
+        !truth().same_coordinate(to.x.number, right->second.x)) {
+        throw False{Symptom::edge, told,
+                    say({"it goes from {} to {}", "он занимает от {} до {}"}, right->first.x, right->second.x)};
+    }
+    // The second number of such a point is its z.
+    for (const ValuePoint& end : {from, to}) {
+        if (std::isfinite(end.x.number) &&
+            truth().nearly_equal(end.y.number, truth().depth(*polygon_, end.x.number, y)))
+            continue;
+        judge_depth(*polygon_, end.x.number, y, end.y.number);
+    }
+}
+
+void ZBufferJudge::judge(const event::Slope& e) const {
+    if (!polygon_ || !truth().has_inside(*polygon_) || !line_ || !std::isfinite(e.dz.number)) return;
+    const double columns = std::abs(line_->to.x.number - line_->from.x.number);
+    const double right = truth().depth_slope(*polygon_);
+    if (columns == 0 || truth().nearly_equal(e.dz.number * columns, right * columns)) return;
+    throw False{
+        Symptom::depth,
+        say({"from pixel to pixel the depth of {} changes by {}", "от пикселя к пикселю глубина {} меняется на {}"},
+            id(*polygon_), e.dz.number),
+        say({"it changes by {}", "она меняется на {}"}, right)};
+}
+
+void ZBufferJudge::judge(const event::Columns& e) const {
+    if (!polygon_ || !truth().has_inside(*polygon_) || !line_) return;
+    const double y = line_->row + 0.5;
+    if (const auto ends = truth().ends(*polygon_, y))
+        judge_columns(*polygon_, line_->row, e.first, e.end, ends->first, ends->second);
+    if (e.first < e.end) judge_depth(*polygon_, e.first + 0.5, y, e.z.number);
 }
 
 void ZBufferJudge::judge_covered(int column, int row) const {
     const bool in_area = scene().area.contains(column, row);
     if (!polygon_ || (in_area && truth().place(*polygon_, column + 0.5, row + 0.5) != SceneTruth::Place::outside))
         return;
-    throw False{Symptom::off_polygon, id(*polygon_) + " is drawn at " + pixel_in_words(column, row),
-                in_area ? "its centre lies outside of " + id(*polygon_) : "that is not in the area"};
+    throw False{Symptom::off_polygon,
+                say({"{} is drawn at pixel {}", "{} рисуется в пикселе {}"}, id(*polygon_), pixel(column, row)),
+                in_area ? say({"its centre lies outside of {}", "его центр лежит вне {}"}, id(*polygon_))
+                        : say({"that is not in the area", "он не лежит в области"})};
 }
 
 /// The current polygon takes a pixel: nothing nearer may be there.
@@ -148,10 +234,12 @@ void ZBufferJudge::judge_shown(int column, int row) {
     const double x = column + 0.5, y = row + 0.5;
     if (own.polygon != SeenPixel::background && own.polygon != *polygon_ &&
         truth().nearer(own.polygon, *polygon_, x, y) > 0) {
-        throw False{Symptom::comparison, id(*polygon_) + " takes " + pixel_in_words(column, row),
-                    "the depth of " + id(own.polygon) + ", which is there, is " +
-                        in_words(truth().depth(own.polygon, x, y)) + ", and that of " + id(*polygon_) + " is " +
-                        in_words(truth().depth(*polygon_, x, y))};
+        throw False{
+            Symptom::comparison,
+            say({"{} takes pixel {}", "{} занимает пиксель {}"}, id(*polygon_), pixel(column, row)),
+            say({"the depth of {}, which is there, is {}, and that of {} is {}",
+                 "глубина {}, который уже там, равна {}, а глубина {} равна {}"},
+                id(own.polygon), truth().depth(own.polygon, x, y), id(*polygon_), truth().depth(*polygon_, x, y))};
     }
     own.polygon = *polygon_;
 }
@@ -162,11 +250,15 @@ void ZBufferJudge::judge(const event::Pixel& e) {
     judge_depth(*polygon_, e.x + 0.5, e.y + 0.5, e.z.number);
     Cell& own = cell(e.x, e.y);
     const auto before = own.z ? own.z : cleared_;
-    if (!before) judge_start(e.stored.number, "the depths of the Z-buffer, never cleared, are");
+    if (!before) {
+        judge_start(e.stored.number,
+                    {"the depths of the Z-buffer, never cleared, are {}", "глубины Z-буфера, не очищенного, равны {}"});
+    }
     if (before && *before != e.stored.number && !truth().nearly_equal(*before, e.stored.number)) {
         throw False{Symptom::start,
-                    "the depth stored for " + pixel_in_words(e.x, e.y) + " is " + in_words(e.stored.number),
-                    "it was " + in_words(*before) + " when it was written last"};
+                    say({"the depth stored for pixel {} is {}", "для пикселя {} хранится глубина {}"}, pixel(e.x, e.y),
+                        e.stored.number),
+                    say({"it was {} when it was written last", "при последней записи она была {}"}, *before)};
     }
     judge_comparison(e.z.number, e.stored.number, e.shown);
     if (!e.shown) return;

@@ -19,6 +19,9 @@ public:
     /// After the last event. Throws False.
     void finish();
 
+    /// What a claim is about, beside a polygon.
+    std::string place() const { return polygon_ ? std::to_string(*polygon_) : ""; }
+
 private:
     struct Cell {
         std::optional<double> z;              // as the program has it
@@ -31,11 +34,15 @@ private:
     void judge(const event::Polygon& e);
     void judge(const event::Depth& e) const;
     void judge(const event::Edge& e) const;
+    void judge(const event::Extent& e) const;
+    void judge(const event::Scanline& e) const;
     void judge(const event::AelAdd& e) const;
     void judge(const event::AelStep& e) const;
     void judge(const event::AelSort& e) const;
     void judge(const event::AelDrop& e) const;
-    void judge(const event::ShownLine& e) const;
+    void judge(const event::ShownLine& e);
+    void judge(const event::Slope& e) const;
+    void judge(const event::Columns& e) const;
     void judge(const event::Pixel& e);
     void judge(const event::Span& e);
 
@@ -50,6 +57,7 @@ private:
     std::uint64_t last_step_ = 0;
     std::map<std::pair<int, int>, Cell> cells_;  // those that were written
     std::optional<double> cleared_;
+    std::optional<event::ShownLine> line_;  // the last one
 };
 
 }  // namespace vidno::grading

@@ -1,5 +1,5 @@
 // Warnock's algorithm, right: by recursion, and as few steps as will do.
-#include "course.h"
+#include "../course.h"
 
 class Drawing {
 public:

@@ -1,5 +1,5 @@
 // The Z-buffer, wrong: as if the viewer looked along z, the smaller depth wins.
-#include "course.h"
+#include "../course.h"
 
 int main() {
     const Scene scene = scene_to_draw(example_scene());

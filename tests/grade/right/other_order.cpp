@@ -2,7 +2,7 @@
 // from the right one on, and polygons that are hidden leave the list.
 #include <deque>
 
-#include "course.h"
+#include "../course.h"
 
 struct Entry {
     int polygon;

@@ -1,7 +1,7 @@
 // Warnock's algorithm, wrong: all windows look at one and the same list, and take polygons out of it.
 #include <memory>
 
-#include "course.h"
+#include "../course.h"
 
 struct Window {
     double x, y, side;

@@ -1,5 +1,5 @@
 // The Z-buffer, right: in float, without lists of edges; a polygon has its left and upper outline and not the others.
-#include "course.h"
+#include "../course.h"
 
 int main() {
     const Scene scene = scene_to_draw(example_scene());

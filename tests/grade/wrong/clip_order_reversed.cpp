@@ -1,5 +1,5 @@
 // Warnock's algorithm, wrong: the corners of the window are gone round the other way when a polygon is clipped.
-#include "course.h"
+#include "../course.h"
 
 class Picture {
 public:

@@ -1,5 +1,5 @@
 // Warnock's algorithm, wrong: y grows upward, as in the mathematics lecture, and row 0 is the lowest.
-#include "course.h"
+#include "../course.h"
 
 class UpwardScreen {
 public:

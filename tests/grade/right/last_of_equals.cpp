@@ -1,0 +1,8 @@
+// Warnock's algorithm, right: of equally near polygons the last one shows.
+#include "warnock_style.h"
+
+struct LastOfEquals : PlainStyle {
+    static bool takes(double z, double nearest) { return z >= nearest; }
+};
+
+int main() { run_as<LastOfEquals>("last_of_equals.jsonl"); }

@@ -1,0 +1,8 @@
+// Warnock's algorithm, right: breadth first. Each window is told when it joins the queue.
+#include "warnock_style.h"
+
+struct Queue : PlainStyle {
+    static const bool first_in_first_out = true;
+};
+
+int main() { run_as<Queue>("queue.jsonl"); }

@@ -1,0 +1,11 @@
+// Warnock's algorithm, wrong: of two polygons that surround a window the one that is nearer at the centre hides the other.
+#include "../right/warnock_style.h"
+
+struct HiddenByCentre : PlainStyle {
+    static bool hides(const Polygon& polygon, const Polygon& other, const Tile& tile) {
+        const Point centre{tile.x + tile.width / 2, tile.y + tile.height / 2};
+        return depth(polygon, centre) >= depth(other, centre);
+    }
+};
+
+int main() { run_as<HiddenByCentre>("hidden_by_centre.jsonl"); }

@@ -1,0 +1,223 @@
+#include "grade/report.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace vidno {
+
+namespace {
+
+std::string quoted(const Scene& scene, const Words& say) {
+    return scene.name.empty() ? say({"a scene", "одна сцена"}) : say({"\"{}\"", "«{}»"}, scene.name);
+}
+
+std::string place_of(const Wrong& wrong, const Words& say) {
+    const std::string step = say({"step {}", "шаг {}"}, std::size_t(wrong.step));
+    return step + (wrong.at.empty() ? "" : ", " + wrong.at);
+}
+
+/// Why a run is not right, in a line; empty if it is.
+std::string failure_of(const SceneGrade& grade, const Grading& grading) {
+    const Words& say = grading.say;
+    if (!grade.judgement) return grade.not_judged;
+    const std::string ended =
+        grade.run.ended.ending == Ending::done ? "" : words_of(grade.run.ended, grading.limits, say);
+    if (grade.judgement->wrong) return place_of(*grade.judgement->wrong, say) + (ended.empty() ? "" : "; ") + ended;
+    if (!ended.empty()) return ended;
+    if (!grade.run.unreadable.empty()) return grade.run.unreadable;
+    return grade.run.complete ? "" : say({"the trace is cut short", "запись оборвана"});
+}
+
+/// The verdict in a column of its own.
+std::string line_of(const SceneGrade& grade, const Grading& grading) {
+    const Words& say = grading.say;
+    const std::string failure = failure_of(grade, grading);
+    const Bilingual verdict = !grade.judgement  ? Bilingual{"not judged ", "не проверено "}
+                              : failure.empty() ? Bilingual{"right      ", "верно         "}
+                                                : Bilingual{"wrong      ", "неверно       "};
+    return "  " + say(verdict) + grade.scene.name + (failure.empty() ? "" : ": " + failure) + "\n";
+}
+
+std::string scenes_in_words(int count, const Words& say) {
+    return say({count == 1 ? "{} scene" : "{} scenes", "сцен: {}"}, count);
+}
+
+/// What is different from our procedures and as right.
+std::string differences_of(const ProgramGrade& grade, const Words& say) {
+    std::map<Difference, int> scenes;
+    int open = 0, open_scenes = 0;
+    for (const auto& each : grade.scenes) {
+        if (!each.judgement) continue;
+        for (const Difference difference : each.judgement->differences) ++scenes[difference];
+        open += each.judgement->open_pixels;
+        open_scenes += int(each.judgement->open_pixels > 0);
+    }
+    // Where no window is split twice, a queue in turn is a recursion.
+    if (scenes.contains(Difference::breadth_first)) scenes.erase(Difference::recursion);
+    std::string text;
+    if (!scenes.empty()) text += say({"\nDifferent, and as right:\n", "\nИначе, но тоже верно:\n"});
+    for (const auto& [difference, count] : scenes)
+        text += "  " + say(words_of(difference)) + " (" + scenes_in_words(count, say) + ")\n";
+    if (open > 0) {
+        text += say({"\nLeft open: {} pixels ({}), where two depths differ by no more than {} rounds.\n",
+                     "\nНе проверено: пикселей {} ({}), где глубины различаются не больше, чем округляет {}.\n"},
+                    open, scenes_in_words(open_scenes, say), grade.precision == Precision::single ? "float" : "double");
+    }
+    return text;
+}
+
+/// What the program printed, indented; the first lines of it.
+std::string said_by(const std::string& said) {
+    std::string text;
+    std::size_t begin = 0;
+    for (int lines = 0; lines < 5 && begin < said.size(); ++lines) {
+        const std::size_t end = std::min(said.find('\n', begin), said.size());
+        text += "    | " + said.substr(begin, end - begin) + '\n';
+        begin = end + 1;
+    }
+    return text;
+}
+
+std::string details_of(const SceneGrade& grade, const Grading& grading) {
+    const Words& say = grading.say;
+    const StudentRun& run = grade.run;
+    std::string text;
+    if (run.ended.ending != Ending::done) {
+        const std::string cause = cause_of(run.ended, say);
+        text += say({"  The program {}", "  Программа {}"}, words_of(run.ended, grading.limits, say));
+        if (!cause.empty()) text += ": " + cause;
+        if (run.header)
+            text += say({". The trace ends after step {}", ". Запись кончается после шага {}"}, run.events.size());
+        text += ".\n";
+    }
+    if (!grade.judgement) text += say({"  Not judged: {}.\n", "  Не проверено: {}.\n"}, grade.not_judged);
+    if (grade.judgement && grade.judgement->wrong) {
+        const Wrong& wrong = *grade.judgement->wrong;
+        text += "  " + place_of(wrong, say) + "\n" +
+                say({"    the program: {}\n    but:         {}\n", "    программа: {}\n    но:        {}\n"},
+                    wrong.told, wrong.right);
+    }
+    return text + said_by(run.ended.said);
+}
+
+/// A student's program must not write to the terminal of who grades it.
+std::string without_controls(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f; }, '?');
+    return text;
+}
+
+std::string verdict_of(const ProgramGrade& grade, const Words& say) {
+    const int count = int(grade.scenes.size()), wrong = int(grade.wrong());
+    const std::string told = in_words(grade.told, say);
+    if (wrong == 0 && count > 1)
+        return say({"\nRight on all {} scenes, as far as told: {}.\n",
+                    "\nВерно на всех сценах ({}), насколько сообщено: {}.\n"},
+                   count, told);
+    if (wrong == 0) return say({"\nRight, as far as told: {}.\n", "\nВерно, насколько сообщено: {}.\n"}, told);
+    return say({"\nWrong on {} of {}, first on {}:\n", "\nНеверно: {} из {}, впервые на сцене {}:\n"}, wrong, count,
+               quoted(grade.first_wrong()->scene, say));
+}
+
+constexpr std::array<std::string_view, 3> verdict_names{"right", "wrong", "not judged"};
+
+std::string_view verdict_of(const TableRow& row) {
+    if (!row.grade) return verdict_names[2];
+    return verdict_names[row.grade->right() ? 0 : 1];
+}
+
+std::string name_of(Deviation deviation) {
+    const DeviationChoice& choice = choice_of(deviation);
+    return std::string(choice.mistake.empty() ? choice.defect : choice.mistake);
+}
+
+}  // namespace
+
+std::string report_of(const ProgramGrade& grade, std::size_t scenes_given, const Grading& grading) {
+    const Words& say = grading.say;
+    std::string text;
+    for (const auto& each : grade.scenes) text += line_of(each, grading);
+    if (grade.scenes.size() < scenes_given) {
+        text += say({"  Not run on the {} scenes after these.\n", "  На остальных сценах ({}) не запускалась.\n"},
+                    scenes_given - grade.scenes.size());
+    }
+    text += differences_of(grade, say) + verdict_of(grade, say);
+    if (const SceneGrade* first = grade.first_wrong()) text += details_of(*first, grading);
+    if (!grade.missing.empty()) {
+        text +=
+            say({"\nNot told, though level {} is asked for: {}.\n", "\nНе сообщено, хотя требуется уровень {}: {}.\n"},
+                detail_names[std::size_t(grading.detail)], grade.missing);
+    }
+    if (grade.deviation) text += "\n" + in_words(*grade.deviation, say) + "\n";
+    return without_controls(text);
+}
+
+std::string report_of_smallest(const SceneGrade& smallest, const Grading& grading) {
+    const Words& say = grading.say;
+    const Area& area = smallest.scene.area;
+    std::string text = say({"\nThe smallest scene that shows it:\n", "\nНаименьшая сцена, на которой это видно:\n"});
+    text += say({"  area {}\n", "  область {}\n"}, PixelRectangle{area.x, area.y, area.width, area.height});
+    for (const auto& polygon : smallest.scene.polygons) {
+        text += "  " + polygon.id;
+        for (const auto& v : polygon.vertices) text += " " + say.point(v.x, v.y, v.z);
+        text += "\n";
+    }
+    return without_controls(text + details_of(smallest, grading));
+}
+
+std::string table_as_csv(const std::vector<TableRow>& rows, const Words& say) {
+    std::string text = "program,verdict,scenes,wrong,scene,step,at,program says,but,mistake,told,not told\n";
+    const auto cell = [](std::string value) {
+        for (std::size_t at = 0; (at = value.find('"', at)) != value.npos; at += 2) value.insert(at, 1, '"');
+        return '"' + value + '"';
+    };
+    for (const TableRow& row : rows) {
+        std::vector<std::string> cells{row.program, std::string(verdict_of(row))};
+        if (row.grade) {
+            const SceneGrade* first = row.grade->first_wrong();
+            const Wrong* wrong =
+                first && first->judgement && first->judgement->wrong ? &*first->judgement->wrong : nullptr;
+            cells.insert(cells.end(), {std::to_string(row.grade->scenes.size()), std::to_string(row.grade->wrong()),
+                                       first ? first->scene.name : "", wrong ? std::to_string(wrong->step) : "",
+                                       wrong ? wrong->at : "", wrong ? wrong->told : "", wrong ? wrong->right : "",
+                                       row.grade->deviation ? name_of(*row.grade->deviation) : "",
+                                       in_words(row.grade->told, say), row.grade->missing});
+        } else {
+            cells.insert(cells.end(), {"", "", "", "", "", "", row.reason, "", "", ""});
+        }
+        std::string line;
+        for (const auto& each : cells) line += (line.empty() ? "" : ",") + cell(each);
+        text += without_controls(line) + '\n';
+    }
+    return text;
+}
+
+std::string table_as_json(const std::vector<TableRow>& rows, const Words& say) {
+    nlohmann::ordered_json table = nlohmann::ordered_json::array();
+    for (const TableRow& row : rows) {
+        nlohmann::ordered_json entry{{"program", row.program}, {"verdict", verdict_of(row)}};
+        if (!row.grade) {
+            entry["reason"] = row.reason;
+            table.push_back(entry);
+            continue;
+        }
+        entry["scenes"] = row.grade->scenes.size();
+        entry["wrong"] = row.grade->wrong();
+        if (const SceneGrade* first = row.grade->first_wrong()) {
+            entry["first"] = {{"scene", first->scene.name}};
+            if (first->judgement && first->judgement->wrong) {
+                const Wrong& wrong = *first->judgement->wrong;
+                entry["first"].update(
+                    {{"step", wrong.step}, {"at", wrong.at}, {"says", wrong.told}, {"but", wrong.right}});
+            }
+        }
+        if (row.grade->deviation) entry["mistake"] = name_of(*row.grade->deviation);
+        for (const auto& [kind, count] : row.grade->told.counts) entry["told"][std::string(say.of(kind->name))] = count;
+        if (!row.grade->missing.empty()) entry["missing"] = row.grade->missing;
+        table.push_back(entry);
+    }
+    return table.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace vidno

@@ -1,0 +1,40 @@
+/// The claims of Weiler and Atherton's algorithm.
+#pragma once
+
+#include "grade/claims.h"
+
+namespace vidno::grading {
+
+class WeilerAthertonJudge : public Claims {
+public:
+    using Claims::Claims;
+
+    /// Before the state takes the event. Throws False.
+    void take(const EventView& event, std::uint64_t) {
+        event.visit([this](const auto& e) { judge(e); });
+    }
+    /// After the last event. Throws False.
+    void finish();
+
+    /// A claim is about polygons alone.
+    std::string place() const { return ""; }
+
+private:
+    void judge(const auto&) const {}  // nothing is claimed, or nothing that another event does not claim as well
+    void judge(const event::Plane& e) { judge_plane(e); }
+    void judge(const event::Depth& e) const;
+    void judge(const event::CutToArea& e) const;
+    void judge(const event::Clipped& e) const;
+    void judge(const event::Behind& e);
+    void judge(const event::Order& e);
+    void judge(const event::Show& e);
+    void judge(const event::Paint& e);
+
+    void judge_inside(int polygon, const RegionLoops& region, const std::string& what) const;
+    void judge_order(double z, double other, Sign order);
+
+    double shown_ = 0;  // area
+    bool tells_regions_ = false, paints_ = false;
+};
+
+}  // namespace vidno::grading

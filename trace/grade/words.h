@@ -1,0 +1,79 @@
+/// Words: the sentences of a report in one of the languages. A sentence has places, {}, which its arguments take in turn, or {0}, {1}
+/// and so on where the languages have them in another order.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "choice/bilingual.h"
+#include "figure/figure_words.h"
+#include "grade/scene_truth.h"
+#include "vidno/picture.h"
+
+namespace vidno {
+
+using figures::Language;
+
+class Words {
+public:
+    explicit Words(Language language = Language::english) : language_(language) {}
+
+    bool is_russian() const { return language_ == Language::russian; }
+    std::string_view of(const Bilingual& text) const { return is_russian() ? text.russian : text.english; }
+
+    std::string operator()(const Bilingual& text, const auto&... arguments) const {
+        return filled(of(text), {said(arguments)...});
+    }
+
+    std::string said(std::string_view text) const { return std::string(text); }
+    std::string said(const Bilingual& text) const { return std::string(of(text)); }
+    std::string said(const std::string& text) const { return text; }
+    std::string said(const char* text) const { return text; }
+    std::string said(int number) const { return std::to_string(number); }
+    std::string said(std::size_t number) const { return std::to_string(number); }
+    std::string said(double number) const {
+        std::string text = in_words(number);
+        if (is_russian()) std::replace(text.begin(), text.end(), '.', ',');
+        return text;
+    }
+    std::string said(const Color& color) const { return in_words(color); }
+    /// Where it begins, and its size.
+    std::string said(const Window& w) const { return rectangle(point(w.x, w.y), said(w.width), said(w.height)); }
+    std::string said(const PixelRectangle& r) const {
+        return rectangle(point(r.x, r.y), said(r.width), said(r.height));
+    }
+
+    /// "(1, 2)", or in Russian "(1; 2)"; of a vertex three numbers.
+    std::string point(const auto&... coordinates) const {
+        std::string text;
+        ((text += (text.empty() ? "" : separator()) + said(coordinates)), ...);
+        return "(" + text + ")";
+    }
+
+private:
+    const char* separator() const { return is_russian() ? "; " : ", "; }
+    std::string rectangle(const std::string& place, const std::string& width, const std::string& height) const {
+        return place + (is_russian() ? " размером " : " of ") + width + (is_russian() ? " × " : " x ") + height;
+    }
+
+    static std::string filled(std::string_view text, const std::vector<std::string>& arguments) {
+        std::string filled;
+        std::size_t next = 0;
+        while (!text.empty()) {
+            const auto open = std::min(text.find('{'), text.size());
+            filled += text.substr(0, open);
+            text.remove_prefix(open);
+            if (text.empty()) break;
+            const bool is_numbered = text[1] != '}';
+            filled += arguments.at(is_numbered ? std::size_t(text[1] - '0') : next++);
+            text.remove_prefix(is_numbered ? 3 : 2);
+        }
+        return filled;
+    }
+
+    Language language_;
+};
+
+}  // namespace vidno
