@@ -29,6 +29,8 @@ export interface Deviation {
   readonly says: Bilingual;
   /** The lines of the listings that it changes. */
   readonly lines: readonly string[];
+  /** How a usual mistake writes these lines, in their order; of a defect, none: the listings have its text. */
+  readonly reads: readonly Bilingual[];
   readonly methods: readonly string[];
 }
 export const deviations: readonly Deviation[] = Object.entries(choices.deviations).map(
@@ -38,6 +40,7 @@ export const deviations: readonly Deviation[] = Object.entries(choices.deviation
     title,
     says,
     lines,
+    reads: 'reads' in more ? more.reads : [],
     methods,
   }),
 );
@@ -92,6 +95,16 @@ export const isFamily = (method: MethodName): boolean => method.startsWith('warn
 export const editionTitle = (name: NamedEdition): Bilingual => choices.editions[name].title;
 export const methodTitle = (method: MethodName): Bilingual => choices.methods[method].title;
 export const methodSays = (method: MethodName): Bilingual => choices.methods[method].says;
+
+/** The procedure that runs first, as its listing is called. */
+export const firstProcedure = (method: MethodName): string => choices.methods[method].procedure;
+
+/** Whether a method cuts windows along any boundary of pixels, and does not halve them. */
+export const cutsAnywhere = (method: MethodName): boolean => choices.methods[method].cutsAnywhere;
+
+/** The method that paints, under an always right kernel, what this one should. */
+export const referenceOf = (method: MethodName): MethodName =>
+  choices.methods[method].reference as MethodName;
 
 /** By editions of a method's text the kernels under which it runs. */
 export const kernelsOf = (
