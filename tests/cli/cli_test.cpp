@@ -818,6 +818,7 @@ TEST_CASE("methods --json: which edition of which method runs under which kernel
     CHECK_FALSE(choices["methods"]["weiler-atherton"]["editions"].contains("printed"));
     CHECK(choices["kernels"]["bits"]["parameter"] ==
           nlohmann::json{{"letter", "P"}, {"least", 4}, {"most", 24}, {"offered", {8, 12}}});
+    CHECK(choices["kernels"]["exact"]["says"]["en"] == "Rational numbers of any length: nothing is rounded.");
     CHECK(choices["kernels"]["grid"]["snaps"] == true);
     CHECK(choices["kernels"]["exact"]["snaps"] == false);
     CHECK(choices["kernels"]["grid"]["alwaysRight"] == true);

@@ -37,7 +37,10 @@ Json method_json(const MethodChoice& choice, std::string_view reference, const J
 }
 
 Json kernel_json(const KernelChoice& choice) {
-    Json kernel{{"rule", choice.rule}, {"alwaysRight", choice.is_always_right}, {"snaps", choice.snaps}};
+    Json kernel{{"rule", choice.rule},
+                {"says", json_of(choice.says)},
+                {"alwaysRight", choice.is_always_right},
+                {"snaps", choice.snaps}};
     if (choice.parameter) {
         const auto [letter, least, most, offered, if_not_said] = *choice.parameter;
         kernel["parameter"] = {

@@ -8,7 +8,7 @@
 namespace vidno {
 
 /// {"methods": {NAME: {does, title, says, procedure, domain, rule, reference, cutsAnywhere, editions: {NAME: [KERNEL, ...]}}},
-/// "kernels": {NAME: {rule, alwaysRight, snaps, parameter?: {letter, least, most, offered}}}, "editions": {NAME: {rule, title, isMistake}},
+/// "kernels": {NAME: {rule, says, alwaysRight, snaps, parameter?: {letter, least, most, offered}}}, "editions": {NAME: {rule, title, isMistake}},
 /// "deviations": {EDITION: {title, says, defect?, lines, reads?, methods, witness}}}.
 /// `procedure` is the one that runs first; `reference` is the method that paints the same under an always right kernel.
 /// The editions of a method are those of which there is a text, each with the kernels under which it runs. A

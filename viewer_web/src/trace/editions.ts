@@ -123,6 +123,7 @@ export function runsUnder(method: MethodName, name: Edition, kernel: string): bo
 export const palette: readonly string[] = choices.palette;
 
 interface Kernel {
+  readonly says: Bilingual;
   readonly alwaysRight: boolean;
   readonly snaps: boolean;
   readonly parameter?: {
@@ -150,6 +151,12 @@ export const offeredKernels: readonly string[] = Object.entries(kernels).flatMap
 
 /** The kernel without the number behind its colon. */
 export const kindOfKernel = (kernel: string): string => kernel.split(':')[0] ?? kernel;
+
+/** What a kernel computes with. */
+export function kernelSays(kernel: string): Bilingual {
+  const { says } = kernels[kindOfKernel(kernel)] ?? { says: { en: '', ru: '' } };
+  return says;
+}
 
 /** Whether a kernel decides as exact arithmetic does, checked or not. */
 export const isAlwaysRight = (kernel: string): boolean =>
