@@ -26,7 +26,10 @@ Json editions_of(auto&& runs) {
     return editions;
 }
 
-Json json_of(const Bilingual& text) { return {{"en", text.english}, {"ru", text.russian}}; }
+Json json_of(const Bilingual& text) {
+    const auto& [english, russian] = text;
+    return {{"en", english}, {"ru", russian}};
+}
 
 Json method_json(const MethodChoice& choice, std::string_view reference, const Json& editions) {
     return {{"does", choice.does},          {"title", json_of(choice.title)},
