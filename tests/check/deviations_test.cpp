@@ -83,11 +83,15 @@ bool share_a_method(Deviation one, Deviation other) {
            });
 }
 
+const json& listings() {
+    static const json read = json::parse(read_file(VIDNO_ROOT "/trace/listings/listings.json"));
+    return read;
+}
+
 /// The labels of the lines that the listings call as printed, by the ids of the defects.
 std::map<std::string, std::vector<std::string>> printed_lines() {
     std::map<std::string, std::vector<std::string>> lines;
-    const json listings = json::parse(read_file(VIDNO_ROOT "/trace/listings/listings.json"));
-    for (const json& procedure : listings["procedures"]) {
+    for (const json& procedure : listings()["procedures"]) {
         for (const json& line : procedure["lines"]) {
             if (!line.contains("printed")) continue;
             for (std::string defect : line["printed"]["defects"]) {
@@ -138,24 +142,24 @@ TEST_CASE("Deviations: a defect changes the lines that the listings have as prin
     CHECK(lines == std::map<std::string, std::vector<std::string>>{{"x-w9", {"W13"}}});
 }
 
-TEST_CASE("Deviations: a mistake changes the lines that the listings have as it is often written") {
-    std::map<std::string, std::vector<std::string>> lines;
-    const json listings = json::parse(read_file(VIDNO_ROOT "/trace/listings/listings.json"));
-    for (const json& procedure : listings["procedures"]) {
-        for (const json& line : procedure["lines"]) {
-            if (!line.contains("mistakes")) continue;
-            for (const auto& [name, text] : line["mistakes"].items()) lines[name].push_back(line["at"]);
-        }
+TEST_CASE("Deviations: a mistake says how it writes each of its lines, otherwise than the listings") {
+    std::map<std::string, json> corrected;
+    for (const json& procedure : listings()["procedures"]) {
+        for (const json& line : procedure["lines"]) corrected[line["at"]] = line;
     }
     for (const auto& choice : deviations) {
-        if (choice.mistake.empty()) continue;
-        CAPTURE(choice.mistake);
-        std::vector<std::string> labels;
-        for (const Line line : choice.lines) labels.emplace_back(line_names[std::size_t(line)]);
-        CHECK(lines[std::string(choice.mistake)] == labels);
-        lines.erase(std::string(choice.mistake));
+        CAPTURE(choice.title.english);
+        for (std::size_t i = 0; i < choice.reads.size(); ++i) {
+            const auto& [english, russian] = choice.reads[i];
+            const bool has_line = !choice.mistake.empty() && i < choice.lines.size();
+            CHECK(english.empty() != has_line);
+            CHECK(russian.empty() != has_line);
+            if (!has_line) continue;
+            const json& line = corrected.at(std::string(line_names[std::size_t(choice.lines[i])]));
+            CHECK(line["en"] != english);
+            CHECK(line["ru"] != russian);
+        }
     }
-    CHECK(lines.empty());
 }
 
 TEST_CASE("Deviations: each has a name, a sentence in each language, and lines") {

@@ -818,6 +818,7 @@ TEST_CASE("methods --json: which edition of which method runs under which kernel
     CHECK_FALSE(choices["methods"]["weiler-atherton"]["editions"].contains("printed"));
     CHECK(choices["kernels"]["bits"]["parameter"] ==
           nlohmann::json{{"letter", "P"}, {"least", 4}, {"most", 24}, {"offered", {8, 12}}});
+    CHECK(choices["kernels"]["exact"]["says"]["en"] == "Rational numbers of any length: nothing is rounded.");
     CHECK(choices["kernels"]["grid"]["snaps"] == true);
     CHECK(choices["kernels"]["exact"]["snaps"] == false);
     CHECK(choices["kernels"]["grid"]["alwaysRight"] == true);
@@ -825,6 +826,15 @@ TEST_CASE("methods --json: which edition of which method runs under which kernel
     CHECK(choices["editions"]["one-list"]["isMistake"] == true);
     CHECK(choices["deviations"]["one-list"]["defect"] == "x-w9");
     CHECK(choices["deviations"]["printed:x-w5"]["lines"] == nlohmann::json{"W3", "W13"});
+    CHECK(choices["deviations"]["one-list"]["reads"][0]["en"] ==
+          "else: push each quarter of U that overlaps the area, with APL itself");
+    CHECK_FALSE(choices["deviations"]["printed:x-w5"].contains("reads"));
+    CHECK(choices["methods"]["warnock-bodies"]["procedure"] == "Warnock");
+    CHECK(choices["methods"]["warnock-bodies"]["reference"] == "warnock-bodies");
+    CHECK(choices["methods"]["warnock-full"]["procedure"] == "ThreeListsWarnock");
+    CHECK(choices["methods"]["warnock-full"]["reference"] == "zbuffer");
+    CHECK(choices["methods"]["warnock-vertex"]["cutsAnywhere"] == true);
+    CHECK(choices["methods"]["floating-horizon"]["cutsAnywhere"] == false);
     CHECK(choices["deviations"]["printed:x-h4"]["methods"] == nlohmann::json{"floating-horizon"});
 }
 

@@ -278,6 +278,16 @@ TEST_CASE("the listing of the printed text is the printed one") {
     CHECK(has_text(listing_part(after(header, a_division()), {}, 200), "push (Wcx, Wcy, Wx, Wy, APL₀) on AW"));
 }
 
+TEST_CASE("the listing of a usual mistake has its line as it is often written") {
+    TraceHeader header = header_of(near_before_far());
+    header.edition = Deviation::integer_division;
+    const Moment moment = after(header, a_division());
+    CHECK(has_text(listing_part(moment, {}, 200), "push (Wcx, Wcy, Wx, Wy, APL₀) on AW"));
+    CHECK(
+        has_text(listing_part(moment, {.language = Language::russian}, 200), "положить (Wcx, Wcy, Wx, Wy, APL₀) в AW"));
+    CHECK_MESSAGE(has_text(listing_part(moment, {}, 200), "while AW ≠ ∅:"), "the other lines are the corrected ones");
+}
+
 TEST_CASE("ids never overlap, and each polygon has its own if there is room") {
     test::RandomScenes random(7);
     std::size_t names = 0, polygons = 0;
@@ -458,6 +468,12 @@ TEST_CASE("TikZ: nothing is left that a font of text may lack") {
                 expect_plain(line.at(language));
                 if (line.contains("printed")) expect_plain(line.at("printed").at(language));
             }
+        }
+    }
+    for (const auto& deviation : deviations) {
+        for (const auto& [english, russian] : deviation.reads) {
+            expect_plain(std::string(english));
+            expect_plain(std::string(russian));
         }
     }
     for (const auto& label : all<Label>(strip_of_all({}))) expect_plain(label.text);

@@ -1,6 +1,5 @@
-/// Fuzz target: any bytes as a mesh are refused, or give a scene that reads back the same. The first byte selects the
-/// format, so that one corpus serves all four.
-#include <array>
+/// Fuzz target: any bytes as a mesh are refused, or give a scene that reads back the same. The first byte selects the format, '0' the
+/// first of mesh_formats, so that one corpus serves all.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -8,13 +7,14 @@
 #include <string_view>
 
 #include "import/import.h"
+#include "import/mesh_soup.h"
 #include "refused.h"
 #include "scene/scene_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
-    constexpr std::array<const char*, 4> files{"fuzz.obj", "fuzz.off", "fuzz.ply", "fuzz.stl"};
-    const std::string file = files[data[0] % files.size()];
+    const auto format = unsigned(data[0] - '0') % vidno::mesh_formats.size();
+    const std::string file = "fuzz." + std::string(vidno::mesh_formats[format].ending);
     const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
     vidno::Scene scene;
     try {

@@ -26,15 +26,24 @@ Json editions_of(auto&& runs) {
     return editions;
 }
 
-Json json_of(const Bilingual& text) { return {{"en", text.english}, {"ru", text.russian}}; }
+Json json_of(const Bilingual& text) {
+    const auto& [english, russian] = text;
+    return {{"en", english}, {"ru", russian}};
+}
 
-Json method_json(const MethodChoice& choice, const Json& editions) {
-    return {{"does", choice.does},          {"title", json_of(choice.title)}, {"says", json_of(choice.says)},
-            {"domain", choice.rule.domain}, {"rule", choice.rule.rule},       {"editions", editions}};
+Json method_json(const MethodChoice& choice, std::string_view reference, const Json& editions) {
+    return {{"does", choice.does},          {"title", json_of(choice.title)},
+            {"says", json_of(choice.says)}, {"procedure", procedure_names[std::size_t(choice.procedure)]},
+            {"domain", choice.rule.domain}, {"rule", choice.rule.rule},
+            {"reference", reference},       {"cutsAnywhere", choice.cuts_anywhere},
+            {"editions", editions}};
 }
 
 Json kernel_json(const KernelChoice& choice) {
-    Json kernel{{"rule", choice.rule}, {"alwaysRight", choice.is_always_right}, {"snaps", choice.snaps}};
+    Json kernel{{"rule", choice.rule},
+                {"says", json_of(choice.says)},
+                {"alwaysRight", choice.is_always_right},
+                {"snaps", choice.snaps}};
     if (choice.parameter) {
         const auto [letter, least, most, offered, if_not_said] = *choice.parameter;
         kernel["parameter"] = {
@@ -46,7 +55,10 @@ Json kernel_json(const KernelChoice& choice) {
 Json deviation_json(const DeviationChoice& choice) {
     Json deviation{{"title", json_of(choice.title)}, {"says", json_of(choice.says)}};
     if (!choice.defect.empty()) deviation["defect"] = choice.defect;
-    for (const Line line : choice.lines) deviation["lines"].push_back(line_names[std::size_t(line)]);
+    for (std::size_t i = 0; i < choice.lines.size(); ++i) {
+        deviation["lines"].push_back(line_names[std::size_t(choice.lines[i])]);
+        if (!choice.mistake.empty()) deviation["reads"].push_back(json_of(choice.reads[i]));
+    }
     for (const Method method : choice.methods) deviation["methods"].push_back(method_names[std::size_t(method)]);
     if (choice.methods.empty()) deviation["methods"].push_back(floating_horizon_method);
     deviation["witness"] = choice.witness;
@@ -59,11 +71,11 @@ std::string choices_json() {
     Json methods, kernels, editions, all_deviations;
     for (std::size_t i = 0; i < method_choices.size(); ++i) {
         methods[std::string(method_names[i])] = method_json(
-            method_choices[i],
+            method_choices[i], method_names[std::size_t(reference_of(Method(i)))],
             editions_of([i](const KernelChoice& kernel, Edition edition) { return kernel.runs(Method(i), edition); }));
     }
     methods[std::string(floating_horizon_method)] = method_json(
-        floating_horizon_choice,
+        floating_horizon_choice, floating_horizon_method,
         editions_of([](const KernelChoice& kernel, Edition edition) { return kernel.runs_floating_horizon(edition); }));
     for (const auto& choice : kernel_choices) kernels[std::string(choice.name)] = kernel_json(choice);
     for (const auto& [edition, name, rule, title] : named_editions) {

@@ -7,12 +7,13 @@
 
 namespace vidno {
 
-/// {"methods": {NAME: {does, title, says, domain, rule, editions: {NAME: [KERNEL, ...]}}},
-/// "kernels": {NAME: {rule, alwaysRight, snaps, parameter?: {letter, least, most, offered}}}, "editions": {NAME: {rule, title, isMistake}},
-/// "deviations": {EDITION: {title, says, defect?, lines, methods, witness}}}.
+/// {"methods": {NAME: {does, title, says, procedure, domain, rule, reference, cutsAnywhere, editions: {NAME: [KERNEL, ...]}}},
+/// "kernels": {NAME: {rule, says, alwaysRight, snaps, parameter?: {letter, least, most, offered}}}, "editions": {NAME: {rule, title, isMistake}},
+/// "deviations": {EDITION: {title, says, defect?, lines, reads?, methods, witness}}}.
+/// `procedure` is the one that runs first; `reference` is the method that paints the same under an always right kernel.
 /// The editions of a method are those of which there is a text, each with the kernels under which it runs. A
-/// single defect, `printed:x-w1`, runs where `printed` does. `title` and `says` are {"en": TEXT, "ru": TEXT}; `offered` are the numbers
-/// that the page offers; `witness` is a file of lessons/failures.
+/// single defect, `printed:x-w1`, runs where `printed` does. `title`, `says` and each of `reads` are {"en": TEXT, "ru": TEXT}; `reads` are the
+/// `lines` as a usual mistake writes them; `offered` are the numbers that the page offers; `witness` is a file of lessons/failures.
 std::string choices_json();
 
 /// {EDITION: {method, kernel, title, scene}}: of each deviation the smallest scene that shows it, and the run that does. `read` gives the

@@ -2,6 +2,7 @@
 /// are one table: editions, command line, page and atlas take them from it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
@@ -49,11 +50,13 @@ enum class Deviation : unsigned char {
 };
 
 struct DeviationChoice {
-    std::string_view defect{};        // its id, if the printed text has it
-    std::string_view mistake{};       // its name as an edition, if it is a usual mistake
-    Bilingual title;                  // of a defect, its id
-    Bilingual says;                   // what it does
-    std::span<const Line> lines;      // of the listings, which it changes
+    std::string_view defect{};    // its id, if the printed text has it
+    std::string_view mistake{};   // its name as an edition, if it is a usual mistake
+    Bilingual title;              // of a defect, its id
+    Bilingual says;               // what it does
+    std::span<const Line> lines;  // of the listings, which it changes
+    // How a usual mistake writes these lines, in their order. What the printed text writes, the listings say.
+    std::array<Bilingual, 2> reads{};
     std::span<const Method> methods;  // none: the floating horizon
     std::string_view witness;         // the file of lessons/failures that shows it, without its ending
     Bilingual advice{};  // to those whose program makes the mistake; none where students write no such method
@@ -227,6 +230,8 @@ inline constexpr auto deviations = [] {
          .title = {"one list for all parts", "один список на все части"},
          .says = {"all parts of a window share one list", "у всех частей окна один общий список"},
          .lines = at<W13>,
+         .reads = {{{"else: push each quarter of U that overlaps the area, with APL itself",
+                     "иначе: положить четверти U, кроме лежащих вне области, каждую с самим APL"}}},
          .methods = of<warnock>,
          .witness = "mistake-one-list",
          .advice = {"all parts of a window share one APL: what leaves it in one part is gone in the others. Give "
@@ -237,6 +242,8 @@ inline constexpr auto deviations = [] {
          .title = {"Z not cleared", "Z не очищен"},
          .says = {"Z starts at 0, as a new array does", "Z начинается с 0, как новый массив"},
          .lines = at<Z1>,
+         .reads = {{{"fill the area with the background; Z holds 0, as a new array does",
+                     "заполнить область цветом фона; в Z нули, как в новом массиве"}}},
          .methods = of<zbuffer>,
          .witness = "mistake-depths-not-cleared",
          .advice = {"the depths are not cleared: they start at 0, and what lies behind that never shows. Start below "
@@ -248,6 +255,7 @@ inline constexpr auto deviations = [] {
          .says = {"the window's corners are taken in the opposite order, so that inside and outside change places",
                   "углы окна берутся в обратном порядке, и внутренняя сторона становится внешней"},
          .lines = at<PL1>,
+         .reads = {{untranslated("F := (xmax, ymin), (xmax, ymax), (xmin, ymax), (xmin, ymin); f₀ := F₄, P′ := P")}},
          .methods = of<warnock>,
          .witness = "mistake-clip-order-reversed",
          .advice = {"clipping takes the sides of the window in the opposite direction, so that inside and outside "
@@ -258,6 +266,8 @@ inline constexpr auto deviations = [] {
          .title = {"y flipped", "y перевёрнут"},
          .says = {"y grows upward: the picture is upside down", "y растёт вверх: изображение перевёрнуто"},
          .lines = at<I1>,
+         .reads = {{untranslated(
+             "yᵢ := 2·Wcy + Wy − yᵢ; (a, b, c) := Σᵢ (pᵢ − p₁) × (pᵢ₊₁ − p₁), d := −(a·x₁ + b·y₁ + c·z₁)")}},
          .methods = of<warnock, zbuffer>,
          .witness = "mistake-y-flipped",
          .advice = {"the picture is upside down: y grows downward, row 0 is the uppermost",
@@ -266,6 +276,7 @@ inline constexpr auto deviations = [] {
          .title = {"sign of z reversed", "обратный знак z"},
          .says = {"the smaller z is the nearer", "ближе тот, у кого z меньше"},
          .lines = at<D1>,
+         .reads = {{untranslated("z := (a·x + b·y + d) / c")}},
          .methods = of<warnock, zbuffer>,
          .witness = "mistake-depth-sign-reversed",
          .advice = {"the sign of z is reversed: the greater z is the nearer",
@@ -274,6 +285,10 @@ inline constexpr auto deviations = [] {
          .title = {"boundary outside", "граница снаружи"},
          .says = {"points on the outline count as outside", "точки границы считаются внешними"},
          .lines = at<S3, L4>,
+         .reads = {{{"for each edge e: if σ(e) = 0 or σ(e) ≠ Sgn₁: return false",
+                     "для каждого ребра e: если σ(e) = 0 или σ(e) ≠ Sgn₁: вернуть false"},
+                    {"x := first pixel centre > x₁, in the area; the last one is < x₂; z := z₁ + (x − x₁)Δz",
+                     "x := первый центр пикселя > x₁ в области; последний < x₂; z := z₁ + (x − x₁)Δz"}}},
          .methods = of<warnock, zbuffer>,
          .witness = "mistake-boundary-outside",
          .advice = {"points on an outline count as outside of both polygons that share it: pixels there belong to "
@@ -285,6 +300,9 @@ inline constexpr auto deviations = [] {
          .says = {"the area is halved in whole numbers, and the rest is lost",
                   "область делится пополам нацело, и остаток теряется"},
          .lines = at<W3, W13>,
+         .reads = {{{"push (Wcx, Wcy, Wx, Wy, APL₀) on AW", "положить (Wcx, Wcy, Wx, Wy, APL₀) в AW"},
+                    {"else: push the parts of U, its sides halved in whole numbers, each with a copy of APL",
+                     "иначе: положить части U, стороны которого делятся пополам нацело, каждую с копией APL"}}},
          .methods = of<warnock>,
          .witness = "mistake-integer-division",
          .advice = {"a window is halved in whole numbers: if its side is odd, one column or row is lost. Begin with "
@@ -295,6 +313,7 @@ inline constexpr auto deviations = [] {
          .title = {"hasSurround never reset", "hasSurround не сбрасывается"},
          .says = {"hasSurround is never reset", "hasSurround никогда не сбрасывается"},
          .lines = at<PW7>,
+         .reads = {{{"if k > 0: nothing; hasSurround stays", "если k > 0: ничего; hasSurround остаётся"}}},
          .methods = of<warnock>,
          .witness = "mistake-surround-kept",
          .advice = {"hasSurround is never reset: a polygon that lies before the surrounding one in a part of the "
@@ -306,6 +325,7 @@ inline constexpr auto deviations = [] {
          .says = {"a ray crosses a vertex twice, whether it is pierced or touched",
                   "луч пересекает вершину дважды, проткнута она или задета"},
          .lines = at<CR3>,
+         .reads = {{{"if p is on the ray: n := n + 2", "если p на луче: n := n + 2"}}},
          .methods = of<warnock_full>,
          .witness = "mistake-vertex-counted-twice"},
         {.mistake = "octants-not-split",
@@ -313,6 +333,7 @@ inline constexpr auto deviations = [] {
          .says = {"an edge seen under half of a full angle is not split",
                   "ребро, видимое под развёрнутым углом, не разбивается"},
          .lines = at<OA4>,
+         .reads = {{{"if Δ = ±4: Δ as it is", "если Δ = ±4: Δ как есть"}}},
          .methods = of<warnock_angles>,
          .witness = "mistake-octants-not-split"},
         {.mistake = "line-for-edge",
@@ -320,11 +341,19 @@ inline constexpr auto deviations = [] {
          .says = {"an edge is taken for the whole line on which it lies",
                   "вместо ребра берётся вся прямая, на которой оно лежит"},
          .lines = at<TF3>,
+         .reads = {{{"if f has both signs there: return true", "если f там обоих знаков: вернуть true"}}},
          .methods = of<warnock_full>,
          .witness = "mistake-line-for-edge"},
     });
 }();
 static_assert(deviations.size() == std::size_t(Deviation::line_for_edge) + 1);
+static_assert(std::all_of(deviations.begin(), deviations.end(),
+                          [](const DeviationChoice& each) {
+                              const auto has_text = [](const Bilingual& read) { return !read.english.empty(); };
+                              const auto texts = std::count_if(each.reads.begin(), each.reads.end(), has_text);
+                              return texts == (each.mistake.empty() ? 0 : std::ssize(each.lines));
+                          }),
+              "a mistake says how it writes each of its lines");
 
 constexpr const DeviationChoice& choice_of(Deviation deviation) { return deviations[std::size_t(deviation)]; }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,8 +27,8 @@ public:
     static const Edition corrected, printed;
 
 private:
-    using Bits = std::uint32_t;
-    static_assert(deviations.size() <= 32);
+    using Bits = std::uint64_t;
+    static_assert(deviations.size() <= std::numeric_limits<Bits>::digits);
 
     explicit constexpr Edition(Bits bits) : bits_(bits) {}
 
@@ -78,8 +79,8 @@ inline constexpr auto named_editions = [] {
     };
     std::size_t count = 2;
     for (std::size_t i = 0; i < deviations.size(); ++i) {
-        const auto& [defect, mistake, title, says, lines, methods, witness, advice] = deviations[i];
-        if (!mistake.empty()) named[count++] = {Deviation(i), mistake, says.english, title};
+        const auto& each = deviations[i];
+        if (!each.mistake.empty()) named[count++] = {Deviation(i), each.mistake, each.says.english, each.title};
     }
     return named;
 }();

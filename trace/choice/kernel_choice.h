@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "choice/bilingual.h"
 #include "choice/edition.h"
 #include "vidno/kernels/bits.h"
 #include "vidno/kernels/depth_bits.h"
@@ -27,6 +28,7 @@ struct KernelChoice {
     KernelKind kind;
     std::string_view name;
     std::string_view rule;
+    Bilingual says;  // on the page: what it computes with, and whether its decisions can be wrong
     /// Whether a wrong decision or pixel would be an error of the program; under `grid`, of the snapped scene.
     bool is_always_right = false;
     bool snaps = false;  // takes a scene that was snapped
@@ -58,18 +60,33 @@ private:
 
 /// By the places of KernelKind.
 inline constexpr std::array kernel_choices{
-    KernelChoice{.kind = KernelKind::binary32, .name = "float", .rule = "IEEE binary32; decisions as they fall"},
-    KernelChoice{.kind = KernelKind::binary64,
-                 .name = "double",
-                 .rule = "IEEE binary64; decisions as they fall",
-                 .runs_mistakes = true},
-    KernelChoice{.kind = KernelKind::bits,
-                 .name = "bits",
-                 .rule = "every result rounded to P bits; decisions as they fall",
-                 .parameter = {{'P', fewest_bits, most_bits, {8, 12}}}},
+    KernelChoice{
+        .kind = KernelKind::binary32,
+        .name = "float",
+        .rule = "IEEE binary32; decisions as they fall",
+        .says =
+            {"Numbers of 24 significant bits (IEEE binary32). Results are rounded, so decisions can go wrong.",
+             "Числа с 24 значащими битами (IEEE binary32). Результаты округляются, поэтому решения бывают неверными."}},
+    KernelChoice{
+        .kind = KernelKind::binary64,
+        .name = "double",
+        .rule = "IEEE binary64; decisions as they fall",
+        .says =
+            {"Numbers of 53 significant bits (IEEE binary64). Results are rounded, so decisions can go wrong.",
+             "Числа с 53 значащими битами (IEEE binary64). Результаты округляются, поэтому решения бывают неверными."},
+        .runs_mistakes = true},
+    KernelChoice{
+        .kind = KernelKind::bits,
+        .name = "bits",
+        .rule = "every result rounded to P bits; decisions as they fall",
+        .says = {"Each result is rounded to that many significant bits, so that rounding is easy to see.",
+                 "Каждый результат округляется до указанного числа значащих битов: погрешность легко увидеть."},
+        .parameter = {{'P', fewest_bits, most_bits, {8, 12}}}},
     KernelChoice{.kind = KernelKind::depth,
                  .name = "depth",
                  .rule = "binary64, and a Z-buffer of B bits; zbuffer only",
+                 .says = {"Ordinary numbers, but the Z-buffer keeps that many bits of each depth.",
+                          "Обычные числа, но Z-буфер хранит указанное число битов каждой глубины."},
                  .parameter = {{'B', fewest_depth_bits, most_depth_bits, {8, 16}}},
                  .runs_warnock = false,
                  .runs_family = false,
@@ -77,12 +94,16 @@ inline constexpr std::array kernel_choices{
     KernelChoice{.kind = KernelKind::filtered,
                  .name = "filtered",
                  .rule = "binary64 with an error bound, exact where that cannot decide: always right; corrected only",
+                 .says = {"Ordinary numbers with an error bound, exact where that cannot decide: never wrong.",
+                          "Обычные числа с оценкой погрешности, а где её мало — точные: неверных решений не бывает."},
                  .is_always_right = true,
                  .runs_printed = false},
     KernelChoice{
         .kind = KernelKind::grid,
         .name = "grid",
         .rule = "x and y snapped to 1/2^K pixel, whole numbers from there: right for the snapped scene; corrected only",
+        .says = {"Vertices are moved to a fine grid, and whole numbers are used from there on.",
+                 "Вершины сдвигаются в узлы мелкой сетки, дальше счёт идёт в целых числах."},
         .is_always_right = true,
         .snaps = true,
         .runs_printed = false,
@@ -91,6 +112,8 @@ inline constexpr std::array kernel_choices{
     KernelChoice{.kind = KernelKind::exact,
                  .name = "exact",
                  .rule = "exact rationals; every decision is right, the reference",
+                 .says = {"Rational numbers of any length: nothing is rounded.",
+                          "Рациональные числа любой длины: ничего не округляется."},
                  .is_always_right = true,
                  .runs_mistakes = true},
 };

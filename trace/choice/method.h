@@ -29,6 +29,7 @@ struct MethodChoice {
     Procedure procedure = Procedure::three_lists_warnock;  // the first one
     MethodRule rule = picture_rule;
     bool takes_closed_bodies = false;  // those of vidno/family/closed_bodies.h alone
+    bool cuts_anywhere = false;        // it cuts windows along any boundary of pixels; the others halve them
 };
 
 /// Why a scene does not consist of closed convex bodies, if it does not.
@@ -68,7 +69,8 @@ inline constexpr std::array method_choices{
     MethodChoice{.does = "the same, a window split at a vertex in it",
                  .title = {"split at a vertex", "деление в вершине"},
                  .says = {"Convex planar polygons. Keeps three lists; splits a window at a vertex in it.",
-                          "Выпуклые плоские многоугольники. Три списка; окно делится в вершине, лежащей в нём."}},
+                          "Выпуклые плоские многоугольники. Три списка; окно делится в вершине, лежащей в нём."},
+                 .cuts_anywhere = true},
     MethodChoice{
         .does = "the same, edge-on polygons shown, their depth taken from their edges",
         .title = {"edge-on polygons", "видимые с ребра"},

@@ -62,17 +62,22 @@ bool is_as_printed(const json& line, Edition edition) {
 }
 
 /// A line as the edition has it.
-const json& text_in(const json& line, Edition edition) {
-    const std::string name = name_of(edition);
-    if (line.contains("mistakes") && line.at("mistakes").contains(name)) return line.at("mistakes").at(name);
-    return is_as_printed(line, edition) ? line.at("printed") : line;
+std::string text_in(const json& line, Edition edition, Language language) {
+    if (is_mistake(edition)) {
+        const DeviationChoice& mistake = choice_of(*single_deviation(edition));
+        for (std::size_t i = 0; i < mistake.lines.size(); ++i) {
+            if (line.at("at") != line_names[std::size_t(mistake.lines[i])]) continue;
+            const auto& [english, russian] = mistake.reads[i];
+            return std::string(std::array{english, russian}[std::size_t(language)]);
+        }
+    }
+    return (is_as_printed(line, edition) ? line.at("printed") : line).at(words_of(language).code);
 }
 
 }  // namespace
 
 Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style& style, double width) {
     constexpr double number_at = 2.6, text_at = 9.4, level = 2.6, hanging = 2.6, base_below = 1.1;
-    const std::string language(words_of(style.language).code);
     const json& procedure = procedure_at(frame);
 
     Drawing drawing{width, 0};
@@ -97,7 +102,7 @@ Drawing listing_part(const CallStack::Frame& frame, Edition edition, const Style
     rule(y, 0.75);
     y += 0.4;
     for (const json& line : procedure.at("lines")) {
-        const std::string text = text_in(line, edition).at(language);
+        const std::string text = text_in(line, edition, style.language);
         const double left = text_at + level * int(line.at("indent"));
         const auto pieces = wrapped(text, (width - left - hanging) / style.letters, (width - left) / style.letters);
         if (frame.at && line.at("at") == line_names[std::size_t(*frame.at)]) {

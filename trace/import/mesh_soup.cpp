@@ -1,23 +1,13 @@
 #include "import/mesh_soup.h"
 
-#include <array>
-
 #include "import/words.h"
 
 namespace vidno {
 
 namespace {
 
-struct Format {
-    std::string_view ending;
-    MeshSoup (*read)(std::string_view bytes);
-};
-
-constexpr std::array formats{Format{"obj", read_obj}, Format{"off", read_off}, Format{"ply", read_ply},
-                             Format{"stl", read_stl}};
-
 MeshSoup read_by_ending(std::string_view bytes, std::string_view ending) {
-    for (const auto& format : formats) {
+    for (const auto& format : mesh_formats) {
         if (format.ending == ending) return format.read(bytes);
     }
     throw Refused("not a mesh by its name: " + mesh_endings());
@@ -27,10 +17,10 @@ MeshSoup read_by_ending(std::string_view bytes, std::string_view ending) {
 
 std::string mesh_endings() {
     std::string endings;
-    for (std::size_t i = 0; i < formats.size(); ++i) {
-        if (i > 0) endings += i + 1 == formats.size() ? " or " : ", ";
+    for (std::size_t i = 0; i < mesh_formats.size(); ++i) {
+        if (i > 0) endings += i + 1 == mesh_formats.size() ? " or " : ", ";
         endings += '.';
-        endings += formats[i].ending;
+        endings += mesh_formats[i].ending;
     }
     return endings;
 }

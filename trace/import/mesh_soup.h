@@ -1,9 +1,10 @@
-/// Mesh soup: the points and faces of an OBJ, OFF, PLY or STL file, one reader a format.
+/// Mesh soup: the points and faces of a mesh, and a reader for each format.
 ///
 /// The readers trust nothing that a file says of itself: they refuse a header that promises more than the file can hold, and a face of
-/// a vertex that is not there. All but points and faces is passed over.
+/// a vertex that is not there. They pass over all but points and faces.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <string>
@@ -22,6 +23,13 @@ MeshSoup read_obj(std::string_view bytes);
 MeshSoup read_off(std::string_view bytes);
 MeshSoup read_ply(std::string_view bytes);
 MeshSoup read_stl(std::string_view bytes);
+
+struct MeshFormat {
+    std::string_view ending;
+    MeshSoup (*read)(std::string_view bytes);
+};
+inline constexpr std::array mesh_formats{MeshFormat{"obj", read_obj}, MeshFormat{"off", read_off},
+                                         MeshFormat{"ply", read_ply}, MeshFormat{"stl", read_stl}};
 
 /// What the names of meshes end in: ".obj, .off, .ply or .stl".
 std::string mesh_endings();

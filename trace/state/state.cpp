@@ -40,7 +40,7 @@ void State::take(const event::Depth& e) {
 void State::take(const event::Push& e) {
     const bool is_first = e.at == Line::W3 || e.at == Line::WS1 || e.at == Line::WF1;
     if (is_first != e.apl.has_value()) throw Impossible{"the first window has a list, and no other"};
-    if (header_->method == Method::warnock_vertex) expect_in_area(e.window);
+    if (choice_of(header_->method).cuts_anywhere) expect_in_area(e.window);
     std::shared_ptr<Apl> apl;
     if (e.apl) {
         apl = std::make_shared<Apl>(*e.apl);
@@ -60,7 +60,7 @@ void State::take(const event::Pop& e) {
     has_corners_ = false;
 }
 
-/// Of windows that are cut anywhere each has whole pixels.
+/// A window that is cut anywhere still has whole pixels.
 void State::expect_in_area(const Window& window) const {
     const auto is_whole = [](double x) { return x == std::floor(x); };
     const bool whole = is_whole(window.x) && is_whole(window.y) && is_whole(window.width) && is_whole(window.height);

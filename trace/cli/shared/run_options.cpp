@@ -46,10 +46,10 @@ namespace {
 /// Why there is no such text: the first deviation that is none of the method's.
 Refused refused_text(Edition edition, auto&& concerns) {
     for (std::size_t i = 0; i < deviations.size(); ++i) {
-        const auto& [defect, mistake, title, says, lines, methods, witness, advice] = deviations[i];
+        const auto& methods = deviations[i].methods;
         if (!edition.has(Deviation(i)) || concerns(methods)) continue;
         std::string text = "--edition " + name_of(edition) + ": ";
-        text += is_mistake(edition) ? "a mistake" : std::string(defect) + " is a defect";
+        text += is_mistake(edition) ? "a mistake" : std::string(deviations[i].defect) + " is a defect";
         std::string_view before = " of --method ";
         for (const Method method : methods) {
             (text += before) += method_names[std::size_t(method)];

@@ -5,8 +5,7 @@ import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import { editionName } from '../language/family-texts.js';
 import type { Language } from '../language/language.js';
-import type { KernelKind } from '../language/word-texts.js';
-import { isMistake, kindOfKernel } from '../trace/editions.js';
+import { isMistake, kernelSays } from '../trace/editions.js';
 import type { Header } from '../trace/header.js';
 
 /** How a run was made, in a few words, each of which is explained on demand. */
@@ -92,7 +91,7 @@ export class RunWordsElement extends LitElement {
     return [
       [page.methods[method], family.rules[method]],
       [editionName(page.editions, edition), words.editions[kind]],
-      [kernel, words.kernels[kindOfKernel(kernel) as KernelKind]],
+      [kernel, kernelSays(kernel)[this.language]],
       [scene.details[detail], words.details[detail]],
     ];
   }

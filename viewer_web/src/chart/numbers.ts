@@ -7,8 +7,8 @@ const shortest = 1e-3;
 const space = '\u00a0';
 
 function formats(options: Intl.NumberFormatOptions): Readonly<Record<Language, Intl.NumberFormat>> {
-  const [en, ru] = languages.map((language) => new Intl.NumberFormat(language, options));
-  return { en, ru } as Readonly<Record<Language, Intl.NumberFormat>>;
+  const of = languages.map((each) => [each, new Intl.NumberFormat(each, options)] as const);
+  return Object.fromEntries(of) as Readonly<Record<Language, Intl.NumberFormat>>;
 }
 
 const rounded = formats({ maximumSignificantDigits: 3 });

@@ -1,3 +1,4 @@
+import type { Bilingual } from '../language/language.js';
 import type { Pixel } from '../picture/pixel.js';
 import type { Trace } from '../replay/trace.js';
 import type { Options } from '../run/options.js';
@@ -7,7 +8,7 @@ import witnesses from '../trace/witnesses.json' with { type: 'json' };
 
 interface Entry {
   readonly kernel: string;
-  readonly title: Readonly<Record<'en' | 'ru', string>>;
+  readonly title: Bilingual<string>;
   readonly scene: unknown;
 }
 const entries: Readonly<Record<string, Entry>> = witnesses;

@@ -25,7 +25,6 @@ function values(
 }
 
 defineModel(['floating-horizon'], {
-  bottomOf: () => 'FloatingHorizon',
   begin: () =>
     new ValueInHand('horizon', emptyFloatingHorizon, (event, now, { columns }) =>
       columns === null ? now : afterCurves(event, now, columns),

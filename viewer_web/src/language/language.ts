@@ -16,5 +16,5 @@ export function isLanguage(value: unknown): value is Language {
 
 /** The reader's own language, if the page speaks it. */
 export function preferredLanguage(): Language {
-  return navigator.language.startsWith('ru') ? 'ru' : 'en';
+  return languages.find((each) => navigator.language.startsWith(each)) ?? 'en';
 }

@@ -1,13 +1,9 @@
 import type { Detail } from '../trace/events.js';
 
-/** A kernel without the number behind its colon. */
-export type KernelKind = 'float' | 'double' | 'bits' | 'depth' | 'filtered' | 'grid' | 'exact';
-
 /** The words by which runs are named, explained. */
 export interface WordTexts {
   readonly explain: string;
   readonly editions: Readonly<Record<'corrected' | 'printed' | 'defects' | 'mistake', string>>;
-  readonly kernels: Readonly<Record<KernelKind, string>>;
   readonly details: Readonly<Record<Detail, string>>;
 }
 

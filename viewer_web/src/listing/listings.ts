@@ -1,7 +1,7 @@
 import listings from '../../../trace/listings/listings.json' with { type: 'json' };
 import type { Language } from '../language/language.js';
 import type { Method } from '../trace/events.js';
-import { deviations, hasDefect, runsUnder } from '../trace/editions.js';
+import { deviationOf, deviations, hasDefect, runsUnder } from '../trace/editions.js';
 import type { Deviation, Edition } from '../trace/editions.js';
 import type { Header } from '../trace/header.js';
 import { speaks } from './notes.js';
@@ -29,8 +29,6 @@ interface SourceLine extends Both {
   readonly at: string;
   readonly indent: number;
   readonly printed?: Both & { readonly defects: readonly string[] };
-  /** With a usual mistake, by its edition. */
-  readonly mistakes?: Readonly<Record<string, Both>>;
 }
 interface Source {
   readonly name: string;
@@ -42,8 +40,9 @@ interface Source {
 const sources = listings.procedures as readonly Source[];
 
 function line(source: SourceLine, edition: Edition, language: Language): Omit<Line, 'speaks'> {
-  const { at, indent, printed, mistakes } = source;
-  const mistaken = mistakes?.[edition];
+  const { at, indent, printed } = source;
+  const deviation = deviationOf(edition);
+  const mistaken = deviation?.reads[deviation.lines.indexOf(at)];
   if (mistaken !== undefined) return { at, indent, text: mistaken[language], defects: ['≠'] };
   const isOf = (id: string): boolean => hasDefect(edition, id.toLowerCase());
   const defects = edition === 'printed' ? printed?.defects : printed?.defects.filter(isOf);

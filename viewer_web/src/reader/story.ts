@@ -15,6 +15,7 @@ import { Refusal, describe } from '../trace/refusal.js';
 import { stateParts } from '../algorithm/state-part.js';
 import type { StatePart } from '../algorithm/state-part.js';
 import { boundedText } from '../base/bounded-text.js';
+import type { Bilingual } from '../language/language.js';
 import { toUtf8 } from '../base/text-file.js';
 import { placesIn } from './places.js';
 import type { Mark } from './places.js';
@@ -106,7 +107,7 @@ export interface LessonStory {
   readonly pins: ReadonlyMap<string, Pin>;
   /** The parts of the state that are to be seen beside the text. */
   readonly shows?: readonly StatePart[];
-  readonly story: Readonly<Record<'en' | 'ru', Story>>;
+  readonly story: Bilingual<Story>;
 }
 
 /** `javascript:` and the like are addresses as well. */

@@ -37,10 +37,6 @@ export interface Compared extends Paper {
 
 /** How the runs of an algorithm change what they hold. */
 export interface Model {
-  /** The procedure that runs first, as its listing is called. */
-  bottomOf(method: Method): string;
-  /** Whether windows are cut anywhere, not halved. */
-  cutsAnywhere?(method: Method): boolean;
   begin(header: Header): Hand;
   readonly uses: Uses;
   compared(state: Compared): object;

@@ -1,10 +1,10 @@
+import { cutsAnywhere } from '../trace/editions.js';
 import type { Header, Polygon, Scene } from '../trace/header.js';
 import { Refusal } from '../trace/refusal.js';
 import type { Box, N } from '../trace/values.js';
 import { cut, pieces } from './cuts.js';
 import { Grid, toGround, toPixel } from './grid.js';
 import type { Row } from './grid.js';
-import { modelOf } from './model.js';
 import { halve, leaves } from './quadtree.js';
 import type { Sight } from './quadtree.js';
 
@@ -17,10 +17,6 @@ export const hasRoomForDepths = ({ area: { width, height } }: Scene): boolean =>
 /** Whether the state has the depths that a trace tells. */
 export const keepsDepths = ({ detail, scene }: Pick<Header, 'detail' | 'scene'>): boolean =>
   detail !== 'windows' && hasRoomForDepths(scene);
-
-/** Whether windows are cut anywhere, and not halved. */
-export const isCut = (header: Pick<Header, 'method'>): boolean =>
-  modelOf(header).cutsAnywhere?.(header.method) ?? false;
 
 /** Windows, and what they were found in. */
 interface Divided {
@@ -140,7 +136,7 @@ export class Screen {
 /** What only says whether something can be painted. */
 export class Bounds extends Screen {
   constructor(header: Header) {
-    super(header.scene, false, isCut(header));
+    super(header.scene, false, cutsAnywhere(header.method));
   }
 
   override paint(x: number, y: number, width: number, height: number): void {

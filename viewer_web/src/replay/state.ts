@@ -1,3 +1,4 @@
+import { cutsAnywhere, firstProcedure } from '../trace/editions.js';
 import { callsFrom, details, eventNames, kinds } from '../trace/events.js';
 import type { Detail, Event, EventName, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
@@ -6,7 +7,7 @@ import { Columns } from './columns.js';
 import type { SavedColumns } from './columns.js';
 import { modelOf } from './model.js';
 import type { Hand, Held } from './model.js';
-import { Screen, isCut, keepsDepths } from './screen.js';
+import { Screen, keepsDepths } from './screen.js';
 import type { SavedScreen } from './screen.js';
 import type { Stretch } from './stretch.js';
 
@@ -56,11 +57,10 @@ export class State {
     screen?: Screen,
   ) {
     const { method, scene } = header;
-    const model = modelOf(header);
-    this.screen = screen ?? new Screen(scene, keepsDepths(header), isCut(header));
+    this.screen = screen ?? new Screen(scene, keepsDepths(header), cutsAnywhere(method));
     this.columns = scene.curves === null ? null : new Columns(scene);
-    this.calls = [{ of: model.bottomOf(method), at: null }];
-    this.hand = model.begin(header);
+    this.calls = [{ of: firstProcedure(method), at: null }];
+    this.hand = modelOf(header).begin(header);
   }
 
   /** How many events were taken. */

@@ -1,4 +1,5 @@
 import type { Exact } from '../picture/layers.js';
+import { referenceOf } from '../trace/editions.js';
 import type { Method } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import type { Options } from './options.js';
@@ -6,12 +7,9 @@ import { sceneText } from './sketch.js';
 import { Tracer } from './tracer.js';
 import type { Traced } from './tracer.js';
 
-/**
- * Every corrected method paints the same picture with it, but for two whose rule is their own; of the others this one has the
- * shortest trace.
- */
+/** The run with a short trace that paints what a method should. */
 const exactly = (method: Method): Options => ({
-  method: method === 'warnock-edges' || method === 'warnock-bodies' ? method : 'zbuffer',
+  method: referenceOf(method),
   edition: 'corrected',
   kernel: 'filtered',
   detail: 'windows',

@@ -29,6 +29,8 @@ export interface Deviation {
   readonly says: Bilingual;
   /** The lines of the listings that it changes. */
   readonly lines: readonly string[];
+  /** How a usual mistake writes these lines, in their order; of a defect, none: the listings have its text. */
+  readonly reads: readonly Bilingual[];
   readonly methods: readonly string[];
 }
 export const deviations: readonly Deviation[] = Object.entries(choices.deviations).map(
@@ -38,6 +40,7 @@ export const deviations: readonly Deviation[] = Object.entries(choices.deviation
     title,
     says,
     lines,
+    reads: 'reads' in more ? more.reads : [],
     methods,
   }),
 );
@@ -93,6 +96,16 @@ export const editionTitle = (name: NamedEdition): Bilingual => choices.editions[
 export const methodTitle = (method: MethodName): Bilingual => choices.methods[method].title;
 export const methodSays = (method: MethodName): Bilingual => choices.methods[method].says;
 
+/** The procedure that runs first, as its listing is called. */
+export const firstProcedure = (method: MethodName): string => choices.methods[method].procedure;
+
+/** Whether a method cuts windows along any boundary of pixels, and does not halve them. */
+export const cutsAnywhere = (method: MethodName): boolean => choices.methods[method].cutsAnywhere;
+
+/** The method that paints, under an always right kernel, what this one should. */
+export const referenceOf = (method: MethodName): MethodName =>
+  choices.methods[method].reference as MethodName;
+
 /** By editions of a method's text the kernels under which it runs. */
 export const kernelsOf = (
   method: MethodName,
@@ -110,6 +123,7 @@ export function runsUnder(method: MethodName, name: Edition, kernel: string): bo
 export const palette: readonly string[] = choices.palette;
 
 interface Kernel {
+  readonly says: Bilingual;
   readonly alwaysRight: boolean;
   readonly snaps: boolean;
   readonly parameter?: {
@@ -137,6 +151,12 @@ export const offeredKernels: readonly string[] = Object.entries(kernels).flatMap
 
 /** The kernel without the number behind its colon. */
 export const kindOfKernel = (kernel: string): string => kernel.split(':')[0] ?? kernel;
+
+/** What a kernel computes with. */
+export function kernelSays(kernel: string): Bilingual {
+  const { says } = kernels[kindOfKernel(kernel)] ?? { says: { en: '', ru: '' } };
+  return says;
+}
 
 /** Whether a kernel decides as exact arithmetic does, checked or not. */
 export const isAlwaysRight = (kernel: string): boolean =>

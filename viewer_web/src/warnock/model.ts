@@ -2,7 +2,7 @@ import { pictureRows } from '../replay/canonical.js';
 import { defineModel } from '../replay/model.js';
 import type { Hand, Held, Paper } from '../replay/model.js';
 import { hasThreeLists, hasWindows, methods } from '../trace/events.js';
-import type { Event, Method } from '../trace/events.js';
+import type { Event } from '../trace/events.js';
 import { ListInHand } from './list-in-hand.js';
 import { afterWarnock, emptyWarnock } from './state.js';
 import type { Joined, Warnock } from './state.js';
@@ -29,11 +29,6 @@ class WarnockInHand implements Hand {
   }
 }
 
-function bottomOf(method: Method): string {
-  if (hasThreeLists(method)) return 'ThreeListsWarnock';
-  return method === 'warnock-simplest' ? 'SimplestWarnock' : 'Warnock';
-}
-
 function values({ stack, window, apl, clip, last }: Warnock): object {
   const { corners, k, count, hasSurround, color, insider } = last;
   return {
@@ -56,8 +51,6 @@ function otherLists({ joined: { surrounding, outside } }: Warnock): object {
 }
 
 defineModel(methods.filter(hasWindows), {
-  bottomOf,
-  cutsAnywhere: (method) => method === 'warnock-vertex',
   begin: () => new WarnockInHand(),
   uses,
   compared: ({ held: { warnock = emptyWarnock }, method, screen }) => ({

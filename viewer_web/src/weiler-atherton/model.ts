@@ -12,7 +12,6 @@ const values = ({ lists, inHand, facets, visible }: Regions): object => ({
 });
 
 defineModel(['weiler-atherton'], {
-  bottomOf: () => 'WeilerAtherton',
   begin: () =>
     new ValueInHand('regions', emptyRegions, (event, now, { screen }) =>
       afterRegions(event, now, screen),

@@ -25,7 +25,6 @@ function depthRows({ z }: Screen, detail: Detail): unknown {
 }
 
 defineModel(['zbuffer'], {
-  bottomOf: () => 'ZBuffer',
   begin: () =>
     new ValueInHand('zbuffer', emptyZBuffer, (event, now, { screen }) =>
       afterZBuffer(event, now, screen),

@@ -13,17 +13,6 @@ export const words: WordTexts = {
     defects: 'The corrected procedures with single printing errors of the course text put back.',
     mistake: 'The corrected procedures with one usual mistake in them.',
   },
-  kernels: {
-    float:
-      'Numbers of 24 significant bits (IEEE binary32). Results are rounded, so decisions can go wrong.',
-    double:
-      'Numbers of 53 significant bits (IEEE binary64). Results are rounded, so decisions can go wrong.',
-    bits: 'Each result is rounded to the given number of significant bits: rounding becomes easy to see.',
-    depth: 'Ordinary numbers, but the Z-buffer keeps only the given number of bits of each depth.',
-    filtered: 'Ordinary numbers with an error bound, exact where that cannot decide: never wrong.',
-    grid: 'Vertices are moved to a fine grid, and whole numbers are used from there on.',
-    exact: 'Rational numbers of any length: nothing is rounded.',
-  },
   details: {
     windows: 'The run tells its main steps alone.',
     polygons: 'The run tells what it does with each polygon.',
