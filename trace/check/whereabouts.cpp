@@ -27,7 +27,7 @@ concept OfOther = requires(const E& told) {
     { told.other } -> std::convertible_to<PolygonPlace>;
 };
 
-int pixel_at(const Value& coordinate) { return int(std::floor(coordinate.number)); }
+int pixel_at(const Value& coordinate) { return int(std::floor(number_of(coordinate))); }
 
 }  // namespace
 
@@ -88,7 +88,7 @@ PixelRectangle Whereabouts::pixels(const EventView& event, std::optional<int> pi
     if (const auto* row = event.get_if<event::Row>()) return on_row(row->row);
     if (event.get_if<event::Columns>() || event.get_if<event::Miss>() || event.get_if<event::Slope>())
         return on_row(row_);
-    if (const auto* order = event.get_if<event::Order>(); order && !order->point.x.fraction) {
+    if (const auto* order = event.get_if<event::Order>()) {
         return {pixel_at(order->point.x), pixel_at(order->point.y), 1, 1};
     }
     if (const auto* flag = event.get_if<event::Visibility>()) return {flag->x, area_.y, 1, area_.height};
