@@ -3,15 +3,17 @@
 
 /// Whether a cross product with each edge has the same sign; 0 has none.
 bool inside(const Polygon& polygon, Point p) {
-    int positive = 0, negative = 0;
+    int positive = 0, negative = 0, edges = 0;
     const std::vector<Vertex>& v = polygon.vertices;
     for (std::size_t i = 0; i < v.size(); ++i) {
         const Vertex& w = v[(i + 1) % v.size()];
+        if (v[i].x == w.x && v[i].y == w.y) continue;  // a vertex that is there twice
+        ++edges;
         const double product = cross({v[i].x, v[i].y}, {w.x, w.y}, p);
         positive += product > 0;
         negative += product < 0;
     }
-    return positive == int(v.size()) || negative == int(v.size());
+    return positive == edges || negative == edges;
 }
 
 int main() {

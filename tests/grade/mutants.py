@@ -93,7 +93,7 @@ class Course:
         done = subprocess.run([self.vidno, 'grade', str(program), '--first', '--seconds', '1', '--no-sandbox', *options], text=True,
                               errors='replace', capture_output=True, check=False)
         if done.returncode not in (0, 1, 2):
-            raise RuntimeError(f'{program}: {done.stdout}{done.stderr}')
+            raise RuntimeError(f'{program}: exit status {done.returncode}\n{done.stdout}{done.stderr}')
         return done.returncode != 0, done.stdout + done.stderr
 
     def scenes(self, program):

@@ -153,13 +153,23 @@ std::vector<std::filesystem::path> programs_in(const std::string& folder) {
     return programs;
 }
 
-/// Into the table's folder, which has its name without the ending, a report of each program; of a wrong one a page too.
+bool page_is_built() {
+    try {
+        trace_page({});
+        return true;
+    } catch (const Refused&) {
+        return false;
+    }
+}
+
+/// Into the table's folder, which has its name without the ending, a report of each program; of a wrong one a page too, if the page was built.
 int grade_folder(const GradeOptions& options, const Grading& grading) {
     const std::vector<std::filesystem::path> programs = programs_in(options.program);
     const std::filesystem::path reports = std::filesystem::path(options.output).replace_extension();
     std::filesystem::create_directories(reports);
     const std::vector<Scene> scenes = scenes_of(options, grading.say);
     const Patience patience{100, std::chrono::seconds(5)};
+    const bool has_page = page_is_built();
     std::vector<TableRow> rows;
     for (const auto& program : programs) {
         TableRow row{program.filename().string(), std::nullopt, {}};
@@ -174,7 +184,7 @@ int grade_folder(const GradeOptions& options, const Grading& grading) {
                 if (first && first->run.header) {
                     const SceneGrade smallest = smallest_of(program.string(), grade, grading, patience);
                     text += report_of_smallest(smallest, grading);
-                    write_file(report + ".html", page_of(smallest, grading.say));
+                    if (has_page) write_file(report + ".html", page_of(smallest, grading.say));
                 }
                 row.grade = std::move(grade);
             }
@@ -202,7 +212,8 @@ int grade(const GradeOptions& options) {
         throw Refused(options.program + ": of a folder -o names a table, .csv or .json");
     if (!is_folder && !options.output.empty() && !options.output.ends_with(".html"))
         throw Refused(options.output + ": not .html");
-    if (!options.output.empty()) trace_page({});  // refuses what would be missing in the end before the work
+    if (!is_folder && !options.output.empty())
+        trace_page({});  // refuses what would be missing in the end before the work
     const Grading grading = grading_of(options);
     return is_folder ? grade_folder(options, grading) : grade_one(options, grading);
 }

@@ -63,6 +63,7 @@ void WarnockJudge::judge_in_window(int column, int row, const std::string& told)
 
 void WarnockJudge::judge(const event::Push& e) {
     const bool is_root = tree_.empty();
+    const bool is_part = tree_.push(e.window, step_);
     const Area& area = scene().area;
     if (is_root) {
         const bool covers = e.window.x <= area.x && e.window.y <= area.y && e.window.right() >= area.right() &&
@@ -73,7 +74,7 @@ void WarnockJudge::judge(const event::Push& e) {
         }
         if (!(e.window == covering_square(area))) note(Difference::other_windows);
     }
-    if (tree_.push(e.window, step_)) return;
+    if (is_part) return;
     throw False{Symptom::stray_window, say({"the window {} goes on the stack", "окно {} помещается в стек"}, e.window),
                 say({"it is no part of a window that was split", "оно не часть разделённого окна"})};
 }
@@ -86,7 +87,7 @@ void WarnockJudge::judge_parts() {
                         pixel(missing->column, missing->row)),
                     missing->step};
     }
-    if (decided_ != Case::split || tree_.parts().size() < 2) return;
+    if (decided_ != Case::split || tree_.empty() || tree_.parts().size() < 2) return;
     std::vector<Window> usual = parts_of(window_), told = tree_.parts();
     const auto off = [&](const Window& part) { return off_area(part, scene().area); };
     std::erase_if(usual, off);
