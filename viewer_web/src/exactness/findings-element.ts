@@ -53,6 +53,7 @@ export class FindingsElement extends LitElement {
       td.number {
         text-align: right;
         font-variant-numeric: tabular-nums;
+        white-space: nowrap;
       }
       .detail td {
         padding: 0.1rem 0.4rem 0.4rem 1rem;

@@ -47,13 +47,13 @@ it('says in words what changes beyond a side', () => {
   const flips = (...all: readonly object[]) => ({ ...side('1/1', '0/1', '0/1', 1), flips: all });
   const { sides } = marginIn(written([flips(flip), flips(cut, vertex)]));
   expect(sides.map((each) => labelOf(each, words))).toEqual([
-    'edge 1 passes over (0, 0)',
-    'edge 1 passes over the top left corner of the window; the vertex passes over the right side of the window',
+    'edge 1 over (0, 0)',
+    'edge 1 over the top left corner; vertex over the right side',
   ]);
   const russian = { say: texts.ru.exact.margin, point: texts.ru.numbers.point };
   expect(sides.map((each) => labelOf(each, russian))).toEqual([
-    'ребро 1 проходит через (0; 0)',
-    'ребро 1 проходит через левый верхний угол окна; вершина переходит через правую сторону окна',
+    'ребро 1 через (0; 0)',
+    'ребро 1 через левый верхний угол; вершина через правую сторону',
   ]);
 });
 

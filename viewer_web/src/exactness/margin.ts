@@ -149,6 +149,13 @@ function cornerOf(one: number, other: number): WindowCorner | null {
   return upright === null || level === null ? null : `${level}-${upright}`;
 }
 
+/** Beside a place, where words in its middle have room within the area. */
+function besideIn({ x, y, width, height }: Area, [px, py]: Spot): Spot {
+  const within = (value: number, from: number, size: number, edge: number): number =>
+    Math.min(Math.max(value, from + edge * size), from + (1 - edge) * size);
+  return [within(px, x, width, 0.35), within(py, y, height, 0.04)];
+}
+
 /** The region, shaded, with what changes beyond each of its sides. */
 export function marginMarks(found: Margin, area: Area, words: MarginWords): readonly Mark[] {
   const region = regionOf(found, area);
@@ -168,7 +175,7 @@ export function marginMarks(found: Margin, area: Area, words: MarginWords): read
       const middle: Spot = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
       const places = [middle, from, to];
       const seen = places.find(isInSight);
-      return seen === undefined ? [] : [note(seen, labelOf(side, words))];
+      return seen === undefined ? [] : [note(besideIn(area, seen), labelOf(side, words))];
     });
   return [path('margin', region, region.length > 2), ...notes];
 }

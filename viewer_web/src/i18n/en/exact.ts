@@ -86,10 +86,9 @@ export const exact: ExactTexts = {
     decides: (pixels) => `Decides the pixels ${pixels}`,
   },
   margin: {
-    edge: (edge, at) => `edge ${edge} passes over ${at}`,
-    vertex: (side) => `the vertex passes over the ${side} side of the window`,
-    edgeAtCorner: (edge, corner) =>
-      `edge ${edge} passes over the ${corner.replace('-', ' ')} corner of the window`,
+    edge: (edge, at) => `edge ${edge} over ${at}`,
+    vertex: (side) => `vertex over the ${side} side`,
+    edgeAtCorner: (edge, corner) => `edge ${edge} over the ${corner.replace('-', ' ')} corner`,
   },
   byHand: 'Step by step',
   byHandWith: { used: 'With the numbers of this run', exact: 'With the exact numbers' },

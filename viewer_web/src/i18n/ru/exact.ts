@@ -94,9 +94,9 @@ export const exact: ExactTexts = {
     decides: (pixels) => `Решает о пикселях ${pixels}`,
   },
   margin: {
-    edge: (edge, at) => `ребро ${edge} проходит через ${at}`,
-    vertex: (side) => `вершина переходит через ${sides[side]} сторону окна`,
-    edgeAtCorner: (edge, corner) => `ребро ${edge} проходит через ${corners[corner]} угол окна`,
+    edge: (edge, at) => `ребро ${edge} через ${at}`,
+    vertex: (side) => `вершина через ${sides[side]} сторону`,
+    edgeAtCorner: (edge, corner) => `ребро ${edge} через ${corners[corner]} угол`,
   },
   byHand: 'Вычисление по шагам',
   byHandWith: { used: 'С числами этого прогона', exact: 'С точными числами' },
