@@ -388,10 +388,10 @@ TEST_CASE("Exact and filtered draw what the rule says, on thousands of random an
         const CurveScene scene = random.scene();
         const FloatingHorizonReference reference(scene);
         check_against_rule(scene, reference);
-        for (const auto& [visible, parts] : reference.curves()) {
-            hidden += parts.empty() ? 1 : 0;
-            cuts += parts.size() > 1 ? 1 : 0;
-            for (const auto& [first, last] : parts) points += first == last ? 1 : 0;
+        for (const auto& curve : reference.curves()) {
+            hidden += curve.parts.empty() ? 1 : 0;
+            cuts += curve.parts.size() > 1 ? 1 : 0;
+            for (const auto& [first, last] : curve.parts) points += first == last ? 1 : 0;
         }
     }
     CHECK(points > 500);
