@@ -20,7 +20,7 @@ public:
 
     const Rational& exactly() const { return value_.exact(); }
 
-    const Interval& interval() const { return value_.approx(); }
+    Interval interval() const { return value_.approx(); }
 
     Constructed& operator+=(const Constructed& other) { return *this = *this + other; }
 
