@@ -875,10 +875,10 @@ TEST_CASE("stability: a campaign that is killed and called again ends as if it h
     REQUIRE(whole.status == 0);
     // It is killed once it has written a few blocks, wherever it then is.
     const std::string file = work.file("killed.jsonl");
-    const auto killed =
-        program("-c \"'" VIDNO_FILE "' " + campaign + "-o " + file + " & while [ ! -f " + file + " ] || [ \$(wc -l < " +
-                    file + ") -lt 4 ]; do :; done; kill -9 \$!; wait \$!; echo ended by \$?\"",
-                "/bin/sh");
+    const auto killed = program("-c \"'" VIDNO_FILE "' " + campaign + "-o " + file + " & while [ ! -f " + file +
+                                    " ] || [ \\$(wc -l < " + file +
+                                    ") -lt 4 ]; do :; done; kill -9 \\$!; wait \\$!; echo ended by \\$?\"",
+                                "/bin/sh");
     CHECK(killed.text.find("ended by 137") != std::string::npos);
     CHECK(work.read("killed.jsonl").size() < work.read("whole.jsonl").size());
     CHECK(program(campaign + "-o " + file).text == whole.text);
