@@ -26,4 +26,4 @@ for document in documents:
 missing = [f"{document.relative_to(root)}: {name} does not exist" for (document, name), exists in found.items() if not exists]
 if len(found) < 200:
     missing.append(f"only {len(found)} names were found")
-sys.exit("\n".join(missing))
+sys.exit("\n".join(missing) or 0)

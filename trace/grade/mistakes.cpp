@@ -108,9 +108,14 @@ std::optional<Deviation> deviation_of(const std::vector<Observation>& observed, 
     if (cases.empty() || !cases.front().is_wrong() || kinds.empty()) return std::nullopt;
 
     const Method method = cases.front().observed->header->method;
+    std::vector<Deviation> candidates;
     for (std::size_t i = 0; i < deviations.size(); ++i) {
-        const auto deviation = Deviation(i);
-        if (!has_text(Edition(deviation), method)) continue;
+        if (has_text(Edition(Deviation(i)), method)) candidates.push_back(Deviation(i));
+    }
+    // A student makes a usual mistake more often than a mistake of the printed text.
+    std::stable_partition(candidates.begin(), candidates.end(),
+                          [](Deviation deviation) { return !choice_of(deviation).mistake.empty(); });
+    for (const Deviation deviation : candidates) {
         const std::size_t needed = any_plain ? cases.size() : (2 * cases.size() + 2) / 3;
         std::size_t agree = 0, left = cases.size();
         for (const Compared& each : cases) {
