@@ -296,7 +296,7 @@ describe('axes and readout', () => {
     const numbers = (kind: string): Promise<readonly string[]> =>
       page.locator(`vidno-axes .${kind}`).allTextContents();
     expect(await numbers('column')).toEqual(['2', '3', '4', '5', '6']);
-    expect(await numbers('row')).toEqual(['-1', '0', '1', '2']);
+    expect(await numbers('row')).toEqual(['−1', '0', '1', '2']);
     expect(await readout(page)).toBe('5 × 4');
     await page.mouse.move(...(await centre(page, 4, 1)));
     await expect.poll(() => readout(page)).toMatch(/^\(4, 1\) .*#[0-9a-f]{6}$/);

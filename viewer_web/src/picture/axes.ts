@@ -2,6 +2,7 @@ import { LitElement, css, html, svg } from 'lit';
 import type { SVGTemplateResult, TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { base } from '../elements/theme.js';
+import { whole } from '../language/words.js';
 import type { Frame } from './frame.js';
 import type { Pixel } from './pixel.js';
 import { ticksIn } from './ticks.js';
@@ -95,14 +96,14 @@ export class AxesElement extends LitElement {
     const { area, shown, scale, size } = this.frame;
     const top = (area.y - shown[1]) * scale - off;
     const y = Math.min(Math.max(top, edge + 10), size.height - edge);
-    return svg`<text class="column ${this.kind(0, n)}" x=${x} y=${y}>${n}</text>`;
+    return svg`<text class="column ${this.kind(0, n)}" x=${x} y=${y}>${whole(n)}</text>`;
   }
 
   private row(n: number, y: number): SVGTemplateResult {
     const { area, shown, scale } = this.frame;
     const left = (area.x - shown[0]) * scale - off;
     const x = Math.max(left, edge + String(n).length * letter);
-    return svg`<text class="row ${this.kind(1, n)}" x=${x} y=${y}>${n}</text>`;
+    return svg`<text class="row ${this.kind(1, n)}" x=${x} y=${y}>${whole(n)}</text>`;
   }
 
   private kind(axis: 0 | 1, n: number): string {
