@@ -262,7 +262,7 @@ private:
         const Area& area = scene_.area;
         for (int row = area.y; row < area.y + area.height && !vertices.empty(); ++row) {
             const double y = row + 0.5;
-            double left = area.x + area.width, right = area.x;
+            double left = INFINITY, right = -INFINITY;
             for (std::size_t i = 0; i < vertices.size(); ++i) {
                 const Vertex &p = vertices[i], &q = vertices[(i + 1) % vertices.size()];
                 if ((p.y <= y) == (q.y <= y)) continue;
