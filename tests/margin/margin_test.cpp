@@ -316,7 +316,7 @@ TEST_CASE("1,000 margins: inside no sign changes, and beyond a side exactly thos
     for (const auto procedure : {Procedure::surround_test, Procedure::polygon_clip, Procedure::trial_function,
                                  Procedure::ray_crossings, Procedure::octant_angles}) {
         CAPTURE(procedure_names[std::size_t(procedure)]);
-        CHECK(of[procedure] > cases / 20);
+        CHECK(of[procedure] >= cases / 20);
     }
-    CHECK(on_lines > cases / 50);
+    CHECK(on_lines >= cases / 50);
 }

@@ -316,9 +316,10 @@ TEST_CASE("All methods: filtered and exact are never wrong, on families of polyg
     std::vector<std::string> methods(method_names.begin(), method_names.end());
     methods.emplace_back("floating-horizon");
     const auto trials = std::max<std::uint64_t>(1, 6 / thinning);
-    Campaign campaign{5, trials, {}, {"double", "filtered", "exact"}, methods};
-    for (const std::string family : {"touching", "shared-edges", "octants", "horizon-ties", "crossing-curves"}) {
-        campaign.families.push_back(family);
+    Campaign campaign{5, trials, {"touching", "horizon-ties"}, {"double", "filtered", "exact"}, methods};
+    if constexpr (thinning == 1) {
+        for (const char* family : {"shared-edges", "octants", "crossing-curves"})
+            campaign.families.emplace_back(family);
     }
     const Results results = whole(campaign);
     CHECK(results.as_promised());

@@ -17,6 +17,13 @@ std::string Claims::owner_of(Color color) const {
     return say({"no polygon, {}", "цвет {}, которого нет ни у одного многоугольника"}, color);
 }
 
+void Claims::judge_edge(int polygon, int edge) const {
+    const int count = int(scene().polygons[std::size_t(polygon)].vertices.size());
+    if (0 <= edge && edge < count) return;
+    throw False{Symptom::edge, say({"{} has an edge {}", "у многоугольника {} есть ребро {}"}, id(polygon), edge),
+                say({"its edges are 0 to {}", "его рёбра — от 0 до {}"}, count - 1)};
+}
+
 void Claims::judge_plane(const event::Plane& e) const {
     const int p = e.polygon.index;
     if (!truth_.has_inside(p)) return;

@@ -30,6 +30,8 @@ protected:
     /// "the background", "A", "A or B" of the same colour.
     std::string owner_of(Color color) const;
 
+    /// Throws False unless the polygon has an edge of that number.
+    void judge_edge(int polygon, int edge) const;
     /// I1
     void judge_plane(const event::Plane& e) const;
     /// D1, and what comes to the same: z of a polygon at a point.

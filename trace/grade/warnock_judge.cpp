@@ -275,6 +275,7 @@ void WarnockJudge::judge(const event::Surround& e) {
 
 void WarnockJudge::judge(const event::Orient& e) {
     const int p = e.polygon.index, told = int(e.sign);
+    judge_edge(p, e.edge);
     const int side = truth().side(p, e.edge, e.point.x.number, e.point.y.number);
     const std::string claim =
         say({"the sign for edge {} of {} and {} is {}", "знак для ребра {} многоугольника {} и точки {} равен {}"},

@@ -93,6 +93,7 @@ void ZBufferJudge::judge(const event::Scanline& e) const {
 
 void ZBufferJudge::judge_entry(int edge, double y, double x, double z) const {
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
+    judge_edge(*polygon_, edge);
     const auto right = truth().crossing(*polygon_, edge, y);
     if (!right || (truth().same_coordinate(x, right->x) && truth().nearly_equal(z, right->z))) return;
     throw False{Symptom::edge,
@@ -104,6 +105,7 @@ void ZBufferJudge::judge_entry(int edge, double y, double x, double z) const {
 /// Where it is, what a row changes, and until which row it stays.
 void ZBufferJudge::judge(const event::AelAdd& e) const {
     if (!polygon_ || !truth().has_inside(*polygon_)) return;
+    judge_edge(*polygon_, e.edge);
     if (state().y()) judge_entry(e.edge, height(), e.x.number, e.z.number);
     const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
     const auto &p = vertices[std::size_t(e.edge)], &q = vertices[std::size_t(e.edge + 1) % vertices.size()];
