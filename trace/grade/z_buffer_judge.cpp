@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vidno::grading {
 
@@ -12,40 +13,41 @@ void ZBufferJudge::judge(const event::Clear& e) {
 }
 
 void ZBufferJudge::judge(const event::Polygon& e) {
-    finish_polygon();
-    if (polygon_ && *polygon_ > e.polygon.index) note(Difference::order_of_polygons);
-    polygon_ = e.polygon.index;
+    const std::optional<int> before = std::exchange(polygon_, e.polygon.index);
     line_.reset();
+    if (!before) return;
+    if (*before > e.polygon.index) note(Difference::order_of_polygons);
+    finish_polygon(*before);
 }
 
 /// What is nearer than all before it must show where it is.
-void ZBufferJudge::finish_polygon() {
-    if (!polygon_ || !truth().has_inside(*polygon_)) return;
+void ZBufferJudge::finish_polygon(int polygon) {
+    if (!truth().has_inside(polygon)) return;
     const Area& area = scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
         for (int column = area.x; column < area.right(); ++column) {
             const double x = column + 0.5, y = row + 0.5;
             const auto found = cells_.find({column, row});
             const int shown = found == cells_.end() ? SeenPixel::background : found->second.polygon;
-            if (shown == *polygon_ || truth().place(*polygon_, x, y) != SceneTruth::Place::inside) continue;
-            if (shown != SeenPixel::background && truth().nearer(*polygon_, shown, x, y) <= 0) continue;
+            if (shown == polygon || truth().place(polygon, x, y) != SceneTruth::Place::inside) continue;
+            if (shown != SeenPixel::background && truth().nearer(polygon, shown, x, y) <= 0) continue;
             const std::string there = shown == SeenPixel::background ? say({"nothing", "ничего"}) : id(shown);
             throw False{Symptom::not_painted,
                         say({"{} is done, and pixel {} shows {} of what came so far",
                              "{} готов, а в пикселе {} из уже рассмотренного видно: {}"},
-                            id(*polygon_), pixel(column, row), there),
+                            id(polygon), pixel(column, row), there),
                         shown == SeenPixel::background
-                            ? say({"its centre is inside {}", "его центр лежит внутри {}"}, id(*polygon_))
+                            ? say({"its centre is inside {}", "его центр лежит внутри {}"}, id(polygon))
                             : say({"its centre is inside {0}, which is nearer there than {1}",
                                    "его центр лежит внутри {0}, который там ближе, чем {1}"},
-                                  id(*polygon_), id(shown)),
+                                  id(polygon), id(shown)),
                         last_step_};
         }
     }
 }
 
 void ZBufferJudge::finish() {
-    finish_polygon();
+    if (polygon_) finish_polygon(*polygon_);
     const Area& area = scene().area;
     for (int row = area.y; row < area.bottom(); ++row) {
         for (int column = area.x; column < area.right(); ++column) {
@@ -159,6 +161,7 @@ void ZBufferJudge::judge(const event::AelDrop& e) const {
     if (!polygon_ || !state().row() || *state().row() + 1 >= scene().area.bottom()) return;
     const auto& vertices = scene().polygons[std::size_t(*polygon_)].vertices;
     for (const int edge : e.edges) {
+        judge_edge(*polygon_, edge);
         const double lower =
             std::max(vertices[std::size_t(edge)].y, vertices[std::size_t(edge + 1) % vertices.size()].y);
         const double next = *state().row() + 1.5;

@@ -46,7 +46,7 @@ private:
     void judge(const event::Pixel& e);
     void judge(const event::Span& e);
 
-    void finish_polygon();
+    void finish_polygon(int polygon);
     void judge_entry(int edge, double y, double x, double z) const;
     void judge_covered(int column, int row) const;
     void judge_shown(int column, int row);
