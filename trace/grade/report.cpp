@@ -20,8 +20,7 @@ std::string place_of(const Wrong& wrong, const Words& say) {
 std::string failure_of(const SceneGrade& grade, const Grading& grading) {
     const Words& say = grading.say;
     if (!grade.judgement) return grade.not_judged;
-    const std::string ended =
-        grade.run.ended.ending == Ending::done ? "" : words_of(grade.run.ended, grading.limits, say);
+    std::string ended = grade.run.ended.ending == Ending::done ? "" : words_of(grade.run.ended, grading.limits, say);
     if (grade.judgement->wrong) return place_of(*grade.judgement->wrong, say) + (ended.empty() ? "" : "; ") + ended;
     if (!ended.empty()) return ended;
     if (!grade.run.unreadable.empty()) return grade.run.unreadable;

@@ -27,7 +27,7 @@ Vertices sloping(double left, double top, double right, double bottom, double z_
 }
 
 /// The depth of each vertex is `at` + `by_x` x + `by_y` y.
-Vertices tilted(std::vector<std::pair<double, double>> outline, double at, double by_x, double by_y) {
+Vertices tilted(const std::vector<std::pair<double, double>>& outline, double at, double by_x, double by_y) {
     Vertices vertices;
     for (const auto& [x, y] : outline) vertices.push_back({x, y, at + by_x * x + by_y * y});
     return vertices;

@@ -12,7 +12,7 @@ MeshSoup read_obj(std::string_view bytes) {
     }
     MeshSoup soup;
     std::int64_t greatest_index = 0;
-    Words words(unfolded);
+    TextWords words(unfolded);
     while (words.next_line_with_words('#')) {
         const std::string_view keyword = words.word();
         if (keyword == "v") {

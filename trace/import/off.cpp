@@ -4,7 +4,7 @@
 namespace vidno {
 
 MeshSoup read_off(std::string_view bytes) {
-    Words words(bytes);
+    TextWords words(bytes);
     if (!words.next_line_with_words('#')) throw Refused("empty");
     std::string_view keyword = words.word();
     for (const std::string_view prefix : {"ST", "C", "N"}) {

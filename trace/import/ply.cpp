@@ -77,17 +77,17 @@ private:
 
     PlyFormat format_;
     std::string_view bytes_;
-    Words words_;
+    TextWords words_;
 };
 
-const PlyType& ply_type(const Words& words, std::string_view name) {
+const PlyType& ply_type(const TextWords& words, std::string_view name) {
     for (const PlyType& type : ply_types) {
         if (name == type.name || name == type.other_name) return type;
     }
     words.refuse("unknown type of a property");
 }
 
-PlyProperty ply_property(Words& words) {
+PlyProperty ply_property(TextWords& words) {
     const std::string_view first = words.word();
     if (first != "list") {
         const PlyType& type = ply_type(words, first);
@@ -104,7 +104,7 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
 };
 
-PlyFormat ply_format(const Words& words, std::string_view name) {
+PlyFormat ply_format(const TextWords& words, std::string_view name) {
     if (name == "ascii") return PlyFormat::ascii;
     if (name == "binary_little_endian") return PlyFormat::little_endian;
     if (name == "binary_big_endian") return PlyFormat::big_endian;
@@ -112,7 +112,7 @@ PlyFormat ply_format(const Words& words, std::string_view name) {
 }
 
 /// Leaves the words at the first byte after the header.
-PlyHeader ply_header(Words& words) {
+PlyHeader ply_header(TextWords& words) {
     PlyHeader header;
     if (!words.next_line() || words.word() != "ply") throw Refused("does not start with ply");
     bool has_format = false;
@@ -231,7 +231,7 @@ private:
         }
     }
 
-    Words words_;
+    TextWords words_;
     PlyHeader header_;
     MeshSoup soup_;
     double greatest_index_ = -1;

@@ -50,7 +50,7 @@ MeshSoup read_binary_stl(std::string_view bytes) {
 /// The solids' names may be anything.
 MeshSoup read_text_stl(std::string_view bytes) {
     MeshSoup soup;
-    Words words(bytes);
+    TextWords words(bytes);
     const auto expect = [&](std::string_view wanted) {
         if (lower_case(words.word_of_text()) != wanted) words.refuse("\"" + std::string(wanted) + "\" is missing");
     };

@@ -1,4 +1,4 @@
-/// Words: what the readers of mesh files share: text word by word, and checks of what a file says of itself.
+/// TextWords: what the readers of mesh files share: text word by word, and checks of what a file says of itself.
 #pragma once
 
 #include <algorithm>
@@ -35,9 +35,9 @@ inline void check_count(std::uint64_t count, std::string_view what, std::uint64_
 }
 
 /// The words of a text, line by line.
-class Words {
+class TextWords {
 public:
-    explicit Words(std::string_view text) : rest_(text) {}
+    explicit TextWords(std::string_view text) : rest_(text) {}
 
     /// Goes to the next line; false at the end of the text. Comments start with the mark, if there is one.
     bool next_line(char comment_mark = '\0') {

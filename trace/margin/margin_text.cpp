@@ -10,7 +10,10 @@ namespace vidno {
 namespace {
 
 /// Negative, zero, positive.
-std::size_t place_of(Sign sign) { return std::size_t(int(sign) + 1); }
+std::size_t place_of(Sign sign) {
+    if (sign == Sign::zero) return 1;
+    return sign == Sign::negative ? 0 : 2;
+}
 
 std::string_view name_of(Procedure of) { return procedure_names[std::size_t(of)]; }
 std::string_view name_of(Line of) { return line_names[std::size_t(of)]; }

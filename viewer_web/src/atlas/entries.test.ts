@@ -33,7 +33,8 @@ const schema = (name: string): object =>
   ) as object;
 const ajv = new Ajv2020({ strict: false });
 for (const name of ['scene', 'surface', 'failure']) ajv.addSchema(schema(name));
-const validate = (entry: unknown): unknown => ajv.validate('failure.schema.json', entry) || ajv.errors;
+const validate = (entry: unknown): unknown =>
+  ajv.validate('failure.schema.json', entry) || ajv.errors;
 
 it.each(files)('%s is as the schema of the repository says', (_name, text = '') => {
   expect(validate(JSON.parse(text))).toBe(true);
