@@ -95,7 +95,7 @@ void hear_run(const Scene& scene, Method method,
     run(RunRequest{method, *kernel_named("filtered"), Edition::corrected, scene, Detail::signs, &sink});
 }
 
-/// Of an exact zero, what the tests below ask for.
+/// What the tests below compare of an exact zero.
 struct Zero {
     std::uint64_t step;
     Procedure procedure;

@@ -222,9 +222,7 @@ TEST_CASE("Judging: what is no number is no answer") {
     }
 }
 
-TEST_CASE(
-    "Judging: each deviation of the course's methods is found and named on the scenes for students, from what is told "
-    "of it") {
+TEST_CASE("Judging: the scenes for students find each usual mistake of the course's methods, and its traces name it") {
     for (std::size_t i = 0; i < deviations.size(); ++i) {
         const Edition edition{Deviation(i)};
         if (!is_mistake(edition)) continue;

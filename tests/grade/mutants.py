@@ -140,7 +140,7 @@ def main():
     parser.add_argument('vidno')
     parser.add_argument('compiler')
     parser.add_argument('work', type=pathlib.Path)
-    parser.add_argument('--every', type=int, default=1, help='take one mutant of so many')
+    parser.add_argument('--every', type=int, default=1, help='take one mutant in N')
     parser.add_argument('--least', type=float, default=95, help='percent that must be caught')
     parser.add_argument('--more', type=int, default=300, help='random scenes for each survivor')
     parser.add_argument('--jobs', type=int, default=2)

@@ -105,7 +105,7 @@ std::string mute(const ProgramGrade& grade) {
     return std::all_of(grade.scenes.begin(), grade.scenes.end(), is_mute) ? grade.scenes.front().not_judged : "";
 }
 
-/// Of a program that can be run again.
+/// For a program that can be run again.
 SceneGrade smallest_of(const std::string& program, const ProgramGrade& grade, const Grading& grading,
                        const Patience& patience) {
     Progress progress("scenes tried");

@@ -42,7 +42,7 @@ protected:
     void judge_pixel(int column, int row, Color color);
     /// Which of two depths is nearer, as they were computed.
     void judge_comparison(double z, double against, bool nearer);
-    /// That a depth is the nearest so far, where that is known.
+    /// Throws False if another depth is known to be the nearest so far.
     void judge_nearest_so_far(double told, const std::optional<double>& known) const;
     /// The pixels first <= column < end of a row are those between two ends of the polygon on the row's centre line.
     void judge_columns(int polygon, int row, int first, int end, const SceneTruth::Crossing& left,

@@ -30,7 +30,7 @@ struct ProgramGrade {
         return std::size_t(std::count_if(scenes.begin(), scenes.end(), [](const auto& each) { return !each.right(); }));
     }
     bool right() const { return wrong() == 0 && missing.empty(); }
-    /// Of the failures that say what is wrong the first; else the first of all. Null if there is none.
+    /// The first failure that says what is wrong; else the first of all. Null if there is none.
     const SceneGrade* first_wrong() const;
 };
 

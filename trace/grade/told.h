@@ -11,8 +11,8 @@
 
 namespace vidno {
 
-/// A kind of claim of a method, from which level it is told, and the events that make it. A trace of that level must have those that are
-/// `needed`; the others, such as lists of edges, are of one way to do it.
+/// A kind of claim that traces of a method make, from a level on. A trace of that level must have the `needed` kinds. The others, such as
+/// lists of edges, belong to one way of writing the procedure.
 struct ClaimKind {
     Bilingual name;  // several of them
     std::string_view method;

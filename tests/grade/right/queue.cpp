@@ -1,4 +1,4 @@
-// Warnock's algorithm, right: breadth first. Each window is told when it joins the queue.
+// Warnock's algorithm, right: breadth first. It tells each window when the window joins the queue.
 #include "warnock_style.h"
 
 struct Queue : PlainStyle {

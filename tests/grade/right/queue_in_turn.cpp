@@ -1,4 +1,4 @@
-// Warnock's algorithm, right: breadth first. Each window is told when its turn comes.
+// Warnock's algorithm, right: breadth first. It tells each window when the window's turn comes.
 #include "warnock_style.h"
 
 struct QueueInTurn : PlainStyle {
