@@ -146,7 +146,7 @@ export class Timeline {
     return this.keyframes.length * this.every;
   }
 
-  /** The scout, if it is between two steps, or else a new one at a keyframe. */
+  /** The scout, where it is if that is between two steps, or else at a keyframe. */
   private scoutAt(begin: number, end: number, start: () => Keyframe): State {
     this.scout ??= new State(this.header);
     const { step } = this.scout;

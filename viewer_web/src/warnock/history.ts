@@ -64,7 +64,7 @@ const inWindow: { readonly [K in EventName]?: Judge<K> } = {
   disagree: (_event, { row, pixel }) => (row === null || row === pixel[1] ? 'wrong' : null),
 };
 
-/** The outcome of an event for the pixel in any window; null means the table above does not apply either. */
+/** The outcome of an event for the pixel in any window. If it is null, the table above decides. */
 const anywhere: { readonly [K in EventName]?: Judge<K> } = {
   push: ({ window }, { pixel }) => (overlaps(window, pixel) ? 'note' : null),
   fill: ({ rect }, { pixel }) => (overlaps(rect, pixel) ? 'paint' : null),

@@ -100,5 +100,5 @@ export function ownersOf(
   };
 }
 
-/** The lines that ask for the side of an edge, except those about the orientation of a single point. */
+/** The lines that ask for the side of an edge, except those that ask it for the tested point itself. */
 export type SideLine = Exclude<Event<'orient'>['at'], 'S2' | 'S3' | 'ED3'>;
