@@ -1,7 +1,7 @@
 import { defineConfig } from 'vite';
 import { singleFile } from './plugins/single-file.js';
 
-/** The page of cost against error, beside the other one: a file cannot share its script with another. */
+/** The page of cost against error. It is built separately, because each page must be a single script. */
 export default defineConfig({
   plugins: [singleFile('chart.html')],
   build: {

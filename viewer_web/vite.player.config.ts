@@ -5,7 +5,7 @@ import { workerCode } from './plugins/worker-code.js';
 
 const workers: Rollup.OutputChunk[] = [];
 
-/** The player as one script for pages of others, which defines the element `vidno-player`. */
+/** The player as one script for other pages, which defines the element `vidno-player`. */
 export default defineConfig({
   plugins: [workerCode(workers), licensed(workers)],
   build: {

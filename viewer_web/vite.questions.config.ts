@@ -4,7 +4,7 @@ import { licensed } from './plugins/licensed.js';
 /** The questions of a trace for Moodle, as one script that Node runs. */
 export default defineConfig({
   plugins: [licensed([])],
-  // Of Lit it needs no more than how style sheets are written.
+  // The script needs only Lit's style sheet syntax.
   resolve: { alias: { lit: '@lit/reactive-element/css-tag.js' } },
   ssr: { noExternal: true },
   build: {

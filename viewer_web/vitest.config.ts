@@ -4,7 +4,7 @@ export default defineConfig({
   test: {
     include: ['src/**/*.test.ts'],
     setupFiles: ['src/testing/algorithms.ts'],
-    // The files that a process runs share what they import.
+    // The test files in a process share their imported modules.
     isolate: false,
   },
   server: { fs: { allow: ['..'] } },

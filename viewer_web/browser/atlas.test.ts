@@ -18,7 +18,9 @@ interface Stated {
   readonly pixel: readonly [number, number] | null;
 }
 
-/** What the table of the atlas states of each entry that has a scene; `table.mjs` works it out from traces alone. */
+/**
+ * The table in the atlas's README has one row for each entry with a scene. `table.mjs` computes it from the traces alone.
+ */
 const entries = text('README.md')
   .split('\n')
   .filter((line) => line.startsWith('| ['))
@@ -34,7 +36,7 @@ const entries = text('README.md')
     return [{ name, title, remedy, step: step.trim(), there: there.trim(), pixel }];
   });
 
-/** That of its name. */
+/** The table row of an entry, by its name. */
 function entryOf(name: string): Stated {
   const entry = entries.find((each) => each.name === name);
   if (entry === undefined) throw new Error(`no entry ${name}`);
@@ -54,7 +56,7 @@ async function choose(page: Page, { name, there, remedy }: Stated): Promise<void
   await note.locator('.there', { hasText: there }).waitFor();
 }
 
-/** The step and the pixel that are shown, and the colours of that pixel in this run and in the one beside it. */
+/** The current step and pixel, and the colours of that pixel in this run and in the one beside it. */
 function state(page: Page): Promise<{
   readonly step: number;
   readonly length: number;
@@ -112,7 +114,7 @@ describe('the atlas of failures', () => {
     expect(faults).toEqual([]);
   });
 
-  it('has a picture of each, and is filtered by kind', async () => {
+  it('has a picture of each entry, and is filtered by kind', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await openGallery(page);
     const gallery = page.locator('vidno-gallery');
@@ -164,7 +166,7 @@ describe('the address of an entry', () => {
     }
   });
 
-  it('may say another step, and what stands beside the entry', async () => {
+  it('may name another step, and the run beside the entry', async () => {
     const { page, faults } = await open(browser, '#lang=ru&atlas=clip-pixel&step=12');
     await there(page).waitFor();
     expect((await state(page)).step).toBe(12);
@@ -176,7 +178,7 @@ describe('the address of an entry', () => {
     expect([...faults, ...again.faults]).toEqual([]);
   });
 
-  it('has the remedy of a surface, which is of other samples', async () => {
+  it('has the remedy of a surface, which has other samples', async () => {
     const { page } = await open(browser, '#lang=en');
     await choose(page, peak);
     await page.locator('vidno-failure-note [name=compare]').click();
@@ -191,7 +193,7 @@ describe('the address of an entry', () => {
     expect(again.faults).toEqual([]);
   });
 
-  it('is where Back leads, from another entry and from a jump', async () => {
+  it('is restored by Back, from another entry and after a jump', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await choose(page, clipped);
     await hashOf(page, 'atlas=clip-pixel');
@@ -210,7 +212,7 @@ describe('the address of an entry', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is that of a scene once the scene is changed, and then nothing is said of the step', async () => {
+  it('becomes that of a scene once the scene is changed, and the note on the step goes away', async () => {
     const { page, faults } = await open(browser, '#lang=en&atlas=clip-pixel');
     await there(page).waitFor();
     await edit(page);
@@ -223,7 +225,7 @@ describe('the address of an entry', () => {
     expect(faults).toEqual([]);
   });
 
-  it('that names none says so', async () => {
+  it('that names no entry says so', async () => {
     const { page, faults } = await open(browser, '#lang=en&atlas=no-such-entry');
     const notice = page.locator('vidno-notice [role=alert]');
     await notice.getByText('“no-such-entry”, which this page does not contain').waitFor();
@@ -231,7 +233,7 @@ describe('the address of an entry', () => {
   });
 });
 
-describe('a failure of one’s own', () => {
+describe('a failure file of the reader’s own', () => {
   it('is opened as a file, at its step', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await openFile(page, 'own.json', text('clip-pixel.json'));
@@ -241,8 +243,8 @@ describe('a failure of one’s own', () => {
   });
 });
 
-describe('a file that is no scene', () => {
-  it('tells all that is wrong with it, with lines and columns, however it is laid out', async () => {
+describe('a file that is not a scene', () => {
+  it('lists everything that is wrong with it, with lines and columns, however it is laid out', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const scene = `{
   "window": {"x": 0, "y": 0, "width": 0, "height": 9},
@@ -268,7 +270,7 @@ describe('a file that is no scene', () => {
     expect(faults).toEqual([]);
   });
 
-  it('may leave out all but its vertices', async () => {
+  it('may leave out everything but its vertices', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await openFile(
       page,

@@ -11,7 +11,7 @@ interface AxeRun {
   ) => Promise<{ violations: { id: string; nodes: { html: string }[] }[] }>;
 }
 
-/** What keeps people from using the page, by WCAG 2.2 AA. */
+/** Violations of WCAG 2.2 AA on the page. */
 export async function violations(page: Page): Promise<readonly string[]> {
   await page.evaluate(axe);
   return page.evaluate(async () => {

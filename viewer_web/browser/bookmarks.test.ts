@@ -8,7 +8,7 @@ import { goTo, open, opened, shown, small } from './page.js';
 const stepOf = async (page: Page): Promise<number> => (await shown(page)).step;
 
 describe('bookmarks', () => {
-  it('are set, gone to, edited and removed by keyboard alone', async () => {
+  it('are set, visited, edited and removed by keyboard alone', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
@@ -16,7 +16,7 @@ describe('bookmarks', () => {
     await page.locator('textarea:focus').waitFor();
     await page.keyboard.type('b? a note, of 3 steps +');
     await page.keyboard.press('Enter');
-    expect(await stepOf(page)).toBe(3); // in a note no key is a command
+    expect(await stepOf(page)).toBe(3); // no key is a command inside a note
     expect(await page.locator('vidno-keys dialog').isVisible()).toBe(false);
     await page.keyboard.press('Shift+ArrowRight');
     await page.keyboard.press('b');
@@ -36,7 +36,7 @@ describe('bookmarks', () => {
     await page.keyboard.press('Shift+Period');
     expect(await stepOf(page)).toBe(13);
 
-    await page.keyboard.press('b'); // there is one: its note
+    await page.keyboard.press('b'); // a bookmark exists: the key opens its note
     await page.locator('textarea[data-note="13"]:focus').waitFor();
     await page.keyboard.type('second');
     await page.keyboard.press('Enter');
@@ -79,7 +79,7 @@ describe('bookmarks', () => {
     expect(faults).toEqual([]);
   });
 
-  it('stand on the strip, say their note there, and a click near them leads there', async () => {
+  it('are marked on the strip with their notes, and a click near one goes to it', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     await bookmark(page, 900, 'look');
@@ -98,7 +98,7 @@ describe('bookmarks', () => {
     expect(await page.locator('.slider').getAttribute('aria-valuetext')).toMatch(/“look”$/);
   });
 
-  it('are told to whom the player is embedded', async () => {
+  it('are reported to the page that embeds the player', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     await page.evaluate(() => {
@@ -117,8 +117,8 @@ describe('bookmarks', () => {
   });
 });
 
-describe('their limits', () => {
-  it('are said in words', async () => {
+describe('the limits of bookmarks', () => {
+  it('are explained in words', async () => {
     const { page } = await open(browser, '#lang=ru');
     await opened(page, 'small.jsonl', small);
     const word = page.locator('vidno-bookmarks .limit');

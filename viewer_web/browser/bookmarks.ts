@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { goTo, shown } from './page.js';
 
-/** What the list has, from above. */
+/** The rows of the list of bookmarks, from top to bottom. */
 export const listed = (page: Page): Promise<readonly (readonly [number, string])[]> =>
   page
     .locator('vidno-bookmarks li')

@@ -23,7 +23,7 @@ async function openRun(hash: string): Promise<{ page: Page; faults: readonly str
   return opened;
 }
 
-/** Breaks a line by its mark, and waits until all is known. */
+/** Breaks a line by its mark, and waits for the result. */
 async function breakLine(page: Page, at: string, edition: string): Promise<void> {
   const line = page.locator('vidno-listing li', {
     has: page.locator(`.at:text-matches("^${at}")`),
@@ -38,7 +38,7 @@ async function known(page: Page): Promise<void> {
   await page.locator('vidno-broken-line button[name=first]').waitFor();
 }
 
-/** How many cells of the small pictures are not faint, by their middles. */
+/** The centres of the cells in a small picture that are not faint. */
 const changed = (page: Page, which: 'right' | 'wrong'): Promise<readonly string[]> =>
   page.locator(`vidno-broken-line canvas.${which}`).evaluate((element) => {
     const shown = element as HTMLCanvasElement;
@@ -57,8 +57,8 @@ const changed = (page: Page, which: 'right' | 'wrong'): Promise<readonly string[
     return colors.filter((color) => color !== '222,226,230');
   });
 
-describe('a line that is broken', () => {
-  it('as it is printed runs beside the right one, at the first difference', async () => {
+describe('a broken line of the listing', () => {
+  it('as printed runs beside the corrected one, at the first difference', async () => {
     const { page, faults } = await openRun(`${warnock}&step=5`);
     await breakLine(page, 'PW7', 'printed:x-w3');
     expect(await title(page)).toBe('Broken: PW7 X-W3');
@@ -66,7 +66,7 @@ describe('a line that is broken', () => {
     // with X-W3 only 0 < k < 4 would.
     await expect.poll(() => stepsOf(page)).toEqual([18, 18]);
     expect(await sentences(page)).toEqual(['PW7', 'PW8']);
-    // Q stays in force: all of N is lost.
+    // Q stays visible: all of N is lost.
     expect(await result(page)).toBe('64 of 256 pixels change.');
     const [right, wrong] = [await changed(page, 'right'), await changed(page, 'wrong')];
     expect([right.length, wrong.length]).toEqual([64, 64]);
@@ -79,17 +79,17 @@ describe('a line that is broken', () => {
     expect(faults).toEqual([]);
   });
 
-  it('by a usual mistake does, too', async () => {
+  it('with a usual mistake does, too', async () => {
     const { page, faults } = await openRun(warnock);
     await breakLine(page, 'PW1', 'printed:x-w2');
-    // All depths are above 0: no window is decided otherwise. The corners start at 0 in step 6.
+    // All depths are above 0, so every window is decided as before. The corners start at 0 in step 6.
     expect(await result(page)).toBe('The picture stays the same; steps differ.');
     await expect.poll(() => stepsOf(page)).toEqual([6, 6]);
     expect(await sentences(page)).toEqual(['PW1', 'PW1']);
     // Another line of the right run is broken from here.
     await breakLine(page, 'W13', 'one-list');
     expect(await title(page)).toBe('Broken: W13 one list for all parts');
-    // Q is in all windows, N beside some: it leaves the one list there, and is lost.
+    // Q is in all windows and N is disjoint from some. N leaves the one list there, and is lost.
     expect(await result(page)).toBe('64 of 256 pixels change.');
     await expect.poll(() => sentences(page)).toEqual(['W13', 'W13']);
     expect(faults).toEqual([]);
@@ -103,7 +103,7 @@ describe('a line that is broken', () => {
     await expect.poll(() => result(page)).toBe('1 of 1 pixels change.');
     await expect.poll(() => sentences(page)).toEqual(['PW5', 'PW5']);
     await page.waitForURL(/witness=[1-9]/u);
-    // It is part of the link.
+    // The witness is part of the link.
     const link = page.url();
     const other = await openUrl(browser, link);
     await other.page.locator('vidno-broken-line button[name=own]').waitFor();
@@ -117,7 +117,7 @@ describe('a line that is broken', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is chosen, followed and mended by keys alone', async () => {
+  it('is chosen, followed and repaired by keyboard alone', async () => {
     const { page, faults } = await openRun(warnock);
     await page.locator('vidno-listing .procedures').focus();
     await page.keyboard.press('Shift+Tab');
@@ -136,7 +136,7 @@ describe('a line that is broken', () => {
     expect(await focused.getAttribute('name')).toBe('printed:x-w5');
     await page.keyboard.press('Enter');
     await page.locator('vidno-broken-line .result', { hasNotText: /searching/u }).waitFor();
-    // 16 x 16 is a square of a power of two: its halves are whole either way.
+    // 16 x 16 is a square of a power of two, so its halves are integers either way.
     expect(await result(page)).toBe('On this scene the line makes no difference.');
     await page.locator('vidno-broken-line button[name=smallest]').focus();
     await page.keyboard.press('Enter');
@@ -146,14 +146,14 @@ describe('a line that is broken', () => {
     expect(faults).toEqual([]);
   });
 
-  it('of a scene that is edited runs again as a corner moves', async () => {
+  it('runs again as a corner of the edited scene moves', async () => {
     const { page, faults } = await editing(browser);
     await breakLine(page, 'D1', 'depth-sign-reversed');
     expect(await result(page)).toMatch(/of 64 pixels change\.$/u);
     await page.keyboard.press('e');
     await page.locator(handle(0, 0)).first().focus();
     await page.keyboard.press('ArrowRight');
-    // Both runs have the corner, which was at x = 1, a quarter of a pixel farther.
+    // Both runs have the corner, which has moved a quarter of a pixel to the right from x = 1.
     const corners = (): Promise<unknown> =>
       page.evaluate(() => {
         const app = document.querySelector('vidno-app')?.shadowRoot;
@@ -171,7 +171,7 @@ describe('a line that is broken', () => {
     expect(faults).toEqual([]);
   });
 
-  it('of the Z-buffer and of curves is offered at their lines', async () => {
+  it('is offered at the lines of the Z-buffer and of the floating horizon', async () => {
     const { page, faults } = await openRun(
       'trace=09-usual-mistakes.zbuffer.double.corrected.signs',
     );
@@ -202,7 +202,7 @@ describe('a line that is broken', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is not offered where the numbers are always right, nor where the text is as printed', async () => {
+  it('is not offered for the printed edition', async () => {
     const { page } = await openRun(warnock);
     expect(await page.locator('vidno-listing .mark').count()).toBeGreaterThan(5);
     await page.locator('vidno-page-header').waitFor();
@@ -211,7 +211,7 @@ describe('a line that is broken', () => {
     expect(await printed.locator('vidno-listing .break').count()).toBe(0);
   });
 
-  it('is told in Russian, and to those who do not see it', async () => {
+  it('is described in Russian, and to screen readers', async () => {
     const { page } = await openRun(warnock);
     await breakLine(page, 'PW7', 'surround-kept');
     expect(await violations(page)).toEqual([]);

@@ -42,11 +42,11 @@ interface Found {
   readonly error: string;
   /** The width of the page. */
   readonly across: number;
-  /** Texts that do not lie within the plot; their boxes are a little larger than they are. */
+  /** Texts outside the plot. Their boxes are a little larger than the texts. */
   readonly outside: readonly (string | null)[];
 }
 
-/** Looks at the plot with each of the errors, within the page: there and back takes longer than to draw it. */
+/** Inspects the plot with each of the errors inside the page, because a round trip takes longer than drawing. */
 const eachOf = (page: Page, errors: readonly string[]): Promise<readonly Found[]> =>
   page.locator('vidno-chart').evaluate(async (chart, values) => {
     const slack = 4;
@@ -83,7 +83,7 @@ const eachOf = (page: Page, errors: readonly string[]): Promise<readonly Found[]
     return found;
   }, errors);
 
-describe('everyone', () => {
+describe('accessibility', () => {
   it.each([
     ['light', sampleText],
     ['dark', sampleText],

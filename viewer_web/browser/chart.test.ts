@@ -10,7 +10,7 @@ import { openFile, openUrl } from './page.js';
 
 const { methods } = chartTexts.en;
 
-/** The front as the file has it. */
+/** The Pareto front as the file lists it. */
 function expected(scene: Scene | undefined): readonly (readonly [string, string])[] {
   const on = (scene?.runs ?? []).filter(({ front }) => front.operations.includes('area'));
   const sorted = [...on].sort(
@@ -22,7 +22,7 @@ function expected(scene: Scene | undefined): readonly (readonly [string, string]
   ]);
 }
 
-/** What the program itself wrote, if it was asked to. */
+/** The chart that the program wrote, if the test run provides it. */
 const written = join(process.env['VIDNO_STATES'] ?? '', 'chart.html');
 
 describe.runIf(existsSync(written))('a page that the program wrote', () => {
@@ -43,7 +43,7 @@ describe.runIf(existsSync(written))('a page that the program wrote', () => {
 });
 
 describe('the chart', () => {
-  it('is chosen by keyboard, scene, cost and error, and kept in the address', async () => {
+  it('takes scene, cost and error by keyboard, and keeps them in the address', async () => {
     const { page, faults } = await openChart(browser, 'lang=en');
     await plot(page).waitFor();
     await tabTo(page, 'select');
@@ -76,7 +76,7 @@ describe('the chart', () => {
     expect(faults).toEqual([]);
   });
 
-  it('tells each point, by arrow keys and by mouse', async () => {
+  it('describes each point, by arrow keys and by mouse', async () => {
     const { page, faults } = await openChart(
       browser,
       'lang=en&view=ordinary/Two walls&cost=operations',
@@ -149,8 +149,8 @@ describe('the chart', () => {
   });
 });
 
-describe('a file of one’s own', () => {
-  it('is asked for by the page as it was built, and opened', async () => {
+describe('a file of the reader’s own', () => {
+  it('is requested by a page built without data, and opened', async () => {
     const { page, faults } = await openChart(browser, 'lang=en', 'null');
     expect(await page.locator('code').textContent()).toBe('vidno chart SCENE... -o chart.html');
     await openFile(page, 'chart.json', sampleText);
@@ -185,7 +185,7 @@ describe('a file of one’s own', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is shown by a page that names all that it contains, and their licences', () => {
+  it('is shown by a page that names all packages in it, and their licences', () => {
     for (const name of ['lit-html', '@observablehq/plot', 'd3-scale', 'ColorBrewer', 'Karney']) {
       expect(template.slice(template.lastIndexOf('<!--'))).toContain(name);
     }

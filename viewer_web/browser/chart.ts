@@ -21,7 +21,7 @@ export const sample = JSON.parse(sampleText) as SceneChart;
 export const surfaceText = textOf('surface-chart.json');
 export const surfaceSample = JSON.parse(surfaceText) as SurfaceChart;
 
-/** As the program writes it. */
+/** A page with its data block filled in, as the program writes it. */
 function filled(page: string, id: string, json: string): string {
   const tag = `<script type="application/json" id="${id}">`;
   const [before, after, ...others] = page.split(tag);
@@ -32,7 +32,10 @@ function filled(page: string, id: string, json: string): string {
   return before + tag + harmless + after.slice(after.indexOf('</script>'));
 }
 
-/** The page with a chart in it and the address of the page of traces, from disk, gone once it is open. */
+/**
+ * Opens the page from disk, with a chart in it and the address of the page of traces. The file is deleted once the page is
+ * open.
+ */
 export async function openChart(
   browser: Browser,
   hash: string,
@@ -52,7 +55,7 @@ export async function openChart(
 
 export const plot = (page: Page): ReturnType<Page['locator']> => page.locator('vidno-plot svg');
 
-/** The table of the front, by cells, in the order of the rows. */
+/** The cells of the table of the front, row by row. */
 export const rows = (page: Page): Promise<readonly (readonly string[])[]> =>
   page
     .locator('vidno-front tbody tr')
@@ -73,7 +76,7 @@ const focused = (page: Page): Promise<string> =>
     return [element?.localName, input?.name, input?.value].filter(Boolean).join(' ');
   });
 
-/** By keyboard, to an element by its name, or to an input by its value too. */
+/** Moves the focus by Tab to an element with a name, or to an input with a name or value. */
 export async function tabTo(page: Page, what: string | RegExp): Promise<void> {
   for (let i = 0; i < 60; i++) {
     await page.keyboard.press('Tab');

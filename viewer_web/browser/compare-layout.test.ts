@@ -33,7 +33,7 @@ describe('a comparison', () => {
     expect(faults).toEqual([]);
   });
 
-  it('where the page scrolls, has pictures, listings and sentences on one screen', async () => {
+  it('has pictures, listings and sentences on one screen where the page scrolls', async () => {
     const viewport = { width: 1024, height: 768 };
     const hash = `#lang=ru&${lesson}&with=warnock.printed.double.signs`;
     const { page } = await open(browser, hash, { viewport });
@@ -78,7 +78,7 @@ describe('a comparison', () => {
     }
   });
 
-  it('is shown to a hall: two pictures and what happened', async () => {
+  it('is presented with two pictures and the sentences', async () => {
     const { page } = await comparing(browser, `${lesson}&with=zbuffer.corrected.double.signs`);
     await page.keyboard.press('f');
     await page.locator('.corner').waitFor();

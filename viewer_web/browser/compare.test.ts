@@ -7,7 +7,7 @@ import { goTo, open } from './page.js';
 const lesson = 'trace=09-usual-mistakes.warnock.double.corrected.signs';
 
 describe('the printed text beside the corrected one', () => {
-  it('parts in a number and in what is done, and each is gone to', async () => {
+  it('diverges in a number and in an action, and goes to both', async () => {
     const { page, faults } = await comparing(
       browser,
       `${lesson}&with=warnock.printed.double.signs`,
@@ -51,15 +51,15 @@ describe('the printed text beside the corrected one', () => {
   it('has its counters beside those of the other', async () => {
     const { page } = await comparing(browser, `${lesson}&with=warnock.printed.double.signs`);
     await page.keyboard.press('j');
-    // One window, taken in step 4; as printed it is all that is ever taken.
+    // One window, popped in step 4. As printed, no other window is ever popped.
     await expect.poll(() => counter(page, 'windows')).toEqual(['1/149', '1/1']);
-    // Q's four comparisons are made; N's four follow.
+    // Q's four comparisons are done; N's four follow.
     expect((await counter(page, 'comparisons'))[1]).toBe('4/8');
     expect((await counter(page, 'steps'))[1]).toBe('18/62');
     expect((await counter(page, 'painted'))[1]).toBe('0/256');
   });
 
-  it('has its step bookmarked and both its pictures saved, as its map of keys says', async () => {
+  it('bookmarks its step and saves both pictures, as its map of keys says', async () => {
     const { page } = await comparing(
       browser,
       `${lesson}&with=09-usual-mistakes.warnock.double.printed.signs&step=20`,
@@ -79,13 +79,13 @@ describe('the printed text beside the corrected one', () => {
 });
 
 describe('float beside exact', () => {
-  it('parts where the depth of a pixel is decided otherwise', async () => {
+  it('diverges where the depth of a pixel is decided differently', async () => {
     const trace = 'trace=08-show-line.zbuffer.float.corrected.signs';
     const { page, faults } = await comparing(
       browser,
       `${trace}&with=zbuffer.corrected.exact.signs`,
     );
-    // `vidno diff` finds step 1: a number. Without the numbers the lines of both files are the same up to 812.
+    // `vidno diff` finds step 1, a number. Without the numbers the lines of both files are the same up to 812.
     await page.keyboard.press('j');
     await expect.poll(() => stepsOf(page)).toEqual([813, 813]);
     const said = await page.locator('vidno-compared-run .sentence').allTextContents();
@@ -123,7 +123,7 @@ describe('Warnock beside the Z-buffer', () => {
   it('is stepped alone when it is unlinked', async () => {
     const { page } = await comparing(browser, `${lesson}&with=zbuffer.corrected.double.signs`);
     await goTo(page, 100);
-    // 100 of 5337 steps, of 541.
+    // 100 of 5337 steps correspond to 10 of 541.
     await expect.poll(() => stepsOf(page)).toEqual([100, 10]);
     await page.getByRole('checkbox', { name: 'Step together' }).uncheck();
     await page.keyboard.press('ArrowRight');
@@ -137,7 +137,7 @@ describe('Warnock beside the Z-buffer', () => {
     await expect.poll(() => stepsOf(page)).toEqual([101, 10]);
   });
 
-  it('has a pixel chosen in both', async () => {
+  it('chooses a pixel in both', async () => {
     const { page } = await comparing(browser, `${lesson}&with=zbuffer.corrected.double.signs`);
     const { x, y } = await page.locator('vidno-compared-run.one .picture').evaluate((picture) => {
       const { left, top, width, height } = picture.getBoundingClientRect();
@@ -170,7 +170,7 @@ describe('other runs', () => {
     expect(faults).toEqual([]);
   });
 
-  it('that are no traces are refused', async () => {
+  it('are refused if they are not traces', async () => {
     const { page } = await open(browser, `#${lesson}&lang=en`);
     await page.locator('.title h2').getByText(/./u).waitFor();
     await page.keyboard.press('d');
@@ -184,7 +184,7 @@ describe('other runs', () => {
 });
 
 describe('before and after a drag', () => {
-  it('the run before stays as it was, and the other follows the drag', async () => {
+  it('the earlier run stays as it was, and the other follows the drag', async () => {
     const { page, faults } = await editing(browser);
     await page.locator(handle(1, 2)).focus();
     await rerun(page, () => page.keyboard.press('Shift+ArrowLeft'));
@@ -194,8 +194,8 @@ describe('before and after a drag', () => {
     await compared(page);
     expect(await page.locator('.note').textContent()).toBe('before the change');
     const last = await stepsOf(page);
-    // A corner of the square at (7, 7) went to (6, 7): the edge from (7, 2) then passes the centres of column 6 in rows
-    // 2 to 4, x = 7 - (y - 2) / 5 > 6.5 while y < 4.5, closed at 4.5; rows 5 and 6 lose theirs.
+    // A corner of the square moved from (7, 7) to (6, 7). The edge from (7, 2) then passes the centres of column 6 in rows
+    // 2 to 4: x = 7 - (y - 2) / 5 > 6.5 while y < 4.5, closed at 4.5. Rows 5 and 6 lose theirs.
     expect(await differ(page).textContent()).toContain('2 at the end');
     await page.keyboard.press('e');
     await page.locator(handle(1, 2)).waitFor();

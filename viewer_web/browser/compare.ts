@@ -2,7 +2,7 @@ import type { Browser, BrowserContextOptions, Locator, Page } from 'playwright-c
 import { open } from './page.js';
 import type { Opened } from './page.js';
 
-/** Two runs beside each other, the counters of the whole of them known. */
+/** Opens two runs beside each other, with complete counters. */
 export async function comparing(
   browser: Browser,
   hash: string,
@@ -13,7 +13,7 @@ export async function comparing(
   return opened;
 }
 
-/** Waits until all is known of both runs. */
+/** Waits until the comparison is complete. */
 export async function compared(page: Page): Promise<void> {
   await page.locator('vidno-comparison-facts').waitFor();
   await page.locator('.parting', { hasNotText: /searching|поиск/u }).waitFor();
@@ -30,7 +30,7 @@ export function stepsOf(page: Page): Promise<readonly number[]> {
   });
 }
 
-/** The lines of the listings that are shown. */
+/** The sentences of both runs. */
 export const sentences = (page: Page): Promise<readonly string[]> =>
   page.locator('vidno-compared-run .sentence .at').allTextContents();
 
@@ -40,7 +40,7 @@ export const names = (page: Page): Promise<readonly string[]> =>
 
 export const differ = (page: Page): Locator => page.locator('.differ');
 
-/** A counter of both runs: so far / in all. */
+/** A counter of both runs: up to the step / in all. */
 export const counter = async (page: Page, name: string): Promise<readonly string[]> =>
   (await page.locator(`vidno-comparison-facts dl .${name} dd`).allTextContents()).map((text) =>
     text.replace(/^.*:/u, '').replace(/\s+/gu, ''),

@@ -5,7 +5,7 @@ import { rerun, scene, square, title } from './live.js';
 import { open, openFile } from './page.js';
 import { scaleOf, wheel } from './zoom.js';
 
-/** Where on the canvas colours change along the line through the middle of the box, in its dots. */
+/** The places on the canvas where colours change along the line through the middle of the box, in canvas pixels. */
 const edgesOn = (page: Page, way: 'across' | 'down'): Promise<readonly number[]> =>
   page.locator('vidno-picture .cells').evaluate((element, along) => {
     const canvas = element as HTMLCanvasElement;
@@ -19,7 +19,7 @@ const edgesOn = (page: Page, way: 'across' | 'down'): Promise<readonly number[]>
     return dots.flatMap((dot, i) => (i > 0 && dot !== dots[i - 1] ? [i] : []));
   }, way);
 
-/** Where the middles of lines are, in its dots, along a line that runs along no other. */
+/** The centres of lines in canvas pixels, along a line that coincides with no other. */
 const linesOn = (page: Page, way: 'across' | 'down'): Promise<readonly number[]> =>
   page.locator('vidno-picture .scene').evaluate((element, along) => {
     const { width, height } = element as HTMLCanvasElement;
@@ -45,19 +45,19 @@ const linesOn = (page: Page, way: 'across' | 'down'): Promise<readonly number[]>
     return lines;
   }, way);
 
-/** How well the middle of a line can be read off its dots, each of 256 degrees. */
+/** The precision of a line's centre, computed from pixels with 256 levels. */
 const read = 1 / 32;
 
 const cases = [1, 2].flatMap((ratio) => [1, 3.7, 20].map((zoom) => [zoom, ratio] as const));
 
-describe('the canvas and the grid agree to half a dot of the device', () => {
-  it.each(cases)('at zoom %d, %d dots a CSS pixel', async (zoom, ratio) => {
+describe('the canvas and the grid agree to half a device pixel', () => {
+  it.each(cases)('at zoom %d, %d device pixels per CSS pixel', async (zoom, ratio) => {
     const { page } = await open(browser, '#lang=en', { deviceScaleFactor: ratio });
     await page.locator(title, { hasText: /./u }).waitFor();
     await rerun(page, () => openFile(page, 'square.json', scene([square])));
     await page.keyboard.press('End');
     const fit = await scaleOf(page);
-    // About a corner of the square, so that there are edges in sight.
+    // Zooms around a corner of the square, so that edges are in sight.
     if (zoom > 1) await wheel(page, 2, 2, zoom);
     expect((await scaleOf(page)) / fit).toBeCloseTo(zoom, 3);
     const found = await Promise.all([edgesOn(page, 'across'), edgesOn(page, 'down')]);

@@ -10,7 +10,7 @@ const waves = readFileSync(
   new URL('../../lessons/surfaces/waves-and-pit.json', import.meta.url),
   'utf8',
 );
-/** A line at height 2, and one behind it from 3 to 1: they cross halfway. */
+/** A line at height 2, and behind it a line from 3 to 1: they cross halfway. */
 const crossing = JSON.stringify({
   format: 'vidno-surface/1',
   name: 'Two lines that cross',
@@ -53,7 +53,7 @@ const lines = (page: Page): Promise<readonly unknown[]> =>
 describe('a surface that the page runs', () => {
   it('has the lines that the procedures draw', async () => {
     const page = await openScene(crossing, 'Two lines that cross');
-    // The second line is 3 - x / 2: on the first, at height 2, over column 2.
+    // The second line is 3 - x / 2. It meets the first, at height 2, over column 2.
     await expect
       .poll(() => lines(page))
       .toEqual([
@@ -87,7 +87,7 @@ describe('a surface that the page runs', () => {
     await expect.poll(async () => (await curvesOf(page))[0]?.[0]).toEqual([0, 3]);
   });
 
-  it('is given by a function, which may be changed; what is none is refused with a reason', async () => {
+  it('is given by a function, which can be changed; an invalid one is refused with a reason', async () => {
     const page = await openScene(waves, 'Waves and a pit');
     await page.keyboard.press('e');
     const field = page.locator('vidno-surface-form [name=function]');
@@ -98,12 +98,12 @@ describe('a surface that the page runs', () => {
       .waitFor();
     await field.fill('0 * x');
     await field.press('Enter');
-    // Then a curve is the straight way of the view: the nearest from row 105 to row 165.
+    // Then a curve is a straight line in the view: the nearest one from row 105 to row 165.
     await expect.poll(async () => (await curvesOf(page))[0]?.at(-1)).toEqual([220, 165]);
     expect((await curvesOf(page)).length).toBe(41);
   });
 
-  it('can be begun with nothing at hand, and is carried by a link', async () => {
+  it('can be started from nothing, and is part of a link', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await openContents(page);
     await page.getByRole('button', { name: 'A surface y = f(x, z)' }).click();
@@ -115,14 +115,14 @@ describe('a surface that the page runs', () => {
     expect(faults).toEqual([]);
   });
 
-  it('can be edited by all', async () => {
+  it('has an accessible editor', async () => {
     const page = await openScene(waves, 'Waves and a pit');
     await page.keyboard.press('e');
     await page.locator('vidno-surface-form').waitFor();
     expect(await violations(page)).toEqual([]);
   });
 
-  it('is held against the printed text', async () => {
+  it('is compared with the printed text', async () => {
     const page = await openScene(waves, 'Waves and a pit');
     await page.keyboard.press('d');
     await page.locator('vidno-rival-choice [name=printed]').click();
@@ -137,18 +137,18 @@ describe('a surface that the page runs', () => {
   });
 });
 
-/** The samples that the program makes of the same file. */
+/** The samples of the same file by the program. */
 const traced = join(process.env['VIDNO_STATES'] ?? '', 'waves-and-pit.jsonl');
 
 describe.runIf(existsSync(traced))('the samples of a function', () => {
-  it('are the program’s, but for the last bits of sines and powers', async () => {
+  it('equal those of the program, except for the last bits of sines and powers', async () => {
     const [first = ''] = readFileSync(traced, 'utf8').split('\n');
     const { scene } = JSON.parse(first) as { scene: { curves: Curves } };
     const page = await openScene(waves, 'Waves and a pit');
     const own = await curvesOf(page);
     const columns = (curves: Curves): unknown => curves.map((curve) => curve.map(([x]) => x));
     expect(columns(own)).toEqual(columns(scene.curves));
-    // A pixel of the figure is worth a 60th: an ulp of a sine or power, 60 of them, and what 200 rows round off.
+    // The view enlarges the error of a sine or power, one ulp, 60 times. Rows up to 200 have an ulp of 2^-45.
     const ulp = 2 ** -45;
     own.forEach((curve, i) =>
       curve.forEach(([x, y], j) => {

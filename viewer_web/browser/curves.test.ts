@@ -26,7 +26,7 @@ async function openHills(
   return { page, faults };
 }
 
-/** The first step from one on whose line in the file matches. */
+/** The number of the first step, counted from `from`, whose line in the file matches. */
 const stepOf = (pattern: RegExp, from = 1): number =>
   hills.split('\n').findIndex((line, i) => i >= from && pattern.test(line));
 
@@ -41,7 +41,7 @@ async function clickColumn(page: Page, x: number): Promise<void> {
 }
 
 describe('a run of curves', () => {
-  it('is replayed in its own words, with the listing', async () => {
+  it('is replayed in the terms of the algorithm, with the listing', async () => {
     const { page, faults } = await openHills();
     await goTo(page, stepOf(/"visibility","at":"FH5".*"flag":0/));
     expect(await shown(page)).toMatchObject({
@@ -82,7 +82,7 @@ describe('a run of curves', () => {
     expect(await shapes(page, 'in-hand')).toBe(1);
   });
 
-  it('has no pixels, no scene in 3D and no picture to be exact by', async () => {
+  it('has no pixels, no 3D view and no exact picture', async () => {
     const { page, faults } = await openHills();
     await goTo(page, stepOf(/"visibility"/));
     await page.locator('vidno-curve-picture > svg').focus();
@@ -96,7 +96,7 @@ describe('a run of curves', () => {
   });
 });
 
-describe('a run of curves that lacks much', () => {
+describe('an incomplete run of curves', () => {
   it.each(['windows', 'polygons'])('is shown with what it has, at level %s', async (detail) => {
     const { page, faults } = await open(browser, '#lang=en');
     const file = `hills.floating-horizon.${detail}`;
@@ -129,7 +129,7 @@ describe('a run of curves that lacks much', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is refused with a sentence where it cannot have happened', async () => {
+  it('is refused with a sentence where it is impossible', async () => {
     const { page } = await open(browser, '#lang=en');
     const text = hills.replace('"curve","at":"FH2","curve":1', '"curve","at":"FH2","curve":7');
     await openFile(page, 'wrong.jsonl', text);
@@ -138,7 +138,7 @@ describe('a run of curves that lacks much', () => {
 });
 
 describe('the history of a column', () => {
-  it('is opened by a click, and leads to its steps', async () => {
+  it('is opened by a click, and goes to its steps', async () => {
     const { page, faults } = await openHills();
     await clickColumn(page, 4);
     const headings = page.locator('vidno-history h3');
@@ -163,7 +163,7 @@ describe('the history of a column', () => {
 });
 
 describe('with a run of curves', () => {
-  it.each(['light', 'dark'] as const)('all can use the page (%s)', async (colorScheme) => {
+  it.each(['light', 'dark'] as const)('the page is accessible (%s)', async (colorScheme) => {
     const { page } = await openHills('#lang=ru', { colorScheme });
     await goTo(page, 200);
     expect(await violations(page)).toEqual([]);

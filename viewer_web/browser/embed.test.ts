@@ -22,7 +22,7 @@ interface Opened {
   readonly faults: readonly string[];
 }
 
-/** Someone's page of a course, opened from disk. */
+/** A page of somebody's course, opened from disk. */
 async function course(body: string, head = ''): Promise<Opened> {
   const file = join(folder, 'course.html');
   const start = `<!doctype html><html lang="en"><head><meta charset="utf-8">${head}<title>Course</title>`;
@@ -41,7 +41,7 @@ const step = (page: Page): Promise<number> =>
     .evaluate((player) => (player as HTMLElement & { step: number }).step);
 
 describe('the element', () => {
-  it('shows a trace that stands in the page, from the step that it is told, in the language that it is told', async () => {
+  it('shows a trace that the page contains, from the given step, in the given language', async () => {
     const { page, faults } = await course(
       `<vidno-player src="#run" step="3" lang="ru"></vidno-player>${block}`,
     );
@@ -88,7 +88,7 @@ describe('the element', () => {
     expect(faults).toEqual([]);
   });
 
-  it('stops at questions if it is told to, where it has a place for them', async () => {
+  it('stops at questions if asked to, but not with small controls', async () => {
     const { page } = await course(
       `<vidno-player src="#run" ask="forced"></vidno-player>
        <vidno-player src="#run" ask="forced" controls="small"></vidno-player>${block}`,
@@ -128,7 +128,7 @@ describe('the element', () => {
     ]);
   });
 
-  it('plays by itself, as fast as it is told, to its last step', async () => {
+  it('plays by itself, at the given speed, to its last step', async () => {
     const { page } = await course(
       `<vidno-player src="#run" to="12" speed="300" play></vidno-player>${block}`,
     );
@@ -157,7 +157,7 @@ describe('the element', () => {
     ['full', true, true],
     ['small', true, false],
     ['none', false, false],
-  ])('has the controls that it is told: %s', async (controls, transport, side) => {
+  ])('has the given controls: %s', async (controls, transport, side) => {
     const { page } = await course(
       `<vidno-player src="#run" controls="${controls}"></vidno-player>${block}`,
     );
@@ -192,7 +192,7 @@ describe('the element', () => {
     expect(await step(page)).toBe(small.trim().split('\n').length - 2);
   });
 
-  it('can be used by everyone', async () => {
+  it('is accessible', async () => {
     const { page } = await course(
       `<h1>Course</h1><vidno-player src="#run" controls="small"></vidno-player>${block}`,
     );
@@ -202,7 +202,7 @@ describe('the element', () => {
 });
 
 describe('the page in a frame', () => {
-  it('is the player alone, set up by the address', async () => {
+  it('is the player alone, configured by the address', async () => {
     const first = await openUrl(browser, `${dist}index.html`);
     const button = first.page.locator('vidno-lesson-list button').first();
     if ((await button.count()) === 0) return;

@@ -10,7 +10,7 @@ interface Failure {
   readonly scene: object;
 }
 
-/** The page with the scene of an entry of the atlas of failures, run by Warnock's algorithm under double. */
+/** Opens the page with the scene of an entry of the atlas of failures, run by Warnock's algorithm under double. */
 async function failing(name: string, hash = '#lang=en'): Promise<Page> {
   const { page } = await open(browser, hash);
   await page.locator(title, { hasText: /./u }).waitFor();
@@ -20,7 +20,7 @@ async function failing(name: string, hash = '#lang=en'): Promise<Page> {
   return page;
 }
 
-/** The steps whose events pass, from 1. */
+/** The steps, from 1, whose events pass a test. */
 async function steps(page: Page, passes: (event: { e: string }) => boolean): Promise<number[]> {
   const { lines } = await run(page);
   return lines.flatMap((line, i) => (passes(JSON.parse(line) as { e: string }) ? [i + 1] : []));
@@ -30,7 +30,7 @@ const wrongOnes = (page: Page): Promise<number[]> => steps(page, ({ e }) => e ==
 const panel = (page: Page, part = ''): ReturnType<Page['locator']> =>
   page.locator(`vidno-exactness ${part}`);
 
-describe('what is right', () => {
+describe('the right answer', () => {
   it('is found by a check as the panel opens, and the run stays as it is', async () => {
     // `vidno check` finds 167 wrong decisions in this run.
     const { page } = await open(
@@ -77,12 +77,12 @@ describe('what is right', () => {
   it.each([
     ['far-vertices-by-ray', 'warnock-full', 9],
     ['vertex-touch', 'weiler-atherton', 28],
-  ])('of a variant, too: %s', async (name, method, step) => {
+  ])('is known for a variant, too: %s', async (name, method, step) => {
     const page = await failing(name);
     await edit(page);
     await rerun(page, () => page.locator('vidno-run-form [name=method]').selectOption(method));
     await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
-    expect((await wrongOnes(page))[0]).toBe(step + 1); // the decision's own step is before it
+    expect((await wrongOnes(page))[0]).toBe(step + 1); // the decision's own step comes before it
     await goTo(page, step);
     await page.locator('h1').click();
     await page.keyboard.press('x');
@@ -105,13 +105,13 @@ describe('the lens', () => {
     await page.keyboard.press('ArrowLeft');
     await page.keyboard.press('ArrowDown');
     expect(await read.textContent()).toMatch(/^x −1, y \+1 ulp: /u);
-    expect((await run(page)).lines.length).toBeGreaterThan(told); // the arrows read, they do not step
+    expect((await run(page)).lines.length).toBeGreaterThan(told); // the arrow keys select a place and do not step
     await page.locator('vidno-lens canvas').hover({ position: { x: 2, y: 2 } });
     expect(await read.textContent()).toMatch(/^x −24, y −24 ulp: /u);
     expect(await violations(page)).toEqual([]);
   });
 
-  it('says of every sign what the checked run says', async () => {
+  it('agrees with the checked run about every sign', async () => {
     const page = await failing('orientation-zero');
     await edit(page);
     await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
@@ -120,7 +120,7 @@ describe('the lens', () => {
     const signs = ['negative', 'zero', 'positive'];
     const { lines } = await run(page);
     const all = await steps(page, ({ e }) => e === 'orient' || e === 'clip_sign');
-    // Each tenth, and all that are wrong.
+    // Every tenth sign, and all wrong ones.
     const wrong = new Set((await wrongOnes(page)).map((step) => step - 1));
     for (const step of all.filter((each, i) => i % 10 === 0 || wrong.has(each))) {
       const event = JSON.parse(lines[step - 1] ?? '') as { sign: number; exact: number };
@@ -133,7 +133,7 @@ describe('the lens', () => {
     }
   });
 
-  it('stays until the map of the next sign is there', async () => {
+  it('stays until the map of the next sign is drawn', async () => {
     const page = await failing('orientation-inverted');
     const [first = 0, second = 0] = await steps(page, ({ e }) => e === 'orient');
     await goTo(page, first);
@@ -145,7 +145,7 @@ describe('the lens', () => {
     expect(await lens?.evaluate((element) => element.isConnected)).toBe(true);
   });
 
-  it('is about yes and no where depths are compared, in Russian too', async () => {
+  it('shows yes and no where depths are compared, in Russian too', async () => {
     const page = await failing('depth-by-an-ulp', '#lang=ru');
     await edit(page);
     await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
@@ -159,7 +159,7 @@ describe('the lens', () => {
     await panel(page, '.hint').getByText('Неверно в').waitFor();
   });
 
-  it('there is none on a grid, or where no point is asked about', async () => {
+  it('does not exist on a grid, or for a decision that is not about a point', async () => {
     const page = await failing('orientation-inverted');
     await edit(page);
     await rerun(page, () => page.locator('vidno-player [name=kernel]').selectOption('grid:8'));

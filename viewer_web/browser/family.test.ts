@@ -8,7 +8,7 @@ import { cutOff, goTo, open, opened, sampleTrace } from './page.js';
 const events = (name: string): readonly string[] =>
   sampleTrace(name).trim().split('\n').slice(1, -1);
 
-/** The page at the step after the first event that looks like that. */
+/** The page at the step after the first event that matches the expression. */
 async function openAt(name: string, event: RegExp, hash = '#lang=en'): Promise<Page> {
   const { page } = await open(browser, hash);
   await opened(page, name, Buffer.from(sampleTrace(name)));
@@ -81,7 +81,7 @@ describe('the library in the page', () => {
     },
   );
 
-  it('offers each method with its rule, and refuses a scene that it does not take with a sentence', async () => {
+  it('offers each method with its rule, and says why it refuses a scene', async () => {
     const { page } = await open(browser, '#lang=ru');
     await opened(page, 'small.jsonl', sampleTrace('small.warnock.signs'));
     await edit(page);

@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
 import { goTo, open, openFile, opened, repeated, shown, small, whole } from './page.js';
 
-describe('a file of one’s own', () => {
+describe('a file of the reader’s own', () => {
   it('may be dropped, plain or gzip', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     for (const [name, content] of [
@@ -19,7 +19,7 @@ describe('a file of one’s own', () => {
     expect(faults).toEqual([]);
   });
 
-  it('that was cut is shown up to the break, with a warning', async () => {
+  it('that is truncated is shown up to the break, with a warning', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'cut.jsonl.gz', gzipSync(small).subarray(0, -1500));
     expect(await page.locator('vidno-notice .shortened').textContent()).toMatch(
@@ -56,7 +56,7 @@ describe('a file of one’s own', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is shown up to a late line that is no event, with the place and the reason', async () => {
+  it('is shown up to a late invalid line, with the place and the reason', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const long = repeated(small, /"at":"W3"/, 60_000);
     const late = long.replace(/\n\{"end".*\n/, '\n{"e":"boom","at":"W1"}\n');
@@ -71,7 +71,7 @@ describe('a file of one’s own', () => {
     expect(faults).toEqual([]);
   });
 
-  it('may be what an editor of Windows writes, a scene too', async () => {
+  it('may come from a Windows editor, and so may a scene', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const utf16 = (text: string): Buffer => Buffer.from(`\ufeff${text}`, 'utf16le');
     await opened(page, 'utf16.jsonl', utf16(small.replaceAll('\n', '\r\n')));

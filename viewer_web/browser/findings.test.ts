@@ -25,7 +25,7 @@ const square = {
 };
 
 describe('the decisions worth looking at', () => {
-  it('are listed, sorted, marked on the strip and in the picture, and lead to their steps', async () => {
+  it('are listed, sorted, marked on the strip and in the picture, and linked to their steps', async () => {
     const { page } = await open(browser, '#lang=en');
     await page.locator(title, { hasText: /./u }).waitFor();
     await rerun(page, () => openFile(page, 'square.json', JSON.stringify(square)));
@@ -42,7 +42,7 @@ describe('the decisions worth looking at', () => {
     expect(await violations(page)).toEqual([]);
   });
 
-  it('can be taken again line by line', async () => {
+  it('can be recalculated line by line', async () => {
     const { page } = await open(browser, '#lang=en');
     await page.locator(title, { hasText: /./u }).waitFor();
     await rerun(page, () => openFile(page, 'square.json', JSON.stringify(square)));
@@ -58,7 +58,7 @@ describe('the decisions worth looking at', () => {
 });
 
 describe('the margin of a vertex', () => {
-  it('is shaded while the vertex is chosen, with what changes beyond its sides', async () => {
+  it('is shaded while the vertex is chosen, with the changes beyond its sides', async () => {
     const { page } = await open(browser, '#lang=en');
     await page.locator(title, { hasText: /./u }).waitFor();
     await rerun(page, () => openFile(page, 'square.json', JSON.stringify(square)));

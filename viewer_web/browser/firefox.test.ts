@@ -4,7 +4,7 @@ import type { Browser, Page } from 'puppeteer-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { built } from './browser.js';
 
-/** The page in Firefox ESR, opened from disk: what people do most, and that the browser complains of nothing. */
+/** The page in Firefox ESR, opened from disk: the most common actions, without any complaint of the browser. */
 let firefox: Browser;
 beforeAll(async () => {
   firefox = await puppeteer.launch({
@@ -35,7 +35,7 @@ interface Shown {
   readonly step: number;
   readonly length: number;
   readonly sentence: string;
-  /** The label of the event, and of the line of the listing that is marked. */
+  /** The label of the event, and that of the marked line of the listing. */
   readonly at: string | null;
   readonly line: string | null;
   readonly state: string;
@@ -61,7 +61,7 @@ const shown = (page: Page): Promise<Shown> =>
     };
   });
 
-/** Where on the page a place of the scene's plane is. */
+/** The place on the page of a point of the scene's plane. */
 const spotOf = (page: Page, x: number, y: number): Promise<{ x: number; y: number }> =>
   page.$eval(
     '>>> vidno-picture >>>> svg',
@@ -93,7 +93,7 @@ describe('in Firefox', () => {
     await page.close();
   });
 
-  it('one steps by keys, and comes to the same state by a step’s number', async () => {
+  it('stepping by keys reaches the same state as a step’s number', async () => {
     const { page, faults } = await open('#lang=en&step=40&view=workbench');
     await page.keyboard.press('ArrowRight');
     await page.keyboard.press('ArrowRight');

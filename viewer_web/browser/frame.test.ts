@@ -12,8 +12,8 @@ import { Meter, median, told } from './timing.js';
 import type { Measured } from './timing.js';
 
 /**
- * What a step costs, and a move of a corner, and how soon each is seen, beside a page that shows nothing: on a busy machine both take
- * longer. All figures are printed by
+ * Compares the cost of a step and of a corner's move, and the time until each is seen, with a page that shows nothing. A busy
+ * machine slows both down. This command prints all figures:
  *
  *     npx vitest run --config vitest.browser.config.ts browser/frame.test.ts
  */
@@ -21,10 +21,10 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 const program = process.env['VIDNO_PROGRAM'] ?? join(root, 'build/release/trace/vidno');
 
 const steps = 120;
-/** So many keys go to one page before the other has its turn. */
+/** Keys that one page gets before it is the other's turn. */
 const turn = 20;
 const viewport = { width: 1440, height: 900 };
-/** Milliseconds of the processor for a step or a move: a machine that is busy needs several times what one needs that is not. */
+/** Milliseconds of processor time for a step or a move. A busy machine needs several times what an idle one needs. */
 const patience = 100;
 
 let directory: string;
@@ -46,7 +46,7 @@ function teapot(): string {
   return trace;
 }
 
-/** Steps on from where the page is, by turns with a page that shows nothing. */
+/** Steps on from the current step, in turn with a page that shows nothing. */
 async function stepOn(page: Page, name: string): Promise<readonly Measured[]> {
   const empty = await emptyPage(browser, { viewport });
   const sides = await Promise.all(
@@ -68,7 +68,7 @@ async function stepOn(page: Page, name: string): Promise<readonly Measured[]> {
 const costOf = (all: readonly Measured[]): number => median(all.map(({ cost }) => cost.task));
 
 describe('a step', () => {
-  it('of the first lesson is a frame', async () => {
+  it('of the first lesson takes one frame', async () => {
     const { page, faults } = await open(browser, '#lang=en', { viewport });
     await page.locator(title, { hasText: /./u }).waitFor();
     await whole(page);
@@ -80,7 +80,7 @@ describe('a step', () => {
     expect(faults).toEqual([]);
   });
 
-  it('of 900 000 events is a frame', async () => {
+  it('of 900 000 events takes one frame', async () => {
     const { page, faults } = await open(browser, '#lang=en', { viewport });
     await page.locator('vidno-file-drop input').setInputFiles(teapot());
     await page.locator(title, { hasText: 'teapot' }).waitFor();
@@ -101,7 +101,7 @@ const polygon = (id: string, color: string, ...vertices: readonly (readonly numb
   vertices,
 });
 
-/** Of 32 x 32 pixels: five polygons in each other's way, two of which pierce others. */
+/** An area of 32 x 32 pixels. Five polygons overlap, and two of them pierce others. */
 const five = scene(
   [
     polygon('A', '#e69f00', [3, 4, 0], [20, 3, 0.25], [12, 22, 0.5]),

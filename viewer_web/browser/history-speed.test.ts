@@ -4,7 +4,7 @@ import { browser } from './browser.js';
 import { spotOf } from './live.js';
 import { open, opened, repeated, sampleTrace, small } from './page.js';
 
-/** Tells, for each click, how long it took until the history was whole and on the page. */
+/** Reports, for each click, the time until the history was complete and on the page. */
 const watch = (page: Page): Promise<void> =>
   page.evaluate(() => {
     const times: number[] = [];
@@ -49,7 +49,7 @@ describe('a trace of 300 000 events', () => {
     }
     const times = [...(await timesOf(page))].sort((a, b) => a - b);
     console.log(`${name}: ${times.join(', ')} ms from click to history`);
-    // A machine that is busy takes many times as long: only what has gone wrong altogether is found here.
+    // A busy machine takes many times as long. This limit only catches gross failures.
     expect(times[0]).toBeLessThan(3000);
   });
 });

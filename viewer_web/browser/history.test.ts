@@ -27,7 +27,7 @@ const stepsIn = (page: Page): Promise<readonly number[]> =>
     .locator('vidno-history li')
     .evaluateAll((items) => items.map((item) => Number((item as HTMLElement).dataset['step'])));
 
-/** Whether the entry of a step can be seen in its list. */
+/** Whether the entry of a step is scrolled into view in its list. */
 const inSight = (page: Page, step: number): Promise<boolean> =>
   page.locator(`vidno-history li[data-step="${step}"]`).evaluate((item) => {
     const box = item.closest('.entries')?.getBoundingClientRect();
@@ -49,7 +49,7 @@ describe('the history of a pixel', () => {
     expect(faults).toEqual([]);
   });
 
-  it('leads to its steps, and follows them', async () => {
+  it('goes to its steps, and follows them', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     await click(page, 4, 0);
@@ -112,7 +112,7 @@ describe('the history of a pixel', () => {
 });
 
 describe('with the history of a pixel', () => {
-  it.each(['light', 'dark'] as const)('all can use the page (%s)', async (colorScheme) => {
+  it.each(['light', 'dark'] as const)('the page is accessible (%s)', async (colorScheme) => {
     for (const [name, text] of [
       ['small.jsonl', small],
       ['zbuffer.jsonl', sampleTrace('small.zbuffer.signs')],

@@ -11,7 +11,7 @@ const panel = (page: Page): Promise<string | null> =>
 const news = async (page: Page): Promise<string> =>
   ((await page.locator('.news').textContent()) ?? '').trim();
 
-/** Escape closes the map a moment after the key: until then another key belongs to the map. */
+/** Escape closes the map a moment after the key. Until then another key goes to the map. */
 async function leaveMap(page: Page): Promise<void> {
   await press(page, 'Escape');
   await page.locator('vidno-keys dialog').waitFor({ state: 'hidden' });
@@ -25,7 +25,7 @@ async function ready(hash = '#lang=en'): Promise<Page> {
 }
 
 describe('keys of one letter', () => {
-  it('may be changed and turned off, which the address keeps', async () => {
+  it('can be changed and turned off, and the address keeps that', async () => {
     const page = await ready();
     await press(page, '?');
     await page.locator('vidno-keys [data-key=X]').press('k');
@@ -57,7 +57,7 @@ describe('keys of one letter', () => {
     await expect.poll(() => panel(again.page)).toBe('exact');
   });
 
-  it('say what they opened, or why they did not', async () => {
+  it('announce what they opened, or why they did not', async () => {
     const page = await ready();
     await press(page, 'x');
     await expect.poll(() => news(page)).toBe('Panel: Exact?');
@@ -69,7 +69,7 @@ describe('keys of one letter', () => {
     await expect.poll(() => news(page)).toBe('The presentation is over.');
   });
 
-  it('work while a question is open, wherever in it one is', async () => {
+  it('work while a question is open, wherever the focus is in it', async () => {
     const page = await ready();
     await press(page, 'q');
     await asked(page, 4);
@@ -87,7 +87,7 @@ describe('keys of one letter', () => {
     await page.locator('vidno-rival-choice dialog[open]').waitFor();
     await press(page, 'Escape');
 
-    // Where the run waits for the answer, it says so.
+    // If the run waits for the answer, the page says so.
     await page.locator('vidno-predict .force').check();
     await page.locator('vidno-question input[type=radio]').first().focus();
     await press(page, 'Escape');
@@ -99,7 +99,7 @@ describe('keys of one letter', () => {
 });
 
 describe('by keyboard', () => {
-  it('one comes to Play with nine presses of Tab, or at once', async () => {
+  it('Play is reached with nine presses of Tab, or directly', async () => {
     const page = await ready();
     const focused = (): Promise<string> =>
       page.evaluate(() => {
@@ -123,7 +123,7 @@ describe('by keyboard', () => {
     expect(await focused()).toMatch(/^Play/);
   });
 
-  it('one hears of each pixel what is known of it', async () => {
+  it('the facts about each pixel are announced', async () => {
     const page = await ready();
     await press(page, 'End', 'p');
     const heard = page.locator('vidno-picture [aria-live]');

@@ -27,7 +27,7 @@ const image = (page: Page): Promise<string> =>
   page
     .locator('vidno-picture .cells')
     .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
-/** In the page, however far that is scrolled. */
+/** The picture's box in page coordinates, independent of scrolling. */
 const box = (page: Page) =>
   page.locator('vidno-picture').evaluate((picture) => {
     const { x, y, width, height } = picture.getBoundingClientRect();
@@ -64,7 +64,8 @@ describe('the difference', () => {
   it.each([
     // All 64 pixels of N are lost: the defect X-W3 of the printed text.
     ['warnock', 64],
-    // Rows and columns 4 to 12, both included (X-Z3, X-Z5), of which 4 to 11 are right: 9 x 9 - 8 x 8.
+    // Rows and columns 4 to 12 are painted, both ends included (X-Z3, X-Z5). Rows and columns 4 to 11 are right: 9 x 9 - 8
+    // x 8.
     ['zbuffer', 17],
   ])('of the printed text by %s is %d wrong pixels', async (method, wrong) => {
     const { page, faults } = await openLesson(printed(method));
@@ -90,7 +91,7 @@ describe('the difference', () => {
 });
 
 describe('the exact picture', () => {
-  it('is there before the first step, and is what a right run ends with', async () => {
+  it('is shown before the first step, and equals the end of a right run', async () => {
     const { page, faults } = await openLesson('03-subdivision.warnock.double.corrected.signs');
     await page.keyboard.press('End');
     const last = await image(page);
@@ -116,7 +117,7 @@ describe('the exact picture', () => {
 });
 
 describe('the choice of a layer', () => {
-  it('goes round by L, is told, and is kept in the link', async () => {
+  it('cycles with L, is announced, and is kept in the link', async () => {
     const { page } = await openLesson('08-show-line.zbuffer.float.corrected.signs');
     expect(await choice(page).inputValue()).toBe('picture');
     const seen: string[] = [];
@@ -151,7 +152,7 @@ describe('the choice of a layer', () => {
     [1280, 'EN'],
   ])('moves and cuts off nothing at %d px in %s', async (width, language) => {
     const trace = '08-show-line.zbuffer.float.corrected.signs';
-    // Beside the text the player is narrow; on a telephone there is the one or the other.
+    // A narrow player fits beside the text. On a phone only one of the two is shown.
     const reader = width < 500 ? '&reader=off' : '';
     const { page } = await openLesson(trace, { viewport: { width, height: 800 } }, reader);
     if (language === 'RU') await page.locator('vidno-languages [lang=ru]').click();
@@ -191,13 +192,13 @@ describe('the choice of a layer', () => {
 });
 
 describe('the windows so far', () => {
-  it('are drawn, and those around the current one', async () => {
+  it('are drawn, and so are those that enclose the current one', async () => {
     const { page } = await openLesson('09-usual-mistakes.warnock.double.corrected.signs');
     const boxes = async (role: string): Promise<number> => {
       const found = (await shapes(page)).find(({ look }) => look === role);
       return (found?.d.match(/M/g) ?? []).length;
     };
-    // To the first window of 8 x 8: the quarters of 16 x 16, and itself around none but the whole.
+    // Goes to the first window of 8 x 8. The quarters of 16 x 16 are drawn, and only the whole area encloses this one.
     const quarter = await page.evaluate(() => {
       const app = document.querySelector('vidno-app');
       const timeline = app?.shadowRoot?.querySelector('vidno-player')?.trace?.timeline;
@@ -212,7 +213,7 @@ describe('the windows so far', () => {
 
   it('are ink on the picture, dark on a light casing', async () => {
     const { page } = await openLesson('09-usual-mistakes.warnock.double.corrected.signs');
-    // To where the first window, of the whole area of 16 x 16, is taken from the stack.
+    // Goes to the step that pops the first window, the whole area of 16 x 16.
     const { lines } = await run(page);
     await goTo(page, lines.findIndex((line) => line.startsWith('{"e":"pop"')) + 1);
     await settled(page);
@@ -231,7 +232,7 @@ describe('the windows so far', () => {
       );
     expect(await color(0, 8)).toEqual([0x10, 0x13, 0x1c, 255]);
     const pixel = 1 / (await scaleOf(page));
-    // The casing reaches 2.5 pixels to each side, the ink on the middle of it 1.5: one of these dots has casing and no ink.
+    // The casing is 2.5 pixels wide on each side and the ink on it 1.5. One of these dots has casing and no ink.
     const beside = await Promise.all([2, 2.25, 2.5].map((n) => color(n * pixel, 8)));
     const light = beside.map(([r = 0, g = 0, b = 0, a = 0]) => (a > 0 ? Math.min(r, g, b) : 0));
     expect(Math.max(...light)).toBeGreaterThan(200);

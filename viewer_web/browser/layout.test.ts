@@ -26,7 +26,7 @@ describe('the layout', () => {
     },
   );
 
-  it('one screen holds the run with all of its panels, where there is room beside the picture', async () => {
+  it('fits the run with all panels on one screen, where there is room beside the picture', async () => {
     const viewport = { width: 1024, height: 768 };
     const { page } = await open(browser, '#lang=ru', { viewport });
     await opened(page, 'small.jsonl', small);
@@ -37,7 +37,7 @@ describe('the layout', () => {
     }
   });
 
-  it('where the page scrolls, the way through the run is always in sight', async () => {
+  it('keeps the controls in sight where the page scrolls', async () => {
     const viewport = { width: 390, height: 844 };
     const { page } = await open(browser, '#lang=ru', { viewport });
     await opened(page, 'small.jsonl', small);
@@ -49,7 +49,7 @@ describe('the layout', () => {
   });
 });
 
-/** Of some 200 steps those at which the sentence does not fit into its box, with what they say. */
+/** The steps, out of about 200, at which the sentence does not fit into its box, each with its sentence. */
 const cutSentences = (page: Page): Promise<readonly string[]> =>
   page.evaluate(async () => {
     const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');

@@ -7,7 +7,7 @@ import { lessonTraces, open, openLesson as showLesson } from './page.js';
 describe('a link', () => {
   const link = (text: string): string => Buffer.from(text, 'utf8').toString('base64url');
 
-  /** The first lesson; a page may be built without any. */
+  /** Opens the first lesson, if the page was built with any. */
   async function openLesson(
     hash: string,
   ): Promise<{ page: Page; faults: readonly string[] } | null> {
@@ -20,7 +20,7 @@ describe('a link', () => {
     return { page, faults };
   }
 
-  it('has the bookmarks and brings them along', async () => {
+  it('contains the bookmarks and restores them', async () => {
     const first = await openLesson('step=3');
     if (first === null) return;
     await bookmark(first.page, 40, 'здесь & там = «да» #1');
@@ -39,7 +39,7 @@ describe('a link', () => {
     expect(faults).toEqual([]);
   });
 
-  it('of a stranger is text, of bounded length, and none of it is taken that is no bookmark', async () => {
+  it('from a stranger adds only bookmarks with text of bounded length', async () => {
     const evil = '<img src=x onerror=alert(1)>';
     const lines = [`5 ${evil}`, 'x', '6 \u202egnol', `7 ${'y'.repeat(300)}`, '999999999 far'];
     const opening = await openLesson(`step=5&bookmarks=${link(lines.join('\n'))}`);

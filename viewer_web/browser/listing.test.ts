@@ -4,21 +4,21 @@ import { violations } from './axe.js';
 import { browser, settled } from './browser.js';
 import { goTo, open, opened, shown, small } from './page.js';
 
-/** What stands beside a line. */
+/** The note beside a line. */
 const beside = (page: Page, label: string): Promise<string | null> =>
   page
     .locator('vidno-listing section li', { has: page.locator(`.at:text-is("${label}")`) })
     .locator('var')
     .textContent();
 
-/** Where each line of the listing stands. */
+/** The vertical position of each line of the listing. */
 const places = (page: Page): Promise<readonly number[]> =>
   page
     .locator('vidno-listing section li')
     .evaluateAll((lines) => lines.map((line) => (line as HTMLElement).offsetTop));
 
 describe('the listing', () => {
-  it('has beside its lines what the events say, and no line moves', async () => {
+  it('has the values of the events beside its lines, and no line moves', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     const still = await places(page);
@@ -77,7 +77,7 @@ describe('the listing', () => {
     await expect.poll(isInSight).toBe(true);
   });
 
-  it('stays where its reader has scrolled to until the line is another', async () => {
+  it('stays where the reader has scrolled to until the current line changes', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     await goTo(page, 400);
@@ -86,7 +86,7 @@ describe('the listing', () => {
     const top = (): Promise<number> => list.evaluate((element) => element.scrollTop);
     expect(await top()).toBeGreaterThan(0);
     await list.evaluate((element) => (element.scrollTop = 0));
-    await page.locator('vidno-warnock .apl tr').first().hover(); // draws the step anew
+    await page.locator('vidno-warnock .apl tr').first().hover(); // redraws the step
     await settled(page);
     expect(await top()).toBe(0);
     await goTo(page, 401);

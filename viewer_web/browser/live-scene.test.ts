@@ -18,7 +18,7 @@ describe('a scene', () => {
     expect(await rerun(page, () => openFile(page, 'again.json', saved))).toEqual(before);
   });
 
-  it('is carried by the link, with the way to run it and the step', async () => {
+  it('is part of the link, with its settings and the step', async () => {
     const { page } = await editing(browser);
     await rerun(page, () =>
       page.locator('vidno-run-form select[name=method]').selectOption('zbuffer'),
@@ -43,7 +43,7 @@ describe('a scene', () => {
     ['no number', scene([{ ...triangle, vertices: [['NaN', 0, 0]] }]), /hexadecimal/],
     ['a huge area', scene([triangle], 1e9), /not from 1 to 16384/],
     ['a wrong type', scene([{ ...triangle, color: 7 }]), /not a string/],
-  ])('that is none only gives a message: %s', async (name, text, message) => {
+  ])('that is invalid only gives a message: %s', async (name, text, message) => {
     const { page, faults } = await open(browser, '#lang=en');
     await openFile(page, `${name}.json`, text);
     await page.locator('vidno-notice .refused').waitFor();
@@ -51,7 +51,7 @@ describe('a scene', () => {
     expect(faults).toEqual([]);
   });
 
-  it('that is none leaves the run before, its title and its scene as they were', async () => {
+  it('that is invalid leaves the previous run, its title and its scene as they were', async () => {
     const { page } = await editing(browser);
     await goTo(page, 5);
     const before = await run(page);
@@ -76,8 +76,8 @@ describe('a scene', () => {
   );
 });
 
-describe('everyone', () => {
-  it.each(['light', 'dark'] as const)('can use the form (WCAG 2.2 AA, %s)', async (colorScheme) => {
+describe('the form of a scene', () => {
+  it.each(['light', 'dark'] as const)('is accessible (WCAG 2.2 AA, %s)', async (colorScheme) => {
     const { page } = await open(browser, '#lang=ru', { colorScheme });
     await page.locator(title, { hasText: /./u }).waitFor();
     await edit(page);
@@ -85,7 +85,7 @@ describe('everyone', () => {
     expect(await violations(page)).toEqual([]);
   });
 
-  it.each([390, 768, 1280, 1920])('sees the whole form at %d px', async (width) => {
+  it.each([390, 768, 1280, 1920])('is not clipped at %d px', async (width) => {
     const viewport = { width, height: 900 };
     const { page } = await open(browser, '#lang=ru&reader=off', { viewport });
     await page.locator(title, { hasText: /./u }).waitFor();

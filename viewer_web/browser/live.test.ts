@@ -22,7 +22,7 @@ describe('the library in the page', () => {
     expect(faults).toEqual([]);
   });
 
-  it('runs another method, kernel, edition and level as it is told', async () => {
+  it('runs another method, kernel, edition and level on request', async () => {
     const { page } = await editing(browser);
     const select = (name: string, value: string) => () =>
       page.locator(`vidno-run-form select[name=${name}]`).selectOption(value);
@@ -30,7 +30,7 @@ describe('the library in the page', () => {
     expect((await rerun(page, select('kernel', 'depth:8'))).kernel).toBe('depth:8');
     const signs = (await run(page)).lines.length;
     expect((await rerun(page, select('detail', 'windows'))).lines.length).toBeLessThan(signs);
-    // There is no Z-buffer in Warnock's algorithm: the kernel gives way.
+    // The kernel depth:8 belongs to the Z-buffer, so Warnock's algorithm gets the default kernel.
     expect((await rerun(page, select('method', 'warnock'))).kernel).toBe('double');
     const checked = await rerun(page, () => page.locator('vidno-run-form [name=check]').check());
     await rerun(page, select('detail', 'signs'));
@@ -40,7 +40,7 @@ describe('the library in the page', () => {
 });
 
 describe('a corner', () => {
-  it('is dragged, and undone as a whole', async () => {
+  it('is dragged, and the whole drag is undone at once', async () => {
     const { page, faults } = await editing(browser);
     const from = await spotOf(page, 6, 1);
     const to = await spotOf(page, 7.5, 3.25);
@@ -79,7 +79,7 @@ describe('a corner', () => {
     expect(typed.polygons[0]?.vertices[1]).toEqual([5.125, 1, 0]);
   });
 
-  it('that makes a polygon no scene is refused, and the run before stays', async () => {
+  it('that makes a polygon invalid is refused, and the previous run stays', async () => {
     const { page } = await editing(browser);
     const before = await run(page);
     await page.locator(handle(1, 0)).focus();

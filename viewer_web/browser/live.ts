@@ -11,7 +11,7 @@ export interface Run {
   readonly lines: readonly string[];
 }
 
-/** The run that is shown, every line of it. */
+/** All lines of the current run. */
 export function run(page: Page): Promise<Run> {
   return page.evaluate(() => {
     const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
@@ -33,7 +33,7 @@ export function run(page: Page): Promise<Run> {
   });
 }
 
-/** Does something and waits until there is another run. */
+/** Does something and waits for the next run. */
 export async function rerun(page: Page, act: () => Promise<unknown>): Promise<Run> {
   await page.evaluate(() => {
     const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
@@ -47,13 +47,13 @@ export async function rerun(page: Page, act: () => Promise<unknown>): Promise<Ru
   return run(page);
 }
 
-/** The scene's panel, opened by its key. */
+/** Opens the scene's panel by its key. */
 export async function edit(page: Page): Promise<void> {
   await page.keyboard.press('e');
   await page.locator('vidno-scene-panel').waitFor();
 }
 
-/** Where on the page a place of the scene's plane is, in the first picture if there are two. */
+/** The place on the page of a point of the scene's plane, in the first picture if there are two. */
 export function spotOf(page: Page, x: number, y: number): Promise<{ x: number; y: number }> {
   const picture = page.locator('vidno-picture > svg').first();
   return picture.evaluate(
@@ -67,7 +67,7 @@ export function spotOf(page: Page, x: number, y: number): Promise<{ x: number; y
   );
 }
 
-/** What is drawn over the pixels of the pictures that are shown. */
+/** The shapes over the pixels of the current pictures. */
 export const shapes = (page: Page): Promise<readonly Shape[]> =>
   page
     .locator('vidno-picture, vidno-region-picture')
@@ -75,14 +75,14 @@ export const shapes = (page: Page): Promise<readonly Shape[]> =>
       all.flatMap((each) => (each as HTMLElementTagNameMap['vidno-picture']).shapes),
     );
 
-/** How many of these have a look. */
+/** The number of shapes with a look. */
 export const looks = async (page: Page, look: string): Promise<number> =>
   (await shapes(page)).filter((each) => each.look.split(' ').includes(look)).length;
 
 export const handle = (polygon: number, vertex: number): string =>
   `vidno-handles [data-spot="${polygon},${vertex}"]`;
 
-/** The name of what is shown. */
+/** The name of the current run. */
 export const title = '.title h2';
 
 /** The text of a scene file. */

@@ -17,14 +17,14 @@ afterAll(() => {
   rmSync(directory, { recursive: true });
 });
 
-/** What was seen while a file was opened: milliseconds, and how often the page said how much is there. */
+/** Measurements of opening a file: milliseconds, and how often the page reported progress. */
 interface Opening {
   readonly first: number;
   readonly whole: number;
   readonly growing: number;
 }
 
-/** Notes from the choice of a file on when its trace is shown, and when all of it is there. */
+/** Records, from the choice of a file on, when its trace is shown and when all of it is read. */
 const watchOpening = (page: Page, name: string): Promise<void> =>
   page.evaluate((title) => {
     const root = document.querySelector('vidno-app')?.shadowRoot;
@@ -61,7 +61,7 @@ async function openingOf(page: Page, file: string, name: string): Promise<Openin
   return opening;
 }
 
-/** Milliseconds to steps far from each other, either way, sorted: to the state alone, and until it is on the page. */
+/** Sorted milliseconds of seeks to distant steps in both directions: to the state alone, and until the page shows it. */
 interface Seeks {
   readonly state: readonly number[];
   readonly shown: readonly number[];
@@ -91,7 +91,7 @@ const seeks = (page: Page): Promise<Seeks> =>
 const at99 = (times: readonly number[]): number =>
   times[Math.ceil(0.99 * times.length) - 1] ?? Infinity;
 
-/** Megabytes that the page's scripts hold, in objects and in buffers. */
+/** Megabytes of the page's scripts, in objects and in buffers. */
 async function memory(page: Page): Promise<number> {
   const session = await page.context().newCDPSession(page);
   const used = (await session.send('Runtime.getHeapUsage')) as unknown as Record<string, number>;
@@ -107,7 +107,7 @@ describe('a trace of a million events', () => {
     ['warnock.jsonl', warnock],
     ['zbuffer.jsonl', zbuffer],
     ['packed.jsonl.gz', (): Buffer => gzipSync(warnock())],
-  ])('%s is soon there, and so is any step of it', async (name, content) => {
+  ])('%s opens quickly, and so does any step of it', async (name, content) => {
     const file = join(directory, name);
     writeFileSync(file, content());
     const { page, faults } = await open(browser, '#lang=en');
@@ -119,7 +119,7 @@ describe('a trace of a million events', () => {
         `99 of 100 seeks ${at99(state).toFixed(1)} ms, shown ${at99(shown).toFixed(1)} ms; ` +
         `${megabytes.toFixed()} MB`,
     );
-    // A machine that is busy takes many times as long: only what has gone wrong altogether is found here.
+    // A busy machine takes many times as long. This limit only catches gross failures.
     expect(opening.first).toBeLessThan(10_000);
     expect(opening.whole).toBeLessThan(30_000);
     expect(opening.growing).toBeGreaterThan(1);
@@ -130,7 +130,7 @@ describe('a trace of a million events', () => {
     await page.context().close();
   });
 
-  it('may be stepped through while it is read, and stays where one is', async () => {
+  it('may be stepped through while it is read, and stays at the current step', async () => {
     const name = 'growing.jsonl';
     writeFileSync(join(directory, name), warnock());
     const { page } = await open(browser, '#lang=en');

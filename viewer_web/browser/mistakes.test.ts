@@ -4,7 +4,7 @@ import { edit, handle, rerun, run, title } from './live.js';
 import { open, opened, openLesson, sampleTrace, whole } from './page.js';
 
 describe('a usual mistake', () => {
-  it('of a trace that was opened is kept as its scene is run anew', async () => {
+  it('of an opened trace is kept when its scene runs again', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await opened(page, 'one-list.jsonl', sampleTrace('one-list.warnock.signs'));
     const name = page.locator('vidno-run-words button').first();
@@ -21,7 +21,7 @@ describe('a usual mistake', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is chosen for a scene: the page writes what the program wrote, and keeps to it as a corner moves', async () => {
+  it('is chosen for a scene: the page writes what the program wrote, and keeps the mistake as a corner moves', async () => {
     const lesson = '09-usual-mistakes.mistakes.warnock.double';
     const { page, faults } = await open(browser, `#lang=en&trace=${lesson}.surround-kept.polygons`);
     await page.locator(title, { hasText: /./u }).waitFor();

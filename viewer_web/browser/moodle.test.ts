@@ -16,7 +16,7 @@ async function panelOf(text: string, hash: string, panel: string): Promise<Page>
   return page;
 }
 
-/** Saved by the keyboard alone. */
+/** Saves by keyboard alone. */
 async function saved(page: Page, button: string): Promise<Download> {
   await page.getByRole('button', { name: button }).focus();
   const [download] = await Promise.all([
@@ -26,11 +26,11 @@ async function saved(page: Page, button: string): Promise<Download> {
   return download;
 }
 
-/** What the script for Node makes of a trace. */
+/** The output of the script for Node on a trace. */
 const asked = (input: string, ...options: readonly string[]): string =>
   execFileSync('node', [script, ...options], { input, encoding: 'utf8', maxBuffer: 2 ** 26 });
 
-/** What a browser takes a file of questions for: elements of its HTML, its text, and the widths of its pictures. */
+/** A browser's reading of a file of questions: elements of its HTML, its text, and the widths of its pictures. */
 function seen(page: Page, xml: string, pictures: readonly string[]): Promise<Seen> {
   return page.evaluate(
     async ([text, images]) => {
@@ -104,14 +104,14 @@ describe('questions for Moodle', () => {
     expect(new Set(widths)).toEqual(new Set([720]));
   });
 
-  it('are not there for a run that has none, and the page says so', async () => {
+  it('are absent for a run without questions, and the page says so', async () => {
     const page = await panelOf(sampleTrace('small.zbuffer.windows'), '#lang=en', 'Predict');
     await page.getByRole('button', { name: 'Questions as Moodle XML' }).click();
     await page.getByText('This run has nothing to ask about').waitFor();
     expect(() => asked(sampleTrace('small.zbuffer.windows'))).toThrow('nothing to ask about');
   });
 
-  it('leave the step that is shown as it was', async () => {
+  it('leave the current step as it was', async () => {
     const page = await panelOf(small, '#lang=en', 'Predict');
     await goTo(page, 200);
     const picture = async (): Promise<string> =>

@@ -8,7 +8,7 @@ import { openReader, pin, standing } from './reader.js';
 const step = async (page: Page): Promise<number> => (await shown(page)).step;
 
 describe('Back', () => {
-  it('undoes jumps by number, key, link and lesson, but no single step', async () => {
+  it('undoes jumps by number, key, link and lesson, but not single steps', async () => {
     const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
     await goTo(page, 40);
     await page.locator(title).click();
@@ -40,7 +40,7 @@ describe('Back', () => {
     expect(faults).toEqual([]);
   });
 
-  it('keeps an edited scene, at its step, and asks before it gives one up', async () => {
+  it('keeps an edited scene at its step, and asks before discarding one', async () => {
     const { page, faults } = await editing(browser);
     await settled(page);
     await page.locator('vidno-polygon-form .corners').first().click();
@@ -56,7 +56,7 @@ describe('Back', () => {
     await expect.poll(() => step(page)).toBe(0);
     expect(await run(page)).toEqual(changed);
 
-    // Before it there was a lesson: the reader stays, then saves, and it is gone.
+    // A lesson was open before. The reader first stays, then saves, and the scene is closed.
     const question = page.locator('vidno-discard dialog[open]');
     await page.goBack();
     await question.getByRole('button', { name: 'Stay here' }).click();
@@ -80,7 +80,7 @@ describe('Back', () => {
   });
 });
 
-describe('a link to what is not here', () => {
+describe('a link to something missing', () => {
   it.each([
     ['#lang=en&trace=no-such-run&step=3', 'no-such-run'],
     ['#lang=en&lesson=99-none', '99-none'],

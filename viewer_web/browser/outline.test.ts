@@ -12,7 +12,7 @@ const stepOf = async (page: Page): Promise<number> => (await shown(page)).step;
 const panel = (page: Page): Promise<string | null> =>
   page.locator('vidno-side button[aria-pressed=true]').getAttribute('class');
 
-/** The rows, each with its level and what it says, of the whole outline. */
+/** All rows of the outline, each with its level and text. */
 const rows = (page: Page): Promise<readonly string[]> =>
   page
     .locator('vidno-outline [role=treeitem]')
@@ -29,7 +29,7 @@ const said = (page: Page): Promise<string | null> => current(page).locator('.sai
 const status = (page: Page): Promise<string | null> =>
   page.locator('vidno-outline [role=search] [role=status]').textContent();
 
-/** A page with a run whose outline is open and read. */
+/** A page with a run whose outline is open and completely read. */
 async function outlined(text: string, hash = '#lang=en', height = 1080): Promise<Page> {
   const { page, faults } = await open(browser, hash, { viewport: { width: 1280, height } });
   await opened(page, 'run.jsonl', text);
@@ -51,9 +51,9 @@ describe('the outline', () => {
     expect(await rows(page)).toEqual(['1 polygon A: rows −1 to 2', '1 polygon B: rows −1 to 2']);
   });
 
-  it('marks the node of the step, unfolds the way to it and folds it again behind', async () => {
+  it('marks the node of the step, unfolds its ancestors, and folds them again afterwards', async () => {
     const page = await outlined(zbuffer);
-    expect(await current(page).count()).toBe(0); // at the start nothing is in hand
+    expect(await current(page).count()).toBe(0); // nothing is current at the start
     const steps = zbuffer.split('\n').map((line, i) => ({ line, i }));
     const row = steps.find(({ line }) => line.includes('"e":"scanline"'))?.i ?? 0;
     await goTo(page, row);
@@ -64,7 +64,7 @@ describe('the outline', () => {
     expect(await rows(page)).toHaveLength(2);
   });
 
-  it('leads to the steps of its rows by mouse, and nothing moves under it', async () => {
+  it('goes to the step of a clicked row, and nothing moves under the mouse', async () => {
     const page = await outlined(zbuffer);
     await page.locator('vidno-outline .fold').first().click();
     expect(await stepOf(page)).toBe(0);
@@ -77,7 +77,7 @@ describe('the outline', () => {
     expect(await row.getAttribute('aria-current')).toBe('step');
   });
 
-  it('is gone about in by keyboard, while other keys do what they do elsewhere', async () => {
+  it('is navigated by keyboard, while other keys do what they do elsewhere', async () => {
     const page = await outlined(zbuffer);
     await press(page, 'Shift+T');
     const focused = async (): Promise<string | null> => {
@@ -104,7 +104,7 @@ describe('the outline', () => {
     await expect.poll(() => panel(page)).toBe('exact');
   });
 
-  it('has the rows in sight of a long run, and keeps the one of the step among them', async () => {
+  it('renders only the visible rows of a long run, and keeps the current row among them', async () => {
     const page = await outlined(repeated(small, /"at":"W3"/, 60_000));
     expect(await page.locator('vidno-outline [role=treeitem]').count()).toBeLessThan(100);
     const isSeen = (): Promise<boolean> =>
@@ -169,7 +169,7 @@ describe('the search of the outline', () => {
     await expect.poll(() => status(page)).toBe(`2 of ${splits} hits`);
   });
 
-  it('takes terms with the names of facets, says what they mean, and takes them away', async () => {
+  it('takes terms with facet names, explains them, and removes them', async () => {
     const page = await outlined(small, '#lang=ru');
     const field = page.getByRole('combobox', { name: 'Поиск в структуре' });
     await field.fill('polygon:B случай:делится nobody');
@@ -201,7 +201,7 @@ describe('the search of the outline', () => {
 });
 
 describe.each(['en', 'ru'] as const)('the outline in %s', (language) => {
-  it.each(['light', 'dark'] as const)('can be used by all (%s)', async (colorScheme) => {
+  it.each(['light', 'dark'] as const)('is accessible (%s)', async (colorScheme) => {
     const viewport = { width: 1440, height: 1080 };
     const { page } = await open(browser, `#lang=${language}`, { colorScheme, viewport });
     await opened(page, 'small.jsonl', small);

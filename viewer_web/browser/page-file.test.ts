@@ -6,11 +6,11 @@ import { browser } from './browser.js';
 import { run } from './live.js';
 import { openContents, openUrl, whole } from './page.js';
 
-/** A page that the program made of the scene of lesson 5 and the trace of lesson 7. */
+/** A page that the program made from the scene of lesson 5 and the trace of lesson 7. */
 const file = join(process.env['VIDNO_STATES'] ?? '', 'page.html');
 
 describe.runIf(existsSync(file))('a page made by the program', () => {
-  it('opens its first file, a scene that it runs itself, and has the others instead of the lessons', async () => {
+  it('opens its first file, a scene that it runs itself, and lists the others in place of the lessons', async () => {
     const { page, faults } = await openUrl(browser, `${pathToFileURL(file).href}#lang=en`);
     await page.locator('vidno-listing').waitFor();
     const scene = await run(page);

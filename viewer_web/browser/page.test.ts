@@ -19,11 +19,11 @@ async function playThrough(page: Page): Promise<void> {
 
 const isOfCurves = (trace: string): boolean => trace.includes('floating-horizon');
 
-/** Asks what happened to the pixel in the middle. */
+/** Opens the history of the pixel in the middle. */
 async function askHistory(page: Page, trace: string): Promise<void> {
   await page.keyboard.press('p');
   await page.keyboard.press('Enter');
-  // Of a column nothing is said last: several curves may be drawn over it.
+  // The history of a column has no last entry: several curves may cross it.
   const said = isOfCurves(trace) ? '.entries' : '.why, vidno-history .last:disabled';
   await page.locator(`vidno-history ${said}`).waitFor();
   await page.keyboard.press('Escape');
@@ -33,7 +33,7 @@ async function askHistory(page: Page, trace: string): Promise<void> {
 }
 
 describe('each lesson', () => {
-  it('opens, plays to its end by keyboard and back, tells of a pixel, and does nothing else', async () => {
+  it('opens, plays to its end by keyboard and back, shows a pixel’s history, and does nothing else', async () => {
     const { page, faults } = await open(browser, '#lang=ru');
     for (const trace of await lessonTraces(page)) {
       await openLesson(page, trace);
@@ -74,10 +74,10 @@ describe('the controls', () => {
     expect((await shown(page)).step).toBe(310);
   });
 
-  it('leave what is being typed alone while the run goes on', async () => {
+  it('leave typed text alone while the run plays', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
-    // The field is filled in several moves, between which it must not change.
+    // The field is filled in several events, and must not change between them.
     await page.clock.install({ time: 0 });
     await page.clock.pauseAt(3_600_000);
     await page.keyboard.press('Space');
@@ -119,7 +119,7 @@ describe('the controls', () => {
     expect(await page.locator('vidno-keys dialog').isVisible()).toBe(false);
   });
 
-  it('are all reached by Tab', async () => {
+  it('can all be reached by Tab', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     const reached = new Set<string>();

@@ -8,7 +8,7 @@ export function sampleTrace(name: string): string {
   return readFileSync(new URL(`../test-data/${name}.jsonl`, import.meta.url), 'utf8');
 }
 
-/** The events of a trace again and again, until there are so many: no pixel of a real run has as long a history. */
+/** The events of a trace, repeated up to a number of events: no pixel of a real run has such a long history. */
 export function repeated(text: string, from: RegExp, length: number): string {
   const [header = '', ...lines] = text.trim().split('\n');
   const start = lines.findIndex((line) => from.test(line));
@@ -20,10 +20,10 @@ export function repeated(text: string, from: RegExp, length: number): string {
   return [header, ...lines.slice(0, start), ...all, JSON.stringify(end), ''].join('\n');
 }
 
-/** One with every kind of window. */
+/** A trace with every kind of window. */
 export const small = sampleTrace('small.warnock.signs');
 
-/** The page as opened from disk, and everything that it should not have done. */
+/** The page opened from disk, with everything it did that it must not do. */
 export interface Opened {
   readonly page: Page;
   readonly faults: readonly string[];
@@ -51,7 +51,7 @@ export async function openUrl(
     if (['error', 'warning'].includes(message.type())) faults.push(message.text());
   });
   page.on('request', (request) => {
-    // The script of the page's worker is a blob that the page makes of its own text.
+    // The page makes the script of its worker, a blob, from its own text.
     if (!/^(file|blob):/.test(request.url())) faults.push(request.url());
   });
   await page.goto(url);
@@ -90,12 +90,12 @@ export async function opened(page: Page, name: string, content: string | Buffer)
   await whole(page);
 }
 
-/** Waits until nothing is left to be read. */
+/** Waits until everything is read. */
 export async function whole(page: Page): Promise<void> {
   await page.locator('vidno-notice :is(.reading, .growing)').waitFor({ state: 'detached' });
 }
 
-/** Opens the lessons and files, which are over the page. */
+/** Opens the list of lessons and files, which covers the page. */
 export async function openContents(page: Page): Promise<void> {
   await page.locator('vidno-page-header button.contents').click();
   await page.locator('vidno-lesson-list').waitFor();
@@ -115,7 +115,7 @@ export function lessonTraces(page: Page): Promise<readonly string[]> {
 /** Opens a trace of a lesson by its address, in the workbench, and waits until it is shown. */
 export async function openLesson(page: Page, trace: string): Promise<void> {
   await page.evaluate(async (hash) => {
-    // What the page itself writes may take its place before it is read.
+    // The page's own change of the address may replace this one before it is read.
     do {
       location.hash = hash;
       await new Promise((resolve) => {
@@ -133,7 +133,7 @@ export async function goTo(page: Page, step: number): Promise<void> {
   await field.press('Enter');
 }
 
-/** Where parts of the page stand, and how large they are; the same if nothing has moved. */
+/** The positions and sizes of parts of the page; equal strings mean that nothing has moved. */
 export function placesOf(page: Page, parts: string): Promise<string> {
   return page.locator(parts).evaluateAll((all) =>
     all
@@ -143,11 +143,11 @@ export function placesOf(page: Page, parts: string): Promise<string> {
   );
 }
 
-/** How wide the page is: as its window, if nothing sticks out. */
+/** The width of the page; it equals that of the window if nothing sticks out. */
 export const widthOf = (page: Page): Promise<number> =>
   page.evaluate(() => document.documentElement.scrollWidth);
 
-/** The words of parts of the page that have less room than they take. */
+/** The texts of the parts of the page that are cut off. */
 export function cutOff(page: Page, parts: string): Promise<readonly string[]> {
   return page
     .locator(parts)

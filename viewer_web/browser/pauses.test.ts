@@ -3,10 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
 import { open, opened, shown } from './page.js';
 
-/** Milliseconds that a task may take where the machine has several times more to do than it can; alone a second is too long. */
+/** Milliseconds for a task on a machine under several times its capacity. On an idle machine a second is too long. */
 const patience = 2500;
 
-/** Of an area so large a run has no keyframes. */
+/** The side of an area that is too large for keyframes. */
 const side = 16_384;
 
 const header = (method: string, size: number, polygons: readonly object[]): object => ({
@@ -38,7 +38,7 @@ function traceOf(first: object, events: readonly object[]): string {
   return [first, ...events, end].map((line) => `${JSON.stringify(line)}\n`).join('');
 }
 
-/** Notes from now on how long the tasks of the page are, in milliseconds. */
+/** Records from now on how long the page's tasks take, in milliseconds. */
 const watchTasks = (page: Page): Promise<void> =>
   page.evaluate(() => {
     const tasks: number[] = [];
@@ -49,17 +49,17 @@ const watchTasks = (page: Page): Promise<void> =>
     observer.observe({ type: 'longtask' });
   });
 
-/** The longest of them since it was asked for last. */
+/** The longest task since the last call. */
 const longestTask = (page: Page): Promise<number> =>
   page.evaluate(async () => {
     const { tasks } = window as unknown as { tasks: number[] };
-    // What has just ended is told with the next frame.
+    // A task that has just ended is reported with the next frame.
     for (let i = 0; i < 3; i++) await new Promise(requestAnimationFrame);
     return Math.round(Math.max(0, ...tasks.splice(0)));
   });
 
-describe('what takes a while does not hold up the page', () => {
-  it('a long way shows how far it is, can be left, and is gone in short tasks', async () => {
+describe('a long operation does not block the page', () => {
+  it('a long seek shows its progress, can be stopped, and runs in short tasks', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const fills = Array.from({ length: 400_000 }, (_, i) => ({
       e: 'fill',
@@ -120,7 +120,7 @@ describe('what takes a while does not hold up the page', () => {
     expect(opening).toBeLessThan(patience);
     expect(ending).toBeLessThan(patience);
 
-    // All of them can be gone to.
+    // All of them can be chosen.
     const choice = page.locator('vidno-travel select');
     await choice.focus();
     await choice.selectOption(`polygon P${count - 3}`);
@@ -130,7 +130,7 @@ describe('what takes a while does not hold up the page', () => {
     expect(faults).toEqual([]);
   });
 
-  it('a file that is being read can be left where it is', async () => {
+  it('the reading of a file can be stopped', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const skips = Array.from({ length: 1_500_000 }, () => ({
       e: 'skip',

@@ -5,13 +5,13 @@ import { browser } from './browser.js';
 import { shapes } from './live.js';
 import { goTo, open, opened, sampleTrace, small } from './page.js';
 
-/** What lights up in a part of the page, as its elements are called. */
+/** The elements that light up in a part of the page, by their names. */
 const lit = (page: Page, part: string): Promise<readonly string[]> =>
   page
     .locator(`${part} .pointed[data-thing]`)
     .evaluateAll((all) => all.map((each) => (each as HTMLElement).dataset['thing'] ?? ''));
 
-/** Points at the middle of a name: a locator's box would have its outline, scaled, around it. */
+/** Points at the middle of a name. A locator's box would include its scaled outline. */
 async function pointAt(page: Page, label: string): Promise<void> {
   const [x, y] = await page.locator(label).evaluate((each) => {
     const { left, right, top, bottom } = each.getBoundingClientRect();
@@ -71,7 +71,7 @@ describe('each row of the state', () => {
     await expect.poll(() => halo(page)).toBe(1);
   });
 
-  it('is reached by keyboard, and said', async () => {
+  it('is reached by keyboard, and announced', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     await page.keyboard.press('o');

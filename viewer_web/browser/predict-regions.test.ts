@@ -4,26 +4,30 @@ import { browser } from './browser.js';
 import { open, opened, sampleTrace } from './page.js';
 import { asked, press, savedScore, stepOf, verdict } from './predict.js';
 
-/** The scene of lesson 14: W, x from 2 to 14 at the depth x / 16, before it Q at 3/4, behind both S at -1/2. */
+/**
+ * The scene of lesson 14: W has x from 2 to 14 and the depth x / 16. Q is in front of it at 3/4, and S is behind both at
+ * -1/2.
+ */
 const wall = sampleTrace('wall.weiler-atherton.signs');
 
 describe('a reader of Weiler and Atherton’s algorithm', () => {
-  it('goes on only by answers, by keyboard alone', async () => {
+  it('continues only by answering, by keyboard alone', async () => {
     const { page, faults } = await open(browser, '#lang=en&ask=forced');
     await opened(page, 'wall.jsonl', wall);
-    // W comes first, by 14/16, the last of the depths -1/2, 1/8, 3/4 and 7/8.
+    // W comes first, with 14/16, the last of the depths -1/2, 1/8, 3/4 and 7/8.
     await page.keyboard.press('End');
     await asked(page, 24);
     await press(page, '1', 'Tab', '4', 'Enter');
     expect((await verdict(page)).at(-1)).toBe('Right.');
 
-    // Q and S lie on both sides of the outline of W; outside, S is a ring: two outlines, the third of the options 0, 1, 2.
+    // Q and S lie on both sides of the outline of W. Outside, S is a ring with two outlines, the third of the options 0, 1,
+    // 2.
     await page.keyboard.press('q');
     await asked(page, 42);
     await press(page, '1', '2', 'Tab', '1', '2', 'Tab', '3', 'Enter');
     expect((await verdict(page)).at(-1)).toBe('Right.');
 
-    // S is behind W, Q is not, so W is looked at again, after Q.
+    // S is behind W and Q is not, so W is processed again, after Q.
     await page.keyboard.press('q');
     await asked(page, 60);
     await press(page, '2', 'Tab', '2', 'Enter');
@@ -45,7 +49,7 @@ describe('a reader of Weiler and Atherton’s algorithm', () => {
     expect(faults).toEqual([]);
   });
 
-  it('says where outlines enter and leave, and which way one walks', async () => {
+  it('answers where outlines enter and leave, and which way the walk goes', async () => {
     const { page, faults } = await open(browser, '#lang=ru&ask=free');
     await opened(page, 'wall.jsonl', wall);
     const choice = page.locator('vidno-predict .choice fieldset');
@@ -54,7 +58,7 @@ describe('a reader of Weiler and Atherton’s algorithm', () => {
     for (const kind of await choice.locator('input').all()) await kind.press(' ');
     await turn('входы и выходы');
     await page.keyboard.press('q');
-    // The outline of Q: (8, 14), (4, 14), into W at (4, 12), (4, 6), (8, 6), out of it at (8, 12).
+    // The outline of Q: (8, 14), (4, 14), entering W at (4, 12), then (4, 6), (8, 6), leaving it at (8, 12).
     await asked(page, 43);
     await press(page, '3', 'Tab', 'Tab', 'Tab', 'Tab', '6', 'Enter');
     expect(await verdict(page)).toEqual(['✓ верно', '✓ верно', 'Верно.']);
@@ -62,7 +66,8 @@ describe('a reader of Weiler and Atherton’s algorithm', () => {
     await turn('входы и выходы');
     await turn('обход по границам');
     await page.keyboard.press('q');
-    // The outline of W as far as Q, from (8, 12), 2, to (4, 12), 3, and along Q, the last points, 7 and 8, back.
+    // The outline of W along Q, from vertex 2 at (8, 12) to vertex 3 at (4, 12), and back along Q by the last points, 7 and
+    // 8.
     await asked(page, 70);
     await press(page, 'Tab');
     await page.keyboard.type('3 7 8');

@@ -5,7 +5,7 @@ import { goTo, open, opened, sampleTrace, small } from './page.js';
 import { asked, press, savedScore, stepOf, verdict } from './predict.js';
 
 describe('a reader who predicts freely', () => {
-  it('asks, answers, sees why, tries again and saves the score, by mouse', async () => {
+  it('asks, answers, reads the reasons, tries again and saves the score, by mouse', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     await page.getByRole('button', { name: 'Predict' }).click();
@@ -61,7 +61,7 @@ describe('a reader who predicts freely', () => {
     expect(faults).toEqual([]);
   });
 
-  it('may pass a question, which is then not counted', async () => {
+  it('can pass a question, which is then not counted', async () => {
     const { page } = await open(browser, '#lang=en&ask=free');
     await opened(page, 'small.jsonl', small);
     await page.keyboard.press('q');
@@ -79,10 +79,10 @@ describe('a reader who predicts freely', () => {
 });
 
 describe('a reader who must answer', () => {
-  it('goes on only by answers, by keyboard alone', async () => {
+  it('continues only by answering, by keyboard alone', async () => {
     const { page, faults } = await open(browser, '#lang=en&ask=forced');
     await opened(page, 'small.jsonl', small);
-    // A window, (2, -1) 8 x 8: both stay, neither hides the other, it is split.
+    // The window (2, -1) 8 x 8: both polygons stay, neither hides the other, and it is split.
     await page.keyboard.press('End');
     await asked(page, 4);
     await press(page, 'ArrowRight', 'Shift+ArrowRight', ']', '.', 'End', ' ');
@@ -101,13 +101,13 @@ describe('a reader who must answer', () => {
     await press(page, '1', '2', 'Tab', '3', 'Tab', '5', 'Enter');
     expect((await verdict(page)).at(-1)).toBe('Right.');
 
-    // The corner (6, -1) and A, the square from (1, -2) to (8, 4): on the same side of all four edges.
+    // The corner (6, -1) and A, the square from (1, -2) to (8, 4): the corner is on the same side of all four edges.
     await page.keyboard.press('End');
     await asked(page, 70);
     await press(page, '1', 'Tab', '+', '+', '+', '+', 'Enter');
     expect((await verdict(page)).at(-1)).toBe('Right.');
 
-    // z of B at the corners of (6, -1) 4 x 4 is (8.8, 4.8, 11.6, 7.6) / 19.5, against 0.1.
+    // z of B at the corners of (6, -1) 4 x 4 is (8.8, 4.8, 11.6, 7.6) / 19.5, compared with 0.1.
     await page.keyboard.press('q');
     await asked(page, 93);
     await press(page, '1', '2', '3', '4', 'Tab', '1', 'Enter');
@@ -123,7 +123,7 @@ describe('a reader who must answer', () => {
     const { page } = await open(browser, '#lang=ru&ask=forced&speed=300');
     await opened(page, 'small.jsonl', sampleTrace('small.zbuffer.signs'));
     await page.keyboard.press(' ');
-    // A, the square from (1, -2) to (8, 4), from its first row on: its edges 3 and 1, from x = 1 to x = 8.
+    // A is the square from (1, -2) to (8, 4). From its first row on, its edges 3 and 1 are active, from x = 1 to x = 8.
     await asked(page, 13);
     await press(page, '2', '3', 'Tab', 'Tab');
     await page.keyboard.type('1 3');
@@ -146,7 +146,7 @@ describe('a reader who must answer', () => {
     expect(await page.locator('vidno-history .entries').count()).toBe(0);
   });
 
-  it('comes by a link, which the page makes', async () => {
+  it('is set up by a link, which the page makes', async () => {
     const { page } = await open(
       browser,
       '#lang=ru&view=workbench&trace=09-usual-mistakes.warnock.double.corrected.signs&step=0',
@@ -167,7 +167,7 @@ describe('questions', () => {
   const looks = [390, 1280, 1920].flatMap((width) =>
     (['light', 'dark'] as const).map((colorScheme) => ({ width, colorScheme })),
   );
-  it.each(looks)('can be answered by all ($colorScheme, $width px)', async (look) => {
+  it.each(looks)('are accessible ($colorScheme, $width px)', async (look) => {
     const { width, colorScheme } = look;
     const viewport = { width, height: width < 500 ? 844 : 1080 };
     const language = colorScheme === 'light' ? 'ru' : 'en';
@@ -182,7 +182,7 @@ describe('questions', () => {
       expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(24);
       expect(box.right).toBeLessThanOrEqual(width);
     }
-    // Where the page scrolls, what is under the controls of time is out of reach until it does.
+    // Where the page scrolls, elements under the time controls cannot be reached before scrolling.
     await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
     expect(await violations(page)).toEqual([]);
     await page.locator('vidno-question .to-do button').last().click();

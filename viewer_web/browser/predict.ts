@@ -17,7 +17,7 @@ export async function press(page: Page, ...keys: readonly string[]): Promise<voi
   for (const key of keys) await page.keyboard.press(key);
 }
 
-/** What was said of each part, and of the whole. */
+/** The verdict on each part, and on the whole. */
 export async function verdict(page: Page): Promise<readonly string[]> {
   await page.locator('vidno-question .result').waitFor();
   const said = await page.locator('vidno-question :is(legend b, .result)').allTextContents();

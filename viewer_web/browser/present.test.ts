@@ -17,7 +17,7 @@ async function presenting(hash = '#lang=en'): Promise<{ page: Page; faults: read
 const step = async (page: Page): Promise<number> => (await shown(page)).step;
 
 describe('the presentation', () => {
-  it('is led by a remote control', async () => {
+  it('is controlled by a presenter remote', async () => {
     const { page, faults } = await presenting();
     await page.keyboard.press('PageDown');
     await page.keyboard.press('PageDown');
@@ -28,7 +28,7 @@ describe('the presentation', () => {
     expect(faults).toEqual([]);
   });
 
-  it('goes dark by B or a full stop, and light at any key, which does nothing else', async () => {
+  it('blanks the screen with B or a full stop, and shows it again at any key, which does nothing else', async () => {
     const { page } = await presenting();
     for (const [dark, light] of [
       ['b', 'PageDown'],
@@ -61,7 +61,7 @@ describe('the presentation', () => {
     expect(faults).toEqual([]);
   });
 
-  it('has the whole window, and large type for listing and sentence', async () => {
+  it('fills the window, with large type for listing and sentence', async () => {
     const { page } = await presenting();
     expect(await page.locator('vidno-player').boundingBox()).toEqual({
       x: 0,
@@ -69,7 +69,7 @@ describe('the presentation', () => {
       width: 1280,
       height: 720,
     });
-    // Of 720 lines: a letter of the listing takes at least 18, one of the sentence 27.
+    // The window has 720 lines: a letter of the listing takes at least 18, one of the sentence 27.
     const size = (selector: string): Promise<number> =>
       page
         .locator(selector)
@@ -85,7 +85,7 @@ describe('the presentation', () => {
     const { page } = await presenting();
     const box = await page.locator('vidno-picture').boundingBox();
     if (box === null) throw new Error('no picture');
-    // The area is 5 x 4 from (2, -1): its middle is the corner of four pixels, and a little off it the pixel (4, 1).
+    // The area is 5 x 4 from (2, -1). Its middle is the corner of four pixels; a point close to it is in the pixel (4, 1).
     await page.mouse.click(box.x + box.width / 2 + 3, box.y + box.height / 2 + 3);
     const pixel = await page
       .locator('vidno-player')
@@ -106,7 +106,7 @@ describe('the presentation', () => {
     expect(again.faults).toEqual([]);
   });
 
-  it.each(['light', 'dark'] as const)('can be used by everyone (%s)', async (colorScheme) => {
+  it.each(['light', 'dark'] as const)('is accessible (%s)', async (colorScheme) => {
     const { page } = await open(browser, '#lang=ru', { colorScheme });
     await opened(page, 'small.jsonl', small);
     await page.keyboard.press('f');

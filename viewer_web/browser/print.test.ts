@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { browser } from './browser.js';
 import { goTo, open, opened, small } from './page.js';
 
-/** A trace that does nothing but put so many windows on the stack. */
+/** A trace that only pushes windows on the stack, this number of times. */
 function stackOf(length: number): string {
   const [header = '', ...lines] = small.split('\n');
   const push = lines.find((line) => line.includes('"e":"push"')) ?? '';
@@ -22,7 +22,7 @@ describe('on paper', () => {
     expect(faults).toEqual([]);
   });
 
-  it('there are the picture, the sentence, the state and the lines that run, black on white', async () => {
+  it('has the picture, the sentence, the state and the current lines, black on white', async () => {
     const { page } = await open(browser, '#lang=en', { colorScheme: 'dark' });
     await opened(page, 'small.jsonl', small);
     await goTo(page, 60);
@@ -48,7 +48,7 @@ describe('on paper', () => {
     await page.locator('.pixels').first().waitFor({ state: 'detached' });
   });
 
-  it('a list that is longer than the sheet has room for says how much longer', async () => {
+  it('says how many rows of a long list do not fit on the sheet', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'stack.jsonl', stackOf(12));
     await goTo(page, 12);

@@ -5,7 +5,7 @@ import { browser, settled } from './browser.js';
 import { openContents, shown, whole } from './page.js';
 import { openReader, pin, readTo, scrolled, standing } from './reader.js';
 
-/** How far a pin is below the top of the text's box. */
+/** The distance of a pin from the top of the text's box. */
 const below = (page: Page, place: string): Promise<number> =>
   pin(page, place).evaluate((mark) => {
     const box = mark.closest('.box')?.getBoundingClientRect() ?? new DOMRect();
@@ -15,7 +15,7 @@ const below = (page: Page, place: string): Promise<number> =>
 const title = (page: Page): Promise<string | null> => page.locator('article h2').textContent();
 
 describe('the table of contents', () => {
-  it('has the headings of the lesson, leads to them, and shows where one is', async () => {
+  it('lists the headings of the lesson, goes to them, and marks the current one', async () => {
     const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
     await openContents(page);
     const headings = page.locator('vidno-lesson-list ul a');
@@ -40,7 +40,7 @@ describe('the table of contents', () => {
     expect(faults).toEqual([]);
   });
 
-  it('leads to other lessons, and the way back to the place where one was', async () => {
+  it('goes to other lessons, and Back returns to the previous place', async () => {
     const { page, faults } = await openReader(browser, '#lang=en&lesson=first&follow=on');
     await readTo(page, 'second');
     await page.waitForFunction(() => location.hash.endsWith('step=60'));
@@ -55,7 +55,7 @@ describe('the table of contents', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is opened over the page, also where that is small, and closes when it has led somewhere', async () => {
+  it('opens over the page, even a small one, and closes after a choice', async () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first', {
       viewport: { width: 390, height: 844 },
     });
@@ -108,14 +108,14 @@ describe('the address', () => {
     expect((await shown(page)).step).toBe(3);
   });
 
-  it('of old, with a trace alone, shows the text of its lesson as well', async () => {
+  it('of an old link, with a trace alone, shows the text of its lesson as well', async () => {
     const { page } = await openReader(browser, '#lang=en&trace=small.zbuffer.signs&step=4');
     await whole(page);
     expect(await title(page)).toContain('From windows');
     expect(await standing(page)).toEqual(['zbuffer', 4, undefined]);
   });
 
-  it('with a strange place is that of the lesson', async () => {
+  it('with an unknown place is that of the lesson', async () => {
     const { page, faults } = await openReader(browser, '#lang=en&lesson=first&at=%3Cb%3E.2');
     expect(await standing(page)).toEqual(['warnock', 0, undefined]);
     expect(faults).toEqual([]);
@@ -199,7 +199,7 @@ describe('on paper', () => {
     return pdf.match(/\/Type\s*\/Page\b/g)?.length ?? 0;
   };
 
-  it('there is the text alone, with the answers and the numbers of the steps', async () => {
+  it('the text is printed alone, with the answers and the numbers of the steps', async () => {
     const { page, faults } = await openReader(browser, '#lang=en&lesson=first', {
       colorScheme: 'dark',
     });

@@ -6,7 +6,7 @@ import { openContents, opened, shown, small } from './page.js';
 import { openReader, pin, readTo, scrolled, standing } from './reader.js';
 
 describe('the text of a lesson', () => {
-  it('is followed by the run as one scrolls, into another run too, and back', async () => {
+  it('is followed by the run while scrolling, into another run too, and back', async () => {
     const { page, faults } = await openReader(browser, '#lang=en&lesson=first&follow=on');
     expect(await standing(page)).toEqual(['warnock', 0, undefined]);
     for (const [place, now] of [
@@ -21,7 +21,7 @@ describe('the text of a lesson', () => {
     expect(faults).toEqual([]);
   });
 
-  it('does not pull the reader back who steps by himself, until he comes to another pin', async () => {
+  it('does not pull back a reader who steps through the run, until another pin is reached', async () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first&follow=on');
     await readTo(page, 'first');
     await expect.poll(() => standing(page)).toEqual(['warnock', 5, 'first']);
@@ -88,7 +88,7 @@ describe('the text of a lesson', () => {
     await expect.poll(() => standing(page)).toEqual(['zbuffer', 33, 'scanline']);
   });
 
-  it('is not there for a lesson without one, nor for a file of one’s own', async () => {
+  it('is absent for a lesson without one, and for a file of the reader’s own', async () => {
     const { page } = await openReader(browser, '#lang=en&lesson=third');
     expect(await page.locator('vidno-reader').count()).toBe(0);
     expect(await page.getByRole('button', { name: 'Text' }).count()).toBe(0);
@@ -122,7 +122,7 @@ describe('the text of a lesson', () => {
   });
 
   it('hides an answer until it is asked for, by keyboard as well', async () => {
-    // The run would follow the text, which is scrolled to the question.
+    // The run would otherwise follow the text, which scrolls to the question.
     const { page } = await openReader(browser, '#lang=en&lesson=first&follow=off');
     const answer = page.locator('.answer');
     expect(await answer.isVisible()).toBe(false);
@@ -144,14 +144,14 @@ describe('the text of a lesson', () => {
     expect(await page.evaluate(() => navigator.clipboard.readText())).toBe('vidno methods');
   });
 
-  it('is text, whatever a stranger has put into it', async () => {
+  it('is plain text, whatever a stranger has put into it', async () => {
     const { page, faults } = await openReader(browser, '#lang=en&lesson=first');
     expect(await page.locator('article h2').textContent()).toContain(evil);
     expect(await page.locator('article img[onerror]').count()).toBe(0);
     expect(faults).toEqual([]);
   });
 
-  it('is refused in a sentence if it is wrong, and the runs are there', async () => {
+  it('is refused in a sentence if it is invalid, and the runs remain', async () => {
     const wrong = sampleLesson({ pins: { first: { run: 'run', step: -1 } } });
     const { page, faults } = await openReader(browser, '#lang=en&lesson=first', {}, wrong);
     expect(await page.locator('vidno-reader [role=alert]').textContent()).toMatch(

@@ -9,11 +9,11 @@ import { built } from './browser.js';
 import { openUrl, sampleTrace } from './page.js';
 import type { Opened } from './page.js';
 
-/** The lessons of the page, without what the build has put into it. */
+/** The page's lesson blocks, without the content that the build has put into them. */
 const blocks =
   /<script type="application\/(?:json" id="vidno-lessons|octet-stream" data-vidno-file)[^]*?<\/script>/g;
 
-/** The page as `vidno page` makes it: with three lessons, of which the last has no text. */
+/** The page as `vidno page` makes it, with three lessons, the last without a text. */
 function pageOf(lesson: object): string {
   const stories = { 'first.lesson.json': lesson, 'second.lesson.json': shortLesson('second') };
   const files = [
@@ -41,7 +41,7 @@ function pageOf(lesson: object): string {
   return page.replace('</body>', () => `${data.join('')}</body>`);
 }
 
-/** Opens a page of a lesson with a text, of another one and of one without. */
+/** Opens a page with a lesson that has a text, a second such lesson, and one without. */
 export async function openReader(
   browser: Browser,
   hash: string,
@@ -53,7 +53,7 @@ export async function openReader(
   const viewport = { width: 1440, height: 900 };
   const opened = await openUrl(browser, pathToFileURL(file).href + hash, { viewport, ...options });
   await opened.page.locator('vidno-listing').waitFor();
-  // A drawing that is read later puts the text back to where it was.
+  // A picture that loads later scrolls the text back to its previous position.
   await opened.page.locator('vidno-reader img').evaluateAll(async (all) => {
     await Promise.all(all.map((image) => (image as HTMLImageElement).decode()));
   });
@@ -63,7 +63,7 @@ export async function openReader(
 export const pin = (page: Page, place: string): Locator =>
   page.locator(`.pin[data-place="${place}"]`);
 
-/** Scrolls as a reader does, so that the place is a little above the reading line. */
+/** Scrolls like a reader, so that the place is a little above the reading line. */
 export async function readTo(page: Page, place: string): Promise<void> {
   await page.locator('vidno-reader .box').hover();
   const by = await pin(page, place).evaluate((mark) => {
@@ -73,7 +73,7 @@ export async function readTo(page: Page, place: string): Promise<void> {
   await page.mouse.wheel(0, by);
 }
 
-/** What the page stands at: the method of the run, the step, and the pin that is marked. */
+/** The current position: the method of the run, the step, and the marked pin. */
 export function standing(page: Page): Promise<readonly unknown[]> {
   return page.evaluate(() => {
     const root = document.querySelector('vidno-app')?.shadowRoot;

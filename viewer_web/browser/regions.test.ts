@@ -17,7 +17,7 @@ async function openWedge(
   return { page, faults };
 }
 
-/** The first step from one on whose line in the file matches. */
+/** The number of the first step, counted from `from`, whose line in the file matches. */
 const stepOf = (pattern: RegExp, from = 1): number =>
   wedge.split('\n').findIndex((line, i) => i >= from && pattern.test(line));
 
@@ -25,7 +25,7 @@ const stepOf = (pattern: RegExp, from = 1): number =>
 const clip = stepOf(/"clipped","at":"WA5","polygon":"C","clip":"B"/);
 
 describe('a run of Weiler and Atherton’s algorithm', () => {
-  it('is replayed in its own words, with the listing', async () => {
+  it('is replayed in the terms of the algorithm, with the listing', async () => {
     const { page, faults } = await openWedge();
     await goTo(page, stepOf(/"behind"/));
     // A has depth 1/4 everywhere, C has (x - 7) / 8, which is 1/2 at x = 11.
@@ -55,13 +55,13 @@ describe('a run of Weiler and Atherton’s algorithm', () => {
     expect(await looks(page, 'shown')).toBe(0);
   });
 
-  it('lists what is in hand, and the areas of what is visible', async () => {
+  it('lists the parts inside and outside, and the areas of the visible regions', async () => {
     const { page } = await openWedge();
     await goTo(page, clip);
     const panel = page.locator('vidno-regions');
     expect(await panel.getByRole('region', { name: 'Inside' }).locator('tr').count()).toBe(1);
     expect(await panel.getByRole('region', { name: 'Outside' }).locator('tr').count()).toBe(2);
-    // Of C the part from x = 9 to 15 and y = 5 to 11.
+    // The visible part of C has x from 9 to 15 and y from 5 to 11.
     expect(await panel.getByRole('region', { name: 'Visible regions' }).innerText()).toContain(
       'area 36',
     );

@@ -9,7 +9,7 @@ import { openUrl } from './page.js';
 
 const built = pathToFileURL(fileURLToPath(new URL('../dist/index.html', import.meta.url))).href;
 
-/** The first scene of the sample alone, with a scene to replay. */
+/** The first scene of the sample on its own, with a scene to replay. */
 const [first] = sample.scenes;
 const withScene = JSON.stringify({
   ...sample,
@@ -17,7 +17,7 @@ const withScene = JSON.stringify({
 });
 
 describe('a point of the chart', () => {
-  it('leads to the replay of its run, and to a comparison with the exact one', async () => {
+  it('links to the replay of its run, and to a comparison with the exact one', async () => {
     const { page, faults } = await openChart(browser, 'lang=en', withScene, {}, built);
     const panel = page.locator('vidno-replay');
     const chosen = panel.locator('p').first();
@@ -31,7 +31,7 @@ describe('a point of the chart', () => {
     await replay.waitFor();
     expect(await violations(page)).toEqual([]);
 
-    // By keyboard along the cost until a run of bits, which is not exact.
+    // Moves by keyboard along the cost to a run of bits, which is not exact.
     await plot(page).locator('xpath=..').focus();
     await page.keyboard.press('Home');
     for (let i = 0; i < 40; i++) {
@@ -55,7 +55,7 @@ describe('a point of the chart', () => {
     expect(faults).toEqual([]);
   });
 
-  it('has no link where the chart has no scenes, or the page of traces is not known', async () => {
+  it('has no link if the chart has no scenes, or the page of traces is unknown', async () => {
     const bare = await openChart(browser, 'lang=en');
     await plot(bare.page).waitFor();
     expect(await bare.page.locator('vidno-replay').count()).toBe(0);

@@ -9,7 +9,7 @@ async function saved(page: Page, act: () => Promise<unknown>): Promise<Download>
   return download;
 }
 
-/** What a browser makes of a document, on a page of its own. */
+/** Parses a document in the browser, on a page of its own. */
 function read(figure: string): Promise<{ error: boolean; texts: readonly string[] }> {
   return elsewhere((text) => {
     const xml = new DOMParser().parseFromString(text, 'image/svg+xml');
@@ -26,7 +26,7 @@ interface Image {
   readonly colors: readonly string[];
 }
 
-/** The size of an image, and its colours at places from 0 to 1. */
+/** The size of an image, and its colours at positions from 0 to 1. */
 function look(png: Buffer, spots: readonly (readonly [number, number])[]): Promise<Image> {
   return elsewhere(
     async ([base64, places]) => {
@@ -55,7 +55,7 @@ async function elsewhere<T, R>(act: (given: T) => R | Promise<R>, given: T): Pro
 }
 
 describe('the picture of a step', () => {
-  it('is saved as SVG, well-formed whatever the names are', async () => {
+  it('is saved as SVG, well-formed for all names', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const evil = ']]></text>&<\u0007';
     await opened(page, 'small.jsonl', small.replaceAll('"A"', JSON.stringify(evil)));
@@ -101,7 +101,7 @@ describe('the picture of a step', () => {
       (0.35 + j + 0.2) / 4.7,
     ]);
     const image = await look(readFileSync(await file.path()), spots);
-    // 720 x 594 on the page, 593.7 being no whole number.
+    // The picture is 720 x 594 on the page, because 593.7 is rounded.
     expect([image.width, image.height]).toEqual([2000, 1650]);
     expect(image.colors).toEqual(expected);
     expect(faults).toEqual([]);

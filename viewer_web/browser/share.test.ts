@@ -9,9 +9,9 @@ import { browser, built } from './browser.js';
 import { edit, rerun, run, scene, title, triangle } from './live.js';
 import { goTo, open, openFile, openUrl, opened, shown, small, whole } from './page.js';
 
-/** Saves the page as it is shown. */
+/** Saves the page in its current state. */
 async function saved(page: Page): Promise<string> {
-  await page.locator(title).click(); // the field of the step takes letters for itself
+  await page.locator(title).click(); // the step field would take the letters
   if (!(await page.locator('vidno-scene-panel').isVisible())) await edit(page);
   const [download] = await Promise.all([
     page.waitForEvent('download'),
@@ -27,8 +27,8 @@ async function saved(page: Page): Promise<string> {
 const openSaved = (file: string): ReturnType<typeof openUrl> =>
   openUrl(browser, pathToFileURL(file).href);
 
-describe('a page on a disk, whose address leads nobody here, is saved as another page', () => {
-  it('that holds a trace of one’s own, the step, bookmarks and how it is set up', async () => {
+describe('a page on disk, whose address works for nobody else, is saved as another page', () => {
+  it('with a trace of the reader’s own, the step, the bookmarks and the setup', async () => {
     const { page } = await open(browser, '#lang=en&speed=2');
     await opened(page, 'own.jsonl', small);
     await bookmark(page, 12, 'здесь </script> & там');
@@ -52,9 +52,9 @@ describe('a page on a disk, whose address leads nobody here, is saved as another
     expect(readFileSync(file, 'utf8')).toContain('This page contains:');
   });
 
-  it('that holds a scene that is too large for a link', async () => {
+  it('with a scene that is too large for a link', async () => {
     const { page } = await open(browser, '#lang=en');
-    // Beside the area, so that the run is short; the digits do not fit into the 16,000 letters of an address.
+    // It lies beside the area, so that the run is short. Its digits do not fit into the 16,000 characters of an address.
     const vertices = triangle.vertices.map(([x, y], i) => [x, y, Number(`0.${i + 1}`)]);
     const corner = (i: number): number[][] =>
       vertices.map(([x = 0, y = 0]) => [
@@ -78,7 +78,7 @@ describe('a page on a disk, whose address leads nobody here, is saved as another
     expect(again.faults).toEqual([]);
   });
 
-  it('that holds the lesson, its text and an edited scene of it', async () => {
+  it('with the lesson, its text and an edited scene of it', async () => {
     const { page } = await open(browser, '#lang=en');
     await page.locator(title, { hasText: /./u }).waitFor();
     await goTo(page, 9);

@@ -21,7 +21,7 @@ afterAll(async () => {
 const stage = 'vidno-solid-stage';
 const drawing = `${stage} [role=application]`;
 
-/** Opens the page at a step with the scene in 3D. */
+/** Opens the page at a step with the 3D view. */
 async function solid(
   text = small,
   step = 200,
@@ -37,7 +37,7 @@ async function solid(
   return { page, faults };
 }
 
-/** Without what the software that stands in for a graphics card says of its own speed. */
+/** The faults without the performance warnings of the software renderer. */
 const ofPage = (faults: readonly string[]): readonly string[] =>
   faults.filter((fault) => !/GL Driver Message .*Performance/.test(fault));
 
@@ -45,7 +45,7 @@ const caption = (page: Page): Promise<string> => page.locator('vidno-solid .capt
 const press = (page: Page, name: string): Promise<void> =>
   page.locator(stage).getByRole('button', { name }).click();
 
-/** The dot of the canvas at a place of the plane that is seen, counted from the middle of the box. */
+/** The canvas pixel at a place in the view, relative to the middle of the box. */
 function dotAt(page: Page, x: number, y: number): Promise<readonly number[]> {
   return page.locator(stage).evaluate(
     (host, [u, v]) => {
@@ -61,7 +61,7 @@ function dotAt(page: Page, x: number, y: number): Promise<readonly number[]> {
   );
 }
 
-/** All that a turn or a zoom changes. */
+/** Everything that a turn or a zoom changes. */
 const look = (page: Page): Promise<string> =>
   page
     .locator(drawing)
@@ -107,18 +107,18 @@ describe('the scene in 3D', () => {
     const text = textWith(halves, [{ e: 'push', at: 'W3', window: [0, 0, 8, 8], apl: [] }]);
     const { page } = await solid(text, 0);
     await press(page, 'Front');
-    // A: seen through first, 30 % of A over B or the other way round; then 72 % of A over it. So no channel is further than
-    // 0.28 x |A - B| from that of A: 51, 4 and 14.
+    // A is first seen through, 30 % of A over B or the other way round; then 72 % of A is drawn over it. So no channel
+    // differs by more than 0.28 x |A - B| from that of A: 51, 4 and 14.
     await expect.poll(async () => (await dotAt(page, -1.5, 0.5))[3]).toBeGreaterThan(200);
     const [red = 0, green = 0, blue = 0] = await dotAt(page, -1.5, 0.5);
     expect(Math.abs(red - 0xc8)).toBeLessThanOrEqual(52);
     expect(Math.abs(green - 0x32)).toBeLessThanOrEqual(6);
     expect(Math.abs(blue - 0x64)).toBeLessThanOrEqual(16);
-    // To the right there is nothing but the grid, whose lines are not at the middles of pixels.
+    // To the right there is only the grid, whose lines do not cross the centres of pixels.
     expect((await dotAt(page, 1.5, 0.5))[3]).toBe(0);
   });
 
-  it('follows the steps, and says in words what it shows', async () => {
+  it('follows the steps, and describes them in words', async () => {
     const at = small.split('\n').findIndex((line) => line.includes('"e":"compare"'));
     const { page, faults } = await solid(small, at);
     await expect
@@ -139,7 +139,7 @@ describe('the scene in 3D', () => {
     expect(await page.locator(`${drawing} .dot.edge`).count()).toBe(2);
   });
 
-  it('is turned, enlarged and moved by keys, which then are no steps, and goes back', async () => {
+  it('is turned, enlarged and moved by keys, which then do not step, and is reset', async () => {
     const { page } = await solid();
     const first = await look(page);
     await page.locator(drawing).focus();
@@ -169,13 +169,13 @@ describe('the scene in 3D', () => {
     await expect.poll(() => look(page)).not.toBe(turned);
   });
 
-  it('points at what the mouse is over, and lights up what is pointed at', async () => {
+  it('points at the thing under the mouse, and lights up pointed things', async () => {
     const { page } = await solid();
     await page.locator(`${stage} .label[data-thing="polygon A"]`).hover();
     await expect.poll(() => looks(page, 'pointed')).toBe(2); // with its casing
   });
 
-  it('goes away by its key, and stays when another trace is opened', async () => {
+  it('is closed by its key, and stays open when another trace is opened', async () => {
     const { page } = await solid();
     await opened(page, 'other.jsonl', small);
     await page.locator(stage).waitFor();
@@ -184,7 +184,7 @@ describe('the scene in 3D', () => {
     expect(await page.locator(stage).count()).toBe(0);
   });
 
-  it('stands in the panel on any screen', async () => {
+  it('fits into the panel on any screen', async () => {
     for (const width of [390, 1280, 1920]) {
       const { page } = await solid(small, 200, { viewport: { width, height: 1000 } });
       const panel = await page.locator('vidno-player .side').boundingBox();
@@ -196,7 +196,7 @@ describe('the scene in 3D', () => {
     }
   });
 
-  it('is shown to a hall without its controls', async () => {
+  it('is presented without its controls', async () => {
     const { page } = await solid(small, 200, { viewport: { width: 1280, height: 720 } });
     await page.keyboard.press('f');
     await page.locator('.corner').waitFor();
@@ -206,7 +206,7 @@ describe('the scene in 3D', () => {
     expect(await page.locator(`${stage} .views`).isVisible()).toBe(false);
   });
 
-  it.each(['light', 'dark'] as const)('can be used by everyone (%s)', async (colorScheme) => {
+  it.each(['light', 'dark'] as const)('is accessible (%s)', async (colorScheme) => {
     const { page, faults } = await solid(small, 200, { hash: '#lang=ru', colorScheme });
     expect(await violations(page)).toEqual([]);
     expect(ofPage(faults)).toEqual([]);
@@ -214,7 +214,7 @@ describe('the scene in 3D', () => {
 });
 
 describe('without WebGL', () => {
-  it('outlines are drawn, and it is said why', async () => {
+  it('outlines are drawn, with the reason', async () => {
     const { page, faults } = await solid(small, 200, { hash: '#lang=ru' }, flat);
     expect(await page.locator(`${stage} .missing`).innerText()).toMatch(/нет WebGL/);
     expect(await page.locator(`${drawing} .outline`).count()).toBeGreaterThan(1);
@@ -224,7 +224,7 @@ describe('without WebGL', () => {
 });
 
 describe('the player alone', () => {
-  it('does not bring it along', () => {
+  it('does not contain it', () => {
     const script = readFileSync(new URL('../dist/vidno-player.js', import.meta.url), 'utf8');
     expect(script).not.toContain('WebGL2RenderingContext');
   });

@@ -3,7 +3,7 @@ import { statesOf, traceIn, tracesWithStates } from '../src/testing/states.js';
 import { browser } from './browser.js';
 import { open, opened, shown, states } from './page.js';
 
-/** The first of each method; `src/replay/every-state.test.ts` compares all. */
+/** The first trace of each method; `src/replay/every-state.test.ts` compares all traces. */
 const some = ['.warnock.', '.zbuffer.', '.weiler-atherton.', '.floating-horizon.']
   .map((method) => tracesWithStates.find((name) => name.includes(method)))
   .filter((name) => name !== undefined);

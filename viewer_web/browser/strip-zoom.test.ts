@@ -21,7 +21,7 @@ async function opened(page: Page, name: string, content: string): Promise<void> 
 
 const overview = 'vidno-overview .bar';
 const strip = 'vidno-slider .strip';
-/** The part that the strip shows, as it says before it says where one is. */
+/** The range of steps in the strip's label, before the current step. */
 const said = async (page: Page): Promise<string | undefined> =>
   (await page.locator(strip).getAttribute('aria-valuetext'))?.split('; ')[0];
 const news = (page: Page): Promise<string | null> =>
@@ -29,7 +29,7 @@ const news = (page: Page): Promise<string | null> =>
 const wayBack = (page: Page) => page.locator('vidno-slider .whole');
 const stepOf = async (page: Page): Promise<number> => (await shown(page)).step;
 
-/** Drags along a bar from a share of it to another one. */
+/** Drags along a bar from one fraction of its length to another. */
 async function drag(page: Page, bar: string, from: number, to: number): Promise<void> {
   const box = await page.locator(bar).boundingBox();
   if (box === null) throw new Error(`no ${bar}`);
@@ -48,7 +48,7 @@ async function ready(hash = '#lang=en'): Promise<Page> {
 }
 
 describe('the strip', () => {
-  it('shows the part that is drawn on the overview, and a click in it leads to its steps', async () => {
+  it('shows the part that is drawn on the overview, and a click in it goes to a step there', async () => {
     const page = await ready();
     expect(await said(page)).toBe('The whole run');
     expect(await wayBack(page).count()).toBe(0);
@@ -64,7 +64,7 @@ describe('the strip', () => {
     expect(await wayBack(page).count()).toBe(0);
   });
 
-  it('shows the part that is moved there, and taken by an end', async () => {
+  it('follows the part as it is moved on the overview, and dragged by an end', async () => {
     const page = await ready();
     await drag(page, overview, 0.4, 0.8);
     await drag(page, overview, 0.6, 0.5);
@@ -73,7 +73,7 @@ describe('the strip', () => {
     expect(await said(page)).toBe('Steps 35 to 115 of 115');
   });
 
-  it('is zoomed by wheel around the step that is pointed at', async () => {
+  it('is zoomed by wheel around the step under the pointer', async () => {
     const page = await ready();
     const strip = await page.locator('vidno-slider .strip').boundingBox();
     if (strip === null) throw new Error('no strip');
@@ -111,11 +111,12 @@ describe('the strip', () => {
     await touch('touchMove', 0.3, 0.7);
     await touch('touchEnd');
     expect(await stepOf(page)).toBe(46);
-    // Under the fingers were steps 46 and 69: they are 0.4 of the strip apart, so that it has 57.5 steps, 0.3 of them before 46.
+    // The fingers were at steps 46 and 69. They are now 0.4 of the strip apart, so it shows 57.5 steps, 0.3 of them before
+    // 46.
     await expect.poll(() => said(page)).toMatch(/^Steps (28|29) to (86|87) of 115$/);
   });
 
-  it('is zoomed by keyboard, says what it shows, and is stepped through as before', async () => {
+  it('is zoomed by keyboard, names its range, and is stepped through as before', async () => {
     const page = await ready();
     await goTo(page, 23); // a fifth of 115
     await page.locator('.slider').focus();
@@ -139,7 +140,7 @@ describe('the strip', () => {
     expect(await stepOf(page)).toBe(24);
   });
 
-  it('follows the step that leaves what it shows, and is not painted anew as long as none does', async () => {
+  it('follows a step that leaves its range, and is not repainted until one does', async () => {
     const page = await ready();
     await drag(page, overview, 0.4, 0.8);
     await goTo(page, 92);
@@ -158,13 +159,13 @@ describe('the strip', () => {
     expect(await isStained(false)).toBe(true);
     await press(page, 'ArrowRight');
     expect(await stepOf(page)).toBe(93);
-    expect(await said(page)).toBe('Steps 69 to 115 of 115'); // a tenth behind the step would go beyond the end
+    expect(await said(page)).toBe('Steps 69 to 115 of 115'); // a tenth before the step would extend beyond the end
     await expect.poll(() => isStained(false)).toBe(false);
     await press(page, 'Home');
     expect(await said(page)).toBe('Steps 0 to 46 of 115');
   });
 
-  it('is as it was left when one comes back to a run', async () => {
+  it('keeps its range when the reader returns to a run', async () => {
     const page = await ready();
     await drag(page, overview, 0.4, 0.8);
     await opened(page, 'small.jsonl', small);

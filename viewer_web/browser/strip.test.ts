@@ -7,7 +7,7 @@ import { goTo, open, sampleTrace, shown, small } from './page.js';
 
 const windows = sampleTrace('small.warnock.windows');
 
-/** Opens a trace and waits until the strip, which is drawn after the picture, shows the whole of it. */
+/** Opens a trace and waits until the strip shows all of it. The strip is drawn after the picture. */
 async function opened(page: Page, name: string, content: string): Promise<void> {
   await fromPage.opened(page, name, content);
   const isDrawn = (): Promise<boolean> =>
@@ -33,7 +33,7 @@ async function boxOf(page: Page, selector: string): Promise<Box> {
   return box;
 }
 
-/** A Z-buffer run of so many events, of which one is a wrong decision. */
+/** A Z-buffer run of `length` events, one of which is a wrong decision. */
 function withOneWrong(length: number, step: number): string {
   const [header = '', clear = '', polygon = ''] = sampleTrace('small.zbuffer.windows').split('\n');
   const lines = Array<string>(length).fill('{"e":"scanline","at":"Z6","y":0.5,"row":0}');
@@ -54,7 +54,7 @@ const columnAt = (page: Page, x: number): Promise<readonly string[]> =>
   }, x);
 
 describe('the strip', () => {
-  it('stands under the slider to the pixel: a click on either leads to the same step', async () => {
+  it('is aligned with the slider to the pixel: a click on either goes to the same step', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     const strip = await boxOf(page, 'vidno-slider .strip');
@@ -69,7 +69,7 @@ describe('the strip', () => {
     expect(faults).toEqual([]);
   });
 
-  it('is gone along with the mouse held down', async () => {
+  it('seeks while the mouse is dragged along it', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'windows.jsonl', windows);
     const { x, y, width, height } = await boxOf(page, 'vidno-slider .strip');
@@ -83,7 +83,7 @@ describe('the strip', () => {
     expect(await stepOf(page)).toBe(58);
   });
 
-  it('says what it shows where the mouse points, until Escape', async () => {
+  it('describes the step under the mouse, until Escape', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'windows.jsonl', windows);
     const { x, y, width, height } = await boxOf(page, 'vidno-slider .strip');
@@ -100,7 +100,7 @@ describe('the strip', () => {
     expect(await stepOf(page)).toBe(0);
   });
 
-  it('keeps one wrong decision among 60 000 steps, and a click near it leads there', async () => {
+  it('keeps one wrong decision visible among 60 000 steps, and a click near it goes there', async () => {
     const { page } = await open(browser, '#lang=en', { colorScheme: 'light' });
     await opened(page, 'long.jsonl', withOneWrong(60_000, 30_007));
     const { x, y, width, height } = await boxOf(page, 'vidno-slider .strip');
@@ -113,7 +113,7 @@ describe('the strip', () => {
     expect(await said(page)).toBe('Step 30007 of 60000: polygon A, row 0, wrong decision');
   });
 
-  it('is painted anew for another size and theme, but not for another step', async () => {
+  it('is repainted for another size and theme, but not for another step', async () => {
     const { page } = await open(browser, '#lang=en', { colorScheme: 'light' });
     await opened(page, 'windows.jsonl', windows);
     const stain = (): Promise<void> =>
@@ -135,7 +135,7 @@ describe('the strip', () => {
     await expect.poll(isStained).toBe(false);
   });
 
-  it.each([1, 1.5, 2])('has a dot for each dot of the device (%d a pixel)', async (ratio) => {
+  it.each([1, 1.5, 2])('has one canvas pixel per device pixel (ratio %d)', async (ratio) => {
     const { page } = await open(browser, '#lang=en', { deviceScaleFactor: ratio });
     await opened(page, 'windows.jsonl', windows);
     const dots = (): Promise<number> =>
@@ -147,7 +147,7 @@ describe('the strip', () => {
 });
 
 describe('the slider', () => {
-  it('says where it is, and goes by its own keys', async () => {
+  it('states its position, and has keys of its own', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'windows.jsonl', windows);
     expect(await said(page)).toBe('Step 0 of 115');
@@ -163,7 +163,7 @@ describe('the slider', () => {
 });
 
 describe('the legend of the strip', () => {
-  it('is opened and closed by keyboard, and has what the trace has', async () => {
+  it('is opened and closed by keyboard, and lists only what the trace contains', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     const card = page.locator('vidno-strip-legend section');
@@ -184,7 +184,7 @@ describe('the legend of the strip', () => {
   const sizes = [390, 1280, 1920].flatMap((width) =>
     (['en', 'ru'] as const).map((language) => ({ width, language })),
   );
-  it.each(sizes)('is whole at $width px in $language', async ({ width, language }) => {
+  it.each(sizes)('is not clipped at $width px in $language', async ({ width, language }) => {
     const viewport = { width, height: width < 500 ? 844 : 1080 };
     const { page } = await open(browser, `#lang=${language}`, { viewport });
     await opened(page, 'small.jsonl', small);
@@ -199,7 +199,7 @@ describe('the legend of the strip', () => {
     (['light', 'dark'] as const).map((colorScheme) => ({ width, colorScheme })),
   );
   it.each(looks)(
-    'and the strip can be used by all ($colorScheme, $width px)',
+    'and the strip is accessible ($colorScheme, $width px)',
     async ({ width, colorScheme }) => {
       const viewport = { width, height: width < 500 ? 844 : 1080 };
       const { page } = await open(browser, '#lang=en', { colorScheme, viewport });

@@ -10,14 +10,14 @@ import { openFile, openUrl } from './page.js';
 
 const built = pathToFileURL(fileURLToPath(new URL('../dist/index.html', import.meta.url))).href;
 
-/** Kernel and samples of the runs on the front of the height missed, as the file has it. */
+/** Kernel and samples of the runs on the front of missed height, as the file lists them. */
 function expected({ runs }: Surface): readonly (readonly [string, string])[] {
   const on = runs.filter(({ front }) => front.samples.includes('height'));
   const sorted = [...on].sort((a: CurveRun, b: CurveRun) => a.samples - b.samples);
   return sorted.map(({ kernel, samples }) => [kernel, samples.toLocaleString('en')]);
 }
 
-/** What the program itself wrote, if it was asked to. */
+/** The chart that the program wrote, if the test run provides it. */
 const written = join(process.env['VIDNO_STATES'] ?? '', 'surface-chart.html');
 
 describe.runIf(existsSync(written))('a page of a surface that the program wrote', () => {
@@ -40,7 +40,7 @@ describe.runIf(existsSync(written))('a page of a surface that the program wrote'
 });
 
 describe('the chart of surfaces', () => {
-  it('is chosen by keyboard, surface, cost and error, and kept in the address', async () => {
+  it('takes surface, cost and error by keyboard, and keeps them in the address', async () => {
     const { page, faults } = await openChart(browser, 'lang=en', surfaceText);
     await plot(page).waitFor();
     await tabTo(page, 'select');
@@ -74,7 +74,7 @@ describe('the chart of surfaces', () => {
     expect(faults).toEqual([]);
   });
 
-  it('tells each point by arrow keys, runs on one place one after the other', async () => {
+  it('describes each point by arrow keys, one after the other where runs coincide', async () => {
     const view = 'surfaces/Ramp <up> & down';
     const { page, faults } = await openChart(
       browser,
@@ -92,7 +92,7 @@ describe('the chart of surfaces', () => {
       await page.keyboard.press('ArrowRight');
     }
     expect(heard.size).toBe(count);
-    // Two curves over nine columns, each straight: two samples do.
+    // Two curves over nine columns, each straight: two samples suffice.
     expect([...heard][0]).toBe(
       'float, 2 samples a curve; corrected; Samples: 4; Wrong columns: 0% (0 of 18)',
     );
@@ -106,7 +106,7 @@ describe('the chart of surfaces', () => {
       surfaceText,
     );
     const about = page.locator('.about');
-    // Evenly apart 17 samples a curve have the peak's corners: 51 for 10.
+    // With even spacing, 17 samples per curve include the peak's corners: 51 instead of 10.
     expect(await about.innerText()).toMatch(
       /“filtered, tolerance 4 px”.*filtered, 17 samples.*×5\.1;/u,
     );
@@ -130,7 +130,7 @@ describe('the chart of surfaces', () => {
     expect(faults).toEqual([]);
   });
 
-  it('leads from a point to its run, sampled as it was, and to that beside the exact one', async () => {
+  it('links a point to its run with the same samples, alone and beside the exact run', async () => {
     const { page, faults } = await openChart(
       browser,
       'lang=en&view=surfaces/A peak between two samples&cost=samples',
@@ -139,7 +139,7 @@ describe('the chart of surfaces', () => {
       built,
     );
     await plot(page).waitFor();
-    // The second on the front: 10 samples in all.
+    // The second run on the front has 10 samples in all.
     await page.locator('vidno-front button').nth(1).click();
     const panel = page.locator('vidno-replay');
     const replay = panel.getByRole('link', { name: 'Replay this run' });
@@ -166,7 +166,7 @@ describe('the chart of surfaces', () => {
     expect([...faults, ...alone.faults, ...beside.faults]).toEqual([]);
   });
 
-  it('gives way to a chart of scenes that is opened, and comes back', async () => {
+  it('is replaced by a chart of scenes that is opened, and comes back', async () => {
     const { page, faults } = await openChart(browser, 'lang=en&cost=samples', surfaceText);
     await plot(page).waitFor();
     await openFile(page, 'chart.json', sampleText);

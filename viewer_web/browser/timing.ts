@@ -1,17 +1,17 @@
 import type { CDPSession, Page } from 'playwright-core';
 
-/** Milliseconds of the processor that the page's main thread spent, and of these in style and in layout. */
+/** Milliseconds of processor time on the page's main thread, and of these in style and in layout. */
 export interface Cost {
   readonly task: number;
   readonly style: number;
   readonly layout: number;
 }
 
-/** What one event took, in milliseconds. */
+/** The times of one event, in milliseconds. */
 export interface Measured {
-  /** Until the frame is drawn that shows what it did. */
+  /** Until the frame that shows the result is drawn. */
   readonly drawn: number;
-  /** Until the frame after that begins: two frames of 60 a second, if the page keeps up with them. */
+  /** Until the following frame begins: two frames at 60 per second, if the page keeps up. */
   readonly next: number;
   readonly cost: Cost;
 }
@@ -25,8 +25,8 @@ const partOf: Readonly<Record<string, keyof Cost>> = {
 type Noted = Window & { noted: Promise<{ drawn: number; next: number }>; trace: unknown };
 
 /**
- * Measures what events cost a page in time of the processor, which other programs on the machine change less, and how soon it has
- * drawn what they did.
+ * Measures the processor time of events, which other programs on the machine affect less, and the time until the page has
+ * drawn the result.
  */
 export class Meter {
   private constructor(
@@ -50,9 +50,9 @@ export class Meter {
     return cost;
   }
 
-  /** Does what sends the page a key, or moves the mouse; of the latter the page is to show another run. */
+  /** Runs an action that presses a key or moves the mouse. After a move the page is to show another run. */
   async measure(what: 'keydown' | 'pointermove', act: () => Promise<void>): Promise<Measured> {
-    // The event comes at any time between two frames.
+    // An event may arrive at any time between two frames.
     await this.page.waitForTimeout(Math.random() * 17);
     await this.page.evaluate(note, what);
     const before = await this.spent();
@@ -68,14 +68,14 @@ export class Meter {
   }
 }
 
-/** Runs in the page: from the next event on, keeps when its frame is drawn, and when the frame after it begins. */
+/** Runs in the page: records when the frame of the next event is drawn, and when the following frame begins. */
 function note(what: 'keydown' | 'pointermove'): void {
   const noted = window as unknown as Noted;
   const player = document.querySelector('vidno-app')?.shadowRoot?.querySelector('vidno-player');
   const { trace } = player ?? { trace: null };
   noted.noted = new Promise((resolve) => {
     const onEvent = (event: Event): void => {
-      // A move is told at the beginning of a frame, however early it was made.
+      // The browser delivers a move at the beginning of a frame, at whatever time it was made.
       const start = what === 'keydown' ? event.timeStamp : performance.now();
       const onFrame = (): void => {
         if (what === 'pointermove' && player?.trace === trace) {
@@ -86,7 +86,7 @@ function note(what: 'keydown' | 'pointermove'): void {
         const { port1, port2 } = new MessageChannel();
         const drawn = new Promise<number>((done) => (port1.onmessage = () => done(since())));
         const next = new Promise<number>((done) => requestAnimationFrame(() => done(since())));
-        // A message that is posted in a frame comes when its style, layout and paint are done.
+        // A message posted in a frame arrives after its style, layout and paint.
         port2.postMessage(null);
         void Promise.all([drawn, next]).then((times) => {
           port1.close();
@@ -99,7 +99,7 @@ function note(what: 'keydown' | 'pointermove'): void {
   });
 }
 
-/** The value that so large a part of some values does not exceed. */
+/** The smallest value with at least this share of the values at or below it. */
 function quantile(values: readonly number[], part: number): number {
   const sorted = [...values].sort((a, b) => a - b);
   return sorted[Math.max(0, Math.ceil(part * sorted.length) - 1)] ?? NaN;
@@ -107,11 +107,11 @@ function quantile(values: readonly number[], part: number): number {
 
 export const median = (values: readonly number[]): number => quantile(values, 0.5);
 
-/** The median and the value that 19 of 20 do not exceed. */
+/** The median and the 95th percentile. */
 const spread = (values: readonly number[]): string =>
   `${median(values).toFixed(1)} (p95 ${quantile(values, 0.95).toFixed(1)})`;
 
-/** The figures of some events, each as its median and p95. */
+/** The figures of the events, each as its median and 95th percentile. */
 export function told(all: readonly Measured[]): string {
   const of = (figure: (each: Measured) => number): string => spread(all.map(figure));
   return (

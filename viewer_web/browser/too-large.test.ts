@@ -8,7 +8,7 @@ const corners = [
   [0, 8, 0],
 ];
 
-/** A run of so many polygons over an area of this side; only the first is begun. */
+/** A run of `count` polygons over a square area of this side. Only the first polygon is begun. */
 function run(count: number, side: number): string {
   const polygons = Array.from({ length: count }, (_, i) => ({
     id: `P${i}`,
@@ -32,7 +32,7 @@ function run(count: number, side: number): string {
   return lines.map((line) => `${JSON.stringify(line)}\n`).join('');
 }
 
-describe('what is too large to be shown', () => {
+describe('a state that is too large to show', () => {
   it('is refused in words, and the rest of the run is shown', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     const depths = page.locator('vidno-depths');
@@ -51,7 +51,7 @@ describe('what is too large to be shown', () => {
     await page.keyboard.press('v');
     await page.locator('vidno-solid').waitFor();
 
-    // The view in 3D is open, and gives way to the state.
+    // The 3D view is open, and the state replaces it.
     await opened(page, 'many.jsonl', run(3001, 8));
     await page.keyboard.press('End');
     expect(await page.locator('vidno-solid').count()).toBe(0);

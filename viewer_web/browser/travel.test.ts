@@ -16,8 +16,8 @@ async function click(page: Page, label: string): Promise<number> {
   return stepOf(page);
 }
 
-describe('through procedures', () => {
-  it('one goes over and out, forward and back, by mouse', async () => {
+describe('stepping through procedures', () => {
+  it('goes over and out, forward and back, by mouse', async () => {
     const { page, faults } = await open(browser, '#lang=en');
     await opened(page, 'inside.jsonl', sampleTrace('inside.warnock.signs'));
     await goTo(page, 3);
@@ -30,7 +30,7 @@ describe('through procedures', () => {
     expect(faults).toEqual([]);
   });
 
-  it('and by keyboard', async () => {
+  it('does so by keyboard', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'inside.jsonl', sampleTrace('inside.warnock.signs'));
     for (const key of [']', ']', ']', ']']) await page.keyboard.press(key);
@@ -43,7 +43,7 @@ describe('through procedures', () => {
   });
 });
 
-describe('one goes to the next', () => {
+describe('the controls go to the next', () => {
   it('split of a window, by keyboard and mouse', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', sampleTrace('small.warnock.windows'));
@@ -67,7 +67,7 @@ describe('one goes to the next', () => {
     expect(await press(page, '.')).toBe(74);
     await page.locator('vidno-travel select').selectOption('pixel');
     await page.locator('vidno-travel select').blur();
-    expect(await press(page, '.')).toBe(74); // none is chosen yet
+    expect(await press(page, '.')).toBe(74); // no pixel is chosen yet
     await page.keyboard.press('p');
     await page.keyboard.press('ArrowUp');
     await page.keyboard.press('Enter');
@@ -94,7 +94,7 @@ describe('one goes to the next', () => {
 });
 
 describe('the row of these controls', () => {
-  it.each([390, 768, 1280, 1920])('is whole at %i px, its targets large enough', async (width) => {
+  it.each([390, 768, 1280, 1920])('is not clipped at %i px, with large targets', async (width) => {
     const viewport = { width, height: width < 500 ? 844 : 1080 };
     for (const language of ['en', 'ru']) {
       const { page } = await open(browser, `#lang=${language}`, { viewport });
@@ -110,7 +110,7 @@ describe('the row of these controls', () => {
     }
   });
 
-  it.each(['light', 'dark'] as const)('can be used by all (%s)', async (colorScheme) => {
+  it.each(['light', 'dark'] as const)('is accessible (%s)', async (colorScheme) => {
     const { page } = await open(browser, '#lang=en', { colorScheme });
     await opened(page, 'zbuffer.jsonl', sampleTrace('small.zbuffer.signs'));
     await page.keyboard.press('?');

@@ -4,19 +4,19 @@ import { browser } from './browser.js';
 import { openContents, widthOf } from './page.js';
 import { openReader } from './reader.js';
 
-/** A square area has 280 CSS pixels, and a margin of 7 % of that on each side. */
+/** A square area has 280 CSS pixels, and a margin of 7 % on each side. */
 const least = 280 * 1.14;
 
 interface Found {
-  /** The lesser side of each picture. */
+  /** The shorter side of each picture. */
   readonly sides: readonly number[];
-  /** What can be pressed and reaches beyond the window, on the left or on the right. */
+  /** Controls that reach beyond the left or right edge of the window. */
   readonly out: readonly string[];
-  /** What has less room than its words take. */
+  /** Elements whose text is cut off. */
   readonly cut: readonly string[];
 }
 
-/** Looks at all that is shown, in every shadow tree. */
+/** Inspects everything visible, in every shadow tree. */
 function look(page: Page): Promise<Found> {
   return page.evaluate(() => {
     const found = { sides: [] as number[], out: [] as string[], cut: [] as string[] };
@@ -50,7 +50,7 @@ async function isSound(page: Page, width: number, when: string): Promise<void> {
   expect(await widthOf(page), when).toBe(width);
 }
 
-/** The part of an element that its box, which scrolls, shows. */
+/** The visible part of an element inside its scrolling box. */
 const seen = (page: Page, part: string, box: string): Promise<number> =>
   page.locator(part).evaluate((e, selector) => {
     const inner = e.getBoundingClientRect();
@@ -66,10 +66,10 @@ const seen = (page: Page, part: string, box: string): Promise<number> =>
 const height = async (page: Page, part: string): Promise<number> =>
   (await page.locator(part).boundingBox())?.height ?? 0;
 
-/** What there is besides at some sizes, with the text of the lesson beside the run. */
+/** Further checks at some sizes, with the text of the lesson beside the run. */
 const besides: Readonly<Record<string, (page: Page) => Promise<void>>> = {
   '1920 x 1080': async (page) => {
-    // In a hall nobody scrolls to the lists, nor to the line.
+    // In a lecture hall nobody scrolls to the lists or to the current line.
     await page.keyboard.press('w');
     await page.locator('.dock input[type=number]').fill('60');
     await page.locator('.dock input[type=number]').press('Enter');
@@ -94,7 +94,7 @@ const besides: Readonly<Record<string, (page: Page) => Promise<void>>> = {
     await page.keyboard.press('w');
   },
   '1440 x 900': async (page) => {
-    // Before the first step the listing is at its top, wherever one was.
+    // Before the first step the listing is scrolled to its top, from any earlier position.
     await page.keyboard.press('End');
     await page.keyboard.press('Home');
     const top = page.locator('vidno-listing .procedures');
@@ -103,7 +103,7 @@ const besides: Readonly<Record<string, (page: Page) => Promise<void>>> = {
     const bar = 40;
     expect(await height(page, 'vidno-solid-stage')).toBeGreaterThan(180 + bar);
     await page.keyboard.press('v');
-    // What the strip says of a step does not cover the sentence.
+    // The strip's tooltip does not cover the sentence.
     await page.keyboard.press('w');
     await page.locator('vidno-slider .strip').hover();
     const tip = await page.locator('.tip').boundingBox();
@@ -126,7 +126,7 @@ const besides: Readonly<Record<string, (page: Page) => Promise<void>>> = {
   },
 };
 
-/** The lessons have more room than half of the text's, and nothing beside them takes more than it needs. */
+/** The lessons have more than half as much room as the text, and nothing beside them takes more room than it needs. */
 async function contents(page: Page): Promise<void> {
   const text = await height(page, 'vidno-reader .box');
   await openContents(page);
@@ -142,7 +142,7 @@ describe('at every size the picture is large, nothing sticks out and nothing is 
   it.each([
     [1920, 1080, 'en'],
     [1440, 900, 'en'],
-    [1280, 720, 'en'], // and this is half and a quarter of it: enlarged to 200 % and 400 %
+    [1280, 720, 'en'], // 1280 x 720, and half and a quarter of it: enlarged to 200 % and 400 %
     [640, 360, 'en'],
     [320, 180, 'ru'],
     [1024, 768, 'en'],
@@ -158,18 +158,18 @@ describe('at every size the picture is large, nothing sticks out and nothing is 
     await page.getByRole('button', { name: /^(Text|Текст)/ }).click();
     await page.locator('vidno-reader').waitFor({ state: 'hidden' });
     await isSound(page, width, 'alone');
-    // A browser without a graphics card says so.
+    // A browser without a graphics card reports that.
     expect(faults.filter((fault) => !fault.includes('WebGL'))).toEqual([]);
   });
 });
 
 describe("in the system's own colours", () => {
-  it('what is current, pressed or changed is seen, and so is the slider', async () => {
+  it('shows what is current, pressed or changed, and the slider', async () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first&view=workbench', {
       forcedColors: 'active',
     });
     const field = page.locator('.dock input[type=number]');
-    // A step that changes a value.
+    // Goes to a step that changes a value.
     for (let step = 1; (await page.locator('vidno-warnock dd.changed').count()) === 0; step++) {
       await field.fill(String(step));
       await field.press('Enter');

@@ -10,13 +10,13 @@ import { see } from './views.js';
 const views = ['lesson', 'workbench'] as const;
 const languages = ['en', 'ru'] as const;
 
-/** Each size with the least side of a square picture, and the least part of the width that its panel has. */
+/** Each size with the least side of a square picture, and the least share of the width for its panel. */
 const sizes = [
   [1280, 720, 360, 0.4],
   [1440, 900, 450, 0.4],
   [1920, 1080, 540, 0.4],
   [1024, 768, 280, 0.4],
-  [390, 844, 351, 0.9], // 90 % of the width, too
+  [390, 844, 351, 0.9], // and 90 % of the width
   [640, 360, 280, 0.9], // 1280 x 720, enlarged to 200 %
 ] as const;
 
@@ -59,7 +59,7 @@ describe('the first screen', () => {
     },
   );
 
-  it('shows what comes of the run, with a verdict, and plays it from the start', async () => {
+  it('shows the result of the run, with a verdict, and plays it from the start', async () => {
     const { page, faults } = await openReader(browser, '#lang=en');
     const { step, length } = await shown(page);
     expect(step).toBe(length);
@@ -94,10 +94,10 @@ describe('the first screen', () => {
 });
 
 describe('a verdict', () => {
-  it('calls nothing exact that was not compared', async () => {
+  it('claims exactness only after a comparison', async () => {
     const { page } = await openReader(browser, '#lang=en');
     await page.locator('.verdict').waitFor();
-    // As where there is no library that could make an exact picture.
+    // This is the state without a library, which could make an exact picture.
     await page.locator('vidno-player').evaluate((player) => {
       Object.assign(player, { exact: null });
       return (player as HTMLElementTagNameMap['vidno-player']).updateComplete;
@@ -131,7 +131,7 @@ describe('the view', () => {
   const view = (page: Page): Promise<string | null> =>
     page.locator('vidno-app').getAttribute('view');
 
-  it('is changed by a button and by W, and is part of the link', async () => {
+  it('is changed by a button or W, and is part of the link', async () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first');
     expect(await view(page)).toBe('lesson');
     expect(await page.locator('vidno-side').count()).toBe(0);
@@ -146,7 +146,7 @@ describe('the view', () => {
   });
 
   it.each([
-    // Links of before there were views.
+    // Links from before views existed.
     ['#lang=en&lesson=first&reader=off', 'workbench', ['warnock', 0]],
     ['#lang=en&lesson=first&at=scanline', 'lesson', ['zbuffer', 33]],
     ['#lang=en&trace=small.zbuffer.signs&step=4&pixel=3,1', 'lesson', ['zbuffer', 4]],
@@ -166,7 +166,7 @@ describe('the view', () => {
     expect(faults).toEqual([]);
   });
 
-  it('leaves every key as it was, in both views', async () => {
+  it('has the same keys in both views', async () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first&step=40');
     const side = (): Promise<string | undefined> =>
       page
@@ -221,7 +221,7 @@ describe('the scene', () => {
       expect(box?.width, part).toBeGreaterThan(250);
       expect((box?.y ?? NaN) + (box?.height ?? NaN), part).toBeLessThan(900);
     }
-    // The picture stays as it is.
+    // The picture keeps its size.
     expect((await see(page)).side).toBe(before.side);
     await page.locator('vidno-scene-panel .close').click();
     await page.locator('vidno-scene-panel').waitFor({ state: 'detached' });
@@ -239,7 +239,7 @@ describe('the scene', () => {
 });
 
 describe('a divider', () => {
-  it('is dragged and moved by keys, and remembers, for each view', async () => {
+  it('is moved by mouse and by keys, and keeps its position in each view', async () => {
     const { page } = await openReader(browser, '#lang=en&lesson=first');
     const width = async (part: string): Promise<number> =>
       (await page.locator(part).boundingBox())?.width ?? 0;
@@ -270,7 +270,7 @@ describe('a divider', () => {
   });
 });
 
-/** Where a pixel of the plane is on the page: its centre. */
+/** The place on the page of a pixel's centre. */
 async function centre(page: Page, x: number, y: number): Promise<readonly [number, number]> {
   return page.locator('vidno-picture > svg').evaluate(
     (stage, [atX, atY]) => {
@@ -288,7 +288,7 @@ const readout = (page: Page): Promise<string> =>
     .evaluate((each) => each.shadowRoot?.textContent.replace(/\s+/gu, ' ').trim() ?? '');
 
 describe('axes and readout', () => {
-  it('number the columns and rows, and say what is under the pointer', async () => {
+  it('number the columns and rows, and describe the pixel under the pointer', async () => {
     const { page } = await open(browser, '#lang=en');
     await opened(page, 'small.jsonl', small);
     await page.keyboard.press('End');
@@ -305,7 +305,7 @@ describe('axes and readout', () => {
     await expect.poll(() => readout(page)).toBe('5 × 4');
   });
 
-  it('of the Z-buffer say the depth that it holds', async () => {
+  it('of the Z-buffer give the stored depth', async () => {
     const { page } = await openReader(browser, '#lang=en&trace=small.zbuffer.signs');
     await page.keyboard.press('End');
     await settled(page);
@@ -318,8 +318,8 @@ describe('axes and readout', () => {
   });
 });
 
-/** What one does to get something done; a press of a key or a button is one action, so is a choice in a list. */
-describe('common tasks take no more actions than before there were views', () => {
+/** The number of actions for common tasks. A key press, a button press and a choice in a list are one action each. */
+describe('common tasks take no more actions than before views existed', () => {
   const at = '#lang=en&lesson=first&step=60';
 
   it('to the next split: one', async () => {
@@ -368,7 +368,7 @@ describe('common tasks take no more actions than before there were views', () =>
     await page.locator(opened).waitFor();
   });
 
-  it('out of a procedure: one', async () => {
+  it('leave a procedure: one', async () => {
     const { page } = await openReader(browser, at);
     const calls = (): Promise<number> => page.locator('vidno-listing .calls li').count();
     const deep = await calls();
@@ -384,7 +384,7 @@ describe('common tasks take no more actions than before there were views', () =>
     await page.waitForFunction(() => location.hash.includes('lesson=second'));
   });
 
-  it('to the step that the text speaks of, and to a step by its number: one', async () => {
+  it('to the step that the text mentions, and to a step by its number: one', async () => {
     const { page } = await openReader(browser, at);
     await pin(page, 'first').click();
     await expect.poll(() => standing(page)).toEqual(['warnock', 5, 'first']);

@@ -1,15 +1,15 @@
 import type { Page } from 'playwright-core';
 
-/** What one sees of the page's first screen. */
+/** The first screen of the page. */
 export interface Seen {
-  /** The side that a square picture has, and the width of the panel that it is in, in CSS pixels. */
+  /** The side of a square picture and the width of its panel, in CSS pixels. */
   readonly side: number;
   readonly panel: number;
-  /** What can be pressed, typed into or chosen from, links not counted, by its name. */
+  /** The names of all controls: everything to press, type into or choose from, except links. */
   readonly controls: readonly string[];
 }
 
-/** Looks into every shadow tree; what is covered, scrolled away or out of sight is not counted. */
+/** Inspects every shadow tree. Covered, scrolled-away and invisible elements do not count. */
 export function see(page: Page): Promise<Seen> {
   return page.evaluate(() => {
     const all: HTMLElement[] = [];
@@ -44,7 +44,7 @@ export function see(page: Page): Promise<Seen> {
       (each) => each.localName === 'vidno-picture' && each.checkVisibility(),
     );
     const box = picture?.getBoundingClientRect() ?? new DOMRect();
-    // What is around an area, as a part of its longer side, on both sides together.
+    // The margins around an area on both sides together, as a share of its longer side.
     const margins = Math.min(box.width, box.height) < 420 ? 0.1 : 0.14;
     const panel = all.find((each) => each.localName === 'section' && each.matches('.picture'));
     return {

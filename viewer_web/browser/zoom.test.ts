@@ -20,12 +20,12 @@ const chosen = (page: Page): Promise<readonly number[] | null> =>
   });
 
 describe('the picture', () => {
-  it('is enlarged about the pointer by the wheel, and moved by a drag, which chooses no pixel', async () => {
+  it('is enlarged around the pointer by the wheel, and moved by a drag, which does not choose a pixel', async () => {
     const { page } = await openSmall();
     const before = await spotOf(page, 5, 2);
     await wheel(page, 5, 2, 4);
     const after = await spotOf(page, 5, 2);
-    // The mouse is up to half a CSS pixel from there, and so is the place three pixels further when enlarged.
+    // The mouse is up to half a CSS pixel away from the place, and so is the place three pixels further when enlarged.
     expect(Math.abs(after.x - before.x)).toBeLessThanOrEqual(1.5);
     expect(Math.abs(after.y - before.y)).toBeLessThanOrEqual(1.5);
     const press = await dotOf(page, 5, 2);
@@ -39,7 +39,7 @@ describe('the picture', () => {
     expect(await chosen(page)).toBeNull();
   });
 
-  it('is still clicked where a press moves by 3 CSS pixels', async () => {
+  it('takes a press that moves by 3 CSS pixels as a click', async () => {
     const { page } = await openSmall();
     await wheel(page, 5.5, 2.5, 4);
     const { x, y } = await dotOf(page, 5.5, 2.5);
@@ -91,7 +91,7 @@ describe('the picture', () => {
     expect(await whole.getAttribute('aria-disabled')).toBe('true');
   });
 
-  it('is enlarged by keys, follows the cursor, and leaves the speed to them elsewhere', async () => {
+  it('is enlarged by keys, which change the speed elsewhere, and follows the cursor', async () => {
     const { page } = await openSmall();
     const fit = await scaleOf(page);
     const speed = page.getByRole('combobox', { name: 'Speed' });
@@ -115,7 +115,7 @@ describe('the picture', () => {
     expect(await speed.inputValue()).not.toBe(before);
   });
 
-  it('stays as it is shown from step to step', async () => {
+  it('keeps its zoom from step to step', async () => {
     const { page } = await openSmall();
     await wheel(page, 5, 2, 4);
     const before = await page.locator(stage).getAttribute('viewBox');
@@ -125,7 +125,7 @@ describe('the picture', () => {
     }
   });
 
-  it('can be zoomed by everyone (WCAG 2.2 AA)', async () => {
+  it('is accessible when zoomed (WCAG 2.2 AA)', async () => {
     const { page } = await openSmall();
     await wheel(page, 5, 2, 4);
     expect(await violations(page)).toEqual([]);
@@ -133,7 +133,7 @@ describe('the picture', () => {
 });
 
 describe('a scene that is edited', () => {
-  it('is dragged where it is shown, and the zoom stays', async () => {
+  it('is dragged at its zoomed place, and the zoom stays', async () => {
     const { page, faults } = await editing(browser);
     await wheel(page, 6, 1.5, 2);
     const before = await page.locator(stage).getAttribute('viewBox');
@@ -148,7 +148,7 @@ describe('a scene that is edited', () => {
     expect(faults).toEqual([]);
   });
 
-  it('brings a corner into sight that the keyboard goes to; there + adds a corner', async () => {
+  it('scrolls to a corner that gets the focus; there + adds a corner', async () => {
     const { page } = await editing(browser);
     await wheel(page, 2, 2, 6);
     const fit = await scaleOf(page);
@@ -162,7 +162,7 @@ describe('a scene that is edited', () => {
     expect(await scaleOf(page)).toBe(fit);
   });
 
-  it('is shown whole again where its area is another', async () => {
+  it('is shown whole again when its area changes', async () => {
     const { page } = await editing(browser);
     await wheel(page, 5, 2, 3);
     await rerun(page, () => openFile(page, 'other.json', scene([triangle], 16)));

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
 import { packed } from './packed.js';
 
-/** The files of failures of a folder, by their names, each on one line. */
+/** The failures in a folder, by file name, each on one line. */
 function entries(directory: string): readonly (readonly [name: string, text: string])[] {
   return readdirSync(directory)
     .filter((file) => file.endsWith('.json'))
@@ -14,7 +14,7 @@ function entries(directory: string): readonly (readonly [name: string, text: str
     });
 }
 
-/** Puts the atlas of failures into the page as a block of data, packed. */
+/** Puts the atlas of failures into the page as a packed block of data. */
 export function atlas(directory: string): Plugin {
   return {
     name: 'vidno-atlas',

@@ -33,8 +33,8 @@ function block(attrs: Record<string, string>, children: string): HtmlTagDescript
 }
 
 /**
- * Puts the lessons' index, traces and stories into the page as blocks of data. They are no scripts to the browser, so
- * that another program, `vidno page`, may exchange them without touching what the page's security policy has hashed.
+ * Puts the lessons' index, traces and stories into the page as blocks of data. The browser does not execute them, so that
+ * the program `vidno page` can exchange them without affecting the hashes of the page's security policy.
  */
 export function lessons(directory: string): Plugin {
   return {

@@ -2,7 +2,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import type { HtmlTagDescriptor, Plugin } from 'vite';
 import { packed } from './packed.js';
 
-/** Puts the library, compiled to WebAssembly, into the page as a block of data, packed. */
+/** Puts the library, compiled to WebAssembly, into the page as a packed block of data. */
 export function library(file: string): Plugin {
   return {
     name: 'vidno-library',

@@ -14,7 +14,7 @@ function licenceIn(directory: string): string {
   const files = readdirSync(directory);
   const file = files.find((name) => /^licen[cs]e/i.test(name));
   if (file === undefined) throw new Error(`${directory} has no licence.`);
-  // What a licence wants to be passed on with it.
+  // Some licences require a notice file to be passed on.
   const notice = files.filter((name) => /^notice$/i.test(name));
   return [file, ...notice]
     .map((name) => readFileSync(join(directory, name), 'utf8').trimEnd())
@@ -32,12 +32,12 @@ function packagesOf(chunks: readonly Rollup.OutputChunk[]): readonly string[] {
   const used = chunks.flatMap(({ modules }) =>
     Object.keys(modules).filter((id) => (modules[id]?.renderedLength ?? 0) > 0),
   );
-  // What is made of a CommonJS module begins with a zero.
+  // The name of a module converted from CommonJS begins with a zero byte.
   const files = used.map((id) => id.replace(/^\0/u, ''));
   return [...new Set(files.flatMap((id) => ofPackage.exec(id)?.[0] ?? []))].sort();
 }
 
-/** Names and licences of all that the page contains, a text that several share once. */
+/** Names and licences of all packages in the page. A text that several share appears once. */
 export function licences(chunks: readonly Rollup.OutputChunk[], further = ''): string {
   const names = new Map<string, string[]>();
   for (const directory of packagesOf(chunks)) {

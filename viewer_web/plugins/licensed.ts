@@ -1,7 +1,7 @@
 import type { Plugin, Rollup } from 'vite';
 import { licences } from './licences.js';
 
-/** Puts the licences of what a script contains before it. */
+/** Puts the licences of a script's contents before it. */
 export function licensed(workers: readonly Rollup.OutputChunk[]): Plugin {
   return {
     name: 'vidno-licensed',

@@ -9,7 +9,9 @@ const contents = fileURLToPath(new URL('../../trace/wasm/LICENCES.md', import.me
 
 const entryTag = /<script type="module"[^>]*src="[^"]*"[^>]*><\/script>/;
 
-/** Unpacks the page's script while the rest of the page is read, then starts it. Packed, the script is a third as large. */
+/**
+ * Unpacks the page's script while the rest of the page loads, then starts it. The packed script has a third of the size.
+ */
 const loader = `(async () => {
   const letters = atob(document.getElementById('vidno-script').text);
   const bytes = new Uint8Array(letters.length);
@@ -38,8 +40,8 @@ function scriptTags(code: string): string {
 }
 
 /**
- * Nothing is loaded, nothing is sent, only the page's own script and style count, and no text is markup. A worker's
- * script is made by the page's, and lives under the same policy; so is the drawing that becomes an image.
+ * The policy forbids loading and sending anything. It allows only the page's own script and style, and no text as markup.
+ * The page makes the scripts of workers, which run under the same policy; so does the drawing that becomes an image.
  */
 function policy(html: string, code: string): string {
   const styles = [...html.matchAll(/<style>([^]*?)<\/style>/g)];
@@ -71,12 +73,12 @@ function takeChunk(bundle: Rollup.OutputBundle): Rollup.OutputChunk {
   return chunk;
 }
 
-/** What the library contains, if the page has it. */
+/** The list of the library's components, if the page has the library. */
 function libraryIn(page: string): string {
   return page.includes('id="vidno-library"') ? readFileSync(contents, 'utf8').trim() : '';
 }
 
-/** Makes the page one file that opens from disk, under a security policy that names its script by hash. */
+/** Makes the page one file that opens from disk, with a security policy that names its script by hash. */
 export function singleFile(file: string, workers: readonly Rollup.OutputChunk[] = []): Plugin {
   return {
     name: 'vidno-single-file',

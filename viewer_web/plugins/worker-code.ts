@@ -19,8 +19,8 @@ async function chunkOf(file: string): Promise<Rollup.OutputChunk> {
 }
 
 /**
- * `import code from './worker.js?code'` is the script of a worker as text: the page is one file. The chunks are kept
- * for those who ask what the page contains.
+ * `import code from './worker.js?code'` gives the script of a worker as text, because the page is one file. Collects the
+ * chunks for the list of licences.
  */
 export function workerCode(chunks: Rollup.OutputChunk[]): Plugin {
   return {

@@ -5,8 +5,8 @@ import ts from 'typescript';
 import { expect, it } from 'vitest';
 
 /**
- * The folders of the page, in the order in which they may use each other: a file imports from its own folder and from those
- * before it. What the algorithms have in common stands before them and knows them by the interface in `algorithm/` alone.
+ * The folders of the page, in their order of dependency: a file imports only from its own folder and from earlier ones.
+ * The code shared by all algorithms comes before them, and refers to them only by the interface in `algorithm/`.
  */
 const rooms = [
   'base',
@@ -44,7 +44,7 @@ const rooms = [
   'app',
 ];
 
-/** These name what folders after them give: texts for each name, and the parts of an algorithm. */
+/** These folders refer to types of later folders: texts for each name, and the parts of an algorithm. */
 const mayNameTypes = ['language', 'i18n', 'algorithm'];
 
 const source = fileURLToPath(new URL('.', import.meta.url));
@@ -63,7 +63,7 @@ interface Import {
   readonly isType: boolean;
 }
 
-/** The imports of a file that lead to another folder of the page; the script of a worker is a program of its own. */
+/** The imports of a file from other folders of the page, except for the script of a worker, which is a separate program. */
 function importsOf(file: string): readonly Import[] {
   const text = readFileSync(join(source, file), 'utf8');
   const parsed = ts.createSourceFile(file, text, ts.ScriptTarget.ESNext);

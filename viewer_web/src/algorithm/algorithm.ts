@@ -25,63 +25,63 @@ import type { Thing } from './pointed.js';
 import type { View } from './view.js';
 
 /**
- * All that the page says and shows of the runs of one algorithm, but for its elements: see `Shows`. What its runs hold is its
- * `Model`. Warnock's algorithm has several methods, its variants; each of the others has one.
+ * Everything that the page says and shows about the runs of one algorithm, except its elements (see `Shows`). The content
+ * of its runs is its `Model`. Warnock's algorithm has several methods, its variants; each of the others has one.
  */
 export interface Algorithm {
-  /** The sentences of the events that it alone tells, and of others where it says more. */
+  /** The sentences of its own events, and of common events about which it says more. */
   readonly sentences: Partial<SentencesOf<EventName>>;
-  /** What its events say beside their lines of the listing. */
+  /** The notes of its events beside their lines of the listing. */
   readonly notes: Partial<Notes>;
   /** The events that make another window, polygon, curve or list the current item. */
   readonly begins: readonly EventName[];
 
-  /** What can be pointed at in a step, beside the polygons. */
+  /** What can be pointed at in a step, besides the polygons. */
   things(view: View): readonly string[];
-  /** What stands on the picture because of the state, and of the step itself. */
+  /** The marks on the picture that show the state and the step itself. */
   marks(view: View, sight: Sight): readonly Mark[];
-  /** How a thing that is pointed at is marked. */
+  /** The marks of a thing that is pointed at. */
   thingMarks?(thing: Thing, view: View): readonly Mark[];
-  /** The picture of a step as an SVG document of its own. */
+  /** The picture of a step as a separate SVG document. */
   figure(view: View): string;
-  /** What a step adds to the scene in space, and how it is said; none where the scene has no polygons. */
+  /** The additions of a step to the 3D scene, and their caption. Undefined for scenes without polygons. */
   readonly solid?: {
     drawing(view: View, space: Space): Partial<Drawing>;
     pointed?(thing: Thing, view: View, space: Space): Partial<Drawing>;
     caption(view: View, texts: SolidTexts): readonly string[];
   };
 
-  /** What the strip shows of a run, and how the course learns of the steps that change the current item. */
+  /** The lanes of the strip, and how the course learns of the steps that change the current item. */
   readonly lanes: Lanes;
   course(book: Book): Watched;
-  /** What its outline has beside that. */
+  /** The additions of its outline. */
   readonly outline: Outlined;
-  /** What one may go to, beside wrong decisions, the chosen pixel and bookmarks. */
+  /** The goals of its runs, besides wrong decisions, the chosen pixel and bookmarks. */
   readonly goals: readonly OwnGoal[];
 
-  /** Follows a pixel, or a column, through a run. */
+  /** Follows a pixel or a column through a run. */
   watch(pixel: Pixel, header: Header): Watch;
   /** The item that was current at an entry of a pixel's history. */
   heading(known: Known, event: Event): Heading | null;
-  /** Why the entry that painted the pixel gave it its colour. */
+  /** The reason why the entry that painted the pixel gave it its colour. */
   why?(entry: Entry, header: Header): Reason;
-  /** What is said of an entry in place of its step's sentence; null where nothing is. */
+  /** The text of an entry in place of its step's sentence; null for none. */
   entry?(entry: Entry, texts: HistoryTexts): string | null;
 
-  /** What is asked in exact arithmetic, and at the points around, of its decisions about points. */
+  /** The questions in exact arithmetic that its decisions about points ask at the point and its neighbours. */
   readonly abouts: Abouts;
 
   readonly askers: Askers;
-  /** What must be known at a step to answer a question. */
+  /** The facts that answer a question at a step. */
   facts(view: View): readonly Fact[];
-  /** The polygons that a question is about, which names one itself or none. */
+  /** The polygons that a question is about. The question names one itself or none. */
   polygonsAsked(view: View, named: string | null): readonly string[];
 
-  /** What is counted of a run by the names of its events. */
+  /** The counters that count events by name. */
   readonly counts: Readonly<Partial<Record<Counter, readonly EventName[]>>>;
-  /** What is counted otherwise. */
+  /** The other counters. */
   readonly sums: readonly Sum[];
-  /** The events that a run has at most once with the current item: by these steps runs are paired. */
+  /** The events that occur at most once for each current item: runs are paired by these steps. */
   readonly landmarks: readonly EventName[];
   landmark(event: Event, inHand: string): string | null;
 }
@@ -91,7 +91,7 @@ export type Heading = Box | string | number;
 
 const algorithms = new Map<Method, Algorithm>();
 
-/** Makes an algorithm known; each does so once, as the page is loaded. */
+/** Registers an algorithm; each registers itself once, when the page loads. */
 export function defineAlgorithm(methods: readonly Method[], algorithm: Algorithm): void {
   for (const method of methods) algorithms.set(method, algorithm);
 }

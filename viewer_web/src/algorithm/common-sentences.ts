@@ -1,7 +1,7 @@
 import type { SentencesOf } from '../language/texts.js';
 import type { CommonEvents } from '../trace/events.js';
 
-/** The sentences of the events that all algorithms tell. */
+/** The sentences of the events that all algorithms have. */
 export const commonSentences: SentencesOf<keyof CommonEvents> = {
   plane: {
     en: ({ polygon, plane }, { texts }) =>

@@ -9,13 +9,13 @@ async function at(name: string, step: number, pointed: string | null = null): Pr
   return viewOf(trace, step, { language: 'en', pixel: null, pointed });
 }
 
-describe('what can be pointed at', () => {
-  it('is at first the polygons alone', async () => {
+describe('the things that can be pointed at', () => {
+  it('are at first only the polygons', async () => {
     const view = await at('small.warnock.signs.jsonl', 0);
     expect(thingsOf(view)).toEqual(view.header.scene.polygons.map(({ id }) => `polygon ${id}`));
   });
 
-  it('is later what the state has, windows from the top of the stack', async () => {
+  it('are later those of the state, with windows from the top of the stack', async () => {
     const split = textOf('small.warnock.signs.jsonl')
       .split('\n')
       .findIndex((line) => line.includes('"case":"split"'));
@@ -29,7 +29,7 @@ describe('what can be pointed at', () => {
     expect(things).toContain('corner lb');
   });
 
-  it('is gone through one way and the other, with nothing between the last and the first', async () => {
+  it('are visited in both directions, with none between the last and the first', async () => {
     const view = await at('small.zbuffer.signs.jsonl', 60);
     const things = thingsOf(view);
     let thing: string | null = null;
@@ -40,13 +40,13 @@ describe('what can be pointed at', () => {
     expect(nextThing(null, -1, view)).toBe(things.at(-1));
   });
 
-  it('is nothing that the step does not have', async () => {
+  it('are only those of the step', async () => {
     expect(thingOf('polygon nobody', await at('small.warnock.signs.jsonl', 0))).toBe(null);
     expect(thingOf('edge 0', await at('small.warnock.signs.jsonl', 10))).toBe(null);
     expect(sayThing(await at('small.warnock.signs.jsonl', 0, 'polygon nobody'))).toBe('');
   });
 
-  it('has a name', async () => {
+  it('have names', async () => {
     const view = await at('small.warnock.signs.jsonl', 0, 'polygon A');
     expect(sayThing(view)).toBe('Polygon A');
   });

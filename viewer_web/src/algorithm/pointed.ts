@@ -6,9 +6,9 @@ import { numbersOf } from './view.js';
 import type { View } from './view.js';
 
 /**
- * What may be pointed at, wherever the page shows it: a polygon, an edge of the current polygon, a corner of the
- * current window, a window, the pixel that a question is about, a curve, or a column. Its elements carry it as `data-thing`: its kind, a
- * space, and which one.
+ * What can be pointed at, wherever the page shows it: a polygon, an edge of the current polygon, a corner of the current
+ * window, a window, the pixel that a question is about, a curve, or a column. Its elements carry it as `data-thing`: its
+ * kind, a space, and its identifier.
  */
 export type Thing =
   | { readonly kind: 'polygon'; readonly id: string }
@@ -27,7 +27,7 @@ export const curveThing = (curve: number): string => `curve ${curve}`;
 export const columnThing = (x: number): string => `column ${x}`;
 export const pixelThing = (at: Pixel): string => `pixel ${at.join(' ')}`;
 
-/** The thing of that text; null if the step does not have it. */
+/** The thing that a text denotes; null if the step does not have it. */
 export function thingOf(text: string | null, view: View): Thing | null {
   if (text === null) return null;
   const kind = text.slice(0, text.indexOf(' '));
@@ -43,7 +43,7 @@ export function thingOf(text: string | null, view: View): Thing | null {
   return { kind: 'window', window: numbers as Box };
 }
 
-/** All that can be pointed at in a step, in the order in which the keyboard goes through it. */
+/** Everything that can be pointed at in a step, in the order of the keyboard. */
 export function thingsOf(view: View): readonly string[] {
   const { header, asked = [] } = view;
   const polygons = header.scene.polygons.map(({ id }) => polygonThing(id));
@@ -56,7 +56,7 @@ function columnOf(x: number, { columns, header }: View): Thing | null {
   return isThere ? { kind: 'column', x } : null;
 }
 
-/** How it is called; nothing if there is none. */
+/** The name of the pointed thing; empty if there is none. */
 export function sayThing(view: View): string {
   const thing = thingOf(view.pointed, view);
   const { things } = view.texts;
@@ -70,14 +70,14 @@ export function sayThing(view: View): string {
   return things.window(numbersOf(view).windowText(thing.window));
 }
 
-/** The thing after another, or before it; from none the first or the last, and after these none. */
+/** The thing after or before another. From none it is the first or the last; past the ends it is none. */
 export function nextThing(text: string | null, by: 1 | -1, view: View): string | null {
   const all = [null, ...thingsOf(view)];
   const at = Math.max(0, all.indexOf(text));
   return all.at((at + by) % all.length) ?? null;
 }
 
-/** The thing that an event of the mouse is about, if any. */
+/** The thing under a mouse event, if any. */
 export function thingAt(event: Event): string | null {
   const shown = event
     .composedPath()

@@ -8,7 +8,7 @@ import { commonSentences } from './common-sentences.js';
 
 type Say = (event: Event, words: Words) => string;
 
-/** What a step did, in one sentence. */
+/** One sentence that describes a step. */
 export function sentence(
   event: Event,
   before: Known,

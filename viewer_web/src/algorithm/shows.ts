@@ -10,19 +10,19 @@ import type { Method } from '../trace/events.js';
 import type { StatePart } from './state-part.js';
 import type { View } from './view.js';
 
-/** Where one chooses what a picture shows. */
+/** The control that chooses the layer of a picture. */
 export interface LayerChoice extends HTMLElement {
-  /** The next of what there is to choose. */
+  /** Chooses the next layer. */
   next(): void;
 }
 
-/** What a picture is made of. */
+/** The content of a picture, and the callbacks for it. */
 export interface Pictured {
   readonly view: View;
   readonly editing: Editing | null;
   readonly layer: Layer;
   readonly exact: Exact;
-  /** Which of the parts that an algorithm's pictures may have are shown: all, until some are chosen. */
+  /** The visible ones of the parts that an algorithm's pictures may have: all, until the reader chooses some. */
   shownOf<T extends string>(all: ReadonlySet<T>): ReadonlySet<T>;
   show<T extends string>(some: ReadonlySet<T>, all: ReadonlySet<T>): void;
   choose(place: Pixel): void;
@@ -30,26 +30,26 @@ export interface Pictured {
 
 /** The elements that show the runs of an algorithm. */
 export interface Shows {
-  /** The panel of its state, whole or with some of its parts. */
+  /** The panel of its state, whole or reduced to some of its parts. */
   readonly state: (view: View, parts: readonly StatePart[] | null) => TemplateResult;
-  /** The picture, and the choice of what it shows; their classes are `drawing` and `layers`. */
+  /** The picture with its layer control; their classes are `drawing` and `layers`. */
   readonly picture: (pictured: Pictured) => TemplateResult;
-  /** The marks on the picture that the legend explains, and what those look like that no other algorithm has. */
+  /** The marks on the picture that the legend explains, and the icons of those that only this algorithm has. */
   readonly legend: readonly LegendEntry[];
   readonly icon?: (entry: LegendEntry) => SVGTemplateResult | null;
-  /** What is said of a place that is chosen in the picture: a pixel, or a column. */
+  /** The texts about a chosen place in the picture: a pixel or a column. */
   readonly places: (texts: Texts) => HistoryTexts;
-  /** The form of the scene that is run. */
+  /** The form of the scene. */
   readonly form: (editing: Editing, language: Language) => TemplateResult;
-  /** What can be done with the scene, in words. */
+  /** The text that explains how to edit the scene. */
   readonly how: (texts: Texts) => string;
-  /** Whether the scene has polygons, which may be drawn, and shown in 3D. */
+  /** Whether the scene has polygons, which can be drawn by hand and shown in 3D. */
   readonly isSolid: boolean;
 }
 
 const shows = new Map<Method, Shows>();
 
-/** Makes the elements of an algorithm known; each does so once, as the page is loaded. */
+/** Registers the elements of an algorithm; each registers its own once, when the page loads. */
 export function defineShows(methods: readonly Method[], its: Shows): void {
   for (const method of methods) shows.set(method, its);
 }
@@ -62,8 +62,8 @@ function showsOfMethod(method: Method): Shows {
 
 export const showsOf = ({ header }: Pick<View, 'header'>): Shows => showsOfMethod(header.method);
 
-/** The same of a scene that is edited. */
+/** The same for a scene that is being edited. */
 export const showsOfEdited = ({ options }: Editing): Shows => showsOfMethod(options.method);
 
-/** What is said of places in the picture of a view, in its language. */
+/** The texts about places in the picture of a view, in its language. */
 export const placesOf = (view: View): HistoryTexts => showsOf(view).places(texts[view.language]);

@@ -1,4 +1,4 @@
-/** The parts of a state's panel, which a lesson may ask for by name: an algorithm has some of them. */
+/** The parts of the panels of state, which a lesson may ask for by name. Each algorithm has some of them. */
 export const stateParts = [
   'window',
   'corner-depths',

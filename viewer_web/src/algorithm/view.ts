@@ -12,7 +12,7 @@ import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { sentence } from './sentence.js';
 
-/** A step as the components show it: what happened, and what was before and after it. */
+/** A step as the components show it: its event, and the states before and after it. */
 export interface View {
   readonly header: Header;
   readonly step: number;
@@ -21,26 +21,26 @@ export interface View {
   readonly before: Values;
   readonly after: Values;
   readonly screen: Screen;
-  /** What there is over each column in a run of curves; null in one of polygons. */
+  /** The samples over each column in a run of curves; null in a run of polygons. */
   readonly columns: Columns | null;
-  /** The lines that a run of curves draws. */
+  /** The lines that a run of curves has drawn. */
   readonly lines: Lines;
-  /** Those of another run, which are to be seen where this one has none. */
+  /** The lines of another run, shown where this run has none. */
   readonly rival?: readonly Line[];
   readonly language: Language;
   readonly texts: PageTexts;
   readonly sentence: string;
-  /** The pixel whose history is asked for; of curves, its column. */
+  /** The pixel whose history is shown; for curves, its column. */
   readonly pixel: Pixel | null;
-  /** What is pointed at, as elements carry it. */
+  /** The thing that is pointed at, as elements carry it. */
   readonly pointed: string | null;
-  /** What the current question is about, in the same form. */
+  /** The things that the current question is about, in the same form. */
   readonly asked?: readonly string[];
-  /** What is marked of the decisions worth looking at. */
+  /** The marks of the decisions worth looking at. */
   readonly found?: readonly Mark[];
 }
 
-/** What of a view is chosen rather than told by the trace. */
+/** The parts of a view that the reader chooses, as opposed to those from the trace. */
 export type Choice = Pick<View, 'language' | 'pixel' | 'pointed' | 'asked' | 'found'>;
 
 export function viewOf({ header, timeline }: Trace, step: number, choice: Choice): View {
@@ -65,6 +65,6 @@ export function viewOf({ header, timeline }: Trace, step: number, choice: Choice
   };
 }
 
-/** How numbers are written in the language of a view. */
+/** The number format of a view's language. */
 export const numbersOf = ({ language }: Pick<View, 'language'>): Texts['numbers'] =>
   texts[language].numbers;

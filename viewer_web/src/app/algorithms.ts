@@ -1,4 +1,4 @@
-/** All algorithms, without the elements that show their runs. */
+/** Registers all algorithms, without the elements that show their runs. */
 import '../floating-horizon/algorithm.js';
 import '../warnock/algorithm.js';
 import '../weiler-atherton/algorithm.js';

@@ -47,7 +47,8 @@ export const appStyle = css`
   vidno-comparison {
     flex: 1 0 auto;
   }
-  /* Where its room is given it is not asked for its own height: for that the browser would style and lay out all of it once more. */
+  /* With a given size the browser need not compute the content's height, for which it would style and lay out everything
+     once more. */
   @media (min-width: 900px) {
     vidno-player {
       flex: 1 0 0;
@@ -93,7 +94,7 @@ export const appStyle = css`
     margin: auto;
     color: var(--soft);
   }
-  /* Said only if it takes long: the run is opened as one reads, and nothing shall flicker. */
+  /* Shown only if reading takes long: the run opens while the reader scrolls, and nothing should flicker. */
   :host([reading]) vidno-notice.reading {
     position: absolute;
     right: 0.9rem;
@@ -140,7 +141,7 @@ export const appStyle = css`
       --text-share: 38fr;
     }
   }
-  /* The page scrolls: the run first, and under the text's box what is left of the screen. */
+  /* The page scrolls: the run comes first, and the box of the text fills the rest of the screen. */
   @media (max-width: 899px) {
     :host {
       height: auto;
@@ -174,7 +175,7 @@ export const appStyle = css`
         'reader' minmax(min(17.5rem, 100dvh), 1fr) / minmax(0, 1fr);
       gap: 0.4rem 0;
     }
-    /* As high as the picture and the dock; the panels are scrolled to. */
+    /* As high as the picture and the dock; the panels are below, and the page scrolls to them. */
     :host([reading]) main {
       height: max(${leastPanel} + 7rem, min(100vw, 50dvh) + 6.9rem);
       overflow: auto;
@@ -201,7 +202,7 @@ export const appStyle = css`
       --name-inset: 0.6rem;
     }
   }
-  /* Two pictures, and what is said of them, are on one screen. */
+  /* Two pictures and their sentences fit on one screen. */
   @media (min-width: 641px) and (max-width: 1199px) {
     vidno-comparison {
       --panels: clamp(20rem, 100dvh - 28.5rem, 36rem);

@@ -51,10 +51,10 @@ import { atlas, failing } from './failing.js';
 import { alone, besides, ownSurface } from './stage.js';
 import type { Shown } from './stage.js';
 
-/** Always the same: with another list the player would be drawn a second time. */
+/** A constant, because a new list would make the player render a second time. */
 const noParts: readonly StatePart[] = [];
 
-/** The page: lessons, files of one's own, and the player. */
+/** The page: lessons, the reader's own files, and the player. */
 @customElement('vidno-app')
 export class AppElement extends LitElement implements Shown, Told {
   static override styles = [tokens, base, appStyle];
@@ -76,10 +76,10 @@ export class AppElement extends LitElement implements Shown, Told {
 
   @state() private isAtContents = false;
   isFirst = false;
-  /** Whether a tour is on offer, as it is once, and whether it is being taken. */
+  /** Whether the tour is offered, which happens once, and whether it is running. */
   @state() private isOffered = false;
   @state() private isToured = false;
-  /** What the address names is being looked for. */
+  /** Whether the page is looking for what the address names. */
   @state() private isOpening = false;
   readonly lessons = embeddedLessons(document);
   readonly ways: Navigation = new Navigation(this);
@@ -131,7 +131,7 @@ export class AppElement extends LitElement implements Shown, Told {
     void this.reading.follow({ ...address, rival: beside }).finally(() => (this.isOpening = false));
   }
 
-  /** The lessons are over the page: who turns to anything else does not want them any more. */
+  /** The lessons cover the page and close when the reader turns to anything else. */
   private readonly onElsewhere = (event: Event): void => {
     const isThere = event
       .composedPath()
@@ -139,7 +139,7 @@ export class AppElement extends LitElement implements Shown, Told {
     if (!isThere) this.isAtContents = false;
   };
 
-  /** Keys that were pressed outside the player are passed on to it. */
+  /** Passes keys that were pressed outside the player on to it. */
   private readonly onKey = (event: KeyboardEvent): void => {
     if (
       this.choice.open ||
@@ -157,27 +157,27 @@ export class AppElement extends LitElement implements Shown, Told {
     if (!event.composedPath().includes(this.stage)) this.stage.handleKey(event);
   };
 
-  /** What shows the run: alone, or beside another one. */
+  /** The element that shows the run, alone or beside another one. */
   private get stage(): PlayerElement | ComparisonElement {
     return this.comparison ?? this.player;
   }
 
-  /** The reader has to answer what comes next, and cannot look at it beside. */
+  /** Whether the reader must predict the next step, and so cannot look at it elsewhere. */
   private get isAsked(): boolean {
     return this.setup.setting.ask === 'forced';
   }
 
-  /** Whether there is the text of a lesson, though it may be out of sight. */
+  /** Whether the lesson has a text, even if it is hidden. */
   private get hasText(): boolean {
     return this.reading.lesson?.story !== undefined && !this.setup.setting.embed;
   }
 
-  /** Whether it is beside the run. */
+  /** Whether the text is shown beside the run. */
   get isReading(): boolean {
     return this.hasText && this.setup.reader && !this.session.isCompared;
   }
 
-  /** How it is arranged: around a text, unless there is none or the reader wants it otherwise. */
+  /** The layout of the page: around a text, unless there is none or the reader chose otherwise. */
   get view(): PageView {
     return this.setup.view ?? (this.hasText ? 'lesson' : 'workbench');
   }
@@ -243,7 +243,7 @@ export class AppElement extends LitElement implements Shown, Told {
     }
   }
 
-  /** To the scene and back to the state; of two runs, to the handles in the first picture. */
+  /** Opens or closes the editor. With two runs it shows or hides the handles in the first picture. */
   private edit(on = !this.isEdited): void {
     const { player, comparison } = this;
     if (comparison !== null) comparison.isEdited = on;
@@ -283,7 +283,7 @@ export class AppElement extends LitElement implements Shown, Told {
     }
   }
 
-  /** To another run beside this one, and back. */
+  /** Shows another run beside this one, or closes it. */
   private compare(): void {
     const { rival, trace } = this.session;
     if (rival.chosen !== null) this.breaking.leave();
@@ -291,7 +291,7 @@ export class AppElement extends LitElement implements Shown, Told {
     else if (trace !== null) this.choice.show();
   }
 
-  /** To the views, and what may be done in them; to the drawing of a polygon. */
+  /** The actions of keys: to change views, to act in them, and to draw a polygon. */
   private actions(): Actions {
     const { live } = this.session;
     const always = {
@@ -322,7 +322,7 @@ export class AppElement extends LitElement implements Shown, Told {
 
   override updated(): void {
     const { documentElement: root } = document;
-    // Set to what it is already, it would have the browser style the whole page anew.
+    // Setting the same value again would make the browser restyle the whole page.
     if (root.lang !== this.setup.language) root.lang = this.setup.language;
     const name = this.session.trace ? `${this.name} · vidno` : 'vidno';
     if (document.title !== name) document.title = name;
@@ -407,7 +407,7 @@ export class AppElement extends LitElement implements Shown, Told {
     this.player.isEdited = true;
   }
 
-  /** A run of a lesson is named after what it shows, a failure after what happens. */
+  /** A run of a lesson is named after its trace, a failure after its effect. */
   private get name(): string {
     const { session, setup } = this;
     if (session.isFailing && session.failure !== null) return session.failure.title[setup.language];

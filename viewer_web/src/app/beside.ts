@@ -10,7 +10,7 @@ import type { Navigation } from './navigation.js';
 import type { Reading } from './reading.js';
 import type { Session } from './session.js';
 
-/** What the page shows beside the run: lessons, and the text of one of them. */
+/** What the page shows beside the run: the lessons, and the text of one of them. */
 export interface Told {
   readonly lessons: readonly Lesson[];
   readonly session: Session;
@@ -20,13 +20,13 @@ export interface Told {
   readonly isReading: boolean;
   change(part: Partial<Setup>): void;
   readonly ways: Navigation;
-  /** Opens the lessons, or closes them. */
+  /** Opens or closes the lessons. */
   turnToContents(isOpen: boolean): void;
-  /** The offer of a tour, once. */
+  /** The offer of the tour, made once. */
   offer(): unknown;
 }
 
-/** The lessons, and the headings of the text that is read. */
+/** The lessons, and the headings of the current text. */
 export function contents(page: Told): TemplateResult {
   const { lessons, session, setup, reading } = page;
   const { language } = setup;

@@ -5,7 +5,7 @@ import type { Deviation, Edition } from '../trace/editions.js';
 import type { Layer } from '../picture/layers.js';
 import type { Shown } from './stage.js';
 
-/** How the run beside the one that is open is broken; null if it is any other. */
+/** How the run beside the open one is broken; null for any other run. */
 export function brokenBeside({ trace, rival }: Shown['session']): Deviation | null {
   const { chosen } = rival;
   if (trace === null || chosen?.kind !== 'run') return null;
@@ -16,16 +16,16 @@ export function brokenBeside({ trace, rival }: Shown['session']): Deviation | nu
   return isElseSame ? deviationOf(edition) : null;
 }
 
-/** Breaks a line of the run that is open, and puts it together again. */
+/** Breaks a line of the open run, and repairs it. */
 export class Breaking {
-  /** Whether the first difference is to be shown as soon as it is known. */
+  /** Whether to show the first difference as soon as it is known. */
   seeks = false;
-  /** What was shown before, where the line was broken here. */
+  /** The step and layer before the line was broken here. */
   private before: { readonly step: number; readonly layer: Layer } | null = null;
 
   constructor(private readonly page: Shown) {}
 
-  /** Runs the scene that is open with a line broken, and shows where that is seen first. */
+  /** Runs the open scene with a broken line, and goes to the first visible difference. */
   break(edition: Edition): void {
     const { session, setup } = this.page;
     const { trace, rival, place, witness } = session;
@@ -40,7 +40,7 @@ export class Breaking {
     this.page.change({ layer: 'difference' });
   }
 
-  /** To the smallest scene that shows the broken line, back from there, or back to the right run. */
+  /** Opens the smallest scene that shows the broken line, leaves it, or returns to the right run. */
   follow(way: string): void {
     const { session } = this.page;
     const { chosen } = session.rival;
@@ -53,7 +53,7 @@ export class Breaking {
     } else this.leave();
   }
 
-  /** Shows the smallest scene at a step, as an address has it; null: not that scene. */
+  /** Shows the smallest scene at a step, as given in an address; null closes it. */
   openAt(step: number | null): void {
     const { witness, rival } = this.page.session;
     const options = rival.chosen?.kind === 'run' ? rival.chosen.options : null;
@@ -62,13 +62,13 @@ export class Breaking {
     else if (!isThere) witness.open(options, step);
   }
 
-  /** The first difference was found, or there is none. */
+  /** Called when the first difference was found, or there is none. */
   found(): void {
     this.seeks = false;
     this.page.requestUpdate();
   }
 
-  /** Leaves the other run; if that was broken here, to where one was before. */
+  /** Closes the other run. If it was broken here, restores the previous step and layer. */
   leave(): void {
     const { session } = this.page;
     const { before } = this;

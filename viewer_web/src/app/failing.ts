@@ -6,7 +6,7 @@ import type { Language } from '../language/language.js';
 import type { Session } from './session.js';
 import type { Shown } from './stage.js';
 
-/** What there is to say of the failure that is open. */
+/** The note on the open failure. */
 export function failing({ session, setup, ways }: Shown): TemplateResult | typeof nothing {
   const { failure, rival, trace } = session;
   if (failure === null || trace === null || setup.presenting) return nothing;
@@ -24,7 +24,7 @@ export function failing({ session, setup, ways }: Shown): TemplateResult | typeo
   ></vidno-failure-note>`;
 }
 
-/** The way to the atlas, if the page brings one along. */
+/** The button for the atlas, if the page contains one. */
 export function atlas(
   { canRun }: Session,
   language: Language,

@@ -6,7 +6,7 @@ import type { Session } from './session.js';
 const sessionOf = (part: Partial<Session>): Session => part as Session;
 
 describe('the invitation to choose a lesson', () => {
-  it('is there where nothing is open', () => {
+  it('is shown while nothing is open', () => {
     expect(invitation(sessionOf({ trace: null, isOpening: false }), 'en')).not.toBe(nothing);
   });
 

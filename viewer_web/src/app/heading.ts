@@ -7,7 +7,7 @@ import type { Notice } from '../run/notice.js';
 import './run-words.js';
 import type { Session } from './session.js';
 
-/** What is open. */
+/** The title of the open run. */
 export function heading(session: Session, name: string, language: Language): TemplateResult {
   const { trace, isCompared } = session;
   return html`<div class="title">
@@ -20,14 +20,14 @@ export function heading(session: Session, name: string, language: Language): Tem
   </div>`;
 }
 
-/** What there is to say of it, and of the run beside it. */
+/** The notices about the open run, and about the run beside it. */
 export function notices(session: Session, language: Language): TemplateResult {
   const { notice, rival } = session;
   return html`${noticeOf(notice, language, () => session.stop())}
   ${rival.notice === null ? nothing : noticeOf(rival.notice, language, () => rival.stop())}`;
 }
 
-/** What can be opened, where nothing is and nothing is about to be. */
+/** A list of what can be opened, while nothing is open or about to be. */
 export function invitation(session: Session, language: Language): TemplateResult | typeof nothing {
   if (session.trace !== null || session.isOpening) return nothing;
   return html`<p class="nothing">${texts[language].page.nothingOpen}</p>`;

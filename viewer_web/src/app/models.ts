@@ -1,4 +1,4 @@
-/** What the runs of each algorithm hold. */
+/** Registers the model of each algorithm. */
 import '../floating-horizon/model.js';
 import '../warnock/model.js';
 import '../weiler-atherton/model.js';

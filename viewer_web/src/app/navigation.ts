@@ -6,13 +6,13 @@ import { addressNow, addressOf } from './sharing.js';
 import type { Shared } from './sharing.js';
 import { Trail, isJump } from './trail.js';
 
-/** What is gone about in. */
+/** The parts of the page that navigation needs. */
 export interface Travelled extends Shared, ReactiveControllerHost {
   readonly discard: DiscardElement;
   followAddress(): void;
 }
 
-/** The ways from what is shown to something else: each can be undone, and none takes away what was edited unasked. */
+/** Navigation away from what is shown. Each move can be undone, and none discards edits without asking. */
 export class Navigation implements ReactiveController {
   private readonly trail = new Trail(() => addressOf(this.host));
 
@@ -28,23 +28,23 @@ export class Navigation implements ReactiveController {
     window.removeEventListener('hashchange', this.onAddress);
   }
 
-  /** What is shown has changed. */
+  /** Writes the address after a change. */
   write(): void {
     this.trail.write();
   }
 
-  /** Something else is about to be shown; *Back* shall lead here again. */
+  /** Records the address before something else is shown, so that *Back* returns here. */
   leave(): void {
-    // In a frame the steps back are those of the page around it.
+    // In a frame the browser's history belongs to the surrounding page.
     if (!this.host.setup.setting.embed) this.trail.leave(addressNow(this.host));
   }
 
-  /** Does what takes the place of the scene; if that was changed, only when the reader agrees. */
+  /** Runs an action that replaces the scene. If the scene was changed, the reader must agree first. */
   async replace(act: () => void): Promise<void> {
     if (await this.mayLeave()) act();
   }
 
-  /** The run has come to another step. */
+  /** The run has moved to another step. */
   moved({ target, detail: step }: CustomEvent<number>): void {
     const { session } = this.host;
     const { playing } = (target as TimedElement).clock;
@@ -52,7 +52,7 @@ export class Navigation implements ReactiveController {
     session.move({ step });
   }
 
-  /** Another address was asked for: by a link, by *Back*, by hand. */
+  /** The address was changed by a link, by *Back* or by hand. */
   private readonly onAddress = (): void => void this.visit();
 
   private async visit(): Promise<void> {

@@ -8,11 +8,11 @@ import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 
-/** What may be asked for; all but the first three are toggles. */
+/** What the header's buttons ask for; all but the first three are toggles. */
 export type Asked =
   'skip' | 'contents' | 'keys' | 'text' | 'workbench' | 'edit' | 'compare' | 'present';
 
-/** A button of the header: what it asks for, what it says, its key, whether it is on, whether it does nothing now. */
+/** A button of the header: its request, its label, its key, whether it is pressed, and whether it is disabled. */
 interface Tool {
   readonly ask: Asked;
   readonly label: string;
@@ -22,7 +22,7 @@ interface Tool {
   readonly off?: boolean;
 }
 
-/** The line at the top of the page. An event `ask` tells what is asked for. */
+/** The line at the top of the page. An event `ask` carries the request of a button. */
 @customElement('vidno-page-header')
 export class PageHeaderElement extends LitElement {
   static override styles = [
@@ -61,7 +61,7 @@ export class PageHeaderElement extends LitElement {
       .more {
         display: none;
       }
-      /* What is seldom needed on a small screen takes a line of its own, on demand. */
+      /* On a small screen the rarely used tools are hidden in a line of their own. */
       @media (max-width: 899px) {
         header {
           flex-wrap: wrap;
@@ -97,22 +97,22 @@ export class PageHeaderElement extends LitElement {
   ];
 
   @property({ attribute: false }) language: Language = 'en';
-  /** Whether a run is shown, which the tools are for. */
+  /** Whether a run is shown: the tools act on it. */
   @property({ type: Boolean }) open = false;
-  /** Whether another run is beside it, and whether none may be. */
+  /** Whether another run is beside it, and whether that is impossible. */
   @property({ type: Boolean }) comparing = false;
   @property({ type: Boolean }) alone = false;
-  /** Whether the lesson has a text, and whether that is shown. */
+  /** Whether the lesson has a text, and whether that text is shown. */
   @property({ type: Boolean, reflect: true }) told = false;
   @property({ type: Boolean }) reading = false;
   @property() view: PageView = 'lesson';
-  /** Whether the scene is edited; null where it cannot be. */
+  /** Whether the scene is being edited; null where it cannot be. */
   @property({ attribute: false }) editing: boolean | null = null;
-  /** Whether the lessons are in sight. */
+  /** Whether the lessons are open. */
   @property({ type: Boolean }) contents = false;
-  /** Which keys there are, as an address has it. */
+  /** The key assignments, as written in an address. */
   @property({ attribute: false }) keys = '';
-  /** Where there is no room for them: whether the tools are shown. */
+  /** Whether the tools are shown where there is no room for them. */
   @state() private isMore = false;
 
   override render(): TemplateResult {

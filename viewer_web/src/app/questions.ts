@@ -13,7 +13,7 @@ import './algorithms.js';
  *
  *     node vidno-questions.mjs [--language en|ru] [--count N] < trace.jsonl > questions.xml
  *
- * What it does not take it refuses in one line, with status 2, and writes nothing.
+ * It refuses an invalid input in one line, with status 2, and writes nothing.
  */
 class Refused extends Error {}
 

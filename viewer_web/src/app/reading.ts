@@ -7,15 +7,15 @@ import { readStory } from '../reader/story.js';
 import type { LessonStory, Pin } from '../reader/story.js';
 import type { Place, Session } from './session.js';
 
-/** Milliseconds for which one has to stay at a pin: who hurries past it wants to be elsewhere. */
+/** Milliseconds that the reader has to stay at a pin: a reader who scrolls past faster is on the way elsewhere. */
 const stay = 120;
 
-/** A pin by the name of its place, which may have the number of the time behind it. */
+/** The pin with the name of its place, which may be followed by the number of its occurrence. */
 export function pinAt(place: string, { pins }: LessonStory): Pin | null {
   return pins.get(place) ?? pins.get(place.replace(/\.\d+$/, '')) ?? null;
 }
 
-/** What an address names that is not here: a run, or a lesson. */
+/** The run or lesson in an address that this page does not have. */
 function missingIn(
   { trace, lesson }: Address,
   found: LessonTrace | undefined,
@@ -25,17 +25,17 @@ function missingIn(
   return lesson === null || lessons.some(({ id }) => id === lesson) ? null : lesson;
 }
 
-/** Which lesson is read, where in its text one is, and what of the runs belongs to that. Each change is told. */
+/** The current lesson, the reader's place in its text, and the run that belongs to that place. Reports each change. */
 export class Reading {
   lesson: Lesson | null = null;
-  /** Its text, when it is there. */
+  /** Its text, once it is read. */
   story: LessonStory | null = null;
-  /** Why there is none. */
+  /** Why there is no text. */
   error: unknown = null;
   goal: Goal = { place: null, isRead: false };
-  /** What one has reached by reading. */
+  /** The place that the reader has scrolled to. */
   reached: Reached = { place: null, pin: null, heading: null };
-  /** The pin by which the run has come to its step, by the name of its place. */
+  /** The name of the place whose pin has brought the run to its step. */
   current: string | null = null;
   private timer = 0;
 
@@ -43,18 +43,21 @@ export class Reading {
     private readonly lessons: readonly Lesson[],
     private readonly session: Session,
     private readonly changed: () => void,
-    /** The run is about to be elsewhere. */
+    /** Called before the run goes elsewhere. */
     private readonly leave: () => void,
   ) {}
 
-  /** Opens what an address names; without any the first lesson. A step that is named there stays, whatever the text says. */
+  /**
+   * Opens the lesson and run in an address, or the first lesson if there are none. A step in the address takes precedence
+   * over the text.
+   */
   async follow(address: Address): Promise<void> {
     const { lesson: id, at, trace: name, entry, live, step, pixel, bookmarks } = address;
     const trace = this.lessons.flatMap(({ traces }) => traces).find((each) => idOf(each) === name);
     const named = this.lessons.find((each) => each.id === id) ?? this.lessonOf(trace);
     const isOpen = namesNothing(address);
     const lesson = named ?? (isOpen ? this.lessons[0] : undefined) ?? null;
-    // Who comes without an address sees first what comes of it all.
+    // A reader without an address first sees the result of the run.
     const place = { step: step ?? (isOpen ? Infinity : 0), pixel, bookmarks };
     const opened = this.open(lesson, at);
     const missing = missingIn(address, trace, this.lessons);
@@ -68,7 +71,7 @@ export class Reading {
     }
   }
 
-  /** Opens a run by itself, with the text of its lesson. */
+  /** Opens a single run, with the text of its lesson. */
   choose(trace: LessonTrace): void {
     this.leave();
     const lesson = this.lessonOf(trace) ?? null;
@@ -76,7 +79,7 @@ export class Reading {
     void this.session.openLesson(trace);
   }
 
-  /** Another place in the same text. */
+  /** Goes to another place in the same text. */
   visit(place: string): void {
     this.goal = { place, isRead: true };
     this.changed();
@@ -86,14 +89,14 @@ export class Reading {
     void this.open(null, null);
   }
 
-  /** The lesson before or after this one, of those with a text. */
+  /** The previous or next lesson with a text. */
   neighbour(by: 1 | -1): Lesson | null {
     const told = this.lessons.filter(({ story }) => story !== undefined);
     const own = told.findIndex((each) => each === this.lesson);
     return own < 0 ? null : (told[own + by] ?? null);
   }
 
-  /** One has read on; if the run follows, it goes to the pin that one has come to. */
+  /** The reader has scrolled on. If the run follows, it goes to the pin reached. */
   reach(reached: Reached, follows: boolean): void {
     const isOther = reached.pin !== this.reached.pin;
     this.reached = reached;
@@ -101,7 +104,7 @@ export class Reading {
     this.changed();
   }
 
-  /** The run goes to a pin at once. */
+  /** The run goes to a pin without delay. */
   go(place: string | null): void {
     clearTimeout(this.timer);
     this.current = place;
@@ -120,7 +123,7 @@ export class Reading {
     clearTimeout(this.timer);
     if (place === this.current) return;
     this.current = place;
-    // While a scene is edited, or a file of one's own is open, reading takes nobody away from it.
+    // Reading moves the run only while a lesson is open, not an edited scene or the reader's own file.
     const isOwn = this.session.lesson !== null;
     if (place !== null && isOwn) this.timer = window.setTimeout(() => this.go(place), stay);
   }
@@ -129,7 +132,7 @@ export class Reading {
     return this.lessons.find(({ traces }) => trace !== undefined && traces.includes(trace));
   }
 
-  /** Says whether this is still what is wanted when the text has been read. */
+  /** Opens a lesson, and returns whether it is still wanted once its text is read. */
   private async open(lesson: Lesson | null, place: string | null): Promise<boolean> {
     clearTimeout(this.timer);
     if (lesson === this.lesson && place === null) return true;
@@ -161,7 +164,7 @@ export class Reading {
     this.error = error;
   }
 
-  /** The run of the pin at the place, else the first one. */
+  /** Starts the run of the pin at the place, or else the first one. */
   private begin(lesson: Lesson, at: string | null, place: Place): void {
     const pin = at !== null && this.story !== null ? pinAt(at, this.story) : null;
     const trace = (pin && this.traceOf(pin)) ?? lesson.traces[0];

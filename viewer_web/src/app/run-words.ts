@@ -8,7 +8,7 @@ import type { Language } from '../language/language.js';
 import { isMistake, kernelSays } from '../trace/editions.js';
 import type { Header } from '../trace/header.js';
 
-/** How a run was made, in a few words, each of which is explained on demand. */
+/** The settings of a run in a few words, each of which is explained on demand. */
 @customElement('vidno-run-words')
 export class RunWordsElement extends LitElement {
   static override styles = [
@@ -30,7 +30,7 @@ export class RunWordsElement extends LitElement {
         text-overflow: ellipsis;
         white-space: nowrap;
       }
-      /* Where there is no room for all: the rest is said as soon as one asks. */
+      /* Without room for all words, the rest appear when the reader asks. */
       @media (max-width: 1199px) {
         .more {
           display: none;
@@ -74,7 +74,7 @@ export class RunWordsElement extends LitElement {
 
   @property({ attribute: false }) header!: Header;
   @property({ attribute: false }) language: Language = 'en';
-  /** The word that was asked for; null while none is explained. */
+  /** The word whose explanation is open; null for none. */
   @state() private asked: number | null = null;
 
   override disconnectedCallback(): void {
@@ -82,7 +82,7 @@ export class RunWordsElement extends LitElement {
     this.close();
   }
 
-  /** The words and what they mean. */
+  /** The words and their explanations. */
   private get words(): readonly (readonly [word: string, meaning: string])[] {
     const { page, scene, family, words } = texts[this.language];
     const { method, edition, kernel, detail } = this.header;

@@ -31,11 +31,11 @@ import { SignMaps } from '../run/sign-maps.js';
 import { firstSurface, isSurface, surfaceText } from '../run/surface.js';
 import { ownStep } from '../time/own-step.js';
 
-/** Where in a trace the page is, and what is marked in it. */
+/** A place in a trace: the step, and what is marked. */
 export type Place = Pick<Address, 'pixel' | 'bookmarks'> & { readonly step: number };
 const beginning: Place = { step: 0, pixel: null, bookmarks: [] };
 
-/** Where in the run of a failure an address leads; without a step of its own to where the failure is seen. */
+/** The place in the run of a failure that an address names; without a step of its own, the step where the failure shows. */
 type Wanted = Pick<Address, 'step' | 'pixel' | 'bookmarks' | 'rival'>;
 const whereSeen: Wanted = { step: null, pixel: null, bookmarks: [], rival: null };
 const unnamed = { entry: null, wanted: whereSeen };
@@ -45,34 +45,34 @@ function placeIn({ step: seenAt, pixel: seen }: Failure, wanted: Wanted): Place 
   return { step: step ?? seenAt ?? Infinity, pixel: step === null ? seen : pixel, bookmarks };
 }
 
-/** A failure that is open, and the name of its entry in the atlas, if it is one. */
+/** An open failure, with the name of its entry in the atlas if it has one. */
 interface OpenFailure extends Failure {
   readonly entry: string | null;
 }
 
-/** The word in an address for the run that holds, where it has a scene of its own. */
+/** The word in an address for the run that is correct, if it has a scene of its own. */
 const remedy = 'remedy';
 
 const remedyOf = ({ holds: options, holdsScene: scene }: Failure): With =>
   scene === null ? { kind: 'run', options } : { kind: 'other', options, scene, word: remedy };
 
-/** What is open: a lesson, a file, or a scene that is edited; and where in it one is. Each change is told. */
+/** The open lesson, file or edited scene, and the place in it. Reports each change. */
 export class Session implements ReactiveController {
   trace: Trace | null = null;
-  /** How many of its steps are there. */
+  /** The number of its steps read so far. */
   steps = 0;
   name = '';
   lesson: string | null = null;
   place = beginning;
-  /** The reader's own file, where one is open. */
+  /** The reader's own file, if one is open. */
   file: Blob | null = null;
   notice: Notice | null = null;
   /** The failure whose scene is open. */
   failure: OpenFailure | null = null;
-  /** Whether the scene stays as it is: while it is dragged, nothing is made of its runs but what a frame shows. */
+  /** Whether the scene is at rest. During a drag, the page computes only what a frame shows. */
   isResting = true;
   private timer = 0;
-  /** What was shown before the scene was changed last. */
+  /** The trace that was shown before the last change of the scene. */
   earlier: Trace | null = null;
   readonly live: Live;
   readonly exact: ExactPicture;
@@ -83,11 +83,11 @@ export class Session implements ReactiveController {
   readonly witness: Witness;
   private readonly failures: Failures | null;
 
-  /** Where to be in the next run of a scene: where one is, unless a link says otherwise. */
+  /** The place to show in the next run of a scene: the current one, unless a link says otherwise. */
   private goal: Place | null = null;
-  /** The failure whose scene is about to be run. */
+  /** The failure whose scene will run next. */
   private next: OpenFailure | null = null;
-  /** The name of what was asked for last, which may be refused. */
+  /** The name of the last request, which may be refused. */
   private asked = '';
   private stopReading = (): void => undefined;
 
@@ -97,7 +97,7 @@ export class Session implements ReactiveController {
     readonly library = embeddedLibrary(document),
   ) {
     host.addController(this);
-    // Before it is needed: a long trace is then read at once.
+    // Loads the library early, so that a long trace can be read at once.
     if (library !== null) requestIdleCallback(() => void moduleOf(library).catch(() => undefined));
     this.maps = library && new SignMaps(library);
     this.checks = library && new Checks(library, changed);
@@ -118,13 +118,13 @@ export class Session implements ReactiveController {
     });
   }
 
-  /** Where a vertex may be moved to; null while that is not known. */
+  /** The region to which a vertex may be moved; null while it is not known. */
   marginAt(trace: Trace, spot: Spot): Margin | null {
     if (!this.isResting) return null;
     return this.margins?.of(trace, this.place.step, spot) ?? null;
   }
 
-  /** Whether what is shown is the run that fails, and neither its scene nor anything else was changed. */
+  /** Whether the failing run is shown and nothing about it was changed. */
   get isFailing(): boolean {
     const { failure, live } = this;
     const options = live.editing?.options;
@@ -141,22 +141,22 @@ export class Session implements ReactiveController {
     return this.isFailing ? (this.failure?.entry ?? null) : null;
   }
 
-  /** Whether an address can lead here again. */
+  /** Whether an address can reopen what is shown. */
   get isLinked(): boolean {
     return this.lesson !== null || this.live.isRun;
   }
 
-  /** Whether scenes can be run here. */
+  /** Whether the page can run scenes. */
   get canRun(): boolean {
     return this.maps !== null;
   }
 
-  /** Whether it is shown beside another run. */
+  /** Whether the run is shown beside another one. */
   get isCompared(): boolean {
     return this.trace !== null && this.rival.trace !== null;
   }
 
-  /** Whether there will soon be something to see, or a word about why not. */
+  /** Whether a run, or the reason why there is none, will soon be shown. */
   get isOpening(): boolean {
     const { notice, live } = this;
     return notice === null ? live.editing !== null : notice.kind === 'reading';
@@ -188,7 +188,7 @@ export class Session implements ReactiveController {
     else this.openOwn(await textOf(file), file.name);
   }
 
-  /** Opens an entry of the atlas that the page brings along, as an address names it. */
+  /** Opens an entry of the page's atlas by its name in the address. */
   async openEntry(name: string, wanted: Wanted = whereSeen): Promise<void> {
     const { failure } = this;
     if (failure !== null && this.entry === name) {
@@ -204,7 +204,10 @@ export class Session implements ReactiveController {
     else await this.openFailure(entry.text, name, { entry: name, wanted });
   }
 
-  /** Runs the scene of a failure as it fails, and goes to where that is seen or wanted. */
+  /**
+   * Runs the scene of a failure with its failing settings, and goes to the wanted step or to the one where the failure
+   * shows.
+   */
   async openFailure(
     text: string,
     name: string,
@@ -227,13 +230,13 @@ export class Session implements ReactiveController {
     this.besideRemedy(failure, wanted);
   }
 
-  /** The scene of the failure that is open stays, as any scene. */
+  /** Closes the failure, but keeps its scene open like any other. */
   forgetFailure(): void {
     this.failure = null;
     this.changed();
   }
 
-  /** The run that fails beside the one that holds, or alone again. */
+  /** Shows the failing run beside the correct one, or alone again. */
   compareWithRemedy(): void {
     const { failure, rival } = this;
     if (failure === null) return;
@@ -245,7 +248,7 @@ export class Session implements ReactiveController {
     if (wanted.rival === remedy && rival.word !== remedy) rival.choose(remedyOf(failure));
   }
 
-  /** Begins with a surface, of the page's own choice, that is given by a function. */
+  /** Opens a surface, chosen by the page, that is given by a function. */
   openSurface(name: string): void {
     this.openOwn(surfaceText(firstSurface(name)), name);
   }
@@ -268,12 +271,12 @@ export class Session implements ReactiveController {
     }
   }
 
-  /** An address names a run that is not here. */
+  /** Reports that an address names a run that is not here. */
   miss(name: string): void {
     this.say({ kind: 'unknown', name });
   }
 
-  /** Reads no more of the file: what is there of it stays. */
+  /** Stops reading the file and keeps the steps read so far. */
   stop(): void {
     this.stopReading();
     const { trace, notice } = this;
@@ -306,7 +309,7 @@ export class Session implements ReactiveController {
     else this.fail(name, null);
   }
 
-  /** A run of the scene as it is now: one stays at the step where one is, or at the end. */
+  /** Shows a run of the current scene, at the same step as before or at its end. */
   private showRun(trace: Trace): void {
     const { length } = trace.timeline;
     const atEnd = this.steps > 0 && this.place.step === this.steps;
@@ -326,7 +329,7 @@ export class Session implements ReactiveController {
     this.say(noticeOf(trace));
   }
 
-  /** Until the scene has not changed for a while. */
+  /** Waits until the scene has not changed for a while. */
   private wait(isChanging: boolean): void {
     clearTimeout(this.timer);
     this.isResting = !isChanging;

@@ -10,7 +10,7 @@ import { sceneFile } from '../run/sketch.js';
 import type { Reading } from './reading.js';
 import type { Session } from './session.js';
 
-/** What is shown, how, and where. */
+/** Everything that an address describes: what is shown, how, and where. */
 export interface Shared {
   readonly lessons: readonly Lesson[];
   readonly session: Session;
@@ -39,27 +39,29 @@ const written = (
     at,
     trace,
     entry,
-    // An entry has its scene.
+    // An entry of the atlas includes its scene.
     live: entry === null ? live : null,
     rival: rival.word,
     witness: witness.word,
   });
 };
 
-/** The address of what is shown, where it is known at once. */
+/** The address of what is shown, if it is known at once. */
 export function addressNow(page: Shared): string | null {
   const { entry, live: now } = page.session;
   const live = entry === null ? now.carriedNow : null;
   return live === undefined ? null : written(page, live, page.session.lesson);
 }
 
-/** The address of what is shown; in a page that brings along what no address holds, with the name of that. */
+/**
+ * The address of what is shown. If the page is saved with content that no address can hold, the address names that content.
+ */
 export async function addressOf(page: Shared, own: Own | null = null): Promise<string> {
   const { session } = page;
   return written(page, await session.live.carried(), own === null ? session.lesson : idOf(own.run));
 }
 
-/** Copies the address of what is shown; where none leads others here, saves a page that does. */
+/** Copies the address of what is shown. Where an address cannot hold it, saves a page that contains it. */
 export async function share(page: Shared): Promise<void> {
   const own = await ownOf(page.session);
   if (own === null && !isOnDisk()) {

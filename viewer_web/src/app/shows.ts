@@ -1,4 +1,4 @@
-/** All algorithms with their elements. */
+/** Registers all algorithms with their elements. */
 import '../floating-horizon/shows.js';
 import '../warnock/shows.js';
 import '../weiler-atherton/shows.js';

@@ -22,18 +22,18 @@ import type { Breaking } from './breaking.js';
 import type { Navigation } from './navigation.js';
 import type { Session } from './session.js';
 
-/** What is shown, how, and what may be asked for besides. */
+/** What the stage shows, how, and the callbacks for its controls. */
 export interface Shown {
   readonly session: Session;
   readonly setup: Setup;
   readonly view: PageView;
   /** Whether the text of a lesson is beside the run. */
   readonly isReading: boolean;
-  /** Whether one has come without an address, to look around. */
+  /** Whether the reader has opened the page without an address. */
   readonly isFirst: boolean;
   /** The parts of the state that the lesson asks for. */
   readonly parts: readonly StatePart[];
-  /** Another panel is open beside the run. */
+  /** Called when another panel is opened beside the run. */
   turned(): void;
   change(part: Partial<Setup>): void;
   copyLink(): Promise<void>;
@@ -42,7 +42,7 @@ export interface Shown {
   readonly ways: Navigation;
 }
 
-/** The exact picture is asked for when it is shown, and for the verdict on a small run; there is none of curves. */
+/** The exact picture, computed while its layer is shown, or for the verdict on a small run. Runs of curves have none. */
 function exactOf({ session, setup }: Shown): Exact {
   const { trace, exact } = session;
   if (trace === null) return null;
@@ -54,7 +54,7 @@ function exactOf({ session, setup }: Shown): Exact {
   return isWanted ? exact.of(header) : exact.unasked(header);
 }
 
-/** The player, which is out of sight while its run is shown beside another one. */
+/** The player. It is hidden while its run is shown beside another one. */
 export function alone(page: Shown): TemplateResult {
   const { session } = page;
   const { place, live } = session;
@@ -178,7 +178,7 @@ export function besides(page: Shown): TemplateResult {
   ></vidno-comparison>`;
 }
 
-/** What the other run is, where its header does not say so. */
+/** A description of the other run, if its header does not suffice. */
 function noteOf({ session, setup }: Shown): string {
   const { rival, trace } = session;
   if (rival.chosen?.kind === 'before') return texts[setup.language].compare.before;
@@ -186,7 +186,7 @@ function noteOf({ session, setup }: Shown): string {
   return name === trace?.header.scene.name ? '' : name;
 }
 
-/** The way to a surface of one's own, if scenes can be run here. */
+/** The button for a surface of the reader's own, if the page can run scenes. */
 export function ownSurface(
   { canRun }: Session,
   language: Language,

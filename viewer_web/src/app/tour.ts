@@ -5,10 +5,13 @@ import { base } from '../elements/theme.js';
 import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 
-/** CSS pixels between a part of the page and what is said of it, and around both. */
+/** CSS pixels between a part of the page and its explanation, and around both. */
 const gap = 10;
 
-/** A few steps through the page: each says what one of its parts is for, beside that part. An event `end` tells that it is over. */
+/**
+ * A tour of a few steps through the page. Each step explains one of its parts, beside that part. An event `end` reports the
+ * end of the tour.
+ */
 @customElement('vidno-tour')
 export class TourElement extends LitElement {
   static override styles = [
@@ -104,7 +107,7 @@ export class TourElement extends LitElement {
       </section>`;
   }
 
-  /** Beside the part, where there is room; else over it. */
+  /** Places the explanation beside the part, or over it if there is no room. */
   private readonly place = (): void => {
     const part = this.parts()[this.at];
     part?.scrollIntoView({ block: 'nearest' });

@@ -1,16 +1,16 @@
 /** Milliseconds: browsers limit how often an address may change. */
 const pause = 250;
-/** Milliseconds: what follows sooner belongs to the same move, as of a slider that is dragged. */
+/** Milliseconds: changes that follow each other sooner belong to the same move, such as the drag of a slider. */
 const same = 300;
 
-/** The page's address, and the browser's history with an entry for each jump, so that *Back* undoes it. */
+/** The page's address, and the browser's history with an entry for each jump, so that *Back* undoes the jump. */
 export class Trail {
   private timer = 0;
   private moved = -Infinity;
 
   constructor(private readonly compose: () => Promise<string>) {}
 
-  /** What is shown has changed. */
+  /** Writes the address soon after a change. */
   write(): void {
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => {
@@ -18,7 +18,7 @@ export class Trail {
     }, pause);
   }
 
-  /** Something else is about to be shown: *Back* shall lead to what is shown now, whose address it is. */
+  /** Called before something else is shown, with the current address, so that *Back* returns to it. */
   leave(address: string | null): void {
     const isSame = performance.now() < this.moved + same;
     this.moved = performance.now();
@@ -28,11 +28,11 @@ export class Trail {
     this.write();
   }
 
-  /** The address says what is not shown: the reader wanted to stay. */
+  /** Restores the address of what is shown, because the reader wanted to stay. */
   restore(address: string): void {
     history.pushState(null, '', address);
   }
 }
 
-/** Whether a change of the step is more than playing on or stepping. */
+/** Whether a change of the step is a jump, not a single step. */
 export const isJump = (from: number, to: number): boolean => Math.abs(to - from) > 1;

@@ -2,14 +2,14 @@ import { read } from '../replay/read.js';
 import type { News, Order } from '../replay/read.js';
 import './models.js';
 
-/** What of the global scope a worker has and a page has not. */
+/** The part of a worker's global scope that a page's scope does not have. */
 interface Scope {
   onmessage: ((message: MessageEvent<Order>) => void) | null;
   postMessage(news: News, transfer: readonly Transferable[]): void;
 }
 const scope = globalThis as unknown as Scope;
 
-/** Bytes and columns are given away, not copied. */
+/** The buffers to transfer instead of copying: bytes and columns. */
 function given(news: News): readonly Transferable[] {
   if (news.is !== 'part') return [];
   const { bytes, starts, names } = news.block;

@@ -9,7 +9,7 @@ const files = readdirSync(folder)
   .map((file) => [file.replace('.json', ''), readFileSync(new URL(file, folder), 'utf8')]);
 const entries = entriesIn(JSON.stringify(files));
 
-it('tells rounding, the printed text, usual mistakes and limits of a method apart', () => {
+it('distinguishes rounding, the printed text, usual mistakes and limits of a method', () => {
   const kindOf = (name: string): string | undefined =>
     entries.find((entry) => entry.name === name)?.kind;
   expect(kindOf('clip-pixel')).toBe('rounding');
@@ -20,7 +20,7 @@ it('tells rounding, the printed text, usual mistakes and limits of a method apar
   expect(kindOfEntry({})).toBe('test');
 });
 
-it('has all entries, those of a kind together, each with a title in both languages', () => {
+it('has all entries, grouped by kind, each with a title in both languages', () => {
   expect(entries.length).toBe(files.length);
   const kinds = entries.map(({ kind }) => kind);
   expect(kinds.filter((kind, i) => kind !== kinds[i - 1]).length).toBe(new Set(kinds).size);
@@ -36,7 +36,7 @@ for (const name of ['scene', 'surface', 'failure']) ajv.addSchema(schema(name));
 const validate = (entry: unknown): unknown =>
   ajv.validate('failure.schema.json', entry) || ajv.errors;
 
-it.each(files)('%s is as the schema of the repository says', (_name, text = '') => {
+it.each(files)('%s fits the schema of the repository', (_name, text = '') => {
   expect(validate(JSON.parse(text))).toBe(true);
 });
 

@@ -6,7 +6,7 @@ import { isMistake } from '../trace/editions.js';
 import type { Edition } from '../trace/editions.js';
 import type { Method } from '../trace/events.js';
 
-/** In the order in which they stand. */
+/** The order of the kinds in the gallery. */
 export const entryKinds: readonly FailureKind[] = [
   'rounding',
   'printed',
@@ -15,7 +15,7 @@ export const entryKinds: readonly FailureKind[] = [
   'test',
 ];
 
-/** What a file of the atlas says, as far as the gallery shows it; the library reads the rest. */
+/** The fields of an atlas file that the gallery shows; the library reads the rest. */
 interface Told {
   readonly title: Readonly<Record<Language, string>>;
   readonly why: Readonly<Record<Language, string>>;
@@ -27,7 +27,7 @@ interface Told {
 
 export interface Entry extends Told {
   readonly name: string;
-  /** Its file. */
+  /** The text of its file. */
   readonly text: string;
   readonly kind: FailureKind;
 }
@@ -37,11 +37,11 @@ export function kindOfEntry({ fails }: Pick<Told, 'fails'>): FailureKind {
   if (fails === undefined) return 'test';
   if (isMistake(fails.edition)) return 'mistake';
   if (fails.edition !== 'corrected') return 'printed';
-  // Nothing rounds there: the method itself does not see it.
+  // The exact kernel does not round: the failure is a limit of the method itself.
   return fails.kernel === 'exact' ? 'limit' : 'rounding';
 }
 
-/** Those of a kind stand together, by their names. */
+/** The entries, grouped by kind, in the order of their names. */
 export function entriesIn(json: string): readonly Entry[] {
   const files = JSON.parse(json) as readonly (readonly [name: string, text: string])[];
   const entries = files.map(([name, text]): Entry => {
@@ -52,7 +52,7 @@ export function entriesIn(json: string): readonly Entry[] {
   return [...entries].sort((one, other) => place(one) - place(other));
 }
 
-/** The atlas that the page brings along; empty if it was built without. */
+/** The atlas in the page; empty if the page was built without one. */
 export async function embeddedAtlas(page: Document): Promise<readonly Entry[]> {
   const block = page.getElementById('vidno-atlas');
   return block === null ? [] : entriesIn(await textOf(fileIn(block)));

@@ -8,8 +8,8 @@ import type { Language } from '../language/language.js';
 import type { Failure } from '../run/failures.js';
 
 /**
- * What there is to say of the failure that is open: what goes wrong, where, and the remedy. Events tell what is asked for: `go`,
- * to the step; `compare`, with the run that holds, or not any more; `forget`.
+ * A note on the open failure: its effect, its place, and the remedy. Events carry requests: `go` to the step, `compare` to
+ * switch the comparison with the correct run, `forget` to close the note.
  */
 @customElement('vidno-failure-note')
 export class FailureNoteElement extends LitElement {
@@ -63,9 +63,9 @@ export class FailureNoteElement extends LitElement {
 
   @property({ attribute: false }) failure!: Failure;
   @property({ attribute: false }) language: Language = 'en';
-  /** Whether the run that fails is shown as it is there: once it is changed, it may not be wrong at that step. */
+  /** Whether the failing run is shown unchanged. After a change it may not be wrong at that step. */
   @property({ type: Boolean }) there = false;
-  /** Whether the run that holds is beside the one that fails. */
+  /** Whether the correct run is beside the failing one. */
   @property({ type: Boolean }) comparing = false;
 
   override render(): TemplateResult {

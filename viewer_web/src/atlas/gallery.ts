@@ -14,13 +14,13 @@ import { galleryStyle } from './gallery.style.js';
 import { Pictures } from './pictures.js';
 import type { Thumbnail } from './thumbnail.js';
 
-/** The atlas of failures as a dialog of pictures: an event `choose` tells which entry is to be opened. */
+/** The atlas of failures as a dialog of pictures. An event `choose` names the entry to open. */
 @customElement('vidno-gallery')
 export class GalleryElement extends LitElement {
   static override styles = [base, dialogStyle, galleryStyle];
 
   @property({ attribute: false }) language: Language = 'en';
-  /** What draws the pictures; without it there are none, and no run can be opened. */
+  /** The library that draws the pictures. Without it there are no pictures, and no run can be opened. */
   @property({ attribute: false }) library: Blob | null = null;
   @state() private entries: readonly Entry[] = [];
   @state() private kind: FailureKind | null = null;
@@ -41,7 +41,7 @@ export class GalleryElement extends LitElement {
     if (!this.drawing) await this.draw();
   }
 
-  /** The pictures come one after the other, in the order in which they stand. */
+  /** Draws the pictures one after the other, in the order of the entries. */
   private async draw(): Promise<void> {
     const { library } = this;
     if (library === null) return;

@@ -6,10 +6,10 @@ import type { Entry } from './entries.js';
 import { thumbnailOf } from './thumbnail.js';
 import type { Thumbnail } from './thumbnail.js';
 
-/** A run that goes on for longer shows what it shows before. */
+/** A longer run shows its picture after this number of events. */
 const mostEvents = 20_000;
 
-/** The pictures to which the runs of the atlas come, made one at a time. */
+/** The final pictures of the atlas's runs, made one at a time. */
 export class Pictures {
   private readonly tracer: Tracer;
   private tell: (trace: Traced['trace']) => void = () => undefined;
@@ -22,7 +22,7 @@ export class Pictures {
     );
   }
 
-  /** Null where there is no run, or none that the library makes. */
+  /** Null if there is no run, or the library does not make it. */
   async of({ scene, fails, shows }: Entry): Promise<Thumbnail | null> {
     if (scene === undefined || fails === undefined) return null;
     const options: Options = { ...usual, ...fails, detail: 'windows' };

@@ -6,7 +6,7 @@ import type { Trace } from '../replay/trace.js';
 import type { Point } from '../trace/values.js';
 import type { Rectangle } from '../picture/frame.js';
 
-/** A small picture of what a run came to, in the plane of its scene. */
+/** A small picture of the result of a run, in the plane of its scene. */
 export interface Thumbnail {
   readonly shown: Rectangle;
   readonly shapes: readonly Shape[];
@@ -15,7 +15,7 @@ export interface Thumbnail {
 type Pair = readonly [number, number];
 const numbers = ([x, y]: Point): Pair => [toNumber(x), toNumber(y)];
 
-/** The pixels that were painted, with the wrong one in a frame; of curves the lines that were drawn. */
+/** The painted pixels, with a frame around the wrong one; for curves, the lines drawn. */
 export function thumbnailOf({ header: { scene }, timeline }: Trace, wrong: Pair | null): Thumbnail {
   const { area, polygons, curves } = scene;
   const { length } = timeline;
@@ -23,7 +23,7 @@ export function thumbnailOf({ header: { scene }, timeline }: Trace, wrong: Pair 
   if (curves !== null) {
     const lines = timeline.lines.at(length);
     const ends = lines.map(({ from, to }) => pathData([numbers(from), numbers(to)], false));
-    // Half a pixel: the samples stand on the middles of columns.
+    // Half a pixel, because the samples lie on the centres of columns.
     const [x, y, width, height] = shown;
     return {
       shown: [x - 0.5, y - 0.5, width, height],

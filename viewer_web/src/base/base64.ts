@@ -1,4 +1,4 @@
-/** Bytes in base64, of either alphabet. Throws where the text is none. */
+/** The bytes of a text in base64, in either alphabet. Throws if the text is invalid. */
 export function fromBase64(text: string): Uint8Array<ArrayBuffer> {
   const letters = text.replaceAll('-', '+').replaceAll('_', '/');
   return Uint8Array.from(atob(letters), (byte) => byte.charCodeAt(0));
@@ -8,12 +8,12 @@ export function toBase64(bytes: Uint8Array): string {
   return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
 }
 
-/** Bytes in the alphabet of base64 that an address leaves as it is. */
+/** Bytes in the alphabet of base64 whose characters an address does not escape. */
 export function toBase64Url(bytes: Uint8Array): string {
   return toBase64(bytes).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
-/** The file that a block of data of the page holds. */
+/** The file in a block of data of the page. */
 export function fileIn(block: Element): Blob {
   return new Blob([fromBase64(block.textContent.trim())]);
 }

@@ -1,4 +1,4 @@
-/** The text that a stream of bytes holds. Throws a RangeError where it has more than so many bytes. */
+/** The text in a stream of bytes. Throws a RangeError if there are more bytes than the limit. */
 export async function boundedText(
   stream: ReadableStream<Uint8Array>,
   most: number,

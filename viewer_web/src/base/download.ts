@@ -1,4 +1,4 @@
-/** Saves a file where the browser puts what was downloaded. */
+/** Saves a file in the browser's folder of downloads. */
 export function download(file: Blob, name: string): void {
   const anchor = document.createElement('a');
   anchor.href = URL.createObjectURL(file);
@@ -7,7 +7,7 @@ export function download(file: Blob, name: string): void {
   URL.revokeObjectURL(anchor.href);
 }
 
-/** Words as a part of a file's name. */
+/** Words joined into a part of a file name. */
 export function fileName(...words: readonly string[]): string {
   const parts = words.map((word) => word.replace(/[^\p{L}\p{N}]+/gu, '-').toLowerCase());
   return parts

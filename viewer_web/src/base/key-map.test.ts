@@ -14,7 +14,7 @@ describe('the keys of one letter', () => {
     ]);
   });
 
-  it('may be exchanged, so that each does one thing', () => {
+  it('can be exchanged, so that each has one command', () => {
     const map = new KeyMap();
     map.assign('X', 'V');
     expect([map.pressed('X'), map.pressed('V')]).toEqual(['V', 'X']);
@@ -30,7 +30,7 @@ describe('the keys of one letter', () => {
     expect(map.word).toBe('');
   });
 
-  it('may do nothing, but keys with names and the space bar do', () => {
+  it('can be turned off, but keys with names and the space bar still work', () => {
     const map = new KeyMap();
     map.isOff = true;
     const allowed = ['x', '?', ',', '+', '5', ' ', 'ArrowLeft', 'Escape', 'Home'].filter((key) =>
@@ -58,7 +58,7 @@ describe('the keys of one letter', () => {
 describe('the name of a key', () => {
   afterEach(() => keyMap.reset());
 
-  it('is that of the letter that is pressed now', () => {
+  it('is that of the assigned letter', () => {
     keyMap.assign('B', 'K');
     expect(['B', 'Shift B', 'Shift ←', '?'].map(keyName)).toEqual(['K', 'Shift K', 'Shift ←', '?']);
     expect(withKey('Bookmark', 'B')).toBe('Bookmark (K)');
@@ -67,7 +67,7 @@ describe('the name of a key', () => {
   });
 });
 
-/** All that a table says that is the same at any step. */
+/** All strings in a table that are the same at any step. */
 function fixedIn(table: object): readonly string[] {
   return Object.values(table).flatMap((said: unknown) => {
     if (typeof said === 'string') return [said];
@@ -75,7 +75,7 @@ function fixedIn(table: object): readonly string[] {
   });
 }
 
-describe.each(languages)('what is said of keys (%s)', (language) => {
+describe.each(languages)('the text about keys (%s)', (language) => {
   afterEach(() => keyMap.reset());
   const { bookmarks, predict, history, curves } = texts[language];
   const hints = [
@@ -85,7 +85,7 @@ describe.each(languages)('what is said of keys (%s)', (language) => {
     [curves.history.hint, 'P'],
   ] as const;
 
-  it('names the letter that is pressed now, and none where letters do nothing', () => {
+  it('names the assigned letter, and none when letters are off', () => {
     for (const [hint, name] of hints) {
       expect(hint(liveKey(name))).toMatch(new RegExp(`\\b${name}\\b`, 'u'));
       keyMap.assign(name, 'K');
@@ -96,7 +96,7 @@ describe.each(languages)('what is said of keys (%s)', (language) => {
     }
   });
 
-  it('is never a letter that may be another one by now', () => {
+  it('never names a letter that may be reassigned', () => {
     const named = /(?:press|key|нажм\S*|клавиш\S*) [A-Z?]\b/iu;
     expect(fixedIn(texts[language]).filter((said) => named.test(said))).toEqual([]);
   });

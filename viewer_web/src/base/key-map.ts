@@ -1,29 +1,29 @@
-/** The keys of one letter, by what they do as long as nobody has changed that. */
+/** The command keys with one letter, by their default letters. */
 export const letters: readonly string[] = 'B C D E F J L N O P Q R S T V W X'.split(' ');
 
 const isLetter = (text: string): boolean => /^[A-Z]$/.test(text);
 
 /**
- * Which letters do what they do, and whether keys of one character do anything unless what has the focus means them
- * (WCAG 2.1.4). Letters are places on the keyboard, the same in any language.
+ * The assignment of letters to commands, and whether single-character keys act outside fields and controls (WCAG 2.1.4).
+ * Letters denote places on the keyboard, the same in any language.
  */
 export class KeyMap {
   isOff = false;
-  /** Where another letter is pressed instead. */
+  /** The letters pressed in place of the default ones. */
   private readonly moved = new Map<string, string>();
 
-  /** The letter to be pressed for one. */
+  /** The letter to press for a default letter. */
   pressed(letter: string): string {
     return this.moved.get(letter) ?? letter;
   }
 
-  /** The code of the key that is meant by the code of the one that was pressed. */
+  /** The code of the default key for the code of the pressed one. */
   meant(code: string): string {
     const found = [...this.moved].find(([, pressed]) => `Key${pressed}` === code);
     return found === undefined ? code : `Key${found[0]}`;
   }
 
-  /** Another letter for what a letter does; what that one did goes to the letter that is free now. */
+  /** Assigns another letter to a command. The command of that letter gets the letter that becomes free. */
   assign(letter: string, pressed: string): void {
     if (!isLetter(letter) || !isLetter(pressed)) return;
     const free = this.pressed(letter);
@@ -32,7 +32,7 @@ export class KeyMap {
     this.set(letter, pressed);
   }
 
-  /** Whether a key may do something wherever the focus is. */
+  /** Whether a key may act wherever the focus is. */
   allows({ key }: Pick<KeyboardEvent, 'key'>): boolean {
     return !this.isOff || key.length !== 1 || key === ' ';
   }
@@ -42,13 +42,13 @@ export class KeyMap {
     this.moved.clear();
   }
 
-  /** As an address holds it: "off", and pairs of letters, the second to be pressed for the first. */
+  /** The form in an address: "off", and pairs of letters, the default one and the one to press. */
   get word(): string {
     const pairs = [...this.moved].map((pair) => pair.join('')).sort();
     return [...(this.isOff ? ['off'] : []), ...pairs].join('.');
   }
 
-  /** What is no pair, or would give two letters the same key, is left out. */
+  /** Ignores whatever is not a pair, or would give two commands the same key. */
   set word(word: string) {
     this.reset();
     const [first, ...others] = word.split('.');
@@ -68,17 +68,17 @@ export class KeyMap {
   }
 }
 
-/** That of the page. */
+/** The key map of the page. */
 export const keyMap = new KeyMap();
 
-/** The name of a key as it is now, such as "Shift B". */
+/** The current name of a key, such as "Shift B". */
 export const keyName = (name: string): string =>
   name.replace(/(?<=^|Shift )[A-Z]$/, (letter) => keyMap.pressed(letter));
 
-/** The same, where keys of one character do something. */
+/** The same; null if single-character keys are off. */
 export const liveKey = (name: string): string | null => (keyMap.isOff ? null : keyName(name));
 
-/** A label with its key, where that does something. */
+/** A label with its key, if the key is on. */
 export function withKey(label: string, name: string): string {
   const key = liveKey(name);
   return key === null ? label : `${label} (${key})`;

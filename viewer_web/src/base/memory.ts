@@ -2,8 +2,8 @@ const prefix = 'vidno.';
 const meanwhile = new Map<string, string>();
 
 /**
- * What the page keeps from one visit to the next: sizes of panels, and what was offered once. Where the browser keeps nothing,
- * as it may for a page on a disk, it lasts as long as the page is open.
+ * What the page remembers between visits: the sizes of panels, and which offers were made. Where the browser stores
+ * nothing, as it may for a page from disk, this lasts as long as the page is open.
  */
 export const memory = {
   get(key: string): string | null {
@@ -19,7 +19,7 @@ export const memory = {
     try {
       localStorage.setItem(prefix + key, value);
     } catch {
-      // It is kept meanwhile.
+      // The value is still kept in this page.
     }
   },
 };

@@ -1,4 +1,4 @@
-/** How the page is arranged: around a text and its run, or around a run with all that is known of it. */
+/** The layouts of the page: around a text and its run, or around a run with everything known about it. */
 export const pageViews = ['lesson', 'workbench'] as const;
 export type PageView = (typeof pageViews)[number];
 

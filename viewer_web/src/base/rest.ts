@@ -1,2 +1,5 @@
-/** Milliseconds that a run must stay before more is made of it than a frame needs: while a scene is dragged, none does. */
+/**
+ * Milliseconds of rest before anything is computed for a run beyond what a frame needs. During a drag, no run rests that
+ * long.
+ */
 export const rest = 150;

@@ -2,36 +2,33 @@ import { KeyMap } from './key-map.js';
 
 export const controlSets = ['full', 'small', 'none'] as const;
 
-/**
- * What is shown to steer by: everything; the buttons and the slider, beside picture and listing alone; or nothing, not even
- * keys.
- */
+/** The controls to show: all of them; the buttons and the slider, with picture and listing only; or none, not even keys. */
 export type Controls = (typeof controlSets)[number];
 
 export const ways = ['free', 'forced'] as const;
 
-/** How questions are asked: when the reader wants one, or wherever there is one, which must be answered to go on. */
+/** When questions are asked: on request, or at every step that has one, where an answer is required to go on. */
 export type Way = (typeof ways)[number];
 
-/** How whoever embeds the page sets it up. */
+/** The configuration of an embedded page. */
 export interface Setting {
   /** Whether there is only the player, as in a frame of another page. */
   readonly embed: boolean;
-  /** The first and the last step that can be reached; null: the last one of the trace. */
+  /** The first and the last reachable step; null is the last step of the trace. */
   readonly from: number;
   readonly to: number | null;
-  /** Steps a second; null: as usual. */
+  /** Steps per second; null for the usual speed. */
   readonly speed: number | null;
   readonly controls: Controls;
-  /** Whether it plays as soon as it is there. */
+  /** Whether it starts to play immediately. */
   readonly play: boolean;
-  /** Whether there are questions from the beginning, and how they are asked. */
+  /** Whether questions are on from the beginning, and how they are asked. */
   readonly ask: Way | null;
-  /** Which keys of one letter do what, see `KeyMap`. */
+  /** The assignment of single-letter keys, see `KeyMap`. */
   readonly keys: string;
 }
 
-/** The page by itself. */
+/** The page on its own. */
 export const plain: Setting = {
   embed: false,
   from: 0,
@@ -43,14 +40,14 @@ export const plain: Setting = {
   keys: '',
 };
 
-/** Only what means keys. */
+/** Keeps only valid key assignments. */
 function keysIn(written: string): string {
   const map = new KeyMap();
   map.word = written;
   return map.word;
 }
 
-/** The number of a step, if that is what is written. */
+/** The number of a step; null if the text is not one. */
 export function stepIn(written: string | null): number | null {
   const step = Number(written ?? NaN);
   return Number.isSafeInteger(step) && step >= 0 ? step : null;
@@ -84,7 +81,7 @@ export function parseSetting(fields: URLSearchParams): Setting {
   };
 }
 
-/** Writes what is not as on the page by itself. */
+/** Writes the settings that differ from those of the page on its own. */
 export function writeSetting(setting: Setting, fields: URLSearchParams): void {
   for (const [name, value] of Object.entries(setting)) {
     if (value !== plain[name as keyof Setting])

@@ -7,7 +7,7 @@ import { textOf, toUtf8 } from './text-file.js';
 const swapped = (bytes: Buffer): Buffer => Buffer.from(bytes).swap16();
 const utf16 = (text: string): Buffer => Buffer.from(`\ufeff${text}`, 'utf16le');
 
-/** A text as editors write it. */
+/** The encodings that text editors write. */
 const encodings: readonly (readonly [string, (text: string) => Buffer])[] = [
   ['UTF-8', (text) => Buffer.from(text)],
   ['UTF-8 with a mark', (text) => Buffer.from(`\ufeff${text}`)],
@@ -22,7 +22,7 @@ const files = encodings.flatMap(([name, encoded]) => [
 const blob = (bytes: Buffer): Blob => new Blob([new Uint8Array(bytes)]);
 
 describe.each(files)('a text in %s', (_name, encoded) => {
-  it('is read, whatever letters it has', async () => {
+  it('is read with letters of any script', async () => {
     for (const text of ['', 'a', 'ab', 'Ёлка 🎄\r\n']) {
       expect(await textOf(blob(encoded(text)))).toBe(text);
     }

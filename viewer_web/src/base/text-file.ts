@@ -1,6 +1,6 @@
 import { boundedText } from './bounded-text.js';
 
-/** A longer text would only keep the page busy. */
+/** The longest text that is read: a longer one would only block the page. */
 const longest = 2 ** 28;
 
 export async function isGzip(file: Blob): Promise<boolean> {
@@ -10,7 +10,7 @@ export async function isGzip(file: Blob): Promise<boolean> {
 
 type Bytes = Uint8Array<ArrayBuffer>;
 
-/** What the mark at the beginning of a text says of its bytes, and how long the mark is. */
+/** The encoding that the byte order mark at the beginning of a text states, and the length of the mark. */
 function markOf([first, second, third]: Bytes): readonly [encoding: string, length: number] {
   if (first === 0xef && second === 0xbb && third === 0xbf) return ['utf-8', 3];
   if (first === 0xff && second === 0xfe) return ['utf-16le', 2];
@@ -18,7 +18,7 @@ function markOf([first, second, third]: Bytes): readonly [encoding: string, leng
   return ['utf-8', 0];
 }
 
-/** Makes UTF-8 without a byte order mark of what editors write: with such a mark, or in UTF-16 with one. */
+/** Converts the encodings of text editors, UTF-8 or UTF-16 with a byte order mark, to UTF-8 without one. */
 export function toUtf8(): TransformStream<Bytes, Bytes> {
   let head: Bytes | null = new Uint8Array(0);
   let decoder: TextDecoder | null = null;
@@ -64,7 +64,7 @@ export async function textStream(file: Blob): Promise<ReadableStream<Uint8Array>
   return plain.pipeThrough(toUtf8());
 }
 
-/** Throws where the file is broken gzip, or its text too long. */
+/** Throws if the file is broken gzip, or its text is too long. */
 export async function textOf(file: Blob): Promise<string> {
   return boundedText(await textStream(file), longest);
 }

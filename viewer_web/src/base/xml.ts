@@ -5,7 +5,7 @@ const references: Readonly<Record<string, string>> = {
   '"': '&quot;',
 };
 
-/** Text as XML may have it: it has no way to write some characters. */
+/** Text without the characters that XML cannot represent. */
 export function writable(text: string): string {
   return text.replace(
     /[^\t\n\r\u{20}-\u{d7ff}\u{e000}-\u{fffd}\u{10000}-\u{10ffff}]/gu,
@@ -13,12 +13,12 @@ export function writable(text: string): string {
   );
 }
 
-/** Text in which no character counts as markup. */
+/** Text with all markup characters escaped. */
 export function escaped(text: string): string {
   return writable(text).replace(/[&<>"]/g, (character) => references[character] ?? '');
 }
 
-/** An element with its attributes, of text that is written already. */
+/** An element with its attributes and content that is already escaped. */
 export function element(
   name: string,
   attributes: Iterable<readonly [string, string | number]>,

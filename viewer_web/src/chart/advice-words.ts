@@ -5,7 +5,7 @@ import type { Point } from './points.js';
 import type { Shown } from './shown.js';
 import { costAmount, fullName } from './words.js';
 
-/** A run by its name, and how many times as dear it is as the cheapest right one. */
+/** The name of a run, and its cost as a multiple of the cheapest right run's. */
 function compared(point: Point, cheapest: Point, shown: Shown): string {
   const { texts, language } = shown;
   const times = ratio(point.cost / cheapest.cost, language);
@@ -15,7 +15,7 @@ function compared(point: Point, cheapest: Point, shown: Shown): string {
   return `${fullName(point.setting, shown)} (${details})`;
 }
 
-/** Why samples count: what is lost between them, and whether anything is by arithmetic. */
+/** Why samples matter: the error between them, and the decisions that arithmetic gets wrong. */
 function lossText({ height, decisions }: Losses, { texts, language }: Shown): string {
   const { losses, units } = texts;
   const kernels = [...decisions].map(
@@ -27,7 +27,7 @@ function lossText({ height, decisions }: Losses, { texts, language }: Shown): st
   ].join(' ');
 }
 
-/** Which run is needed, and why: a paragraph. */
+/** A paragraph on which run is needed, and why. */
 export function adviceText(advice: Advice | null, shown: Shown): string {
   const { texts, subjectTexts, cost, language } = shown;
   const { advice: say } = subjectTexts;

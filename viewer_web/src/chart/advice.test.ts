@@ -17,7 +17,7 @@ const kernels = (points: readonly { readonly setting: { readonly kernel: string 
   points.map(({ setting }) => setting.kernel);
 
 describe('which run a scene needs', () => {
-  it('is the cheapest right one; no other kernel of its method is named beside it', () => {
+  it('is the cheapest right one, and the others named have other methods', () => {
     const scene = sceneOf([exactZBuffer, rightWarnock, safeZBuffer, rightZBuffer, wrongZBuffer]);
     const advice = adviceOf([scene], 'time');
     expect(advice?.cheapest.run).toBe(rightZBuffer);
@@ -27,21 +27,21 @@ describe('which run a scene needs', () => {
     expect(advice?.neverRight).toEqual([]);
   });
 
-  it('is, of those that cost the same, the one that is right everywhere', () => {
+  it('is, among equally cheap ones, the one that is right everywhere', () => {
     const scene = sceneOf([rightZBuffer, { ...safeZBuffer, time: rightZBuffer.time }]);
     const advice = adviceOf([scene], 'time');
     expect(advice?.cheapest.setting.kernel).toBe('filtered');
     expect(advice?.safe).toBe(advice?.cheapest);
   });
 
-  it('is no kernel that is right of another scene, the one that it snaps', () => {
+  it('never names a snapping kernel as safe, for it is right about another scene', () => {
     const grid = runOf({ kernel: 'grid:8', time: 1 });
     const advice = adviceOf([sceneOf([grid, safeZBuffer])], 'time');
     expect(advice?.cheapest.run).toBe(grid);
     expect(advice?.safe?.run).toBe(safeZBuffer);
   });
 
-  it('is none of a text with faults, and of none that a fault ended', () => {
+  it('is never of an edition with defects, nor ended by a fault', () => {
     const printed = runOf({ edition: 'printed', time: 0.5 });
     const broken = runOf({ complete: false, time: 0.6 });
     const advice = adviceOf([sceneOf([printed, broken, rightZBuffer])], 'time');
@@ -61,13 +61,13 @@ describe('which run a scene needs', () => {
     expect(adviceOf([first, second], 'time')?.cheapest.setting.kernel).toBe('filtered');
   });
 
-  it('knows none that is always right where such have no such cost', () => {
+  it('has no safe run if no run that is always right has the cost', () => {
     const scene = sceneOf([rightZBuffer, { ...safeZBuffer, bits: null }]);
     expect(adviceOf([scene], 'bits')?.safe).toBeNull();
   });
 });
 
-it('most of the operations of a run are of one kind', () => {
+it('names the kind of most operations of a run', () => {
   const { counts } = wrongZBuffer;
   const run = runOf({ operations: 40, counts: { ...counts, comparisons: 10, orientations: 30 } });
   expect(mostly(run)).toEqual(['orientations', 0.75]);
@@ -84,11 +84,11 @@ describe.each(languages)('the paragraph in %s', (language) => {
 
   it('says what is needed and why', () => {
     const said = saidOf([exactZBuffer, rightWarnock, safeZBuffer, rightZBuffer, wrongZBuffer]);
-    // 4 of 100 pixels are wrong in the run that is cheaper; 3 / 2 and 20 / 2 times as dear are the others.
+    // The cheaper run has 4 of 100 pixels wrong. The others cost 3 / 2 and 20 / 2 times as much.
     expect(said).toMatch(/double.*×2.*float.*4 ?%.*filtered.*×1[.,]5.*double \(×10; 100 ?%/u);
   });
 
-  it('tells runs apart that differ by their smallest window', () => {
+  it('distinguishes runs that differ in their smallest window', () => {
     const coarse = runOf({
       method: 'warnock',
       window: 8,

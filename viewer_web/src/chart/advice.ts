@@ -11,16 +11,16 @@ import { axesOf, isSurface } from './subject.js';
 import { curveKnobs } from './surface-format.js';
 import type { CurveKnob, CurveRun } from './surface-format.js';
 
-/** Right in every scene, not in this one alone. */
+/** Whether a run is right in every scene, not only in this one. */
 const isSafe = ({ setting }: Point): boolean => isRightAsGiven(setting.kernel);
 
-/** What is right everywhere goes before what is as cheap. */
+/** At the same cost, a run that is right everywhere comes first. */
 const byCostThenSafety = (a: Point, b: Point): number =>
   a.cost - b.cost || Number(isSafe(b)) - Number(isSafe(a));
 
-/** How a surface's curves are sampled: as its file says, or by a knob. */
+/** How a surface's curves are sampled: as in its file, or by a knob. */
 export type Sampling = CurveKnob | 'fixed';
-/** What advice is about, beside the kernel: a scene's method, or a surface's sampling. */
+/** What advice is about, besides the kernel: a scene's method, or a surface's sampling. */
 export type Means = Method | Sampling;
 
 export const isSampling = (means: Means): means is Sampling => !methods.includes(means as Method);
@@ -30,30 +30,30 @@ const allMeans: readonly Means[] = [...methods, ...curveKnobs, 'fixed'];
 const meansOf = (setting: Setting): Means =>
   isOfCurves(setting) ? (setting.knob ?? 'fixed') : setting.method;
 
-/** Which run a scene or a surface needs, and why no other: all by one cost. */
+/** Which run a scene or a surface needs, and why no other, by one measure of cost. */
 export interface Advice {
-  /** Of those that get every pixel, or every column, right. */
+  /** The cheapest run that gets every pixel or column right. */
   readonly cheapest: Point;
-  /** What is cheaper, and so wrong; the least wrong first. */
+  /** The cheaper runs, all of them wrong, the least wrong first. */
   readonly cheaper: readonly Point[];
-  /** The cheapest of those that are right in every scene; `cheapest` itself, perhaps. None if none has this cost. */
+  /** The cheapest run that is right in every scene, possibly `cheapest` itself; null if none has this cost. */
   readonly safe: Point | null;
-  /** By each other means the cheapest right run, by cost. */
+  /** The cheapest right run by each other means, sorted by cost. */
   readonly others: readonly Point[];
   readonly neverRight: readonly Means[];
-  /** Of surfaces alone. */
+  /** Null for scenes. */
   readonly losses: Losses | null;
 }
 
-/** What a surface loses between the samples, and what to arithmetic. */
+/** The errors of a surface between the samples, and by arithmetic. */
 export interface Losses {
-  /** How far the cheapest run's curves are from the function at most, in pixels. */
+  /** The greatest distance between the cheapest run's curves and the function, in pixels. */
   readonly height: number;
-  /** By each kernel that is wrong in a decision, the greatest share of them in a run. */
+  /** For each kernel with wrong decisions, their greatest share in a run. */
   readonly decisions: ReadonlyMap<string, number>;
 }
 
-/** What one would run: not a text with faults. */
+/** Whether a run is worth recommending: complete, and without the defects of the printed edition. */
 const isSound = ({ complete, setting }: Point): boolean =>
   complete && setting.edition === 'corrected';
 
@@ -72,7 +72,7 @@ function lossesOf(subjects: readonly Subject[], cost: Cost, cheapest: Point): Lo
   return { height, decisions };
 }
 
-/** None if no run is right. */
+/** Null if no run is right. */
 export function adviceOf(subjects: readonly Subject[], cost: Cost): Advice | null {
   const [wrong] = axesOf(subjects).errors;
   const points = pointsOf(subjects, cost, wrong).points.filter(isSound);
@@ -97,7 +97,7 @@ export function adviceOf(subjects: readonly Subject[], cost: Cost): Advice | nul
 
 export type Operation = keyof SceneRun['counts'] | keyof CurveRun['counts'];
 
-/** What most of a run's operations are, and their share; none of a run that took none. */
+/** The most frequent kind of operation in a run, and its share; null for a run without operations. */
 export function mostly({ counts, operations }: Run): readonly [Operation, number] | null {
   const kinds = Object.entries(counts) as [Operation, number][];
   const [kind, count] = kinds.reduce((most, next) => (next[1] > most[1] ? next : most));

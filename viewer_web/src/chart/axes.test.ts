@@ -14,7 +14,7 @@ describe('ticks', () => {
     expect(logTicks(domain, length, 40)).toEqual(ticks);
   });
 
-  it('end, however far the axis goes', () => {
+  it('are finite for any range of the axis', () => {
     expect(logTicks([1e-300, 1e300], 600, 40).length).toBeLessThan(15);
     expect(logTicks([1e-300, 1e300], 1, 40)).toHaveLength(0);
   });
@@ -81,7 +81,7 @@ describe('the axis of errors', () => {
 describe('labels', () => {
   const bounds = { width: 200, height: 100, font: 10, radius: 4 };
 
-  it('stand beside their point, and give way', () => {
+  it('are beside their points, and move aside', () => {
     const labels = [
       { text: 'first', x: 100, y: 50 },
       { text: 'second', x: 100, y: 55 },
@@ -101,7 +101,7 @@ describe('labels', () => {
     expect(placeLabels([label], [], { ...bounds, width: 80 })).toEqual([]);
   });
 
-  it('of one point are one, with each text once', () => {
+  it('of one point are joined, with each text once', () => {
     const at = (text: string): { text: string; x: number; y: number } => ({ text, x: 1, y: 2 });
     expect(
       joined([at('a'), at('b'), at('a'), { ...at('c'), x: 9 }]).map(({ text }) => text),

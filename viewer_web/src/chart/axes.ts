@@ -1,12 +1,15 @@
 import { logTicks } from './ticks.js';
 
-/** A tick: where, and of what number. */
+/** A tick: its position and its number. */
 export interface Tick {
   readonly at: number;
   readonly value: number;
 }
 
-/** No cost and no error goes farther, and beyond it arithmetic would end; what does is shown there. */
+/**
+ * The exponent up to which costs and errors are drawn to scale. Arithmetic would overflow beyond it, so larger values are
+ * drawn there.
+ */
 const farthest = 250;
 
 function extent(values: readonly number[]): readonly [number, number] {
@@ -17,7 +20,7 @@ function extent(values: readonly number[]): readonly [number, number] {
   ];
 }
 
-/** The ends of the axis of costs, with a margin on both sides. */
+/** The range of the cost axis, with a margin on both sides. */
 export function costDomain(costs: readonly number[]): readonly [number, number] {
   if (costs.length === 0) return [1, 10];
   const [least, greatest] = extent(costs);
@@ -25,7 +28,7 @@ export function costDomain(costs: readonly number[]): readonly [number, number] 
   return [least / margin, greatest * margin];
 }
 
-/** The exponents between which all numbers lie that are neither zero nor infinite. */
+/** The exponents between which all finite, nonzero numbers lie. */
 function decades(errors: readonly number[]): readonly [number, number] {
   const positive = errors.filter((error) => error > 0 && error < Infinity);
   if (positive.length === 0) return [-3, 0];
@@ -40,8 +43,8 @@ interface Plotted {
 }
 
 /**
- * Height by error, in pixels from the bottom: a band for none at all, above it decades, and above these, if need be,
- * a band for what is no number. In the bands each series has a lane, so that what is equally right stands apart.
+ * The error axis, in pixels from the bottom: a band for zero, then decades, then if necessary a band for infinity. Each
+ * series has a lane in the bands, so that equal errors do not overlap.
  */
 export class ErrorAxis {
   /** The top of the band for zero. */
@@ -77,7 +80,7 @@ export class ErrorAxis {
     return lanes === 0 ? 0 : (lanes + 0.5) * this.laneHeight;
   }
 
-  /** Between the bands and the decades is nothing. */
+  /** The space between a band and the decades, which is empty. */
   private get gap(): number {
     return this.laneHeight * 0.7;
   }

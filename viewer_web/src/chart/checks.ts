@@ -2,7 +2,7 @@ import { between, finite, list, oneOf, optional, plainObject } from '../trace/ch
 import type { Check } from '../trace/check.js';
 import { Refusal, describe } from '../trace/refusal.js';
 
-/** What charts of scenes and of surfaces are made of. */
+/** Checks that charts of scenes and of surfaces share. */
 
 export const format = oneOf('vidno-chart/1');
 export const editions = ['corrected', 'printed'] as const;
@@ -28,5 +28,5 @@ export function some<T>(item: Check<T>): Check<readonly T[]> {
   };
 }
 
-/** What a chart is of need not be told itself, as its file has it. */
+/** The file of a scene or surface; it need not be included. */
 export const file = optional(plainObject);

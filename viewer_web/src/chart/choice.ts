@@ -4,10 +4,10 @@ import { costs, errors } from './format.js';
 import type { Cost, ErrorMeasure } from './format.js';
 import { allSeries, printed } from './series.js';
 
-/** What the page's address holds behind `#`: all that was chosen. */
+/** The reader's choices, as the page's address stores them behind `#`. */
 export interface Choice {
   readonly language: Language | null;
-  /** Of a subject or of all of a kind; one that there is not means the first that there is, as of the axes. */
+  /** A subject, or all subjects of a kind. An unknown view means the first one; so does an unknown axis. */
   readonly view: string | null;
   readonly cost: Cost | null;
   readonly error: ErrorMeasure | null;

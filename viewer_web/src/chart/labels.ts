@@ -1,4 +1,4 @@
-/** A text to stand beside a point. */
+/** A text beside a point. */
 export interface Label {
   readonly text: string;
   readonly x: number;
@@ -16,7 +16,7 @@ export interface Bounds {
   readonly width: number;
   readonly height: number;
   readonly font: number;
-  /** How far a point's symbol reaches. */
+  /** The extent of a point's symbol. */
   readonly radius: number;
 }
 
@@ -27,7 +27,7 @@ interface Box {
   readonly bottom: number;
 }
 
-/** About as wide as the page's fonts are, in ems. */
+/** An estimate of a text's width in ems, in the page's fonts. */
 export function widthOf(text: string): number {
   const narrow = text.match(/[ ,.:filjt\u00a0]/gu)?.length ?? 0;
   const wide = text.match(/[%×∞]/gu)?.length ?? 0;
@@ -46,7 +46,7 @@ function around(x: number, y: number, width: number, height: number): Box {
   };
 }
 
-/** Where a text of this size may stand: to the right, to the left, above, below, across the corners. */
+/** The possible positions of a text of this size: to the right, to the left, above, below, and at the corners. */
 function spots(
   { x, y }: Label,
   width: number,
@@ -68,7 +68,7 @@ function spots(
   ];
 }
 
-/** Points that cannot be told apart have one label with all their texts, each once. */
+/** Points at the same place have one label with all their texts, each once. */
 export function joined(labels: readonly Label[]): readonly Label[] {
   const found = new Map<string, { readonly first: Label; readonly texts: Set<string> }>();
   for (const label of labels) {
@@ -81,8 +81,8 @@ export function joined(labels: readonly Label[]): readonly Label[] {
 }
 
 /**
- * Places texts, the more important first, where they cover neither a point nor another text, those `reserved` that stand
- * already included; one that has no such place is left out.
+ * Places texts, the more important first, where they cover no point and no other text, including the `reserved` ones. A
+ * text without such a place is left out.
  */
 export function placeLabels(
   labels: readonly Label[],

@@ -12,7 +12,7 @@ import { isDistance } from './subject.js';
 import { logTicks } from './ticks.js';
 import { knobValue } from './words.js';
 
-/** Where everything of the plot stands; inside the axes from the top left, in pixels. */
+/** The positions of everything in the plot, in pixels from the top left inside the axes. */
 export interface Layout {
   readonly width: number;
   readonly height: number;
@@ -42,7 +42,7 @@ export function errorTick(value: number, { error, language }: Shown): string {
 
 type Place = (point: Point) => Omit<Label, 'text'>;
 
-/** Beside points: kernels by name, and how far a knob was turned, at both ends and on the front. */
+/** The labels of points: kernels by name, and knob values at both ends and on the front. */
 function labelsOf({ visible, texts, language }: Shown, place: Place): readonly Label[] {
   const named = (edition: Setting['edition']): readonly Label[] =>
     joined(
@@ -59,18 +59,18 @@ function labelsOf({ visible, texts, language }: Shown, place: Place): readonly L
     ...joined(
       turned.map((point) => ({ text: knobValue(point.setting, language), ...place(point) })),
     ).map(
-      (label) => ({ ...label, text: label.text.replace(/, .* /u, '–') }), // all from the first to the last
+      (label) => ({ ...label, text: label.text.replace(/, .* /u, '–') }), // a single label for the whole range
     ),
   ];
 }
 
-/** How far along a logarithmic axis. */
+/** The position on a logarithmic axis, from 0 to 1. */
 function share(cost: number, [least, greatest]: readonly [number, number]): number {
   const all = Math.log(greatest) - Math.log(least);
   return Math.min(1, Math.max(0, (Math.log(cost) - Math.log(least)) / all));
 }
 
-/** What the dashed line is, below its right end. */
+/** The meaning of the dashed line, below its right end. */
 function rightPicture(shown: Shown, line: number, across: number, font: number): Placed | null {
   const { areaOfRight, texts, language } = shown;
   if (areaOfRight === null || areaOfRight === 0) return null;

@@ -20,7 +20,7 @@ function power(exponent: number): string {
   return `10${digits.replace(/\d/gu, (digit) => superscripts[Number(digit)] ?? '')}`;
 }
 
-/** Three digits, and a power of ten where zeros would have to be counted. */
+/** Three digits, with a power of ten if there would be many zeros. */
 export function number(value: number, language: Language): string {
   if (value === Infinity) return '∞';
   if (value === 0 || (value >= shortest && value < longest)) return rounded[language].format(value);

@@ -49,7 +49,7 @@ function axes(shown: Shown, layout: Layout): readonly Markish[] {
       { stroke: 'var(--line)', strokeOpacity: 1 },
     ),
     axisX(costTicks, {
-      // A format of ticks would not be asked for all of a logarithmic axis.
+      // Plot would not apply a tick format to all ticks of a logarithmic axis.
       text: (value: number) => costTick(value, shown),
       label: view.name === null ? costs.ratioAxis : costs.axis,
       labelArrow: 'right',
@@ -64,7 +64,7 @@ function axes(shown: Shown, layout: Layout): readonly Markish[] {
   ];
 }
 
-/** From where nothing is as cheap, down a step at each point that is more right than all that is cheaper. */
+/** A staircase from the left of the plot, with a step down at each point that is more accurate than all cheaper ones. */
 function frontLine({ front }: Shown, { axis, costs, heightOf }: Layout): Markish {
   const steps = front.filter((point) => frontOf(front).has(point));
   const [first, last] = [steps[0], steps.at(-1)];
@@ -125,7 +125,7 @@ function marks(shown: Shown, layout: Layout): readonly Markish[] {
   ];
 }
 
-/** The tip of the point under the mouse, and of one that was chosen by keyboard. */
+/** The tip of the point under the mouse, and that of the point chosen by keyboard. */
 function tips(shown: Shown, layout: Layout, chosen: Point | null): readonly Markish[] {
   const { heightOf: y, radius } = layout;
   const place = { x: cost, y };
@@ -146,9 +146,7 @@ function tips(shown: Shown, layout: Layout, chosen: Point | null): readonly Mark
   ];
 }
 
-/**
- * The plot. The style that Plot brings along would be against the page's policy; its rules stand in the component's.
- */
+/** The plot. Plot's own style sheet would violate the page's policy, so its rules are in the component's style. */
 export function drawPlot(shown: Shown, layout: Layout, chosen: Point | null): SVGSVGElement {
   const { width, height, left, right, top, bottom, costs, axis, font } = layout;
   const drawn = plot({
@@ -170,7 +168,7 @@ export function drawPlot(shown: Shown, layout: Layout, chosen: Point | null): SV
   });
   if (!(drawn instanceof SVGSVGElement)) throw new Error('The plot is no picture.');
   drawn.querySelector('style')?.remove();
-  // The table of the front says it in words, and the live text a point at a time.
+  // The table of the front gives the same in words, and the live text one point at a time.
   drawn.setAttribute('aria-hidden', 'true');
   return drawn;
 }

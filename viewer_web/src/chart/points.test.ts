@@ -12,22 +12,22 @@ describe('the front', () => {
     return [...frontOf(all)].map((place) => all.indexOf(place)).sort();
   };
 
-  it('is of those that no other beats in cost or error and equals in the other', () => {
+  it('has the points that no other one beats in cost or error while equal or better in the other', () => {
     expect(front([1, 5], [2, 3], [2, 4], [3, 3], [4, 0], [5, 0])).toEqual([0, 1, 4]);
   });
 
-  it('holds the first of those that are equal', () => {
+  it('has the first of several equal points', () => {
     expect(front([1, 2], [1, 1], [1, 1], [2, 1])).toEqual([1]);
   });
 
-  it('may begin with what is infinitely wrong', () => {
+  it('may begin with an infinite error', () => {
     expect(front([1, Infinity], [2, Infinity], [3, 7])).toEqual([0, 2]);
     expect(front()).toEqual([]);
   });
 
   it.each(
     sample.scenes.flatMap((scene) => sceneCosts.map((cost) => [scene.name, cost, scene] as const)),
-  )('of %s by %s is what the file says', (_name, cost, scene) => {
+  )('of %s by %s is the one in the file', (_name, cost, scene) => {
     for (const error of sceneErrors) {
       const { points } = pointsOf([scene], cost, error);
       expect(frontOf(points)).toEqual(new Set(points.filter(({ front: on }) => on)));
@@ -38,7 +38,7 @@ describe('the front', () => {
     surfaceSample.surfaces.flatMap((surface) =>
       curveCosts.map((cost) => [surface.name, cost, surface] as const),
     ),
-  )('of %s by %s is what the file says', (_name, cost, surface) => {
+  )('of %s by %s is the one in the file', (_name, cost, surface) => {
     for (const error of curveErrors) {
       const { points } = pointsOf([surface], cost, error);
       expect(frontOf(points)).toEqual(new Set(points.filter(({ front: on }) => on)));
@@ -58,7 +58,7 @@ describe('a scene', () => {
     expect(pointsOf([sceneOf([run])], 'time', error).points).toMatchObject([{ error: share, run }]);
   });
 
-  it('has no place for what has no number, nor for nothing', () => {
+  it('has no point for a missing cost or a cost of zero', () => {
     const runs = [runOf({ bits: null }), runOf({ bits: 0 }), runOf({ bits: 1 })];
     const { points, missing } = pointsOf([sceneOf(runs)], 'bits', 'area');
     expect([points.length, missing.length]).toEqual([1, 2]);
@@ -107,14 +107,14 @@ describe('scenes together', () => {
     ]);
   });
 
-  it('have the farthest of depths', () => {
+  it('have the greatest error of depth', () => {
     expect(found('time', 'depthUlps')).toEqual([
       ['double', 6, 3, true],
       ['float', 1, Infinity, true],
     ]);
   });
 
-  it('leave out what did not run in each', () => {
+  it('leave out settings that did not run in all of them', () => {
     const { missing } = pointsOf([one, other], 'time', 'area');
     expect(missing.map(({ kernel }) => kernel)).toEqual(['exact']);
   });
@@ -148,7 +148,7 @@ describe('a surface', () => {
     expect(points).toMatchObject([{ cost: 6, error: share, complete: true, run }]);
   });
 
-  it('is sampled alike in several where the knob is turned as far', () => {
+  it('shares a setting with another where the knob has the same value', () => {
     const turned = (value: number, height: number): ReturnType<typeof curveRunOf> =>
       curveRunOf({ knob: 'samples', value, samples: 2 * value, height });
     const surfaces = [
@@ -156,7 +156,7 @@ describe('a surface', () => {
       surfaceOf([turned(2, 9), turned(3, 4), turned(5, 2)], { columns: 10 }),
     ];
     const { points, missing } = pointsOf(surfaces, 'samples', 'height');
-    // Of the first 3 samples a curve are the fewest, of the second 2: 1 and 3 / 2 times as many.
+    // The first surface has at least 3 samples per curve, the second 2: ratios 1 and 3 / 2.
     expect(points.map(({ setting, error }) => [setting.value, error])).toEqual([[3, 4]]);
     expect(points[0]?.cost).toBeCloseTo(Math.sqrt(1.5));
     expect(missing.map(({ value }) => value)).toEqual([9, 2, 5]);
@@ -165,7 +165,7 @@ describe('a surface', () => {
 });
 
 describe('views', () => {
-  it('are all of a kind where there are two, and each scene', () => {
+  it('are all scenes of a kind if there are at least two, and each scene', () => {
     expect(viewsOf(sample).map(({ id }) => id)).toEqual([
       'ordinary',
       'ordinary/Two walls',
@@ -182,7 +182,7 @@ describe('views', () => {
     ]);
   });
 
-  it('tell scenes of one name apart', () => {
+  it('distinguish scenes with the same name', () => {
     const scenes = [sceneOf([]), sceneOf([])];
     const ids = viewsOf({ ...sample, scenes }).map(({ id }) => id);
     expect(ids).toEqual(['ordinary', 'ordinary/Square', 'ordinary/Square (2)']);

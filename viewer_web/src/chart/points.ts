@@ -12,38 +12,38 @@ import {
   sizeOf,
 } from './subject.js';
 
-/** A run in the plot: what it cost and how wrong it was. */
+/** A run in the plot: its cost and its error. */
 export interface Point {
   readonly setting: Setting;
-  /** As the program counted, or in several subjects together a ratio to the least. */
+  /** The counted cost. For several subjects, the mean ratio to the least cost of each. */
   readonly cost: number;
-  /** A share of all pixels, columns or decisions; ulps of a depth, pixels of a height. */
+  /** A share of all pixels, columns or decisions; or a distance, in ulps for depths and in pixels for heights. */
   readonly error: number;
-  /** Not ended by a fault. */
+  /** Whether it was not ended by a fault. */
   readonly complete: boolean;
   readonly front: boolean;
-  /** Of a single subject: what was counted. */
+  /** The run itself, if the chart shows a single subject. */
   readonly run: Run | null;
 }
 
 export interface Points {
   readonly points: readonly Point[];
-  /** What has no number for this cost, or did not run in every one of the subjects. */
+  /** The settings without a number for this cost, or without a run in some of the subjects. */
   readonly missing: readonly Setting[];
 }
 
-/** Of how much an error is a share: of the decisions, or of the whole picture. */
+/** The number that an error is divided by: all decisions, or the size of the whole picture. */
 export function wholeOf(run: Run, subject: Subject, error: ErrorMeasure): number {
   return error === 'wrongDecisions' ? run.decisions : sizeOf(subject);
 }
 
-/** The run's error, made such that subjects of any size can be compared. */
+/** The run's error, comparable between subjects of any size. */
 function relativeError(run: Run, subject: Subject, error: ErrorMeasure): number {
   const found = errorOf(run, error);
   return isDistance(error) || found === 0 ? found : found / wholeOf(run, subject, error);
 }
 
-/** By how much the right picture itself differs, where that is what is shown. */
+/** The error of the right picture itself, if the chart shows areas. */
 export function areaOfRight(subjects: readonly Subject[], error: ErrorMeasure): number | null {
   if (error !== 'area') return null;
   return mean(subjects.map((subject) => (isSurface(subject) ? 0 : subject.area / subject.pixels)));
@@ -57,7 +57,7 @@ function geometricMean(values: readonly number[]): number {
   return Math.exp(mean(values.map(Math.log)));
 }
 
-/** A logarithmic axis has no place for nothing. */
+/** A logarithmic axis has no place for zero. */
 const hasPlace = (cost: number | null): cost is number =>
   cost !== null && cost > 0 && Number.isFinite(cost);
 
@@ -80,7 +80,7 @@ function ofOne(subject: Subject, cost: Cost, error: ErrorMeasure): Points {
   return { points, missing };
 }
 
-/** Costs as ratios to the subject's least, by setting; the program has done so for the time. */
+/** Costs by setting, as ratios to the subject's least. The program has already divided the times. */
 function ratios({ runs }: Subject, cost: Cost): ReadonlyMap<string, number> {
   const known = runs.flatMap((run: Run) => {
     const found = costOf(run, cost);
@@ -115,7 +115,10 @@ function together(subjects: readonly Subject[], cost: Cost, error: ErrorMeasure)
   return { points: points.map((point) => ({ ...point, front: front.has(point) })), missing };
 }
 
-/** The runs of one subject, or each way to run over several: means, but the farthest of depths and heights. */
+/**
+ * The runs of one subject; for several, one point per setting with mean cost and error. Distances have the maximum instead
+ * of the mean.
+ */
 export function pointsOf(subjects: readonly Subject[], cost: Cost, error: ErrorMeasure): Points {
   const [first, ...others] = subjects;
   if (first === undefined || others.length > 0) return together(subjects, cost, error);

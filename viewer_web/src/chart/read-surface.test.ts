@@ -8,7 +8,7 @@ import type { Reason } from '../trace/refusal.js';
 import { readChart } from './read.js';
 import { curveKernels, curveKnobs } from './surface-format.js';
 
-/** The sample with the first place of a text replaced. */
+/** The sample with the first occurrence of a text replaced. */
 const but = (found: string | RegExp, by: string): string => {
   const changed = surfaceText.replace(found, by);
   if (changed === surfaceText) throw new Error('Nothing was replaced.');
@@ -16,7 +16,7 @@ const but = (found: string | RegExp, by: string): string => {
 };
 
 describe('a chart of surfaces', () => {
-  it('is read as it was written, each surface with its file', async () => {
+  it('is read unchanged, each surface with its file', async () => {
     const chart = await readChart(new Blob([surfaceText]));
     expect(chart).toEqual(JSON.parse(surfaceText));
     const withoutFile = but(/"surface":\{.*?\},"runs"/u, '"runs"');

@@ -29,7 +29,7 @@ describe('a chart', () => {
     expect(await refused(withScene('Two'))).toEqual(['scenes[0].scene', 'object']);
   });
 
-  it('is read as it was written', async () => {
+  it('is read unchanged', async () => {
     const chart = await readChart(new Blob([sampleText]));
     const written = JSON.stringify(chart, (_key, value: unknown) =>
       value === Infinity ? 'inf' : value,
@@ -45,7 +45,7 @@ describe('a chart', () => {
     expect(await readChart(new Blob([new Uint8Array(bytes)]))).toEqual(sample);
   });
 
-  it('of the tests has everything that may stand in one', () => {
+  it('of the tests has every possible field', () => {
     const runs = sample.scenes.flatMap((scene) => scene.runs);
     expect(new Set(sample.scenes.map(({ kind }) => kind))).toEqual(new Set(sceneKinds));
     expect(new Set(runs.map(({ knob }) => knob))).toEqual(new Set([...sceneKnobs, null]));
@@ -64,7 +64,7 @@ describe('a chart', () => {
   });
 });
 
-/** The sample with the first place of a text replaced. */
+/** The sample with the first occurrence of a text replaced. */
 const but = (found: string | RegExp, by: string): string => {
   const changed = sampleText.replace(found, by);
   if (changed === sampleText) throw new Error('Nothing was replaced.');
@@ -121,7 +121,7 @@ const bad: readonly (readonly [string, BlobPart, string, Reason])[] = [
   ],
 ];
 
-describe('what is no chart is refused with place and reason', () => {
+describe('an invalid chart is refused with place and reason', () => {
   it.each(bad)('%s', async (_name, content, path, reason) => {
     expect(await refused(content)).toEqual([path, reason]);
   });

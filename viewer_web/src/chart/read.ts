@@ -4,10 +4,10 @@ import { Refusal } from '../trace/refusal.js';
 import { parseChart } from './format.js';
 import type { Chart } from './format.js';
 
-/** Thousands of scenes; more would only keep the page busy. */
+/** Enough for thousands of scenes; more would only keep the page busy. */
 const mostBytes = 64e6;
 
-/** Reads a chart; what is wrong with it is a `Refusal`. */
+/** Reads a chart; throws a `Refusal` for an invalid one. */
 export async function readChart(file: Blob): Promise<Chart> {
   if (file.size > mostBytes) throw new Refusal('', 'tooLarge');
   const bytes = await new Response(file.stream().pipeThrough(toUtf8())).arrayBuffer();
@@ -20,7 +20,7 @@ export async function readChart(file: Blob): Promise<Chart> {
   return parseChart(parseJson(text));
 }
 
-/** The page of traces, where it is known from here: what the program wrote for a disk is nowhere on the web. */
+/** The page of traces, if its address is known: a chart that the program wrote to disk has none. */
 export function embeddedReplay(page: Document): URL | null {
   const block = page.getElementById('vidno-replay');
   const address = block === null ? null : parseJson(block.textContent);
@@ -29,7 +29,7 @@ export function embeddedReplay(page: Document): URL | null {
   return found.protocol === new URL(page.baseURI).protocol ? found : null;
 }
 
-/** The block of data that the program fills in; `null` in the page as it was built. */
+/** The block of data that the program fills in; `null` in the page as built. */
 export function embeddedChart(page: Document): Chart | null {
   const block = page.getElementById('vidno-chart');
   const data = block === null ? null : parseJson(block.textContent);

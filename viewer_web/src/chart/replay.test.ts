@@ -26,15 +26,15 @@ describe('a run on the chart', () => {
     },
   );
 
-  it('that is the exact one is held against no other', async () => {
+  it('that is the exact one is not compared with another', async () => {
     expect(await links({ kernel: 'exact' })).toMatchObject({ compare: null });
     const printed = await links({ kernel: 'exact', edition: 'printed' });
     expect(printed).toHaveProperty('compare', expect.stringContaining('with='));
   });
 
-  it('has no link where the page has no such run, or the scene is too large for an address', async () => {
+  it('has no link if the page cannot make the run, or the scene is too large for an address', async () => {
     expect(await links({ method: 'warnock', window: 4, knob: 'window', value: 4 })).toBe('window');
-    // Digits of squares do not pack well: 100,000 of them are more than 12,000 bytes.
+    // Digits of squares are hard to compress: 100,000 of them take more than 12,000 bytes.
     const digits = Array.from({ length: 20000 }, (_, i) => (i * i * 7919) % 99991).join('');
     expect(await links({}, digits)).toBe('large');
   });
@@ -47,11 +47,11 @@ describe('a run of a surface', () => {
     [curveRunOf({}), given],
     [curveRunOf({ knob: 'samples', value: 5 }), { ...given, samples: 5, tolerance: undefined }],
     [curveRunOf({ knob: 'tolerance', value: 2 }), { ...given, samples: 2, tolerance: 2 }],
-  ])('is of the surface as it was sampled (%#)', (run, file) => {
+  ])('has the surface with the samples of the run (%#)', (run, file) => {
     expect(fileOfRun(given, run)).toBe(JSON.stringify(file));
   });
 
-  it('is linked to its replay, and to that beside the exact one', async () => {
+  it('is linked to its replay, alone and beside the exact run', async () => {
     const [surface] = surfaceSample.surfaces;
     const run = curveRunOf({ kernel: 'float', edition: 'printed', knob: 'samples', value: 3 });
     const text = fileOfRun(surface?.surface ?? {}, run);

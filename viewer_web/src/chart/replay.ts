@@ -4,21 +4,21 @@ import type { Options } from '../run/options.js';
 import { packed, wordOf } from '../run/packed.js';
 import type { Setting } from './series.js';
 
-/** What a run was of: a surface as the run samples it. */
+/** The file that a run used: a surface with the samples of the run. */
 export function fileOfRun(file: object, { knob, value }: Setting): string {
   if (knob === 'samples') return JSON.stringify({ ...file, samples: value, tolerance: undefined });
   if (knob === 'tolerance') return JSON.stringify({ ...file, samples: 2, tolerance: value });
   return JSON.stringify(file);
 }
 
-/** The ways from a run on the chart to the page of traces. */
+/** Links from a run on the chart to the page of traces. */
 export interface Links {
   readonly replay: string;
-  /** Beside the exact run; null for that one itself. */
+  /** The run beside the exact run; null for the exact run itself. */
   readonly compare: string | null;
 }
 
-/** Why there is none: the page has no such run, or the file is too large for an address. */
+/** Why there is no link: the page cannot make the run, or the file is too large for an address. */
 export type Unlinked = 'window' | 'large';
 
 function linkTo(page: URL, fields: Readonly<Record<string, string>>): string {
@@ -27,7 +27,7 @@ function linkTo(page: URL, fields: Readonly<Record<string, string>>): string {
   return link.href;
 }
 
-/** How the page of traces finds a run of a scene file. */
+/** The links to the run of a scene file on the page of traces. */
 export async function linksOf(
   { method, kernel, edition, knob }: Setting,
   file: string,

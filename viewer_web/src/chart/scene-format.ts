@@ -4,7 +4,7 @@ import { isFamily, methodNames } from '../trace/editions.js';
 import type { MethodName } from '../trace/editions.js';
 import { count, editions, file, format, orNull, size, some } from './checks.js';
 
-/** Those of the course, and the variants that are compared with them. */
+/** The variants of Warnock's algorithm that the course's methods are compared with. */
 export const variants = methodNames.filter(isFamily) as readonly Variant[];
 export const methods: readonly Method[] = ['warnock', 'zbuffer', 'weiler-atherton', ...variants];
 export const sceneKinds = ['ordinary', 'degenerate'] as const;
@@ -15,7 +15,7 @@ export const sceneErrors = ['wrongPixels', 'area', 'wrongDecisions', 'depthUlps'
 export type Method = Exclude<MethodName, 'floating-horizon'>;
 export type Variant = Exclude<Method, 'warnock' | 'zbuffer' | 'weiler-atherton'>;
 
-/** JSON has no infinity: a depth that was no number is written as a word. */
+/** JSON has no infinity, so an infinite error of depth is written as a word. */
 const ulps: Check<number> = (value, path) => (value === 'inf' ? Infinity : size(value, path));
 
 const counts = part({
@@ -52,7 +52,7 @@ const runFields = part({
   front: part({ time: front, operations: front, bits: front }),
 });
 
-/** A knob that was turned was turned somewhere. */
+/** A run with a knob has a value of that knob. */
 const run: Check<SceneRun> = (value, path) => {
   const found = runFields(value, path);
   if (found.knob !== null) count(found.value, `${path}.value`);

@@ -6,13 +6,13 @@ import type { CurveKernel, CurveRun } from './surface-format.js';
 
 type Told = 'method' | 'kernel' | 'edition' | 'knob' | 'value';
 type CurveSetting = Pick<CurveRun, Told>;
-/** What was run, without what came out. */
+/** The settings of a run, without its results. */
 export type Setting = Pick<SceneRun, Told> | CurveSetting;
 
-/** What the series are of: methods, or of curves, which have one method, kernels. */
+/** What the series are grouped by: methods; or kernels, as curves have a single method. */
 export type Group = Method | CurveKernel;
 
-/** A group with one of its knobs, or without any: what can be hidden. */
+/** A group with one of its knobs or none. A series can be hidden. */
 export interface Series {
   readonly id: string;
   readonly group: Group;
@@ -45,7 +45,7 @@ const shapeOf: Readonly<Record<Knob | 'none', Shape>> = {
   none: 'star',
 };
 
-/** Of a variant, by its place. */
+/** The symbols of variants, by position. */
 const shapesOfVariants = [
   'hexagon',
   'cross',
@@ -56,14 +56,14 @@ const shapesOfVariants = [
   'times',
 ] as const;
 
-/** Where a group stands among those of its kind, from 1: its colour and symbol go by that. */
+/** The position of a group among those of its kind, from 1. It determines colour and symbol. */
 const placeIn = (groups: readonly Group[], group: Group): number => groups.indexOf(group) + 1;
 
-/** A variant of Warnock's algorithm: each has a symbol of its own, and no knob. */
+/** Whether a group is a variant of Warnock's algorithm. Each variant has its own symbol, and no knob. */
 export const isVariant = (group: Group): group is Variant => placeIn(variants, group) > 0;
 export const isKernel = (group: Group): group is CurveKernel => placeIn(curveKernels, group) > 0;
 
-/** On one sampling all kernels may come to one place: there their symbols lie on each other, the greatest below. */
+/** With equal samples, all kernels may have the same point. Their symbols then overlap, the largest at the bottom. */
 const scaleOf = (kernel: CurveKernel): number => 1.8 - 0.3 * placeIn(curveKernels, kernel);
 
 export const isOfCurves = (setting: Setting): setting is CurveSetting =>
@@ -79,12 +79,12 @@ const knobsOf = (group: Group): readonly Knob[] =>
 
 export const groups: readonly Group[] = [...methods, ...curveKernels];
 
-/** All that there may be, in the order in which they are shown. */
+/** All possible series, in the order in which they are shown. */
 export const allSeries: readonly Series[] = groups.flatMap((group) =>
   [...knobsOf(group), null].map((knob) => ({ id: idOf(group, knob), group, knob })),
 );
 
-/** The toggle of the printed edition stands beside those of the series. */
+/** The identifier of the printed edition's toggle, which is beside those of the series. */
 export const printed = 'printed';
 
 export function seriesId(setting: Setting): string {
@@ -97,21 +97,21 @@ export function seriesOf(settings: readonly Setting[]): readonly Series[] {
   return allSeries.filter(({ id }) => found.has(id));
 }
 
-/** The same way to run in every subject. */
+/** An identifier of a setting, the same in every subject. */
 export function settingId({ method, kernel, edition, knob, value }: Setting): string {
   return JSON.stringify([method, kernel, edition, knob, value]);
 }
 
-/** How the points of a series are drawn. */
+/** The look of a series' points. */
 export interface Look {
   readonly color: string;
   readonly shape: Shape;
-  /** Symbols of Warnock's algorithm and of curves are filled, those of the Z-buffer and of variants are hollow. */
+  /** Symbols of Warnock's algorithm and of curves are filled; those of the Z-buffer and of variants are hollow. */
   readonly isFilled: boolean;
   readonly scale: number;
 }
 
-/** The colours of kernels and variants have numbers, others the series' names. */
+/** Kernels and variants have numbered colours; the others are named after the series. */
 function colorOf(group: Group): string | null {
   if (isKernel(group)) return `kernel-${placeIn(curveKernels, group)}`;
   return isVariant(group) ? `variant-${placeIn(variants, group)}` : null;
@@ -129,7 +129,7 @@ export function lookOf({ id, group, knob }: Series): Look {
   };
 }
 
-/** That of a run's series. */
+/** The look of a run's series. */
 export function look(setting: Setting): Look {
   return lookOf({ id: seriesId(setting), group: groupOf(setting), knob: setting.knob });
 }

@@ -21,25 +21,25 @@ export interface Shown {
   readonly cost: Cost;
   readonly error: ErrorMeasure;
   readonly rounds: number;
-  /** All runs that have a place; what is hidden has one too, so that axes and front stay as they are. */
+  /** All runs that have a point. Hidden ones are included, so that axes and front do not change. */
   readonly points: readonly Point[];
   readonly visible: readonly Point[];
-  /** By cost. */
+  /** Sorted by cost. */
   readonly front: readonly Point[];
   readonly missing: readonly Setting[];
   readonly areaOfRight: number | null;
   readonly series: readonly Series[];
   readonly hasPrinted: boolean;
-  /** Whether the chart holds the files of what it is of. */
+  /** Whether the chart contains the files of its subjects. */
   readonly hasFiles: boolean;
   readonly hidden: ReadonlySet<string>;
   readonly language: Language;
   readonly texts: ChartTexts;
-  /** Those in which scenes and surfaces differ. */
+  /** The texts that differ between scenes and surfaces. */
   readonly subjectTexts: SubjectTexts;
 }
 
-/** The one that was chosen if there is one like it, else the first. */
+/** The chosen item if the list has it, or else the first one. */
 function chosenOf<T>([first, ...others]: readonly [T, ...T[]], chosen: T | null): T {
   return others.find((each) => each === chosen) ?? first;
 }

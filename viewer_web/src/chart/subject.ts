@@ -10,10 +10,10 @@ export function subjectsOf(chart: Chart): readonly Subject[] {
   return isOfSurfaces(chart) ? chart.surfaces : chart.scenes;
 }
 
-/** What a chart's runs are measured by. */
+/** The measures of cost and error of a chart. */
 export interface Axes {
   readonly costs: readonly [Cost, ...Cost[]];
-  /** The first is none where the picture is right. */
+  /** The first one is zero for a right picture. */
   readonly errors: readonly [ErrorMeasure, ...ErrorMeasure[]];
 }
 
@@ -27,24 +27,24 @@ export function kindOf(subject: Subject): Kind {
   return isSurface(subject) ? 'surfaces' : subject.kind;
 }
 
-/** How much of it may be wrong: pixels, or columns of its curves. */
+/** The number of elements that may be wrong: pixels, or columns of the curves. */
 export function sizeOf(subject: Subject): number {
   return isSurface(subject) ? subject.columns : subject.pixels;
 }
 
-/** The file that it was run from, if the chart holds it. */
+/** The file of a subject, if the chart contains it. */
 export function fileOf(subject: Subject): object | undefined {
   return isSurface(subject) ? subject.surface : subject.scene;
 }
 
-/** In ulps or pixels: the farthest counts. Other errors are shares. */
+/** Errors in ulps or pixels: their maximum counts. The other errors are shares. */
 export type Distance = 'depthUlps' | 'height';
 
 export function isDistance(error: ErrorMeasure): error is Distance {
   return error === 'depthUlps' || error === 'height';
 }
 
-/** Not ended by a fault; nothing of the floating horizon has one. */
+/** Whether a run was not ended by a fault. Runs of the floating horizon have no faults. */
 export function isComplete(run: Run): boolean {
   return run.method === 'floating-horizon' || run.complete;
 }
@@ -54,7 +54,7 @@ export function costOf(run: Run, cost: Cost): number | null {
   return found[cost] ?? null;
 }
 
-/** As it was counted, not of how much. */
+/** The counted error, not yet divided. */
 export function errorOf(run: Run, error: ErrorMeasure): number {
   const found: Readonly<Partial<Record<ErrorMeasure, number>>> = run;
   return found[error] ?? NaN;

@@ -4,7 +4,7 @@ import { plainKernels } from '../trace/editions.js';
 import type { PlainKernel } from '../trace/editions.js';
 import { count, editions, file, format, orNull, size, some } from './checks.js';
 
-/** Those that run curves: each has a colour of its own. */
+/** The kernels that run curves; each has its own colour. */
 export const curveKernels: readonly CurveKernel[] = plainKernels;
 export const curveKnobs = ['samples', 'tolerance'] as const;
 export const curveCosts = ['time', 'operations', 'samples'] as const;
@@ -35,7 +35,7 @@ const runFields = part({
   front: part({ time: front, operations: front, samples: front }),
 });
 
-/** A knob that was turned was turned somewhere. */
+/** A run with a knob has a value of that knob. */
 const run: Check<CurveRun> = (value, path) => {
   const found = runFields(value, path);
   if (found.knob !== null) size(found.value, `${path}.value`);

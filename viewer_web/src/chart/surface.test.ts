@@ -12,7 +12,7 @@ import type { Shown } from './shown.js';
 import { curveCosts, curveErrors, curveKernels } from './surface-format.js';
 import { explanation, missingText, pointLines, runName, sizeText } from './words.js';
 
-/** Spaces that do not break, as they are typed. */
+/** A text with ordinary spaces in place of non-breaking ones. */
 const plain = (text: string): string => text.replace(/[\u00a0\u202f]/gu, ' ');
 
 function shown(
@@ -28,7 +28,7 @@ function shown(
 const peak = { view: 'surfaces/A peak between two samples' } as const;
 
 describe('the axes', () => {
-  it('are those of the chart; what it has not is as if nothing was chosen', () => {
+  it('are those of the chart; an unknown choice counts as none', () => {
     const of = ({ cost, error }: Shown): readonly string[] => [cost, error];
     expect(of(shown({ cost: 'samples', error: 'height' }))).toEqual(['samples', 'height']);
     expect(of(shown({ cost: 'bits', error: 'area' }))).toEqual(['time', 'wrongColumns']);
@@ -47,7 +47,7 @@ describe('the series', () => {
     const looks = runs.map(look);
     expect(new Set(looks.map(({ color }) => color)).size).toBe(runs.length);
     const scales = looks.map(({ scale }) => scale);
-    // On each other: the one that is drawn first is the greatest.
+    // The symbols overlap: the largest is drawn first.
     expect(scales).toEqual([...new Set(scales)].sort((a, b) => b - a));
   });
 });
@@ -63,7 +63,7 @@ describe('the peak between two samples', () => {
     return point === undefined ? [] : pointLines(point, all).map(plain);
   };
 
-  it('is told by runs: 9 samples a curve miss it, 10 in all do not', () => {
+  it('is missed by 9 samples per curve, but not by 10 adaptive ones in all', () => {
     expect(told('double', 9)).toEqual([
       'double, 9 samples a curve',
       'corrected',
@@ -79,13 +79,13 @@ describe('the peak between two samples', () => {
     expect(sizeText(shown(peak))).toMatch(/^curves: 3 · columns of all curves: 99 · /u);
   });
 
-  it('needs a tolerance below its height; evenly apart a sample on every second column', () => {
+  it('needs a tolerance below its height, or an even sample on every second column', () => {
     const advice = adviceOf(surfaceSample.surfaces.slice(0, 1), 'samples');
     expect(advice?.cheapest.setting).toMatchObject({ knob: 'tolerance', value: 4 });
     expect(advice?.safe?.setting).toMatchObject({ kernel: 'filtered', value: 4 });
-    // 2 samples a curve, 3, tolerances 16 and 8, under four kernels.
+    // These are 2 and 3 samples per curve and the tolerances 16 and 8, under four kernels.
     expect(advice?.cheaper).toHaveLength(4 * 4);
-    // The corners are over the columns 8, 10 and 12: 17 samples a curve have them, 51 for 10.
+    // The corners are over the columns 8, 10 and 12. 17 samples per curve include them: 51 instead of 10.
     expect(advice?.others.map(({ setting, cost }) => [setting.value, cost])).toEqual([[17, 51]]);
     expect(advice?.neverRight).toEqual(['fixed']);
     expect(advice?.losses).toEqual({ height: 0, decisions: new Map() });
@@ -107,7 +107,7 @@ describe('the peak between two samples', () => {
 });
 
 describe('what a surface loses', () => {
-  it('is height between the samples, and decisions to arithmetic', () => {
+  it('is height between the samples, and decisions by arithmetic', () => {
     const runs = [
       curveRunOf({ kernel: 'float', time: 3, wrongDecisions: 1 }),
       curveRunOf({ kernel: 'float', time: 2, height: 0.25, wrongDecisions: 2 }),
@@ -121,7 +121,7 @@ describe('what a surface loses', () => {
     expect(adviceText(advice, all)).toMatch(/at most 0\.25 px from the function.*: float \(20%\)/u);
   });
 
-  it('is not said of scenes', () => {
+  it('is not stated for scenes', () => {
     expect(adviceOf(sample.scenes, 'time')?.losses).toBeNull();
   });
 });
@@ -129,7 +129,7 @@ describe('what a surface loses', () => {
 describe('surfaces together', () => {
   it('leave out samplings that not all of them have', () => {
     const all = shown({ cost: 'samples' });
-    // Over 33 columns there may be 17 and 33 samples, over 9 not.
+    // 33 columns allow 17 and 33 samples, 9 columns do not.
     expect(missingText(all)).toBe(
       'Not shown because some surfaces were not sampled that way: 17 samples a curve, 33 samples a curve.',
     );
@@ -142,7 +142,7 @@ describe.each(languages)('in %s', (language) => {
   const views = [null, peak.view, 'surfaces/Ramp <up> & down'];
   const all = curveCosts.flatMap((cost) => curveErrors.map((error) => ({ cost, error })));
 
-  it.each(all)('everything can be said of $cost and $error', ({ cost, error }) => {
+  it.each(all)('all texts exist for $cost and $error', ({ cost, error }) => {
     for (const view of views) {
       const found = shown({ view, cost, error }, language);
       const said = [

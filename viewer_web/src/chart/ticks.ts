@@ -1,4 +1,4 @@
-/** The numbers of an axis between two others, finest first: parts of each decade, then fewer decades. */
+/** The multiples within decades at which an axis has numbers, finest first: parts of each decade, then fewer decades. */
 const parts: readonly (readonly number[])[] = [
   [1, 1.2, 1.4, 1.6, 1.8, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9],
   [1, 1.5, 2, 3, 4, 5, 7],
@@ -17,13 +17,13 @@ function numbersOf(
   const last = Math.ceil(Math.log10(greatest));
   const found: number[] = [];
   for (let exponent = first; exponent <= last; exponent += step) {
-    // As it is written: 3 * 10 ** -5 is not 3e-5.
+    // Parsed from text, because 3 * 10 ** -5 is not 3e-5.
     for (const mantissa of mantissas) found.push(Number(`${mantissa}e${exponent}`));
   }
   return found.filter((number) => number > 0 && number >= least && number <= greatest);
 }
 
-/** As many ticks of a logarithmic axis as leave `gap` between them, of `length` in all. */
+/** The most ticks of a logarithmic axis of this length that leave at least `gap` between them. */
 export function logTicks(
   domain: readonly [number, number],
   length: number,

@@ -2,17 +2,17 @@ import { kinds } from './format.js';
 import type { Chart, Kind, Subject } from './format.js';
 import { kindOf, subjectsOf } from './subject.js';
 
-/** What may be looked at: one subject, or all of a kind together. */
+/** A view of the chart: one subject, or all subjects of a kind together. */
 export interface View {
   /** Its name in the page's address. */
   readonly id: string;
   readonly kind: Kind;
-  /** The subject's; null for all of the kind. */
+  /** The name of the subject; null for all of the kind. */
   readonly name: string | null;
   readonly subjects: readonly Subject[];
 }
 
-/** Subjects may have one name: the second is its `(2)`. */
+/** Subjects with unique names: the second one of the same name gets `(2)`. */
 function named(subjects: readonly Subject[]): readonly (readonly [string, Subject])[] {
   const seen = new Map<string, number>();
   return subjects.map((subject) => {

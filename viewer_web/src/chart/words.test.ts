@@ -10,7 +10,7 @@ import { allSeries, isVariant, look, lookOf } from './series.js';
 import { shownOf } from './shown.js';
 import { explanation, missingText, pointLines, runName } from './words.js';
 
-/** Spaces that do not break, as they are typed. */
+/** A text with ordinary spaces in place of non-breaking ones. */
 const plain = (text: string): string => text.replace(/[\u00a0\u202f]/gu, ' ');
 
 describe('numbers', () => {
@@ -39,7 +39,7 @@ describe('numbers', () => {
 });
 
 describe('the address', () => {
-  it('comes back as it was written', () => {
+  it('is parsed to the same choice', () => {
     const choice = {
       language: 'ru',
       view: 'ordinary/Roofs <and> hills & a=b',
@@ -67,7 +67,7 @@ describe('the address', () => {
 describe.each(languages)('in %s', (language) => {
   const all = sceneCosts.flatMap((cost) => sceneErrors.map((error) => ({ cost, error })));
 
-  it.each(all)('everything can be said of $cost and $error', ({ cost, error }) => {
+  it.each(all)('all texts exist for $cost and $error', ({ cost, error }) => {
     for (const view of [null, 'ordinary/Two walls', 'degenerate/Slivers']) {
       const choice = { ...parseChoice(''), view, cost, error };
       const shown = shownOf(sample, choice, language);
@@ -82,7 +82,7 @@ describe.each(languages)('in %s', (language) => {
     }
   });
 
-  it('a complaint says file, place and reason', () => {
+  it('a complaint names file, place and reason', () => {
     const refusal = new Refusal('scenes[0].runs', 'missing');
     expect(chartComplaint('x.json', refusal, language)).toMatch(
       /x\.json.*scenes\[0\]\.runs: .*\.$/,
@@ -105,7 +105,7 @@ describe('a variant of an algorithm', () => {
     expect(inRussian && runName(runOf({}), inRussian)).toBe('Z-буфер double');
   });
 
-  it('that does not take each scene is named where it is missing', () => {
+  it('that does not take every scene is named among the missing runs', () => {
     const shown = shownOf(chart, parseChoice(''), 'en');
     expect(shown && missingText(shown)).toBe(
       'Not shown because some scenes have no number for them: Warnock: closed bodies.',
@@ -130,7 +130,7 @@ describe('a point', () => {
     return pointLines(point, shown).map(plain);
   };
 
-  it('is said with what was counted', () => {
+  it('is described with its counts', () => {
     const run = sample.scenes[0]?.runs.find(({ kernel }) => kernel === 'bits:4');
     expect(shownIn('ordinary/Two walls', 'en')).toEqual([
       'Warnock bits:4',
@@ -140,7 +140,7 @@ describe('a point', () => {
     ]);
   });
 
-  it('of several scenes is said with means', () => {
+  it('of several scenes is described with means', () => {
     const [name, details, ...amounts] = shownIn('ordinary', 'ru');
     expect([name, details]).toEqual(['Варнок bits:4', 'арифметика, бит: 4 · исправленный']);
     expect(amounts).toEqual([

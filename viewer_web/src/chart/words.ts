@@ -9,19 +9,19 @@ import { errorOf, isDistance, isSurface } from './subject.js';
 
 type Worded = Pick<Shown, 'texts' | 'subjectTexts' | 'language'>;
 
-/** How far a knob was turned: a count with all its digits. */
+/** The value of a knob; a count has all its digits. */
 export function knobValue({ value }: Setting, language: Language): string {
   const found = value ?? 0;
   return Number.isInteger(found) ? whole(found, language) : number(found, language);
 }
 
-/** What was turned; null if nothing was. */
+/** The knob and its value; null if there is no knob. */
 function turned(setting: Setting, { texts, language }: Worded): string | null {
   const { knob } = setting;
   return knob === null ? null : texts.turned[knob](knobValue(setting, language));
 }
 
-/** Runs of curves differ by their samples first. */
+/** The name of a run of curves begins with its samples. */
 function samplingName(setting: Setting, worded: Worded): string {
   return turned(setting, worded) ?? worded.subjectTexts.fixed;
 }
@@ -33,13 +33,13 @@ export function runName(setting: Setting, worded: Worded): string {
   return `${worded.texts.methods[method]}${isVariant(method) ? ',' : ''} ${kernel}`;
 }
 
-/** The name where no details stand beside it: runs that differ by their smallest window have one kernel. */
+/** The name in places without details. Runs that differ in their smallest window have the same kernel. */
 export function fullName(setting: Setting, worded: Worded): string {
   const name = runName(setting, worded);
   return setting.knob === 'window' ? `${name} (${turned(setting, worded) ?? ''})` : name;
 }
 
-/** What was turned if the name does not say so, and which text was run. */
+/** The knob, if the name does not include it, and the edition. */
 export function runDetails({ setting, complete }: Point, worded: Worded): string {
   const { texts } = worded;
   const details = [
@@ -50,7 +50,7 @@ export function runDetails({ setting, complete }: Point, worded: Worded): string
   return details.filter((each) => each !== null).join(' · ');
 }
 
-/** A number that is shown, and what was counted where it is a ratio. */
+/** A number as shown, and the counted value if the number is a ratio. */
 export type Amount = readonly [shown: string, counted: string | null];
 
 export function costAmount({ cost, run }: Point, { language, ...shown }: Shown): Amount {
@@ -74,7 +74,7 @@ function inLine([shown, counted]: Amount): string {
   return counted === null ? shown : `${shown} (${counted})`;
 }
 
-/** A point in words, by lines. */
+/** The lines that describe a point. */
 export function pointLines(point: Point, shown: Shown): readonly string[] {
   const { texts, cost, error } = shown;
   const { setting } = point;
@@ -86,7 +86,7 @@ export function pointLines(point: Point, shown: Shown): readonly string[] {
   ];
 }
 
-/** What the axes mean. */
+/** The meaning of the axes. */
 export function explanation({ view, cost, error, rounds, texts, language }: Shown): string {
   const [costs, errors] = [texts.costs[cost], texts.errors[error]];
   const sentences =
@@ -96,7 +96,7 @@ export function explanation({ view, cost, error, rounds, texts, language }: Show
   return [...sentences, texts.reading].join(' ');
 }
 
-/** How large the one subject is that is shown; null if there are several. */
+/** The size of the subject; null if several are shown. */
 export function sizeText({ view, texts, language }: Shown): string | null {
   const [subject] = view.subjects;
   if (view.name === null || subject === undefined) return null;
@@ -106,7 +106,7 @@ export function sizeText({ view, texts, language }: Shown): string | null {
   return texts.aboutScene(said(pixels), said(polygons), said(unsteady));
 }
 
-/** Which runs have no place in the plot, and why; null if all have. A variant that does not take each scene is named once. */
+/** The runs that have no point, and why; null if all have one. A variant that does not take every scene is named once. */
 export function missingText(shown: Shown): string | null {
   const { missing, points, view, texts, subjectTexts } = shown;
   if (missing.length === 0) return null;

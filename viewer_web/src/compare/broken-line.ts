@@ -15,13 +15,13 @@ import type { Steps } from './parting.js';
 
 /** The side of a picture, in CSS pixels. */
 const side = 72;
-/** Cells that are the same in both. */
+/** The colour of cells that are the same in both pictures. */
 const same = 0xffe6e2de;
 const unpainted = 0xffffffff;
 
 /**
- * Says which line is broken, how, and what comes of it. Events: `go` with the step of the first difference, `smallest` for the
- * smallest scene that shows it, `own` to leave that, `back` to the right run.
+ * Describes the broken line and its effect. Events: `go` with the step of the first difference, `smallest` for the smallest
+ * scene that shows it, `own` to leave that scene, `back` to the right run.
  */
 @customElement('vidno-broken-line')
 export class BrokenLineElement extends LitElement {
@@ -86,9 +86,9 @@ export class BrokenLineElement extends LitElement {
   @property({ attribute: false }) deviation!: Deviation;
   @property({ attribute: false }) comparison!: Comparison;
   @property({ attribute: false }) language: Language = 'en';
-  /** The title of the smallest scene, where that is shown. */
+  /** The title of the smallest scene, if it is shown. */
   @property({ attribute: false }) smallest: string | null = null;
-  /** What is known of the comparison so far. */
+  /** The number of differing pixels or columns at the end; null until it is known. */
   @property({ attribute: false }) atEnd: number | null = null;
   @property({ attribute: false }) text: Steps | null = null;
   @property({ type: Boolean }) complete = false;
@@ -136,7 +136,7 @@ export class BrokenLineElement extends LitElement {
     </button>`;
   }
 
-  /** What the broken line changes in the end. */
+  /** The effect of the broken line on the picture. */
   private result(): string {
     const { say, comparison, language, atEnd, text, complete } = this;
     if (atEnd === null) return texts[language].compare.searching;
@@ -185,7 +185,7 @@ export class BrokenLineElement extends LitElement {
   }
 }
 
-/** Paints a picture where it is not that of the other run; all else is faint. */
+/** Paints a picture where it differs from the other one; the rest is faint. */
 function paintChanges(canvas: HTMLCanvasElement, own: Grid<number>, other: Grid<number>): void {
   const { width, height } = own;
   const scale = side / Math.max(width, height);

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** Its parts are items of the grid that it stands in. */
+/** Its parts are items of the surrounding grid. */
 export const comparedStyle = css`
   :host {
     display: contents;
@@ -53,7 +53,7 @@ export const comparedStyle = css`
     display: var(--listing, flex);
     contain: size;
   }
-  /* Where there is little room the step, which may grow, has a line of its own. */
+  /* Where there is little room, the step has a line of its own, because its number may grow. */
   h3 {
     flex: 0 1 var(--name-width, auto);
     color: var(--ink);

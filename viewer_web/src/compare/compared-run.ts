@@ -19,8 +19,8 @@ import { base } from '../elements/theme.js';
 import { Typed } from '../elements/typed.js';
 
 /**
- * One of two runs that are compared: its parts lie in the grid of the two. An event `pixel` tells that one was chosen, an
- * event `step` that this run alone shall be at another.
+ * One of two compared runs; its parts lie in the grid of both. An event `pixel` carries a chosen pixel, an event `step` a
+ * step to which this run alone shall go.
  */
 @customElement('vidno-compared-run')
 export class ComparedRunElement extends LitElement {
@@ -32,9 +32,9 @@ export class ComparedRunElement extends LitElement {
   /** The picture of the other run. */
   @property({ attribute: false }) against: Exact = null;
   @property({ attribute: false }) editing: Editing | null = null;
-  /** What it is, if its header does not say so. */
+  /** A description of the run, if its header does not suffice. */
   @property({ attribute: false }) note = '';
-  /** Whether it is stepped by itself. */
+  /** Whether this run is stepped by itself. */
   @property({ type: Boolean }) alone = false;
   @property({ type: Boolean }) playing = false;
   /** Whether its lines can be broken. */

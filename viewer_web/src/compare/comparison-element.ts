@@ -40,7 +40,7 @@ import type { Steps } from './parting.js';
 
 const mostPerFrame = 8;
 
-/** One of the two runs at its step, and the other one's picture, which it may be held against. */
+/** One of the two runs at its step, with the other run's picture to compare with. */
 interface Half {
   readonly side: 'one' | 'other';
   readonly trace: Trace;
@@ -48,15 +48,15 @@ interface Half {
   readonly against: Grid<number> | null;
 }
 
-/** What is drawn at a step of a run: pixels, or lines if these are to be marked. */
+/** What a run has drawn at a step: pixels, or lines if those are to be marked. */
 interface Beside {
   readonly picture: Grid<number> | null;
   readonly lines: readonly Line[];
 }
 
 /**
- * Two runs side by side. The controls step the first one, and the other goes along. Each step of the first is told by
- * `vidno-step`, each pixel that is chosen by `vidno-pixel`, and further bookmarks by `vidno-bookmarks`; `vidno-layer` asks to
+ * Two runs side by side. The controls step the first run, and the other one follows. Events carry each step of the first
+ * run (`vidno-step`), each chosen pixel (`vidno-pixel`) and changed bookmarks (`vidno-bookmarks`); `vidno-layer` asks to
  * mark the pixels that differ.
  */
 @customElement('vidno-comparison')
@@ -70,24 +70,27 @@ export class ComparisonElement extends StageElement {
     announcerStyle,
   ];
 
-  /** The other run, and how many of its steps are there. */
+  /** The other run, and the number of its steps read so far. */
   @property({ attribute: false }) rival: Trace | null = null;
   @property({ attribute: false }) rivalLength = 0;
-  /** What the other run is, if its header does not say so. */
+  /** A description of the other run, if its header does not suffice. */
   @property({ attribute: false }) rivalNote = '';
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
   @property({ attribute: false }) layer: Layer = 'picture';
   @property({ attribute: false }) editing: Editing | null = null;
-  /** How the other run is broken, if it is the same but for that. */
+  /** How the other run is broken, if that is the only difference. */
   @property({ attribute: false }) broken: Deviation | null = null;
-  /** The title of the smallest scene that shows it, where that is shown. */
+  /** The title of the smallest scene that shows it, if that scene is shown. */
   @property({ attribute: false }) smallest: string | null = null;
   /** Whether lines of the first run can be broken. */
   @property({ type: Boolean }) breakable = false;
-  /** Whether the first difference is looked for, to go there; an event `vidno-sought` tells that it was found, or that there is none. */
+  /**
+   * Whether to go to the first difference once it is known. An event `vidno-sought` reports that it was found, or that
+   * there is none.
+   */
   @property({ type: Boolean }) seeks = false;
   @state() private linked = true;
-  /** Whether the corners of the scene can be dragged, in the first picture. */
+  /** Whether the corners of the scene can be dragged in the first picture. */
   @state() isEdited = false;
   @state() private otherStep = 0;
   @query('vidno-travel') readonly travel!: TravelElement;
@@ -95,7 +98,7 @@ export class ComparisonElement extends StageElement {
   private comparison: Comparison | null = null;
   private halves: readonly [Half, Half] | null = null;
   private history: History | null = null;
-  /** How many pixels or columns differ now. */
+  /** The number of pixels or columns that differ now. */
   private differs: number | null = null;
   private readonly pointing = new Pointing(this);
   private readonly reader = new ReadOn(this, mostPerFrame);
@@ -132,7 +135,7 @@ export class ComparisonElement extends StageElement {
     return pairActions(this, event);
   }
 
-  /** Goes on with what takes a pass over the runs. */
+  /** Continues the work that needs a pass over the runs. */
   read(milliseconds: number): boolean {
     const isRead = this.comparison?.read(milliseconds) !== false;
     return (this.history?.read(milliseconds) ?? true) && isRead;
@@ -158,7 +161,7 @@ export class ComparisonElement extends StageElement {
     ];
   }
 
-  /** What a run has drawn, for the other one to be held against. */
+  /** What a run has drawn, for comparison with the other one. */
   private beside(run: Trace, step: number): Beside {
     if (this.differs === null) return { picture: null, lines: [] };
     const isOfCurves = run.header.scene.curves !== null;
@@ -256,14 +259,14 @@ export class ComparisonElement extends StageElement {
     else askForLayer(this, this.isMarked ? 'picture' : 'difference');
   }
 
-  /** Goes no farther on a long way. */
+  /** Stops a long seek at the current step. */
   stay(): void {
     for (const pilot of [this.pilot, this.otherPilot]) {
       if (pilot.isUnderWay) pilot.cancel();
     }
   }
 
-  /** Points at the next thing of the first run's step, or the one before. */
+  /** Points at the next or previous thing of the first run's step. */
   point(by: 1 | -1): void {
     if (this.halves) this.pointing.move(by, this.halves[0].view);
   }

@@ -82,7 +82,7 @@ export const factsStyle = css`
   label:not(:first-child) {
     margin-left: 0.5rem;
   }
-  /* Of which the numbers may grow from step to step: nothing else must move. */
+  /* Numbers may grow from step to step; nothing else must move. */
   @container (max-width: 1100px) {
     .row > p {
       flex-basis: 100%;

@@ -14,21 +14,21 @@ import { hiddenStyle } from '../elements/hidden.style.js';
 import { textureStyle } from '../elements/texture.style.js';
 import { base } from '../elements/theme.js';
 
-/** What can be switched on and off. */
+/** The switches of a comparison. */
 export type Switch = 'together' | 'mark' | 'edit';
 
 /**
- * Where two runs part, how many pixels differ, and what was counted. An event `go` asks for a step of the first run, an
- * event `switch` for a change of one of the switches.
+ * Where two runs diverge, how many pixels differ, and the counters. An event `go` asks for a step of the first run, an
+ * event `switch` to turn one of the switches.
  */
 @customElement('vidno-comparison-facts')
 export class ComparisonFactsElement extends LitElement {
   static override styles = [base, hiddenStyle, textureStyle, factsStyle];
 
   @property({ attribute: false }) comparison!: Comparison;
-  /** The steps that are shown. */
+  /** The current steps. */
   @property({ attribute: false }) steps!: Steps;
-  /** How many pixels or columns differ there; null where the pictures are not of one size. */
+  /** The number of pixels or columns that differ there; null if the pictures have different sizes. */
   @property({ attribute: false }) differs: number | null = null;
   @property({ attribute: false }) on: ReadonlySet<Switch> = new Set();
   @property({ type: Boolean }) editable = false;
@@ -111,7 +111,7 @@ export class ComparisonFactsElement extends LitElement {
     </label>`;
   }
 
-  /** Those that neither run has are left out. */
+  /** The counters, without those that neither run has. */
   private counters(): TemplateResult {
     const { say, comparison } = this;
     const now = comparison.counts(this.steps);

@@ -5,7 +5,7 @@ import type { Timed } from '../player/player-keys.js';
 import type { Presenter } from '../player/presenter.js';
 import type { ComparedRunElement } from './compared-run.js';
 
-/** What of a comparison keys reach. */
+/** The parts of a comparison that keys control. */
 export interface SteeredPair extends Timed {
   readonly presenting: boolean;
   readonly presenter: Presenter;
@@ -20,7 +20,7 @@ export interface SteeredPair extends Timed {
   goToParting(what: 'text' | 'deed'): void;
 }
 
-/** What keys do to a comparison now: as much of what they do to a player as there is here. */
+/** The actions of keys on a comparison: those of a player that apply here. */
 export function pairActions(pair: SteeredPair, { shiftKey }: KeyboardEvent): Actions {
   const { keys, presenting, presenter } = pair;
   const [first] = pair.runs;

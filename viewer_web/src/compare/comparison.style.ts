@@ -1,7 +1,7 @@
 import { css } from 'lit';
 import { leastPanel, leastPicture } from '../elements/least-picture.js';
 
-/** The pictures are neighbours in the middle, each with its listing at its outer side. */
+/** The pictures are beside each other in the middle, each with its listing on its outer side. */
 export const comparisonStyle = css`
   :host {
     display: flex;
@@ -29,7 +29,7 @@ export const comparisonStyle = css`
   vidno-comparison-facts {
     grid-area: facts;
   }
-  /* Where the page scrolls, the way through the runs stays in sight. */
+  /* Where the page scrolls, the time controls stay in sight. */
   .dock {
     position: sticky;
     bottom: 0;
@@ -73,7 +73,7 @@ export const comparisonStyle = css`
         / minmax(0, 1fr) minmax(0, 1fr);
     }
   }
-  /* No room for two pictures beside each other. */
+  /* Two pictures beside each other do not fit. */
   @container (max-width: 650px) {
     .runs {
       --name-width: auto;
@@ -119,7 +119,7 @@ export const comparisonStyle = css`
     border: 0;
     background: none;
   }
-  /* A dock that stays would hide the pictures. */
+  /* A sticky dock would hide the pictures. */
   @media (max-height: 599px) {
     .dock {
       position: static;

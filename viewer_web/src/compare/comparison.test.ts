@@ -35,13 +35,13 @@ const insider = (inside: boolean, exact?: boolean): Event => ({
   ...(exact === undefined ? {} : { exact }),
 });
 
-describe('two runs part', () => {
-  it('first in a number, then in what is done', async () => {
+describe('two runs diverge', () => {
+  it('first in a number, then in an action', async () => {
     const { parting } = await compared(
       trace([push, pop, call, corners(0), count, summary, decide]),
       trace([push, pop, call, corners(-1), count, insider(true), summary, decide]),
     );
-    // Step 4 has another depth, step 6 is another event.
+    // Step 4 has another depth, and step 6 is another event.
     expect(parting).toMatchObject({ text: [4, 4], deed: [6, 6] });
   });
 
@@ -56,7 +56,7 @@ describe('two runs part', () => {
     expect(parting).toMatchObject({ text: [3, 2], deed: [3, 2] });
   });
 
-  it('in what is done, not where one of them is checked or less detailed', async () => {
+  it('in an action, not where one of them is checked or less detailed', async () => {
     const wrong: Event = {
       e: 'disagree',
       at: 'PW10',
@@ -73,7 +73,7 @@ describe('two runs part', () => {
     expect(parting).toMatchObject({ text: [3, 3], deed: null });
   });
 
-  it('nowhere, where one of them only does not tell which test it calls', async () => {
+  it('nowhere, if one of them only lacks the calls of tests', async () => {
     const surround: Event = { e: 'surround', at: 'PW8', polygon: 'A', point: [0, 0], inside: true };
     const test: Event = { e: 'call', at: 'PW8', of: 'SurroundTest' };
     const { parting } = await compared(
@@ -83,29 +83,29 @@ describe('two runs part', () => {
     expect(parting).toMatchObject({ text: [4, 4], deed: null });
   });
 
-  it('nowhere that could be told, if they are of two methods', async () => {
+  it('at no common step, if their methods differ', async () => {
     const zbuffer = trace([{ e: 'clear', at: 'Z1', color: '#ffffff', z: 0 }], headerOf('zbuffer'));
     const comparison = await compared(trace([push, pop]), zbuffer);
     expect(comparison.parting).toBeNull();
     expect(comparison.isByShare).toBe(true);
-    // Half of two steps is half of one, rounded up.
+    // Half of two steps is half of one step, rounded up.
     expect([0, 1, 2].map((step) => comparison.paired(step))).toEqual([0, 1, 1]);
   });
 });
 
 describe('two runs are stepped together', () => {
-  it('by the same window, and its decision; who is sooner there waits', async () => {
+  it('by the same window and its decision; the run that arrives first waits', async () => {
     const fine = [push, pop, call, corners(0), count, summary, decide, fill];
     const coarse = [push, pop, decide, fill];
     const comparison = await compared(trace(fine), trace(coarse, headerOf('warnock', 'windows')));
     const steps = fine.map((_, i) => comparison.paired(i + 1));
-    // push, pop; the window is decided in step 7 of one and 3 of the other.
+    // push, pop; the window is decided in step 7 of one run and in step 3 of the other.
     expect(steps).toEqual([1, 2, 2, 2, 2, 2, 3, 4]);
   });
 });
 
 describe('the counters', () => {
-  it('count up to a step and to the end, and are silent where the trace is', async () => {
+  it('count up to a step and to the end, and are empty for events that the trace lacks', async () => {
     const split: Event = { e: 'decide', at: 'W13', case: 'split' };
     const part = (x: number, y: number): Event => ({ e: 'push', at: 'W13', window: [x, y, 4, 4] });
     const square: Event = { e: 'fill', at: 'W8', rect: [4, 4, 4, 4], color: '#112233' };
@@ -137,7 +137,7 @@ describe('the counters', () => {
     expect(other).toMatchObject({ windows: 1, splits: 0, painted: 64, steps: 4 });
     const [sofar] = comparison.counts([2, 0]);
     expect(sofar).toMatchObject({ windows: 1, splits: 0, painted: 0, steps: 2 });
-    // All 8 x 8 pixels have the colour here, 4 x 4 there.
+    // All 8 x 8 pixels have the colour in one run, 4 x 4 in the other.
     expect(comparison.differsAtEnd).toBe(48);
   });
 });

@@ -7,12 +7,12 @@ import { Parting } from './parting.js';
 import type { Steps } from './parting.js';
 import { surveyOf } from './survey.js';
 
-/** What the counters say of both runs. */
+/** The counters of both runs. */
 export type CountsOfBoth = readonly [one: Counts, other: Counts];
 
-/** One run held against another. It takes a pass over both, which may be spread over frames. */
+/** A comparison of two runs. It takes a pass over both, which may be spread over frames. */
 export class Comparison {
-  /** Null where the methods are not the same, and no step is. */
+  /** Null if the methods differ; then no steps are the same. */
   readonly parting: Parting | null;
   private pairing: Pairing | null = null;
   private readonly counters: readonly [Counters, Counters];
@@ -27,7 +27,9 @@ export class Comparison {
     this.counters = [new Counters(one, surveyOf(one)), new Counters(other, surveyOf(other))];
   }
 
-  /** Goes on for about so long; says whether all is known, or has to wait until the runs have grown. */
+  /**
+   * Continues for about this time. Returns whether the comparison is complete, or has to wait until the runs have grown.
+   */
   read(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     const isRead = [surveyOf(this.one), surveyOf(this.other)].every((survey) =>
@@ -50,26 +52,26 @@ export class Comparison {
     this.end = differenceAt(this.one, last, this.other, otherLast);
   }
 
-  /** The other run's step beside one of this run; null as long as that is not known. */
+  /** The step of the other run beside one of this run; null until it is known. */
   paired(step: number): number | null {
     const { text = null, deed = null } = this.parting ?? {};
     if (deed?.[0] === step) return deed[1];
     const isOneDetail = this.one.header.detail === this.other.header.detail;
-    if (isOneDetail && text?.[0] === step) return text[1]; // up to there they are the same
+    if (isOneDetail && text?.[0] === step) return text[1]; // the texts are the same up to there
     return this.pairing?.other(step) ?? null;
   }
 
-  /** The runs have no step in common. */
+  /** Whether the runs have no step in common. */
   get isByShare(): boolean {
     return this.pairing?.byShare === true;
   }
 
-  /** How much differs in the end, see `differenceAt`; null as long as that is not known. */
+  /** How much differs in the end, see `differenceAt`; null until it is known. */
   get differsAtEnd(): number | null {
     return this.end;
   }
 
-  /** Up to two steps, or of the whole runs. */
+  /** The counters up to two steps, or of the whole runs. */
   counts([step, other]: Steps = this.lengths): CountsOfBoth {
     return [this.counters[0].upTo(step), this.counters[1].upTo(other)];
   }

@@ -27,16 +27,16 @@ export const counters = [
 ] as const;
 export type Counter = (typeof counters)[number];
 
-/** Those that take more than the names of events. */
+/** The counters that need more than the names of events. */
 export type Summed = 'splits' | 'ael' | 'painted';
 
-/** How often each happened; null for what the run does not tell. */
+/** How often each happened; null for events that the trace does not have. */
 export type Counts = Readonly<Record<Counter, number | null>>;
 
 const every = 4096;
 const cells = numberOf.size;
 
-/** How many events of each name there were, in columns so many steps apart. */
+/** The number of events of each name, in columns `every` steps apart. */
 class Tally {
   private readonly columns: Uint32Array[] = [new Uint32Array(cells)];
 
@@ -67,7 +67,7 @@ function counted(
   return counts;
 }
 
-/** Whether a trace of this method and level tells such events. */
+/** Whether a trace of this method and level has such events. */
 function isTold({ method, detail }: Header, name: EventName): boolean {
   return tells(method, name) && details.indexOf(kinds[name].from) <= details.indexOf(detail);
 }
@@ -83,7 +83,7 @@ export class Counters {
     this.tally = new Tally(trace);
   }
 
-  /** Up to a step, which must have been surveyed. */
+  /** The counters up to a step, which must have been surveyed. */
   upTo(step: number): Counts {
     const { trace, survey } = this;
     const isOfCurves = trace.header.scene.curves !== null;

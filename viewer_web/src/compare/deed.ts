@@ -2,10 +2,10 @@ import { eventNames, kinds } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import { holdsNumbers } from '../trace/values.js';
 
-/** What a check adds. */
+/** The fields that a check adds. */
 const truths: ReadonlySet<string> = new Set(['exact', 'by']);
 
-/** Of each event the fields that say what was done, by the number of its name. */
+/** For each event name, the fields that describe the action. */
 const deedFields = new Map<EventName, readonly string[]>(
   eventNames.map((name) => {
     const fields = Object.entries(kinds[name].fields);
@@ -19,7 +19,7 @@ const isSame = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.s
 
 /**
  * Whether two events do the same, each with its kernel's numbers: the same line of the listing, polygon, window, pixels,
- * order, and the same answer. What a check says beside the answer does not count.
+ * order and answer. The fields of a check do not count.
  */
 export function sameDeed(a: Event, b: Event): boolean {
   if (a.e !== b.e || a.at !== b.at) return false;

@@ -13,24 +13,24 @@ const line = (curve: number, first: number, last: number): Line => ({
 });
 
 describe('two runs of curves', () => {
-  it('differ by the columns over which one of them alone has a line of a curve', () => {
+  it('differ by the columns over which only one of them has a line of a curve', () => {
     expect(differingColumns([line(0, 0, 4)], [line(0, 0, 2)])).toBe(2);
     expect(differingColumns([line(0, 0, 1), line(0, 1, 2)], [line(0, 0, 2)])).toBe(0);
     expect(differingColumns([line(0, 0, 2)], [line(1, 0, 2)])).toBe(6);
   });
 
-  it('cannot be held against a run of polygons', async () => {
+  it('cannot be compared with a run of polygons', async () => {
     const curves = await traceOf(textOf('crossing.floating-horizon.signs.jsonl'));
     const polygons = await traceOf(textWith(headerOf('warnock'), []));
     expect(differenceAt(curves, 0, polygons, 0)).toBeNull();
   });
 
-  it('have the lines that are drawn for a counter, and go together from column to column', async () => {
+  it('have a counter of drawn lines, and are paired by column', async () => {
     const text = textOf('crossing.floating-horizon.signs.jsonl');
     const [one, other] = [await traceOf(text), await traceOf(text)];
     const comparison = new Comparison(one, other);
     comparison.read();
-    // The first line is one; the second one is cut where it crosses the first.
+    // The first line is one line. The second is split where it crosses the first.
     expect(comparison.counts()[0]).toMatchObject({ curves: 2, lines: 3, flags: 10, crossings: 2 });
     expect(comparison.differsAtEnd).toBe(0);
     expect(comparison.paired(20)).toBe(20);

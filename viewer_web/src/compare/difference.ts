@@ -3,12 +3,12 @@ import { differenceOf } from '../picture/layers.js';
 import type { Grid } from '../replay/grid.js';
 import type { Trace } from '../replay/trace.js';
 
-/** The picture after a step, as it stays. */
+/** The picture after a step, as a copy. */
 export function pictureAt({ timeline }: Trace, step: number): Grid<number> {
   return timeline.seek(step).screen.picture.copy();
 }
 
-/** How many pixels of two pictures differ; null where these are not of one size. */
+/** The number of pixels that differ between two pictures; null if their sizes differ. */
 export function differing(one: Grid<number>, other: Grid<number>): number | null {
   if (one.width !== other.width || one.height !== other.height) return null;
   const { wrong, lacking } = differenceOf(one, other);
@@ -24,14 +24,14 @@ function drawnOver(lines: readonly Line[]): ReadonlySet<string> {
   return drawn;
 }
 
-/** Over how many columns of all curves one of two runs has a line, and the other has none. */
+/** The number of columns of all curves over which only one of two runs has a line. */
 export function differingColumns(one: readonly Line[], other: readonly Line[]): number {
   const [drawn, drawnThere] = [drawnOver(one), drawnOver(other)];
   const both = [...drawn].filter((each) => drawnThere.has(each)).length;
   return drawn.size + drawnThere.size - 2 * both;
 }
 
-/** How much two runs differ after these steps, in pixels or in columns; null where they cannot be held against each other. */
+/** How much two runs differ after these steps, in pixels or in columns; null if they cannot be compared. */
 export function differenceAt(
   one: Trace,
   step: number,

@@ -19,8 +19,9 @@ describe('common landmarks', () => {
     ]);
   });
 
-  it('are as many as stand in the same order in both', () => {
-    // Of the polygons A B C D, drawn as D A C B there, A C is a longest choice in order, and so is A B.
+  it('are a longest sequence with the same order in both', () => {
+    // Here the polygons are drawn in the order A B C D, there as D A C B. A C is a longest common subsequence, and so is A
+    // B.
     expect(
       rising([
         [1, 20],
@@ -37,7 +38,7 @@ describe('common landmarks', () => {
 });
 
 describe('a pairing', () => {
-  it('goes on step by step from one landmark to the next, and waits before it', () => {
+  it('goes step by step from one landmark to the next, and waits before it', () => {
     // Between the landmarks there are 3 steps here and 1 there, then 1 here and 4 there.
     const pairing = new Pairing(
       [
@@ -50,7 +51,7 @@ describe('a pairing', () => {
     expect(steps).toEqual([0, 1, 2, 3, 3, 3, 4, 5, 9]);
   });
 
-  it('is by share of the run where nothing is common', () => {
+  it('is proportional where the runs have no common landmark', () => {
     const pairing = new Pairing([], [4, 10]);
     expect(pairing.byShare).toBe(true);
     expect([0, 1, 2, 3, 4].map((step) => pairing.other(step))).toEqual([0, 3, 5, 8, 10]);

@@ -1,9 +1,9 @@
 import { indexFrom } from '../time/goals.js';
 import type { Steps } from './parting.js';
 
-/** Of pairs in the order of their first steps, a longest choice in which the second ones rise, too. */
+/** A longest subsequence in which the second steps rise, from pairs sorted by the first. */
 export function rising(pairs: readonly Steps[]): readonly Steps[] {
-  // Of the choices of each length the one that ends lowest, and for each pair the one before it in its choice.
+  // `ends` has, for each length, the subsequence whose last element is least; `before` has the predecessor of each pair.
   const ends: number[] = [];
   const steps: number[] = [];
   const before: number[] = [];
@@ -23,7 +23,7 @@ export function rising(pairs: readonly Steps[]): readonly Steps[] {
 
 type Landmarks = ReadonlyMap<string, number>;
 
-/** The landmarks that both runs have. */
+/** The landmarks that both runs have, in a common order. */
 export function common(one: Landmarks, other: Landmarks): readonly Steps[] {
   const pairs: Steps[] = [];
   for (const [name, step] of one) {
@@ -34,8 +34,8 @@ export function common(one: Landmarks, other: Landmarks): readonly Steps[] {
 }
 
 /**
- * For a step of one run the step of another that is shown beside it: from one pair of landmarks to the next both go on step
- * by step, and who is sooner there waits. Runs without a common landmark are paired by their share of the run.
+ * Finds the step of another run to show beside a step of one run. From one pair of landmarks to the next both advance step
+ * by step, and the run that arrives first waits. Runs without a common landmark are paired proportionally.
  */
 export class Pairing {
   private readonly starts: readonly number[];

@@ -10,8 +10,8 @@ export type Steps = readonly [one: number, other: number];
 const atOnce = 256;
 
 /**
- * Of each number of a name whether both runs tell such an event: one of them may be less detailed, and then lacks some of
- * the calls, or not be checked.
+ * For each event name, whether both runs have such events. One of them may be less detailed and lack some of the calls, or
+ * be unchecked.
  */
 function toldByBoth(one: Detail, other: Detail): readonly boolean[] {
   const least = Math.min(details.indexOf(one), details.indexOf(other));
@@ -21,7 +21,7 @@ function toldByBoth(one: Detail, other: Detail): readonly boolean[] {
   );
 }
 
-/** Events are only looked into where their texts differ. */
+/** Parses events only if their texts differ. */
 function doSame(a: Timeline, one: number, b: Timeline, other: number): boolean {
   if (a.line(one) === b.line(other)) return true;
   const [did, didOther] = [a.event(one), b.event(other)];
@@ -29,14 +29,14 @@ function doSame(a: Timeline, one: number, b: Timeline, other: number): boolean {
 }
 
 /**
- * The steps at which two runs of one method part: the first event that is written otherwise, if only by the last digit of
- * a number, and the first that does something else. Looked for in one pass, which may be spread over frames.
+ * The steps at which two runs of one method diverge: the first event with a different text, even in the last digit of a
+ * number, and the first with a different action. Found in one pass, which may be spread over frames.
  */
 export class Parting {
-  /** Null as long as no such step was found. */
+  /** Null until such a step is found. */
   text: Steps | null = null;
   deed: Steps | null = null;
-  /** The steps that were compared: up to where the texts part they are the same, thereafter they do the same. */
+  /** The steps compared so far. Up to the first different text they are the same; after that they do the same. */
   private seen: Steps = [0, 0];
   private isOver = false;
   private readonly told: readonly boolean[];
@@ -48,12 +48,12 @@ export class Parting {
     this.told = toldByBoth(one.header.detail, other.header.detail);
   }
 
-  /** Whether all is known that there is to be known. */
+  /** Whether the search is over. */
   get complete(): boolean {
     return this.isOver || this.deed !== null;
   }
 
-  /** Goes on for about so long; says whether it is complete, or has to wait until the runs have grown. */
+  /** Continues for about this time. Returns whether it is complete, or has to wait until the runs have grown. */
   read(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     let goesOn = true;
@@ -68,7 +68,7 @@ export class Parting {
     return true;
   }
 
-  /** Compares the next step of both as it is written; says whether there is more to compare. */
+  /** Compares the texts of the next step of both runs. Returns whether there is more to compare. */
   private readText(): boolean {
     const [a, b] = [this.one.timeline, this.other.timeline];
     const step = this.seen[0] + 1;
@@ -81,7 +81,7 @@ export class Parting {
     return !this.isOver;
   }
 
-  /** Compares what the next step that both tell does; says whether there is more to compare. */
+  /** Compares the actions of the next step that both runs have. Returns whether there is more to compare. */
   private readDeed(): boolean {
     const [a, b] = [this.one.timeline, this.other.timeline];
     const [one, other] = [this.next(a.names, this.seen[0]), this.next(b.names, this.seen[1])];
@@ -100,7 +100,7 @@ export class Parting {
     return this.one.complete && this.other.complete;
   }
 
-  /** The next step that both tell. */
+  /** The next step of a kind that both runs have. */
   private next(names: Uint8Array, after: number): number {
     let step = after + 1;
     while (step <= names.length && this.told[names[step - 1] ?? 0] === false) step++;

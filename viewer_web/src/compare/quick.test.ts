@@ -3,8 +3,8 @@ import { wordOf } from '../run/packed.js';
 import { usual } from '../run/options.js';
 import { quickRuns } from './quick.js';
 
-describe('a run is quickly held against', () => {
-  it('the other method, the other text, exact numbers and float', () => {
+describe('quick comparisons are offered for a run with', () => {
+  it('the other method, the other edition, exact numbers and float', () => {
     const words = quickRuns(usual).map(([name, options]) => [name, wordOf(options)]);
     expect(words).toEqual([
       ['method', 'zbuffer.corrected.double.signs'],
@@ -15,7 +15,7 @@ describe('a run is quickly held against', () => {
     ]);
   });
 
-  it('of a variant without a printed text, by the method it is one of', () => {
+  it('the method that it is a variant of, and no printed text', () => {
     const words = quickRuns({ ...usual, method: 'warnock-full' }).map(([name, options]) => [
       name,
       wordOf(options),
@@ -27,7 +27,7 @@ describe('a run is quickly held against', () => {
     ]);
   });
 
-  it('of a usual mistake, the corrected text, and no numbers that do not run it', () => {
+  it('the corrected text, for a usual mistake, and only kernels that run it', () => {
     const words = quickRuns({ ...usual, edition: 'surround-kept' }).map(([name, options]) => [
       name,
       wordOf(options),
@@ -40,7 +40,7 @@ describe('a run is quickly held against', () => {
     ]);
   });
 
-  it('what can be run: the kernel gives way', () => {
+  it('options that can be run, with another kernel if necessary', () => {
     const depth = quickRuns({ ...usual, method: 'zbuffer', kernel: 'depth:8' });
     expect(depth[0]?.[1].kernel).toBe('double');
     const filtered = quickRuns({ ...usual, kernel: 'filtered' });

@@ -4,13 +4,13 @@ import type { Options } from '../run/options.js';
 import { drawsCurves } from '../trace/events.js';
 import type { Method } from '../trace/events.js';
 
-/** Curves are drawn by one method alone. */
+/** The other methods for the scene; curves have a single method. */
 function otherMethods(method: Method): readonly Method[] {
   if (drawsCurves(method)) return [];
   return [method === 'warnock' ? 'zbuffer' : 'warnock'];
 }
 
-/** The ways to run a scene that a run is most often held against. */
+/** The settings with which a run is most often compared. */
 export function quickRuns(options: Options): readonly (readonly [Quick, Options])[] {
   const { method, edition, kernel } = options;
   const variants: readonly Method[] = method === 'warnock' ? ['warnock-full'] : [];

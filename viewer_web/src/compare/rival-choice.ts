@@ -19,7 +19,7 @@ import { base } from '../elements/theme.js';
 type Field = 'method' | 'edition' | 'kernel';
 type Names = Readonly<Record<string, string>>;
 
-/** The choice of a run to compare with: an event `with` tells it. */
+/** The choice of a run to compare with. An event `with` carries the choice. */
 @customElement('vidno-rival-choice')
 export class RivalChoiceElement extends LitElement {
   static override styles = [
@@ -83,7 +83,7 @@ export class RivalChoiceElement extends LitElement {
 
   @property({ attribute: false }) language: Language = 'en';
   @property({ attribute: false }) lessons: readonly Lesson[] = [];
-  /** How the scene is run; null where it cannot be run otherwise. */
+  /** The settings of the run; null if the scene cannot be run with other settings. */
   @property({ attribute: false }) options: Options | null = null;
   /** The run before the last change of the scene. */
   @property({ attribute: false }) earlier: Trace | null = null;

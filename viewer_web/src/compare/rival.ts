@@ -13,8 +13,8 @@ import { eventsOf } from '../trace/events.js';
 import type { Scene } from '../trace/header.js';
 
 /**
- * What to hold a run against: its scene run otherwise, another scene, as it was before the last change, a lesson's trace, or a
- * file.
+ * What to compare a run with: another run of its scene, another scene, the run before the last change, a lesson's trace, or
+ * a file.
  */
 export type With =
   | { readonly kind: 'run'; readonly options: Options }
@@ -22,14 +22,14 @@ export type With =
       readonly kind: 'other';
       readonly options: Options;
       readonly scene: string;
-      /** What an address must hold to find it again. */
+      /** The word that denotes it in an address. */
       readonly word: string;
     }
   | { readonly kind: 'before'; readonly trace: Trace }
   | { readonly kind: 'lesson'; readonly lesson: LessonTrace }
   | { readonly kind: 'file'; readonly file: File };
 
-/** What a word in an address asks for: the id of an embedded trace, or how to run the scene. */
+/** What a word in an address denotes: the id of an embedded trace, or how to run the scene. */
 export function withOf(word: string, page: Document): With | null {
   const traces = embeddedLessons(page).flatMap((lesson) => lesson.traces);
   const lesson = traces.find((each) => idOf(each) === word);
@@ -38,15 +38,15 @@ export function withOf(word: string, page: Document): With | null {
   return Object.hasOwn(eventsOf, method) ? { kind: 'run', options: optionsOf(word) } : null;
 }
 
-/** The run beside the one that is open, if there is one. */
+/** The run beside the open one, if there is one. */
 export class Rival {
   trace: Trace | null = null;
-  /** How many of its steps are there. */
+  /** The number of its steps read so far. */
   steps = 0;
   notice: Notice | null = null;
   chosen: With | null = null;
   private readonly tracer: Tracer | null;
-  /** The scene of the run that is open, and the text of the one that was run last. */
+  /** The scene of the open run, and the text of the last scene run here. */
   private scene: Scene | null = null;
   private ran = '';
   private stopReading = (): void => undefined;
@@ -64,7 +64,7 @@ export class Rival {
     this.tracer = library && new Tracer(library, (made) => take(made.trace, made.messages), fail);
   }
 
-  /** What an address must hold to find it again. */
+  /** The word that denotes it in an address. */
   get word(): string | null {
     const { chosen } = this;
     if (chosen?.kind === 'run') return wordOf(chosen.options);
@@ -94,7 +94,7 @@ export class Rival {
     this.changed();
   }
 
-  /** Reads no more of the file: what is there of it stays. */
+  /** Stops reading the file and keeps the steps read so far. */
   stop(): void {
     this.stopReading();
     this.trace?.stop();
@@ -102,7 +102,7 @@ export class Rival {
     else this.show(this.trace);
   }
 
-  /** The scene that is open, run otherwise, is run again when it has changed. */
+  /** Runs the open scene again with the other settings when it has changed. */
   follow(scene: Scene): void {
     this.scene = scene;
     if (this.chosen?.kind === 'run') this.run();

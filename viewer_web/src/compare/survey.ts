@@ -8,14 +8,14 @@ import type { Summed } from './counters.js';
 
 const atOnce = 512;
 
-/** What is summed up over the events of some names. */
+/** A quantity summed up over the events of some names. */
 export interface Sum {
   readonly counter: Summed;
   readonly at: readonly EventName[];
   amount(event: Event): number;
 }
 
-/** Steps in order, and how much there was of something up to each of them. */
+/** Steps in order, and the sum up to each of them. */
 class Sums {
   private readonly steps: number[] = [];
   private readonly sums: number[] = [];
@@ -31,8 +31,8 @@ class Sums {
 }
 
 /**
- * What can be said of a run beside another one: its landmarks, steps that any run has at most once and by which it can be
- * held against others, and how often what happens. One pass, which may be spread over frames and goes on as the run grows.
+ * The data of a run for comparison with another: its landmarks, which are steps that occur at most once in any run, and its
+ * sums. Collected in one pass, which may be spread over frames and continues as the run grows.
  */
 export class Survey {
   readonly landmarks = new Map<string, number>();
@@ -40,7 +40,7 @@ export class Survey {
   private readonly sums: ReadonlyMap<Summed, Sums>;
   private readonly isLooked: readonly boolean[];
   private seen = 0;
-  /** The window, the polygon or the curve in hand. */
+  /** The current window, polygon or curve. */
   private inHand = '';
 
   constructor(private readonly trace: Trace) {
@@ -51,12 +51,12 @@ export class Survey {
     this.isLooked = eventNames.map((name) => looked.has(name));
   }
 
-  /** How much there was of something up to a step, which must have been surveyed; null where it is not summed up. */
+  /** The sum up to a step, which must have been surveyed; null for other counters. */
   upTo(counter: Summed, step: number): number | null {
     return this.sums.get(counter)?.upTo(step) ?? null;
   }
 
-  /** Whether the whole run was seen. */
+  /** Whether the whole run was surveyed. */
   get complete(): boolean {
     return this.trace.complete && this.isUpToDate;
   }
@@ -65,7 +65,7 @@ export class Survey {
     return this.seen >= this.trace.timeline.length;
   }
 
-  /** Goes on for about so long; says whether all that is there was seen. */
+  /** Continues for about this time. Returns whether all steps read so far are surveyed. */
   read(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     while (!this.isUpToDate && performance.now() < end) this.readSome();
@@ -99,7 +99,7 @@ export class Survey {
 
 const surveys = new WeakMap<Trace, Survey>();
 
-/** A run is surveyed once, whatever it is held against. */
+/** The survey of a run, shared by all its comparisons. */
 export function surveyOf(trace: Trace): Survey {
   const survey = surveys.get(trace) ?? new Survey(trace);
   surveys.set(trace, survey);

@@ -13,19 +13,22 @@ interface Entry {
 }
 const entries: Readonly<Record<string, Entry>> = witnesses;
 
-/** Where in the runs of the witness one is. */
+/** The place in the runs of the witness. */
 export interface WitnessPlace {
   readonly step: number;
   readonly pixel: Pixel | null;
 }
 const beginning: WitnessPlace = { step: 0, pixel: null };
 
-/** The smallest scene that shows a broken line: its right run and the broken one, beside what is open. */
+/**
+ * The smallest scene that shows a broken line: its right run and the broken one. They are shown instead of the open runs,
+ * which are kept.
+ */
 export class Witness {
   right: Trace | null = null;
   broken: Trace | null = null;
   place = beginning;
-  /** Which deviation it is the witness of; null where none is open. */
+  /** The deviation that it demonstrates; null while it is closed. */
   edition: Edition | null = null;
   private readonly tracers: readonly Tracer[];
 
@@ -51,12 +54,12 @@ export class Witness {
     this.tracers = [...tracer('right'), ...tracer('broken')];
   }
 
-  /** Whether both runs are there. */
+  /** Whether both runs are ready. */
   get isOpen(): boolean {
     return this.right !== null && this.broken !== null;
   }
 
-  /** What an address must hold to find it again. */
+  /** Its value in an address. */
   get word(): number | null {
     return this.edition === null ? null : this.place.step;
   }

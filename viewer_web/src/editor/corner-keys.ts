@@ -5,18 +5,18 @@ import type { Sketch, Spot, Vertex } from '../run/sketch.js';
 
 export type Place = readonly [x: number, y: number];
 
-/** Corners stand on quarters of a pixel, with Alt on 64ths. */
+/** Corners lie on quarters of a pixel, with Alt on 64ths. */
 const coarse = 4;
 const fine = 64;
 const depthStep = 1 / 16;
 
-/** The nearest place where a corner may stand. */
+/** The nearest allowed place of a corner. */
 export function snapped([x, y]: Place, { altKey }: Pick<MouseEvent, 'altKey'>): Place {
   const parts = altKey ? fine : coarse;
   return [Math.round(x * parts) / parts, Math.round(y * parts) / parts];
 }
 
-/** Where an arrow key leads: a quarter of a pixel on, with Shift a pixel, with Alt a 64th. */
+/** The place that an arrow key moves to: a quarter of a pixel on, with Shift a pixel, with Alt a 64th. */
 export function led([x, y]: Place, { key, shiftKey, altKey }: KeyboardEvent): Place | null {
   const way = moves[key];
   if (way === undefined) return null;
@@ -24,7 +24,10 @@ export function led([x, y]: Place, { key, shiftKey, altKey }: KeyboardEvent): Pl
   return [x + way[0] * by, y + way[1] * by];
 }
 
-/** What a key does to a corner that has the focus, wherever keys before it, still to be shown, have led. */
+/**
+ * The action of a key on the focused corner. It starts from where earlier keys, possibly not yet shown, have moved the
+ * corner.
+ */
 export function cornerAct(event: KeyboardEvent, spot: Spot): Act | null {
   const { key } = event;
   const name = `${key} ${spot.polygon} ${spot.vertex}`;

@@ -9,7 +9,7 @@ import { base } from '../elements/theme.js';
 const answers = ['stay', 'save', 'discard'] as const;
 export type DiscardAnswer = (typeof answers)[number];
 
-/** Asks before a scene that was changed makes room for something else. */
+/** Asks before something else replaces a changed scene. */
 @customElement('vidno-discard')
 export class DiscardElement extends LitElement {
   static override styles = [
@@ -44,7 +44,7 @@ export class DiscardElement extends LitElement {
     return this.dialog.open;
   }
 
-  /** One question at a time: who asks again gives up the first. */
+  /** Only one question is open at a time: a new one cancels the earlier one. */
   ask(): Promise<DiscardAnswer> {
     this.settle('stay');
     this.dialog.returnValue = 'stay';

@@ -5,22 +5,22 @@ import { act } from './act.js';
 import { snapped } from './corner-keys.js';
 import type { Place } from './corner-keys.js';
 
-/** What lies over a picture: how the plane lies in that may change while something is dragged. */
+/** The layer over a picture. The position of the plane in it may change during a drag. */
 type Host = Element & { readonly frame: Frame };
 
-/** Drags what can be edited in the plane of a picture, by a pointer. */
+/** Drags editable parts of the scene in the plane of a picture. */
 export class Dragging {
   private drags = 0;
 
   constructor(private readonly host: Host) {}
 
-  /** The place for a corner that is nearest to a pointer, or to what it holds so far from itself. */
+  /** The allowed place of a corner that is nearest to the pointer, at an offset from it. */
   placeOf(event: PointerEvent, offset: Place = [0, 0]): Place {
     const [x, y] = this.planeAt(event);
     return snapped([x + offset[0], y + offset[1]], event);
   }
 
-  /** Follows the pointer until it is let go, with something that was at a place when it was taken. */
+  /** Follows the pointer until it is released, with a part that started at a place. */
   start(event: PointerEvent, start: Place, move: (to: Place, old: Sketch) => Sketch): void {
     if (event.button !== 0) return;
     event.preventDefault();

@@ -9,27 +9,27 @@ import type { Sketch, Spot, Vertex } from '../run/sketch.js';
 import { Tracer } from '../run/tracer.js';
 import { Undo } from './undo.js';
 
-/** What the editor shows; each change gives another. */
+/** The state of the editor; each change makes a new one. */
 export interface Editing {
   readonly sketch: Sketch;
   readonly options: Options;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
-  /** The vertex that was last touched. */
+  /** The vertex that was touched last. */
   readonly chosen: Spot | null;
   /** The corners so far of a polygon that is being drawn. */
   readonly drawn: readonly Vertex[] | null;
-  /** What the library said of the scene: why it was refused, or what it changed. */
+  /** The messages of the library about the scene: why it was refused, or what it changed. */
   readonly messages: string;
   readonly refused: boolean;
 }
 
-/** What the editor's controls ask for. */
+/** The requests of the editor's controls. */
 export type Act =
   | {
       readonly do: 'edit';
       readonly edit: (sketch: Sketch) => Sketch;
-      /** Edits in a row with the same name are undone together. */
+      /** Successive edits with the same name are undone together. */
       readonly name?: string;
     }
   | { readonly do: 'settle' | 'undo' | 'redo' | 'draw' | 'finish' | 'cancel' | 'unpoint' | 'new' }
@@ -37,29 +37,29 @@ export type Act =
   | { readonly do: 'choose'; readonly spot: Spot | null }
   | { readonly do: 'options'; readonly options: Partial<Options> };
 
-/** What the page does as something was edited. */
+/** The page's reactions to edits. */
 export interface Followers {
   changed(editing: Editing): void;
-  /** Another change of the scene begins, which will be undone as a whole. */
+  /** A new change of the scene begins, which will be undone as a whole. */
   began(): void;
-  /** There is a trace of the scene as it is now. */
+  /** There is a trace of the current scene. */
   traced(trace: Trace): void;
-  /** A scene file is none that the library takes. */
+  /** The library refused a scene file. */
   refused(messages: string): void;
   failed(error: unknown): void;
 }
 
-/** A scene that is changed and run, again and again. */
+/** A scene that is edited and run repeatedly. */
 export class Editor {
   private undo = new Undo<Sketch>(emptySketch);
   private options = usual;
   private chosen: Spot | null = null;
   private drawn: readonly Vertex[] | null = null;
   private said: Pick<Editing, 'messages' | 'refused'> = { messages: '', refused: false };
-  /** A scene file came in, to be run so: the sketch is to be what the library makes of it. */
+  /** A scene file to run with these options. The sketch is to adopt the library's version of it. */
   private adopts: { readonly file: string; readonly options: Options } | null = null;
   private readonly tracer: Tracer;
-  /** The frame in which a change is told at the latest. */
+  /** The frame in which a change is reported at the latest. */
   private telling = 0;
 
   constructor(
@@ -73,14 +73,14 @@ export class Editor {
     );
   }
 
-  /** Goes on from the scene of a trace that is shown. */
+  /** Continues with the scene of the open trace. */
   open({ scene, method, edition, kernel, detail }: Header): void {
     this.tracer.forget();
     const options = runnable({ method, edition, kernel, detail, check: false });
     this.begin(sketchOf(scene), options);
   }
 
-  /** Runs the text of a scene file, as it is; one that is refused changes nothing. */
+  /** Runs the text of a scene file unchanged. A refused file changes nothing. */
   load(file: string, options: Options): void {
     this.adopts = { file, options };
     this.tracer.run(file, options);
@@ -105,7 +105,10 @@ export class Editor {
     }
   }
 
-  /** Together with the run, if that is quick: a page that is drawn twice for each move does not follow the pointer. */
+  /**
+   * Reports a change together with its run if the run is quick. A page that renders twice for each move cannot follow the
+   * pointer.
+   */
   private tellSoon(): void {
     if (this.telling !== 0) return;
     this.telling = requestAnimationFrame(() => {

@@ -7,7 +7,7 @@ import type { Act, Editing } from './editor.js';
 import type { Sketch } from '../run/sketch.js';
 import { act } from './act.js';
 
-/** A part of the form of a scene: what it asks for is told by `vidno-act`. */
+/** A part of the form of a scene. Its requests are events `vidno-act`. */
 export class FormElement extends LitElement {
   @property({ attribute: false }) editing!: Editing;
   @property({ attribute: false }) language: Language = 'en';
@@ -24,14 +24,14 @@ export class FormElement extends LitElement {
     this.act({ do: 'edit', edit });
   }
 
-  /** A field shows what it stands for again, also where what was typed is no number or changes nothing. */
+  /** Uses the typed number, and resets the field to its value if the text is not a number or changes nothing. */
   protected number(event: Event, use: (value: number) => void): void {
     const value = (event.target as HTMLInputElement).valueAsNumber;
     if (Number.isFinite(value)) use(value);
     this.requestUpdate();
   }
 
-  /** A colour changes as long as one looks for it, and is undone at once. */
+  /** A colour changes while the reader picks it, and is undone as a whole. */
   protected color(
     event: Event,
     of: string,

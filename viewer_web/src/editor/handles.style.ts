@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** Knobs on corners, which take the pointer where the rest lets it through to the picture. */
+/** Handles on corners, which take the pointer; the rest of the layer lets it through to the picture. */
 export const handlesStyle = css`
   :host {
     position: absolute;

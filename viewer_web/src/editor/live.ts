@@ -7,29 +7,29 @@ import { packed, wordOf } from '../run/packed.js';
 import { sceneFile, sceneText } from '../run/sketch.js';
 import type { Sketch } from '../run/sketch.js';
 
-/** A scene as an address carries it, and how it is run. */
+/** A scene as an address stores it, and the settings of its run. */
 export interface Carried {
   readonly run: string;
   readonly scene: string;
 }
 
-/** What came of the wish for a link. */
+/** The result of a request for a link. */
 export type LinkMade = 'copied' | 'saved';
 
 const isSame = (one: Editing, other: Editing): boolean =>
   one.sketch === other.sketch && one.options === other.options;
 
-/** The scene that the page edits, if it was built with the library to run it. */
+/** The scene that the page edits, if the page has the library to run it. */
 export class Live {
   editing: Editing | null = null;
   link: LinkMade | null = null;
-  /** Whether what is shown is a run of this scene, and no trace that was opened. */
+  /** Whether a run of this scene is shown, and not an opened trace. */
   isRun = false;
   /** The scene as it was opened. */
   private opened: Sketch | null = null;
-  /** The scene as it was opened or saved last. */
+  /** The scene as it was last opened or saved. */
   private kept: Sketch | null = null;
-  /** What was packed last: to pack takes a while. */
+  /** The last packed scene, cached because packing takes a while. */
   private last: { readonly editing: Editing; readonly carried: Carried | null } | null = null;
   private readonly editor: Editor | null;
 
@@ -54,12 +54,12 @@ export class Live {
     return this.editing !== null && this.editing.sketch === this.opened;
   }
 
-  /** Whether there are changes of the scene that nobody has saved. */
+  /** Whether the scene has unsaved changes. */
   get isChanged(): boolean {
     return this.editing !== null && this.editing.sketch !== this.kept;
   }
 
-  /** Goes on from the scene of a trace that was opened. */
+  /** Continues with the scene of an opened trace. */
   open(header: Header): void {
     this.isRun = false;
     this.editor?.open(header);
@@ -76,7 +76,7 @@ export class Live {
     this.editor?.act(act);
   }
 
-  /** Undo and redo, where the focus is in no field that has its own; says whether the key meant that. */
+  /** Handles undo and redo, unless a field in focus has its own. Returns whether the key was one of these. */
   handleKey(event: KeyboardEvent): boolean {
     const [target] = event.composedPath();
     if (!(event.ctrlKey || event.metaKey) || this.editing === null) return false;
@@ -96,7 +96,7 @@ export class Live {
     download(file, `${fileName(sketch.name) || 'scene'}.json`);
   }
 
-  /** What an address must hold to show this run again; null if there is none, or it is too long for one. */
+  /** What an address must store to show this run again; null if there is no such run, or it is too long for an address. */
   async carried(): Promise<Carried | null> {
     const { editing } = this;
     if (editing === null || !this.isRun) return null;
@@ -108,7 +108,7 @@ export class Live {
     return carried;
   }
 
-  /** The same at once, where it is known; undefined where it is not. */
+  /** The same, if it is known at once, or else undefined. */
   get carriedNow(): Carried | null | undefined {
     const { editing, last } = this;
     if (editing === null || !this.isRun) return null;

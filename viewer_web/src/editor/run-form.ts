@@ -13,7 +13,7 @@ import { base } from '../elements/theme.js';
 type Choice = 'method' | 'kernel' | 'edition' | 'detail';
 type Names = Readonly<Record<string, string>>;
 
-/** How the scene is run, and its area. */
+/** The settings of the run, and the area of the scene. */
 @customElement('vidno-run-form')
 export class RunFormElement extends FormElement {
   static override styles = [base, formStyle];

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** Tools and a message that stay, and the form under them, which scrolls. */
+/** Fixed tools and a message, and under them the form, which scrolls. */
 export const scenePanelStyle = css`
   :host {
     display: flex;

@@ -14,20 +14,22 @@ import type { LinkMade } from './live.js';
 import './run-form.js';
 import { scenePanelStyle } from './scene-panel.style.js';
 
-/** The scene as a form, with what can be done with it as a whole, and what the library says of it. An event `close` asks to leave it. */
+/**
+ * The scene as a form, with the actions on the whole scene, and the library's messages. An event `close` asks to close it.
+ */
 @customElement('vidno-scene-panel')
 export class ScenePanelElement extends FormElement {
   static override styles = [base, scenePanelStyle];
 
   @property({ attribute: false }) link: LinkMade | null = null;
-  /** Whether an address can lead here again. */
+  /** Whether an address can reopen the scene. */
   @property({ type: Boolean }) linked = false;
 
   override render(): TemplateResult {
     const { editing, language } = this;
     const { form, isSolid } = showsOfEdited(editing);
     const run = html`<vidno-run-form .editing=${editing} .language=${language}></vidno-run-form>`;
-    // A surface is one formula: it must be in sight.
+    // A surface is one formula, which must be in sight.
     const [first, second] = isSolid
       ? [run, form(editing, language)]
       : [form(editing, language), run];
@@ -93,7 +95,7 @@ export class ScenePanelElement extends FormElement {
     </button>`;
   }
 
-  /** A place that is always there, so that nothing moves when it has something to say. */
+  /** A place for messages. It is always there, so that nothing moves when one appears. */
   private message(): TemplateResult {
     const { say, editing, link } = this;
     const { refused, messages, sketch } = editing;

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { Undo } from './undo.js';
 
-it('takes changes back and does them again', () => {
+it('undoes changes and redoes them', () => {
   const undo = new Undo('a');
   undo.change('b');
   undo.change('c');
@@ -14,7 +14,7 @@ it('takes changes back and does them again', () => {
   expect([undo.value, undo.canRedo]).toEqual(['c', false]);
 });
 
-it('takes back a row of changes with one name together, until it is settled', () => {
+it('undoes successive changes with the same name together, until they are settled', () => {
   const undo = new Undo(0);
   undo.change(1, 'drag');
   undo.change(2, 'drag');
@@ -26,7 +26,7 @@ it('takes back a row of changes with one name together, until it is settled', ()
   expect(undo.value).toBe(0);
 });
 
-it('forgets what was taken back when something else is done', () => {
+it('forgets undone changes when another change is made', () => {
   const undo = new Undo(0);
   undo.change(1);
   undo.undo();
@@ -34,7 +34,7 @@ it('forgets what was taken back when something else is done', () => {
   expect(undo.canRedo).toBe(false);
 });
 
-it('does not count what changes nothing', () => {
+it('does not count a change to the same value', () => {
   const undo = new Undo(0);
   undo.change(0);
   expect(undo.canUndo).toBe(false);

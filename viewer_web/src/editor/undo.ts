@@ -1,4 +1,4 @@
-/** What was, what is, and what was taken back. */
+/** The previous, current and undone values. */
 export class Undo<T> {
   private readonly past: T[] = [];
   private future: T[] = [];
@@ -10,7 +10,7 @@ export class Undo<T> {
     return this.current;
   }
 
-  /** How many changes can be taken back. */
+  /** The number of changes that can be undone. */
   get depth(): number {
     return this.past.length;
   }
@@ -23,7 +23,7 @@ export class Undo<T> {
     return this.future.length > 0;
   }
 
-  /** Changes that follow each other with the same name, such as those of one drag, are taken back together. */
+  /** Successive changes with the same name, such as those of one drag, are undone together. */
   change(value: T, name: string | null = null): void {
     if (value === this.current) return;
     if (name === null || name !== this.running) this.past.push(this.current);
@@ -32,7 +32,7 @@ export class Undo<T> {
     this.future = [];
   }
 
-  /** What comes next is another change, whatever its name. */
+  /** Makes the next change a separate one, whatever its name. */
   settle(): void {
     this.running = null;
   }

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** Over what is shown, for long enough to be read; nothing moves for it. */
+/** Over the content, for long enough to be read, without moving anything. */
 export const announcerStyle = css`
   .news,
   .on-the-way {

@@ -2,7 +2,7 @@ import { html } from 'lit';
 import type { ReactiveControllerHost, TemplateResult } from 'lit';
 import { keyed } from 'lit/directives/keyed.js';
 
-/** Says what a key has done that is not in sight of everyone; what it has not done, for everyone. */
+/** Announces effects of keys that not everyone can see; shows to everyone why a key had no effect. */
 export class Announcer {
   private said = '';
   private isShown = false;
@@ -10,12 +10,12 @@ export class Announcer {
 
   constructor(private readonly host: ReactiveControllerHost) {}
 
-  /** For those who hear the page. */
+  /** Announces a text to screen readers. */
   say(text: string): void {
     this.tell(text, false);
   }
 
-  /** Why something was not done. */
+  /** Shows why something was not done. */
   refuse(text: string): void {
     this.tell(text, true);
   }

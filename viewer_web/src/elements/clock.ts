@@ -2,19 +2,19 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit';
 
 const speeds: readonly number[] = [1, 2, 5, 10, 30, 100, 300];
 
-/** The speeds to choose from, in steps a second, among them the one that it has. */
+/** The available speeds in steps per second, including the current one. */
 export function speedsWith(speed: number): readonly number[] {
   return speeds.includes(speed) ? speeds : [...speeds, speed].sort((a, b) => a - b);
 }
 
-/** Seconds in which a run is played to somebody who has not chosen a speed yet. */
+/** The longest time in seconds to play a run until the reader chooses a speed. */
 const firstLook = 30;
 
-/** The speed at which that many steps take no longer than a first look. */
+/** The speed at which a number of steps takes no longer than that. */
 export const speedFor = (steps: number): number =>
   speeds.find((speed) => speed >= steps / firstLook) ?? Math.max(...speeds);
 
-/** While it runs, tells at each frame how many steps are due. */
+/** While it runs, reports at each frame how many steps are due. */
 export class Clock implements ReactiveController {
   private running = false;
   private stepsPerSecond = 5;
@@ -42,7 +42,7 @@ export class Clock implements ReactiveController {
     this.host.requestUpdate();
   }
 
-  /** The next of the speeds, or the one before. */
+  /** Chooses the next higher or lower speed. */
   changeSpeed(by: -1 | 1): void {
     const now = speeds.findIndex((speed) => speed >= this.speed);
     this.speed = speeds[now + by] ?? this.speed;

@@ -13,7 +13,7 @@ export const dialogStyle = css`
   dialog::backdrop {
     background: rgb(10 12 18 / 45%);
   }
-  /* It has the focus at first, but is nothing to be pressed. */
+  /* It has the focus at first, but cannot be pressed. */
   h2:focus {
     outline: none;
   }

@@ -4,14 +4,15 @@ import { customElement, property } from 'lit/decorators.js';
 import { memory } from '../base/memory.js';
 import { base } from './theme.js';
 
-/** The least and the largest part of the whole that may lie before a divider, and what a key moves it by. */
+/** The least and the greatest share of the whole before a divider, and the step of a key. */
 const least = 0.2;
 const largest = 0.8;
 const stride = 0.02;
 
 /**
- * A line between two parts of a grid, its neighbours in the document, which may be dragged. It sets the sizes of both as custom properties of its
- * parent, `--NAME` and `--NAME-rest`, and remembers them; until it is moved the parent's style says how large they are.
+ * A line between two parts of a grid, its neighbours in the document, which can be dragged. It sets the sizes of both as
+ * custom properties of its parent, `--NAME` and `--NAME-rest`, and stores them. Until it is moved, the parent's style
+ * determines the sizes.
  */
 @customElement('vidno-divider')
 export class DividerElement extends LitElement {
@@ -29,7 +30,7 @@ export class DividerElement extends LitElement {
       :host([level]) {
         cursor: row-resize;
       }
-      /* A short line along it, whichever way it runs. */
+      /* A short line along it, for both orientations. */
       :host::after {
         content: '';
         position: absolute;
@@ -55,9 +56,9 @@ export class DividerElement extends LitElement {
     `,
   ];
 
-  /** What is before it, as its parent's style calls it. */
+  /** The name of the part before it in its parent's style. */
   @property() name = '';
-  /** Under which it is remembered: the same part may be of another size elsewhere. */
+  /** The name under which its position is stored: the same part may have another size elsewhere. */
   @property() place = '';
   @property() label = '';
 
@@ -86,7 +87,7 @@ export class DividerElement extends LitElement {
     return `${this.place}.${this.name}`;
   }
 
-  /** What it divides, along the way it may go: whether that is down, from where, and how long. */
+  /** The extent that it divides: whether the line is horizontal, and the start and length in the direction of movement. */
   private whole(): { readonly isLevel: boolean; readonly from: number; readonly length: number } {
     const [before, after] = [this.previousElementSibling, this.nextElementSibling];
     const one = before?.getBoundingClientRect() ?? new DOMRect();
@@ -97,13 +98,13 @@ export class DividerElement extends LitElement {
     return { isLevel, from, length: Math.max(to - from, 1) };
   }
 
-  /** The part of that before a point of the page. */
+  /** The share before a point of the page. */
   private shareAt(x: number, y: number): number {
     const { isLevel, from, length } = this.whole();
     return ((isLevel ? y : x) - from) / length;
   }
 
-  /** The part before it now. */
+  /** The current share of the part before it. */
   private get share(): number {
     const { left, top, width, height } = this.getBoundingClientRect();
     return this.shareAt(left + width / 2, top + height / 2);

@@ -4,7 +4,7 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import type { FileTexts } from '../language/texts.js';
 import { base } from './theme.js';
 
-/** Takes a file of one's own, chosen or dropped anywhere on the page. */
+/** Accepts a file of the reader's own, chosen or dropped anywhere on the page. */
 @customElement('vidno-file-drop')
 export class FileDropElement extends LitElement {
   static override styles = [

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** Formulas by a font of the system that has tables for mathematics; the classes are those that Temml writes. */
+/** Formulas in a system font with tables for mathematics; the classes are those of Temml. */
 export const formulaStyle = css`
   math {
     font-family:

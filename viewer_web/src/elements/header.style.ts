@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** The line at the top of a page: its name, what it is about, and tools. */
+/** The line at the top of a page: its name, its subject, and tools. */
 export const headerStyle = css`
   header {
     grid-area: header;

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** For those who listen to the page instead of looking at it. */
+/** For screen readers only. */
 export const hiddenStyle = css`
   .heard {
     position: absolute;

@@ -4,7 +4,7 @@ import { keyMap } from '../base/key-map.js';
 const isSummary = (target: EventTarget | undefined): boolean =>
   target instanceof HTMLElement && target.localName === 'summary';
 
-/** Whether the element in focus means the key for itself. */
+/** Whether the element in focus handles the key itself. */
 export function takesKey(event: KeyboardEvent): boolean {
   const [target] = event.composedPath();
   if (target instanceof HTMLInputElement) {
@@ -18,15 +18,15 @@ export function takesKey(event: KeyboardEvent): boolean {
   return isPressed && event.key === ' ';
 }
 
-/** What is done at keys, each by what it writes or else by its place, which is the same in any language. */
+/** The actions of keys, each by its character or else by its place, which is the same in any language. */
 export type Actions = Readonly<Record<string, () => void>>;
 
-/** Does at a key what the host has for it, wherever in the host it was pressed. */
+/** Runs the host's action for a key pressed anywhere in the host. */
 export class Keyboard implements ReactiveController {
   constructor(
     private readonly host: ReactiveControllerHost & HTMLElement,
     private readonly actions: (event: KeyboardEvent) => Actions,
-    /** Whether it listens wherever the focus is, so that the reader may change its keys or turn them off. */
+    /** Whether it listens wherever the focus is, so that the reader may reassign its keys or turn them off. */
     private readonly isEverywhere = false,
   ) {
     host.addController(this);

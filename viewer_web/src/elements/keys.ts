@@ -48,7 +48,7 @@ const keys: readonly (readonly [use: KeyUse, keys: readonly string[]])[] = [
   ['map', ['?']],
 ];
 
-/** What there is only where a run is alone, and only where it is compared. */
+/** The keys that exist only for a single run, and only for a comparison. */
 const only: Readonly<Record<'one' | 'pair', ReadonlySet<KeyUse>>> = {
   one: new Set([
     'layer',
@@ -66,10 +66,10 @@ const only: Readonly<Record<'one' | 'pair', ReadonlySet<KeyUse>>> = {
   pair: new Set(['mark', 'parting']),
 };
 
-/** What there is only where there is something to be seen in 3D. */
+/** The keys that exist only with a 3D view. */
 const solid: readonly KeyUse[] = ['solid', 'turn'];
 
-/** The map of keys, and what may be changed about it, which an event `vidno-keys` tells in a word. */
+/** The map of keys and its settings. An event `vidno-keys` carries changed settings as a word. */
 @customElement('vidno-keys')
 export class KeysElement extends LitElement {
   static override styles = [
@@ -145,7 +145,7 @@ export class KeysElement extends LitElement {
   ];
 
   @property({ attribute: false }) texts!: PageTexts;
-  /** Whether there is nothing to be seen in 3D. */
+  /** Whether there is no 3D view. */
   @property({ type: Boolean }) flat = false;
   /** Whether two runs are compared. */
   @property({ type: Boolean }) pair = false;
@@ -156,7 +156,7 @@ export class KeysElement extends LitElement {
     if (this.dialog.open) this.dialog.close();
     else {
       this.dialog.showModal();
-      this.heading.focus(); // and not the button at its end, which may be out of sight
+      this.heading.focus(); // not the button at its end, which may be out of sight
     }
   }
 
@@ -164,7 +164,7 @@ export class KeysElement extends LitElement {
     return this.dialog.open;
   }
 
-  /** Whether keys of one character do anything, and what is said of changing them. */
+  /** The switch for single-character keys, and the note on reassigning them. */
   private own(): TemplateResult {
     const { ownKeys: say } = this.texts;
     return html`<div class="own">
@@ -184,7 +184,7 @@ export class KeysElement extends LitElement {
     </div>`;
   }
 
-  /** A letter is a field that takes another one. */
+  /** A letter is a field in which another one can be typed. */
   private key(name: string, use: string): TemplateResult {
     if (!letters.some((letter) => letter === name)) return html`<kbd>${keyName(name)}</kbd>`;
     return html`<kbd

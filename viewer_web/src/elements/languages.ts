@@ -5,7 +5,7 @@ import { languageNames, languages } from '../language/language.js';
 import type { Language } from '../language/language.js';
 import { base } from './theme.js';
 
-/** The way to the same page in another language. An event `choose` tells which. */
+/** Links to the same page in other languages. An event `choose` carries the language. */
 @customElement('vidno-languages')
 export class LanguagesElement extends LitElement {
   static override styles = [
@@ -44,12 +44,12 @@ export class LanguagesElement extends LitElement {
     >`;
   }
 
-  /** The address has changed since. */
+  /** Updates the link, because the address may have changed. */
   private bring({ currentTarget }: Event, language: Language): void {
     (currentTarget as HTMLAnchorElement).href = addressIn(language);
   }
 
-  /** Here the page needs no other address; in another tab it does. */
+  /** In this tab the page switches without a new address; another tab needs the address. */
   private onClick(event: MouseEvent, detail: Language): void {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();

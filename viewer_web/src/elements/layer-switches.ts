@@ -4,13 +4,13 @@ import { property } from 'lit/decorators.js';
 import type { View } from '../algorithm/view.js';
 import { base } from './theme.js';
 
-/** What layers are called, together and each. */
+/** The names of the layers, together and each. */
 interface LayerNames<L extends string> {
   readonly layersName: string;
   readonly layers: Readonly<Record<L, string>>;
 }
 
-/** Switches for what a picture shows: an event `layers` tells what is to be shown. */
+/** Switches for the layers of a picture. An event `layers` carries the new choice. */
 export abstract class LayerSwitches<L extends string> extends LitElement {
   static override styles = [
     base,
@@ -47,7 +47,7 @@ export abstract class LayerSwitches<L extends string> extends LitElement {
   @property({ attribute: false }) layers: ReadonlySet<L> = new Set();
 
   protected abstract readonly all: readonly L[];
-  /** The key that switches all of them, if one does. */
+  /** The key that switches all of them, if there is one. */
   protected readonly key: string | null = null;
 
   protected abstract get names(): LayerNames<L>;

@@ -1,7 +1,10 @@
 import { css } from 'lit';
 
-/** No side of a picture's box is less: with the margins around it, a square area has 280 CSS pixels. Rather the page scrolls. */
+/**
+ * The least side of a picture's box. With its margins, a square area then has 280 CSS pixels. The page scrolls if there is
+ * less room.
+ */
 export const leastPicture = css`20rem`;
 
-/** The same with a line around it. */
+/** The same with a border. */
 export const leastPanel = css`calc(20rem + 2px)`;

@@ -3,10 +3,10 @@ import type { TemplateResult } from 'lit';
 import type { View } from '../algorithm/view.js';
 import { polygonName } from './parts.js';
 
-/** A list may be far longer than anyone reads it. */
+/** The most rows shown: a list may be far longer than anyone reads. */
 const mostRows = 200;
 const mostChips = 12;
-/** The same on paper, where nobody scrolls. */
+/** The same on paper, where nobody can scroll. */
 export const mostPrinted = 9;
 
 function emptyOrMore(length: number, { texts }: View): TemplateResult {
@@ -16,7 +16,7 @@ function emptyOrMore(length: number, { texts }: View): TemplateResult {
   return html`${more(mostRows, 'on-screen')} ${more(mostPrinted, 'on-paper')}`;
 }
 
-/** A table of what a list begins with, and how much more it has. */
+/** A table of the beginning of a list, and the number of further rows. */
 export function rowsOf<T>(
   entries: readonly T[],
   row: (entry: T, index: number) => TemplateResult,
@@ -31,7 +31,7 @@ export function rowsOf<T>(
     ${emptyOrMore(entries.length, view)}`;
 }
 
-/** The same in a box of its own, which scrolls. */
+/** The same in a scrolling box. */
 export function listOf<T>(
   label: string,
   look: string,
@@ -44,7 +44,7 @@ export function listOf<T>(
   </div>`;
 }
 
-/** The polygons of a list on the stack, in a line. */
+/** The polygons of a list on the stack, in one line. */
 export function chipsCell(ids: readonly string[], view: View): TemplateResult {
   return html`<td class="chips">
     ${ids.slice(0, mostChips).map((id) => html`<span class="chip">${polygonName(id, view)}</span>`)}

@@ -1,7 +1,7 @@
 import { css } from 'lit';
 import { mostPrinted } from './lists.js';
 
-/** On paper a list says how much more it has. */
+/** On paper a list states the number of further rows. */
 export const panelsPrint = css`
   .on-paper {
     display: none;

@@ -207,7 +207,7 @@ const onScreen = css`
   }
 `;
 
-/** Of a panel that is asked for some of its parts the others are out of sight. */
+/** A panel reduced to some of its parts hides the others. */
 const onlyParts = unsafeCSS(
   stateParts
     .map((part) => `:host([parts]:not([parts~='${part}'])) [data-part='${part}']`)

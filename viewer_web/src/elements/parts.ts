@@ -11,7 +11,7 @@ export function swatch(color: string): TemplateResult {
   return html`<span class="swatch" .style=${`background: ${color}`}></span>`;
 }
 
-/** A polygon's colour and id; it lights up with the polygon wherever that is shown. */
+/** A polygon's colour and id. It lights up with the polygon wherever that is shown. */
 export function polygonName(id: string, { header, pointed }: View): TemplateResult {
   const color = header.scene.byId.get(id)?.color;
   const thing = polygonThing(id);
@@ -20,10 +20,10 @@ export function polygonName(id: string, { header, pointed }: View): TemplateResu
   >`;
 }
 
-/** Whether a step gave a value: what is only not known any more was not altered. */
+/** Whether a step gave a value. A value that is merely no longer known was not changed. */
 export const isSet = <T>(now: T | null, old: T | null): boolean => now !== null && now !== old;
 
-/** A named value; `changed` marks what this step altered. */
+/** A named value; `changed` marks what this step changed. */
 export function value(
   name: string,
   shown: unknown,
@@ -36,7 +36,7 @@ export function value(
   </div>`;
 }
 
-/** A number of the trace, short; in full when pointed at. */
+/** A number of the trace, shortened; pointing at it shows it in full. */
 export function numberCell(now: N, before: N | undefined, view: View): TemplateResult {
   const changed = now !== before;
   const { short, whole } = numbersOf(view);

@@ -1,6 +1,9 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 
-/** On paper nothing can be opened: whatever the host hides until it is asked for is open while it is printed. */
+/**
+ * Opens everything that the host hides until requested while the page is being printed, because nothing can be opened on
+ * paper.
+ */
 export class PrintedWhole implements ReactiveController {
   private opened: readonly HTMLDetailsElement[] = [];
 

@@ -1,6 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 
-/** Whether the page is being printed: what is drawn for paper is drawn only then. */
+/** Whether the page is being printed. The drawings for paper are made only then. */
 export class Printing implements ReactiveController {
   now = false;
 

@@ -1,11 +1,14 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 
-/** What is gathered in one pass over a run, for about so long at a time; says whether it is complete. */
+/**
+ * Data collected in one pass over a run. Each call continues for about the given time and returns whether the data are
+ * complete.
+ */
 export interface Reading {
   read(milliseconds: number): boolean;
 }
 
-/** Reads for a part of each frame; after it the element is drawn anew, and shall ask for more. */
+/** Reads for a part of each frame. After that the element renders again, and asks for more. */
 export class ReadOn implements ReactiveController {
   private frame = 0;
 

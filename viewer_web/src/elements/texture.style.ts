@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** The textures of pixels that differ, small. */
+/** Small samples of the textures of differing pixels. */
 export const textureStyle = css`
   i {
     display: inline-block;

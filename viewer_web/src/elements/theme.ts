@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** The colours and sizes of the page, light and dark; they are inherited by all components. */
+/** The colours and sizes of the page, light and dark. All components inherit them. */
 export const tokens = css`
   :host {
     --paper: #eceff3;
@@ -64,7 +64,7 @@ export const tokens = css`
   }
 `;
 
-/** What all components share. */
+/** The styles that all components share. */
 export const base = css`
   *,
   *::before,
@@ -143,7 +143,7 @@ export const base = css`
     vertical-align: -0.05em;
     forced-color-adjust: none;
   }
-  /* Where the system gives the colours: what is current or chosen is filled, what has changed or waits is framed. */
+  /* With the system's colours, fills mark what is current or chosen, and frames mark what has changed or is pending. */
   @media (forced-colors: active) {
     :is(.now, [aria-current='step'], .entered > h3, tr[aria-current='true'] > *),
     button[aria-pressed='true'] {

@@ -1,6 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 
-/** What is being typed into a field that shows a value which others change: it stands until it is done with. */
+/** The text being typed into a field whose value others change. It stays until the reader has finished. */
 export class Typed implements ReactiveController {
   private text: string | null = null;
 
@@ -20,7 +20,7 @@ export class Typed implements ReactiveController {
     this.text = (event.target as HTMLInputElement).value;
   };
 
-  /** Entered, or left. */
+  /** On Enter, or when the field loses the focus. */
   readonly onEnd = (): void => {
     this.text = null;
     this.host.requestUpdate();

@@ -14,7 +14,7 @@ export function verticesOf({ header }: Trace, id: string): Vertices {
   return header.scene.byId.get(id)?.vertices ?? [];
 }
 
-/** A polygon edge-on, where it shows: what is asked of a segment no map tells. */
+/** Whether a polygon is edge-on and so is shown as a segment. Sign maps do not have questions about segments. */
 export function isSegment({ header }: Trace, id: string): boolean {
   if (header.method !== 'warnock-edges') return false;
   const [first, ...others] = header.scene.byId.get(id)?.vertices ?? [];
@@ -31,7 +31,7 @@ export function depths(trace: Trace, at: readonly N[], first: string, second: st
   return [spotOf(at), { depth: { polygons } }];
 }
 
-/** The last event of that name from one step on to another, these included. */
+/** The last event of that name between two steps, both included. */
 export function last<K extends EventName>(
   { timeline }: Trace,
   step: number,

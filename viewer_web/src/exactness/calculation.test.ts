@@ -30,7 +30,7 @@ it('calculates a cross product line by line', () => {
   ]);
 });
 
-it('calculates with the numbers of the run, too, where they have drifted', () => {
+it('calculates with the numbers of the run, too, if they have drifted', () => {
   const operands = [
     ['z', '1/2', '1/3'],
     ['against', '2/5', '2/5'],
@@ -44,7 +44,8 @@ it('calculates with the numbers of the run, too, where they have drifted', () =>
 });
 
 it('finds the first and the last pixel centre', () => {
-  // Centres 2.5, 3.5, ...: the first at or after 5/2 is that of column 2; up to 7/3 the last one is that of column 1.
+  // The centres are 2.5, 3.5, and so on. The first one at or after 5/2 is that of column 2; the last one up to 7/3 is that
+  // of column 1.
   const at = (x: string) =>
     [
       ['x', x, x],
@@ -57,12 +58,12 @@ it('finds the first and the last pixel centre', () => {
   expect(calculation('last_centre', at('7/3'), 'exact')?.at(-1)).toBe(
     'i + 1/2 ≤ 7/3 ⇒ i = ⌊11/6⌋ = 1',
   );
-  // Nothing of the range: 9 is cut to its end, −3 to one before its beginning.
+  // Outside the range, 9 is limited to its end, and −3 to one before its beginning.
   expect(calculation('first_centre', at('19/2'), 'exact')?.at(-1)).toContain('9 → 4');
   expect(calculation('last_centre', at('-5/2'), 'exact')?.at(-1)).toContain('−3 → −1');
 });
 
-it('says nothing where a number is none', () => {
+it('gives nothing if an operand is not a number', () => {
   expect(
     calculation(
       'nearer',

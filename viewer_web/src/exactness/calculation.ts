@@ -3,17 +3,17 @@ import type { Operands } from '../trace/values.js';
 import { Fraction, half } from './fraction.js';
 
 /**
- * A decision line by line, as one does it with pencil and paper: the formula of FORMAT.md, the numbers put in, and what comes out. In
- * mathematical signs alone, the same in every language.
+ * A decision line by line, as in a calculation by hand: the formula of FORMAT.md, the substituted numbers, and the result.
+ * It has mathematical notation only, the same in every language.
  */
 export type Lines = readonly string[];
 
-/** The numbers by name: those in use, or as they should be. Null if one of them is none. */
+/** The operands by name: those of the run, or the right ones. Null if one of them is not a number. */
 type Numbers = ReadonlyMap<string, Fraction>;
 
 export type Column = 'used' | 'exact';
 
-/** Null if a number is missing or none: then nothing can be calculated. */
+/** Null if an operand is missing or not a number: then there is no calculation. */
 export function calculation(of: Decision, operands: Operands, column: Column): Lines | null {
   const numbers = new Map<string, Fraction>();
   for (const [name, used, exact] of operands) {
@@ -24,7 +24,7 @@ export function calculation(of: Decision, operands: Operands, column: Column): L
   return numbers.size === 0 ? null : linesOf(of, numbers);
 }
 
-/** Whether the run had other numbers than those that are right. */
+/** Whether the run used operands that differ from the right ones. */
 export const hasDrifted = (operands: Operands): boolean =>
   operands.some(([, used, exact]) => used !== exact);
 
@@ -77,7 +77,7 @@ const relations = { '-1': '<', '0': '=', '1': '>' } as const;
 const withZero = (value: Fraction): string =>
   value.sign === 0 ? '= 0' : `= ${value.text} ${relations[value.sign]} 0`;
 
-/** How one number compares with another. */
+/** The comparison of one number with another. */
 function compared(name: string, a: Fraction, other: string, b: Fraction): Lines {
   return [`${name} ${relations[a.minus(b).sign]} ${other}`];
 }
@@ -175,7 +175,7 @@ function box(numbers: Numbers): Lines {
   });
 }
 
-/** Within the range that is asked for. */
+/** The check that a pixel is within a range. */
 function within(numbers: Numbers, pixel: bigint, least: bigint, most: bigint): string {
   const [low, end] = [get(numbers, 'low').floor, get(numbers, 'end').floor];
   const [lowest, highest] = [low + least, end + most];

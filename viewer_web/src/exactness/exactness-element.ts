@@ -25,33 +25,33 @@ import type { Check } from './truth.js';
 import { isWrong } from './verdict.js';
 import type { Verdict } from './verdict.js';
 
-/** A map, and what it is of. */
+/** A map, and its decision. */
 interface Drawn {
   readonly mapped: MappedDecision;
   readonly map: SignMap;
 }
 
-/** Longer numbers, fractions most of all, are shown in part. */
+/** The most characters that are shown of a number. Fractions may be longer. */
 const longest = 60;
 const longestLine = 160;
 
-/** A run with more steps is checked only when that is asked for: it takes seconds. */
+/** A run with more steps is checked only on request, because that takes seconds. */
 const longestAtOnce = 200_000;
 
-/** The decision of the step: by which numbers it fell, what is right, and what the same decision gives in its neighbourhood. */
+/** The decision of the step: its numbers, the right answer, and the answers of the same decision at neighbouring points. */
 @customElement('vidno-exactness')
 export class ExactnessElement extends LitElement {
   static override styles = [base, panelsStyle, exactnessStyle];
 
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) trace!: Trace;
-  /** Who draws maps; null where the page has no library. */
+  /** The library that draws maps; null if the page has none. */
   @property({ attribute: false }) maps: SignMapSource | null = null;
-  /** How it is known what is right. */
+  /** How the right answers are known. */
   @property({ attribute: false }) check!: Check;
-  /** In a hall the map stands beside the numbers: nobody scrolls there. */
+  /** In a presentation the map is beside the numbers, because nobody scrolls there. */
   @property({ type: Boolean, reflect: true }) bare = false;
-  /** The map that was drawn last, with its decision: while another is drawn it stays. */
+  /** The last map with its decision. It stays while another one is drawn. */
   @state() private drawn: Drawn | null = null;
   @state() private isDrawing = false;
   private mapped: MappedDecision | null = null;
@@ -70,7 +70,7 @@ export class ExactnessElement extends LitElement {
     if (mapped !== null && this.maps !== null) void this.ask(mapped, this.maps);
   }
 
-  /** To open this panel is to ask what is right. */
+  /** An open panel starts the check of a run that is not too long. */
   override updated(): void {
     const { check, maps, trace, view } = this;
     const isShort = view.length <= longestAtOnce;
@@ -108,7 +108,7 @@ export class ExactnessElement extends LitElement {
     return html`<vidno-findings .view=${this.view} .findings=${findings}></vidno-findings>`;
   }
 
-  /** Whether the run was checked, and by whom, where the trace does not say so. */
+  /** Whether the run was checked, and how, if the trace does not say so. */
   private checked(): TemplateResult | typeof nothing {
     const { check, texts: say } = this;
     if (check.is === 'told' || check.is === 'certain') return nothing;
@@ -175,7 +175,7 @@ export class ExactnessElement extends LitElement {
       ${this.byHand(verdict)}`;
   }
 
-  /** The calculation line by line: with the numbers of the run too, if they are not the right ones. */
+  /** The calculation line by line, also with the numbers of the run if they are not the right ones. */
   private byHand({ of, operands }: Verdict): TemplateResult | typeof nothing {
     if (operands === undefined) return nothing;
     const say = this.texts;
@@ -246,7 +246,7 @@ export class ExactnessElement extends LitElement {
     </section>`;
   }
 
-  /** The Z-buffer adds depths up: the map, which does not, may say otherwise in the middle. */
+  /** A note on drift: the Z-buffer accumulates depths and the map does not, so its centre may differ from the run. */
   private driftOf(map: SignMap, verdict: Verdict | null): TemplateResult | typeof nothing {
     const isOther =
       typeof verdict?.taken === 'boolean' &&
@@ -260,17 +260,17 @@ export class ExactnessElement extends LitElement {
   }
 }
 
-/** Whether a map is of the same kind of decision. */
+/** Whether a map has the same kind of decision. */
 function isAlike({ asked }: MappedDecision, drawn: Drawn | null): boolean {
   return drawn !== null && Object.keys(asked).join() === Object.keys(drawn.mapped.asked).join();
 }
 
-/** In full, so that the last bit is seen. */
+/** A number with all its digits, so that the last bit is visible. */
 function written(text: string, most = longest): string {
   return text.length > most ? `${text.slice(0, most)}…` : text;
 }
 
-/** A power of two as such. */
+/** A power of two, written as one. */
 function power(value: number): string {
   return `2${superscript(Math.log2(value))}`;
 }

@@ -3,12 +3,12 @@ import type { Mark } from '../picture/mark.js';
 import { isSeen } from './finding.js';
 import type { Finding } from './finding.js';
 
-/** More would be a carpet. */
+/** The most marks: more would cover the whole picture. */
 const most = 400;
 
 /**
- * The pixels that exact zeros and narrow decisions decided, each once; those that decide a whole window or more are shown at
- * their step alone.
+ * The pixels decided by exact zeros and narrow decisions, each once. Decisions about a whole window or more are marked at
+ * their step only.
  */
 export function findingMarks(findings: readonly Finding[], step: number): readonly Mark[] {
   const seen = new Set<string>();
@@ -25,7 +25,7 @@ export function findingMarks(findings: readonly Finding[], step: number): readon
   return marks;
 }
 
-/** The steps to be marked on the strip: those of each kind once for each of so many places. */
+/** The steps to mark on the strip: for each kind at most one in each of `places` places. */
 export function findingSteps(
   findings: readonly Finding[],
   length: number,

@@ -11,7 +11,7 @@ const lines = [
   '',
 ].join('\n');
 
-it('reads the list that the library makes', () => {
+it('reads the list from the library', () => {
   const found = findingsIn(lines);
   expect(found.map(({ step }) => step)).toEqual([7, 9, 3, 12]);
   expect(found[1]?.operands).toEqual([['x', '1/2', null]]);
@@ -19,12 +19,12 @@ it('reads the list that the library makes', () => {
   expect(() => findingsIn('\n{"kind":"other"}')).toThrow();
 });
 
-it('sorts by step, by kind and by how narrow a decision is', () => {
+it('sorts by step, by kind and by narrowness', () => {
   const steps = (order: 'step' | 'kind' | 'ulps') =>
     sortedBy(order, findingsIn(lines)).map(({ step }) => step);
   expect(steps('step')).toEqual([3, 7, 9, 12]);
   expect(steps('kind')).toEqual([9, 12, 3, 7]);
-  // A point has no ulps: it comes last.
+  // A point has no ulps, so it comes last.
   expect(steps('ulps')).toEqual([3, 7, 9, 12]);
 });
 

@@ -29,7 +29,7 @@ export const coincidences = [
 ] as const;
 export type Coincidence = (typeof coincidences)[number];
 
-/** A decision that is worth looking at; FORMAT.md says what the fields mean. */
+/** A decision worth looking at; FORMAT.md describes the fields. */
 const finding = part({
   kind: oneOf(...findingKinds),
   step: whole,
@@ -51,7 +51,7 @@ const finding = part({
 }) satisfies Check<unknown>;
 export type Finding = Checked<typeof finding>;
 
-/** The list of a run, as `vidno check --list` writes it: after a line that says which run. */
+/** The list of a run, as `vidno check --list` writes it, after a first line that identifies the run. */
 export function findingsIn(lines: string): readonly Finding[] {
   return lines
     .split('\n')
@@ -60,7 +60,7 @@ export function findingsIn(lines: string): readonly Finding[] {
     .map((line) => finding(JSON.parse(line) as unknown, ''));
 }
 
-/** By what the list can be sorted. */
+/** The possible orders of the list. */
 export const orders = ['step', 'kind', 'ulps'] as const;
 export type Order = (typeof orders)[number];
 
@@ -71,10 +71,10 @@ const comparers: Readonly<Record<Order, (a: Finding, b: Finding) => number>> = {
   ulps: (a, b) => (widths(a) === widths(b) ? 0 : widths(a) - widths(b)),
 };
 
-/** Sorted; those alike step by step. */
+/** Sorted; equal ones step by step. */
 export const sortedBy = (order: Order, findings: readonly Finding[]): readonly Finding[] =>
   [...findings].sort((a, b) => comparers[order](a, b) || a.step - b.step);
 
-/** Equal numbers of a sort or a box are no coincidence that one sees. */
+/** Whether a finding is shown. Equal numbers in a sort or a box are not a visible coincidence. */
 export const isSeen = ({ kind, coincidence }: Finding): boolean =>
   kind !== 'zero' || coincidence !== 'equal_numbers';

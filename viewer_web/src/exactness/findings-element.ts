@@ -12,13 +12,13 @@ import type { Finding, Order } from './finding.js';
 import type { N } from '../trace/values.js';
 import { superscript } from './superscript.js';
 
-/** Rows that are shown before one asks for more. */
+/** The number of rows shown until the reader asks for more. */
 const page = 60;
 
-/** Characters of a number. */
+/** The most characters of a number. */
 const longest = 60;
 
-/** The decisions of the run that are worth looking at, to be sorted; each leads to its step. */
+/** The decisions of the run that are worth looking at, in a chosen order, each with a link to its step. */
 @customElement('vidno-findings')
 export class FindingsElement extends LitElement {
   static override styles = [
@@ -152,7 +152,7 @@ export class FindingsElement extends LitElement {
       ${isHere ? this.detail(finding) : nothing}`;
   }
 
-  /** At its step all that the list says of a decision. */
+  /** The details of a decision, shown at its step. */
   private detail({ procedure, of, taken, exact, cause, ...numbers }: Finding): TemplateResult {
     const { texts: say } = this;
     const { computed, gap, operands, pixels } = numbers;
@@ -178,14 +178,14 @@ export class FindingsElement extends LitElement {
     return `${name} = ${this.number(used)}${right}`;
   }
 
-  /** Fractions may be long: all of them stands in the file. */
+  /** A shortened number, because fractions may be long; the file has all digits. */
   private number(value: N): string {
     const text = numbersOf(this.view).whole(value);
     const plain = text.endsWith('/1') ? text.slice(0, -2) : text;
     return plain.length > longest ? `${plain.slice(0, longest)}…` : plain;
   }
 
-  /** Short: what counts is how small it is. */
+  /** A short number, because only its order of magnitude matters. */
   private width(value: number | undefined): string {
     if (value === undefined) return '';
     const { whole } = numbersOf(this.view);

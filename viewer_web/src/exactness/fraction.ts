@@ -1,4 +1,4 @@
-/** A fraction in lowest terms, with a denominator above zero: the arithmetic of pencil and paper. */
+/** A fraction in lowest terms with a positive denominator, with arithmetic. */
 export class Fraction {
   private constructor(
     readonly p: bigint,
@@ -13,7 +13,7 @@ export class Fraction {
     return new Fraction(above / divisor, below / divisor);
   }
 
-  /** Null if the text is no fraction "p/q", such as "nan". */
+  /** Null if the text is not a fraction "p/q", such as "nan". */
   static parse(text: string): Fraction | null {
     const [, p, q] = /^(-?\d+)\/(\d+)$/.exec(text) ?? [];
     return p === undefined || q === undefined || BigInt(q) === 0n
@@ -42,19 +42,19 @@ export class Fraction {
     return this.p < 0n ? -1 : 1;
   }
 
-  /** The whole number at or next below it. */
+  /** The greatest whole number that is not above it. */
   get floor(): bigint {
     const quotient = this.p / this.q;
     return quotient * this.q > this.p ? quotient - 1n : quotient;
   }
 
-  /** As one writes it: 3 for 3/1, with a minus sign. */
+  /** As written by hand: 3 for 3/1, with a real minus sign. */
   get text(): string {
     const written = this.q === 1n ? String(this.p) : `${this.p}/${this.q}`;
     return written.replace('-', '−');
   }
 
-  /** In brackets where it would be misread beside a sign. */
+  /** In brackets if it would be ambiguous beside an operator. */
   get inner(): string {
     return this.p < 0n || this.q !== 1n ? `(${this.text})` : this.text;
   }

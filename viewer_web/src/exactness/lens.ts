@@ -7,17 +7,20 @@ import { moves } from '../picture/pixel.js';
 import { middle, side } from './places.js';
 import type { SignMap } from './sign-map.js';
 
-/** Pixels of the drawing to a place. */
+/** Canvas pixels per place. */
 const zoom = 8;
 
-/** By the computed sign, right and wrong: those of `vidno map`, which stay apart in grey. */
+/**
+ * The colours by computed sign, for right and wrong places. They are those of `vidno map`, and remain distinguishable in
+ * grey.
+ */
 const pale = ['#ffe2cc', '#ffffff', '#a5c8f0'] as const;
 const dark = ['#d75f00', '#000000', '#1e46aa'] as const;
 const signs = [-1, 0, 1] as const;
 
 type Place = readonly [i: number, j: number];
 
-/** A sign map, the point in its middle and y downward as in the picture. An arrow key or the mouse reads a place. */
+/** A sign map, with the point in its middle and y downward as in the picture. An arrow key or the mouse selects a place. */
 @customElement('vidno-lens')
 export class LensElement extends LitElement {
   static override styles = [
@@ -58,7 +61,7 @@ export class LensElement extends LitElement {
 
   @property({ attribute: false }) map!: SignMap;
   @property({ attribute: false }) texts!: ExactTexts;
-  /** Whether the decision is one of yes and no. */
+  /** Whether the decision is one of yes or no. */
   @property({ type: Boolean }) plain = false;
   @property() label = '';
   @state() private place: Place = [middle, middle];
@@ -86,7 +89,7 @@ export class LensElement extends LitElement {
     this.frame(context, this.place, 1);
   }
 
-  /** Where the truth changes, black beside white: it is seen on pale and on dark. */
+  /** The border where the exact sign changes, black beside white so that it is visible on pale and dark colours. */
   private border(context: CanvasRenderingContext2D): void {
     const line = (color: string, x: number, y: number, width: number, height: number): void => {
       context.fillStyle = color;
@@ -155,7 +158,7 @@ export class LensElement extends LitElement {
     `;
   }
 
-  /** What is at the place. */
+  /** The text about the selected place. */
   private read(): string {
     const [i, j] = this.place;
     const { computed, exact } = this.map.at(i, j);

@@ -4,7 +4,7 @@ import type { Event, Method } from '../trace/events.js';
 import { mappedDecisionOf, mappedDecisionText } from './mapped-decision.js';
 import type { MappedDecision } from './mapped-decision.js';
 
-/** Of the last of some events, on the scene of two squares from (0, 0) to (8, 8), A and B, both at z = 1/2. */
+/** The decision of the last event, on the scene of two squares from (0, 0) to (8, 8), A and B, both at z = 1/2. */
 async function asked(method: Method, ...events: readonly Event[]): Promise<MappedDecision | null> {
   const trace = await traceOf(textWith(headerOf(method), events));
   return mappedDecisionOf(trace, events.length);
@@ -46,7 +46,7 @@ describe('a sign', () => {
       value: 36,
       sign: 1,
     };
-    // Edge 3 goes from the last vertex, (0, 8), to the first; the differences are taken from where it begins.
+    // Edge 3 goes from the last vertex, (0, 8), to the first. The differences are relative to its start.
     const decision = await asked('warnock', orient);
     expect(decision?.at).toEqual([4.5, 2]);
     expect(decision?.asked).toEqual({ orientation: { q: [0, 8], r: [0, 0], pivot: 'q' } });
@@ -71,7 +71,7 @@ describe('a comparison of depths', () => {
     expect(await asked('warnock', ...before, compare('rb'))).toBeNull(); // there is nothing yet
   });
 
-  it('in the next window knows nothing of the last', async () => {
+  it('in the next window does not use the previous one', async () => {
     const events = [push, pop, corners, ...depths, nearer, push, pop, corners, compare('lb')];
     expect(await asked('warnock', ...events)).toBeNull();
   });

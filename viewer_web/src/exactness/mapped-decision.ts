@@ -5,7 +5,9 @@ import type { Polygon } from '../trace/header.js';
 import { placesAround } from './places.js';
 import type { Places } from './places.js';
 
-/** What a decision asks of a point, as a file of a sign map has it; lessons/maps/README.md says what each means. */
+/**
+ * The question of a decision about a point, as in the file of a sign map; lessons/maps/README.md explains the questions.
+ */
 type Asked =
   | {
       readonly orientation: { readonly q: Spot; readonly r: Spot; readonly pivot: 'p' | 'q' | 'r' };
@@ -15,17 +17,17 @@ type Asked =
 type Vertices = Polygon['vertices'];
 export type Spot = readonly [x: number, y: number];
 
-/** A decision about a point, to be asked at its neighbours as well. */
+/** A decision about a point, and the neighbours at which to repeat it. */
 export interface MappedDecision {
   readonly at: Spot;
   readonly places: Places;
   readonly asked: Asked;
 }
 
-/** What is asked of a decision about a point; null where it is about none. */
+/** The question of a decision about a point; null for other decisions. */
 export type About = readonly [at: Spot, asked: Asked] | null;
 
-/** By the names of the events that tell the decisions. */
+/** The questions by the names of the events that contain the decisions. */
 export type Abouts = {
   readonly [K in EventName]?: (trace: Trace, event: Event<K>, step: number) => About;
 };

@@ -24,7 +24,7 @@ const written = (sides: readonly object[]): string =>
 const words = { say: texts.en.exact.margin, point: texts.en.numbers.point };
 const area = { x: 0, y: 0, width: 8, height: 8 };
 
-it('cuts the region out of a frame about the area', () => {
+it('cuts the region out of a frame around the area', () => {
   // x > 0, x < 4, y > 1 and y < 2.
   const margin = marginIn(
     written([
@@ -41,7 +41,7 @@ it('cuts the region out of a frame about the area', () => {
   expect(notes).toHaveLength(4);
 });
 
-it('says in words what changes beyond a side', () => {
+it('describes in words what changes beyond a side', () => {
   const cut = { ...flip, point: undefined, cut: 1, side: 2 };
   const vertex = { ...flip, edge: undefined, point: undefined, vertex: 2, side: 4 };
   const flips = (...all: readonly object[]) => ({ ...side('1/1', '0/1', '0/1', 1), flips: all });

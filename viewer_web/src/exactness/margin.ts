@@ -8,15 +8,15 @@ import type { Area } from '../trace/header.js';
 import type { N } from '../trace/values.js';
 import { Fraction } from './fraction.js';
 
-/** A window's sides, as PolygonClip goes round. */
+/** A window's sides, in the order of PolygonClip. */
 const sideNames = ['top', 'left', 'bottom', 'right'] as const;
 export type WindowSide = (typeof sideNames)[number];
 export type WindowCorner = `${'top' | 'bottom'}-${'left' | 'right'}`;
 
-/** More is not read in a picture. */
+/** The most causes in one label: nobody reads more in a picture. */
 const mostTold = 3;
 
-/** How a margin is written. */
+/** The texts of a margin. */
 export interface MarginWords {
   readonly say: ExactTexts['margin'];
   readonly point: (at: readonly N[]) => string;
@@ -24,7 +24,10 @@ export interface MarginWords {
 
 const sign = oneOf(-1, 0, 1);
 
-/** Where a vertex may be moved to so that no sign of a step changes, as `vidno margin --json` says it; FORMAT.md says what it means. */
+/**
+ * The region to which a vertex may be moved without changing a sign of a step, as `vidno margin --json` writes it.
+ * FORMAT.md describes it.
+ */
 const margin = part({
   step: whole,
   polygon: text,
@@ -56,7 +59,7 @@ type Side = Margin['sides'][number];
 
 export const marginIn = (json: string): Margin => margin(JSON.parse(json) as unknown, '');
 
-/** The number that a fraction is nearly, however long it is. */
+/** The approximate value of a fraction of any length. */
 function nearly(fraction: string): number {
   const exact = Fraction.parse(fraction);
   if (exact === null) return NaN;
@@ -76,7 +79,7 @@ function halfPlane(side: Side): HalfPlane {
   return { side, at: ([x, y]) => side.sign * (a * x + b * y + c) };
 }
 
-/** What of a convex polygon, or of a segment, lies in a half-plane. */
+/** The part of a convex polygon, or of a segment, in a half-plane. */
 function clipped(outline: readonly Spot[], at: (spot: Spot) => number): readonly Spot[] {
   const isSegment = outline.length === 2;
   return outline.flatMap((to, i) => {
@@ -89,7 +92,7 @@ function clipped(outline: readonly Spot[], at: (spot: Spot) => number): readonly
   });
 }
 
-/** A line as far as anyone looks. */
+/** A line, cut to a segment that extends beyond the area. */
 function segmentOn({ a, b, c }: Side, { x, y, width, height }: Area): readonly Spot[] {
   const [p, q] = [nearly(a), nearly(b)];
   const square = p * p + q * q;
@@ -105,8 +108,8 @@ function segmentOn({ a, b, c }: Side, { x, y, width, height }: Area): readonly S
 }
 
 /**
- * The region within a frame about the area. Where a sign is zero the vertex must stay on its line: then the region is a segment. It
- * is empty if two are zero, for then the vertex must not move at all.
+ * The region within a frame around the area. Where a sign is zero the vertex must stay on its line, so the region is a
+ * segment. If two signs are zero the region is empty: the vertex must not move at all.
  */
 export function regionOf({ sides }: Margin, area: Area): readonly Spot[] {
   const { x, y, width, height } = area;
@@ -125,7 +128,7 @@ export function regionOf({ sides }: Margin, area: Area): readonly Spot[] {
     .reduce((region, { at }) => clipped(region, at), whole);
 }
 
-/** What changes beyond a side, in words. */
+/** The changes beyond a side, in words. */
 export function labelOf({ flips }: Side, { say, point: written }: MarginWords): string {
   const texts = flips.map(({ edge, point: at, cut, side }) => {
     if (edge !== undefined && at !== undefined) return say.edge(edge, written(at));
@@ -149,14 +152,14 @@ function cornerOf(one: number, other: number): WindowCorner | null {
   return upright === null || level === null ? null : `${level}-${upright}`;
 }
 
-/** Beside a place, where words in its middle have room within the area. */
+/** A place near another one, where a centred label fits into the area. */
 function besideIn({ x, y, width, height }: Area, [px, py]: Spot): Spot {
   const within = (value: number, from: number, size: number, edge: number): number =>
     Math.min(Math.max(value, from + edge * size), from + (1 - edge) * size);
   return [within(px, x, width, 0.35), within(py, y, height, 0.04)];
 }
 
-/** The region, shaded, with what changes beyond each of its sides. */
+/** The region, shaded, with the changes beyond each of its sides. */
 export function marginMarks(found: Margin, area: Area, words: MarginWords): readonly Mark[] {
   const region = regionOf(found, area);
   if (region.length < 2) return [];

@@ -3,11 +3,11 @@ import { middle, placesAround, ulp } from './places.js';
 
 describe('an ulp', () => {
   it.each([
-    [0.5, 'double', 2 ** -53], // 0.5 = 2^-1, 52 bits behind the first
+    [0.5, 'double', 2 ** -53], // 0.5 = 2^-1, 52 bits after the first
     [1, 'double', 2 ** -52],
-    [-4.5, 'float', 2 ** -21], // 4 = 2^2, 23 bits behind the first
+    [-4.5, 'float', 2 ** -21], // 4 = 2^2, 23 bits after the first
     [6.5, 'bits:8', 2 ** -5], // 2^2, 7 bits
-    [2 ** 29, 'double', 2 ** -23], // where the rounded logarithm must not count
+    [2 ** 29, 'double', 2 ** -23], // where the rounded logarithm must not matter
     [7.999999999999999, 'exact', 2 ** -50],
   ])('of %d under %s', (value, kernel, expected) => {
     expect(ulp(value, kernel)).toBe(expected);
@@ -22,13 +22,13 @@ describe('the places around a point', () => {
     expect(places?.p[1]).toBe(4.5 - middle * 2 ** -50);
   });
 
-  it('are none where they are no doubles', () => {
-    // y is the double before 1. A step of 2^-52 on, 1 + 2^-53, lies half-way between two doubles.
+  it('do not exist where they are not doubles', () => {
+    // y is the double before 1. A step of 2^-52 further, 1 + 2^-53, lies halfway between two doubles.
     expect(placesAround([1, 1 - 2 ** -53], 'double')).toBeNull();
     expect(placesAround([1, 1 - 2 ** -53], 'float')).toBeNull();
   });
 
-  it('of nothing are none', () => {
+  it('do not exist for NaN', () => {
     expect(placesAround([NaN, 0], 'double')).toBeNull();
   });
 });

@@ -1,10 +1,10 @@
 import type { Point } from '../trace/values.js';
 
-/** Places of a map in a row; the place that was decided about is in the middle. */
+/** Places in a row of a map. The point of the decision is in the middle. */
 export const side = 49;
 export const middle = (side - 1) / 2;
 
-/** How many bits the numbers of a kernel have, for the distance of neighbouring ones. */
+/** The number of significant bits of a kernel, which determines the distance of neighbouring numbers. */
 function bitsOf(kernel: string): number {
   if (kernel === 'float') return 24;
   const [, bits] = /^bits:(\d+)$/.exec(kernel) ?? [];
@@ -19,7 +19,7 @@ export function ulp(value: number, kernel: string): number {
   return 2 ** (exponent + 1 - bitsOf(kernel));
 }
 
-/** Whether a + b is a double without rounding: what a sum lost is found by Knuth's two-sum. */
+/** Whether a + b is a double without rounding; Knuth's two-sum computes the rounding error. */
 function isExact(a: number, b: number): boolean {
   const sum = a + b;
   const part = sum - a;
@@ -32,12 +32,12 @@ export interface Places {
   readonly step: number;
 }
 
-/** The file's reader wants this many to be doubles, in each direction from the first. */
+/** The reader of the file requires this many places in each direction from the first to be doubles. */
 const asked = 256;
 
 /**
- * Places around a point: its neighbours in the kernel's numbers, by the greater coordinate; null if the doubles around the
- * other one are not as close.
+ * Places around a point, one ulp of the greater coordinate apart in the kernel's numbers. Null if the places of the other
+ * coordinate are not doubles.
  */
 export function placesAround([x, y]: readonly [number, number], kernel: string): Places | null {
   const greatest = Math.max(Math.abs(x), Math.abs(y));

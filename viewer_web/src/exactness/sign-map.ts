@@ -11,23 +11,23 @@ export interface Cell {
   readonly exact: Sign;
 }
 
-/** What a kernel answers at each place around a point, and what is right. */
+/** The answer of a kernel at each place around a point, and the right answer. */
 export class SignMap {
-  /** A character a place, as the library gives them. */
+  /** One character per place, as the library writes them. */
   constructor(private readonly written: string) {}
 
-  /** Of a place so many steps in x from the first, and in y. */
+  /** The answers at the place `i` steps in x and `j` steps in y from the first. */
   at(i: number, j: number): Cell {
     const digit = Number(this.written[j * side + i]);
     return { computed: signOf(Math.floor(digit / 3)), exact: signOf(digit % 3) };
   }
 
-  /** Of the point itself. */
+  /** The answers at the point itself. */
   get centre(): Cell {
     return this.at(middle, middle);
   }
 
-  /** At how many places the answer is wrong. */
+  /** The number of places with a wrong answer. */
   get wrong(): number {
     return this.written.replace(sameTwice, '').length;
   }
@@ -35,7 +35,7 @@ export class SignMap {
 
 const signOf = (place: number): Sign => (place - 1) as Sign;
 
-/** Where maps come from; null if there is none under this kernel, or if another was asked for meanwhile. */
+/** The source of maps. The result is null if the kernel has no map, or if another one was requested meanwhile. */
 export interface SignMapSource {
   of(question: MappedDecision, kernel: string): Promise<SignMap | null>;
 }

@@ -2,17 +2,14 @@ import type { Trace } from '../replay/trace.js';
 import { isAlwaysRight } from '../trace/editions.js';
 import { eventNames, kinds, numberOf } from '../trace/events.js';
 
-/** In a checked run each of these says what is right. */
+/** In a checked run each of these events has the right answer. */
 const isDecision = eventNames.map((name) => 'exact' in kinds[name].fields);
 const disagree = numberOf.get('disagree') ?? -1;
 
-/** Of runs for which it will stay so. */
+/** The runs whose answer is final. */
 const seen = new WeakMap<Trace, boolean>();
 
-/**
- * Whether the decisions of a run were held against exact arithmetic. A trace that tells no decision and no wrong one was not, as
- * far as anyone can say.
- */
+/** Whether the decisions of a run were compared with exact arithmetic. A trace without any decision counts as unchecked. */
 export function isChecked(trace: Trace): boolean {
   const known = seen.get(trace);
   if (known !== undefined) return known;
@@ -25,7 +22,7 @@ export function isChecked(trace: Trace): boolean {
   return found;
 }
 
-/** What is known of a run's decisions from the trace alone. */
+/** What the trace alone reveals about a run's decisions. */
 export type Told = 'told' | 'certain' | 'unchecked';
 
 export function toldOf(trace: Trace): Told {

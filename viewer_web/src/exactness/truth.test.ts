@@ -36,8 +36,8 @@ const checked = [
   { ...orient(3), exact: 1 },
 ] as const;
 
-describe('the truth beside a run that was not checked', () => {
-  it('is that of the same run, checked, at each step of its own', async () => {
+describe('the right answers for an unchecked run', () => {
+  it('are those of the same run with checks, at each step', async () => {
     const run = await trace(...unchecked);
     const truth = Truth.of(run, await trace(...checked));
     if (truth === null) throw new Error('another run');
@@ -53,25 +53,25 @@ describe('the truth beside a run that was not checked', () => {
     expect(verdictBy({ is: 'unchecked' }, run, 4)?.exact).toBeUndefined();
   });
 
-  it('is that of no other run', async () => {
+  it('are never those of another run', async () => {
     const other = await trace(...checked);
     expect(Truth.of(await trace(push, pop, orient(1), orient(-2), orient(4)), other)).toBeNull();
     expect(Truth.of(await trace(...unchecked, orient(5)), other)).toBeNull();
-    // A run that was cut short is the beginning of the whole one.
+    // A truncated run is the beginning of the whole one.
     expect(Truth.of(await trace(push, pop, orient(1)), other)?.wrong).toEqual([]);
   });
 
-  it('does not depend on how the trace was written', async () => {
+  it('do not depend on the format of the trace', async () => {
     const spaced = textWith(headerOf('warnock'), unchecked).replaceAll('"sign":', '"sign": ');
     expect(Truth.of(await traceOf(spaced), await trace(...checked))?.wrong).toEqual([4]);
   });
 });
 
-describe('what a trace tells of its decisions', () => {
+describe('what a trace reveals about its decisions', () => {
   it.each([
     ['unchecked', 'double', unchecked],
     ['told', 'double', checked],
-    // Decisions of `windows` are not told, wrong ones are.
+    // Traces of level `windows` have wrong decisions, but no right ones.
     ['told', 'double', [push, pop, disagree]],
     ['unchecked', 'double', [push, pop]],
     ['certain', 'exact', unchecked],

@@ -10,17 +10,17 @@ import type { Verdict } from './verdict.js';
 
 const disagree = numberOf.get('disagree');
 
-/** The truth beside the steps of a run that was not checked: the same run once more, checked. */
+/** The right answers to the decisions of an unchecked run. They come from the same run, repeated with checks. */
 export class Truth {
   private constructor(
     private readonly checked: Trace,
-    /** For each step of the run, from 1, that of the checked one. */
+    /** The step of the checked run for each step of the run, from 1. */
     private readonly places: Uint32Array,
-    /** The steps of the run at which a decision is wrong. */
+    /** The steps of the run with a wrong decision. */
     readonly wrong: readonly number[],
   ) {}
 
-  /** Null if the checked run is another one. */
+  /** Null if the checked run differs. */
   static of({ timeline }: Trace, checked: Trace): Truth | null {
     const { names } = checked.timeline;
     const places = new Uint32Array(timeline.length + 1);
@@ -43,7 +43,7 @@ export class Truth {
   }
 }
 
-/** Whether both steps tell the same, but for what is right. */
+/** Whether both steps have the same event, apart from the fields of the check. */
 function isSame(one: Timeline, step: number, checked: Timeline, place: number): boolean {
   const line = checked.line(place).trimEnd();
   const own = one.line(step).trimEnd();
@@ -63,7 +63,7 @@ const written = (event: Event): string =>
 /** Why the library cannot check a run. */
 export type Unable = 'otherRun' | 'notHere' | 'tooLong' | 'failed';
 
-/** How a run's decisions are known to be right or wrong; and, once they were asked for, those that are worth looking at. */
+/** How a run's decisions are known to be right or wrong, and, once requested, those worth looking at. */
 export type Check = Known & { readonly findings?: readonly Finding[] };
 type Known =
   | { readonly is: Told | 'checking' }
@@ -76,9 +76,9 @@ const asTold: Readonly<Record<Told, Check>> = {
   unchecked: { is: 'unchecked' },
 };
 
-/** What is known from the trace alone. */
+/** The check that the trace alone provides. */
 export const toldCheck = (trace: Trace): Check => asTold[toldOf(trace)];
 
-/** The verdict on a step, of the trace itself or of the check. */
+/** The verdict on a step, from the check or else from the trace itself. */
 export const verdictBy = (check: Check, trace: Trace, step: number): Verdict | null =>
   check.is === 'found' ? check.truth.verdictAt(step) : verdictOf(trace, step);

@@ -24,7 +24,7 @@ const disagree: Event = {
 };
 const clear: Event = { e: 'clear', at: 'Z1', color: '#ffffff', z: '-inf' };
 
-it('a wrong decision and the step that tells so have one verdict', async () => {
+it('a wrong decision and the step that reports it have the same verdict', async () => {
   const trace = await traceOf(textWith(headerOf('warnock'), [orient, disagree]));
   const verdict = verdictOf(trace, 1);
   expect(verdict).toEqual({
@@ -40,7 +40,7 @@ it('a wrong decision and the step that tells so have one verdict', async () => {
   expect(verdict && isWrong(verdict)).toBe(true);
 });
 
-it('a step that tells nothing of its decisions has that of the first wrong one', async () => {
+it('a step without events of its decisions has the verdict of the first wrong one', async () => {
   const piece: Event = { e: 'edge_piece', at: 'RC2', from: [0, 3], to: [1, 2], lies: 'outside' };
   const left: Event = { ...disagree, at: 'RC2', of: 'left_of', taken: true, exact: false };
   const trace = await traceOf(
@@ -63,7 +63,7 @@ it('ranges are compared as a whole', async () => {
   expect(await wrong([0, 2])).toBe(true);
 });
 
-it('what is not known to be wrong is not wrong', async () => {
+it('an answer is wrong only if it is known to be', async () => {
   const { exact, ...unchecked } = orient;
   expect(exact).toBe(0);
   const trace = await traceOf(
@@ -75,13 +75,13 @@ it('what is not known to be wrong is not wrong', async () => {
   }
 });
 
-it('a step that decides nothing by numbers has none', async () => {
+it('a step without a numerical decision has none', async () => {
   const trace = await traceOf(textWith(headerOf('zbuffer'), [clear]));
   expect(verdictOf(trace, 0)).toBeNull();
   expect(verdictOf(trace, 1)).toBeNull();
 });
 
-it('three kernels decide as exact arithmetic does, checked or not', () => {
+it('three kernels always decide as exact arithmetic does, even unchecked', () => {
   const kernels = ['float', 'double', 'bits:8', 'depth:16', 'grid:4', 'filtered', 'exact'];
   expect(kernels.filter(isAlwaysRight)).toEqual(['grid:4', 'filtered', 'exact']);
 });

@@ -3,21 +3,24 @@ import { kinds } from '../trace/events.js';
 import type { Deciding, Decision, Event } from '../trace/events.js';
 import type { Answer, N, Operands } from '../trace/values.js';
 
-/** Whose sign, or which two numbers compared, a decision went by; as the listing calls them. */
+/**
+ * A number that a decision used: the one whose sign it took, or one of the two it compared. The name is that of the
+ * listing.
+ */
 type Number = readonly [name: string, value: N];
 
-/** A decision of a step: what was decided by which numbers, what came out, and what is right. */
+/** A decision of a step: its numbers, its answer, and the right answer. */
 export interface Verdict {
   readonly of: Decision;
   readonly numbers: readonly Number[];
   readonly taken: Answer;
-  /** Null where there is no truth; undefined where the run was not held against it. */
+  /** Null if there is no right answer; undefined if the run was not checked. */
   readonly exact: Answer | null | undefined;
-  /** What decided, in a run that knows its errors. */
+  /** The stage that decided, in a run that records it. */
   readonly by: Stage | undefined;
-  /** The numbers that it can be taken again with; undefined where the run was not checked. */
+  /** The operands for repeating the decision; undefined if the run was not checked. */
   readonly operands: Operands | undefined;
-  /** Of a wrong one. */
+  /** The cause of a wrong decision. */
   readonly cause: Event<'disagree'>['cause'] | undefined;
 }
 export type Stage = NonNullable<Event<'orient'>['by']>;
@@ -67,7 +70,7 @@ const decided: { readonly [K in Deciding]: (event: Event<K>, before: Event | nul
   order: ({ z, otherZ, order }) => depths(z, otherZ, order),
 };
 
-/** Those of two polygons at a point, and how the first stands to the second. */
+/** The depths of two polygons at a point, and the order of the first relative to the second. */
 const depths = (z: N, other: N, order: number): Decided => ({
   numbers: [
     ['z', z],
@@ -76,7 +79,7 @@ const depths = (z: N, other: N, order: number): Decided => ({
   taken: order,
 });
 
-/** Of the curve, and of the horizons that are there. */
+/** The heights of the curve, and of the horizons that exist. */
 function heights({ y, upper, lower }: Event<'height'>): readonly Number[] {
   return [
     ['y', y],
@@ -88,8 +91,8 @@ function heights({ y, upper, lower }: Event<'height'>): readonly Number[] {
 const isDeciding = (event: Event): event is Event<Deciding> => kinds[event.e].decides !== undefined;
 
 /**
- * Null if the step decides nothing, or what it decides is told by no event and is right. A wrong decision and the step that
- * tells so have the same verdict.
+ * Null if the step decides nothing, or makes a right decision without an event of its own. A wrong decision and the
+ * following step that reports it have the same verdict.
  */
 export function verdictOf({ timeline }: Trace, step: number): Verdict | null {
   const event = timeline.event(step);
@@ -115,7 +118,7 @@ function ownVerdict(event: Event | null, before: Event | null): Verdict | null {
   };
 }
 
-/** A step may decide more than one thing, or one that has no event of its own: the wrong one is what counts. */
+/** A step may decide more than one thing, or something without an event of its own. The wrong decision takes precedence. */
 function judged(
   own: Verdict | null,
   { of, taken, exact, cause, operands }: Event<'disagree'>,
@@ -123,7 +126,7 @@ function judged(
   return { numbers: own?.numbers ?? [], by: undefined, of, taken, exact, cause, operands };
 }
 
-/** Whether an answer is not the right one; where that is not known it is taken for right. */
+/** Whether an answer is known to be wrong. */
 export function isWrong({ taken, exact }: Verdict): boolean {
   return exact !== null && exact !== undefined && String(taken) !== String(exact);
 }

@@ -10,7 +10,7 @@ import { notes } from './notes.js';
 import { outline } from './outline.js';
 import { sentences } from './sentences.js';
 
-/** The curves, and of the columns, which may be thousands, those that were looked at last. */
+/** The curves, and the columns examined last, since there may be thousands of columns. */
 function things({ header, after: { horizon } }: View): readonly string[] {
   const { previous = null, current = null } = horizon?.place ?? {};
   return [
@@ -19,7 +19,7 @@ function things({ header, after: { horizon } }: View): readonly string[] {
   ];
 }
 
-/** A curve is taken once, and looked at once over each column. */
+/** A curve is begun once, and examined once over each column. */
 function landmark(event: Event, inHand: string): string | null {
   if (event.e === 'curve') return `curve ${event.curve}`;
   return event.e === 'visibility' ? `column ${event.x} ${inHand}` : null;

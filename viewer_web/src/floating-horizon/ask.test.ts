@@ -6,7 +6,9 @@ import type { Trace } from '../replay/trace.js';
 import { answers, questionFrom } from '../testing/questions.js';
 import { textOf, traceOf } from '../testing/traces.js';
 
-/** A line at height 1.5, and one behind it from 3 over column 0 to -1 over column 4: 3, 2, 1, 0, -1, growing downward. */
+/**
+ * A line at height 1.5, and behind it one from 3 over column 0 to -1 over column 4: 3, 2, 1, 0, -1. Heights grow downward.
+ */
 const crossing = (): Promise<Trace> => traceOf(textOf('crossing.floating-horizon.signs.jsonl'));
 
 describe('the floating horizon asks', () => {
@@ -29,7 +31,7 @@ describe('the floating horizon asks', () => {
   });
 
   it('which horizon is met, and where', async () => {
-    // Halfway between 2 and 1: it leaves the lower horizon, and goes beyond the upper one at the same place.
+    // The intersection is halfway between 2 and 1. There the line leaves the lower horizon and passes the upper one.
     const trace = await crossing();
     const lower = questionFrom(trace, 1, 'meeting');
     expect(answers(lower)).toEqual({ meets: ['lower'], where: [between] });
@@ -37,7 +39,7 @@ describe('the floating horizon asks', () => {
     expect(answers(upper)).toEqual({ meets: ['upper'], where: [between] });
   });
 
-  it('nothing where nothing is told of heights, nor of the first curve', async () => {
+  it('nothing without events of heights, and nothing about the first curve', async () => {
     const hills = await traceOf(textOf('hills.floating-horizon.signs.jsonl'));
     expect(questionFrom(hills, 1, 'flags').about.curve).toBeGreaterThan(0);
     const coarse = await traceOf(textOf('hills.floating-horizon.polygons.jsonl'));

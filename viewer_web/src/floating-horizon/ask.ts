@@ -10,14 +10,14 @@ import type { Event } from '../trace/events.js';
 import type { N } from '../trace/values.js';
 import { sideBeside } from './sides.js';
 
-/** How many columns one is asked about at once. */
+/** The most columns in one question. */
 const mostColumns = 4;
-/** So far back is looked for the heights of the curve. */
+/** The number of steps to search back for the heights of the curve. */
 const farthest = 200;
 
 type Height = Event<'height'>;
 
-/** A column with what is known over it, to answer by. */
+/** A column with the values over it, which help to answer. */
 const columnOption = (x: number, y: N, upper?: N | null, lower?: N | null): Option => ({
   value: String(x),
   note: ({ numbers, curves }) => {
@@ -44,7 +44,7 @@ function heightsBefore({ timeline }: Trace, step: number): ReadonlyMap<number, H
 const curveOf = (trace: Trace, step: number): number =>
   trace.timeline.seek(step).values.horizon?.curve ?? 0;
 
-/** How does the curve lie to the horizons over the next columns? */
+/** How does the curve lie relative to the horizons over the next columns? */
 export const flags: Asker<'flags'> = {
   from: 'signs',
   at: ['visibility'],

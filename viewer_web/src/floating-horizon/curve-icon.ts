@@ -4,7 +4,7 @@ import type { CurveLegendEntry, LegendEntry } from '../language/picture-texts.js
 
 const line = 'M1.5 10L18.5 4';
 
-/** What each entry looks like in a box of 20 by 14. */
+/** The icon of each entry, in a box of 20 by 14. */
 const icons: Readonly<Record<CurveLegendEntry, readonly [look: string, d: string]>> = {
   visible: ['visible', line],
   inHand: ['in-hand', line],

@@ -5,7 +5,7 @@ import { texts } from '../i18n/index.js';
 import type { CurveTexts } from '../language/curve-texts.js';
 import { LayerSwitches } from '../elements/layer-switches.js';
 
-/** What the picture of curves shows. */
+/** The layers of the picture of curves. */
 @customElement('vidno-curve-layers')
 export class CurveLayersElement extends LayerSwitches<Layer> {
   protected override readonly all = curveLayers;
@@ -15,7 +15,7 @@ export class CurveLayersElement extends LayerSwitches<Layer> {
     return texts[this.view.language].curves;
   }
 
-  /** The lines alone, and everything again. */
+  /** Switches between the lines alone and everything. */
   next(): void {
     this.show(this.layers.size === 1 && this.layers.has('lines') ? allLayers : linesAlone);
   }

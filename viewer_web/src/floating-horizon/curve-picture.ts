@@ -17,7 +17,7 @@ import type { Layer } from './layers.js';
 import './sample-handles.js';
 import { columnShape, curveShapes, curvesToPoint } from './shapes.js';
 
-/** The lines that were drawn so far, and over them what the procedure knows of curves and columns. */
+/** The lines drawn so far, and over them the state of the procedure: curves and columns. */
 @customElement('vidno-curve-picture')
 export class CurvePictureElement extends PlaneElement {
   static override styles = [
@@ -34,7 +34,7 @@ export class CurvePictureElement extends PlaneElement {
   ];
 
   @property({ attribute: false }) layers: ReadonlySet<Layer> = allLayers;
-  /** Whether samples may be moved. */
+  /** Whether samples can be moved. */
   @property({ type: Boolean }) edited = false;
 
   protected override above(frame: Frame): unknown {
@@ -61,7 +61,7 @@ export class CurvePictureElement extends PlaneElement {
     return drawn(columnShape('cursor', x, this.view.header.scene.area));
   }
 
-  /** The nearest column: it is a line of the plane, not a square. */
+  /** The nearest column, as a column is a line of the plane and not a square. */
   protected override placeAt(point: Point): Pixel {
     const { x: first, y: top, width, height } = this.view.header.scene.area;
     const [x, y] = this.frame.at(...point);

@@ -1,6 +1,6 @@
 import type { CurveEvents } from '../trace/events.js';
 
-/** From one sample of the current curve to the next: their columns. */
+/** The columns of two adjacent samples of the current curve. */
 export type Segment = CurveEvents['visibility']['segment'];
-/** How a point lies to the horizons: above, below, hidden, or on both. */
+/** The position of a point relative to the horizons: above, below, hidden, or on both. */
 export type Flag = CurveEvents['visibility']['flag'];

@@ -3,7 +3,7 @@ import { figureDocument, figureFrame, pathOf } from '../picture/figure.js';
 import { allLayers } from './layers.js';
 import { curveShapes } from './shapes.js';
 
-/** The picture of curves at a step with all that it can show, as an SVG document of its own; see `figureOf`. */
+/** The picture of curves at a step with all layers, as a separate SVG document; see `figureOf`. */
 export function figureOf(view: View): string {
   const frame = figureFrame(view);
   const shapes = curveShapes({ ...view, pointed: null, asked: [] }, frame, allLayers);

@@ -10,7 +10,7 @@ export const flagLooks: Readonly<Record<`${Flag}`, FlagLook>> = {
   2: 'both',
 };
 
-/** A triangle that points to where the curve is, a ring for hidden, a diamond for both. */
+/** A triangle that points towards the curve, a ring for hidden, a diamond for both. */
 export const flagData: Readonly<Record<FlagLook, (at: Spot, r: number) => string>> = {
   above: ([x, y], r) => `M${x - r} ${y + 0.7 * r}h${2 * r}l${-r} ${-1.7 * r}Z`,
   below: ([x, y], r) => `M${x - r} ${y - 0.7 * r}h${2 * r}l${-r} ${1.7 * r}Z`,

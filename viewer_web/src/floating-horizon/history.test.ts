@@ -15,8 +15,8 @@ const told = async (detail: string): Promise<readonly unknown[]> => {
 };
 
 describe('the history of a column', () => {
-  // (2, 3), (4, 6): 6 is the first. (3, 5), (5, 2): 3.5 is above it. (2, 4), (4, 5): 5 lies between 3.5 and 6. (1, 5.5),
-  // (6, 3): 5.5 - 2.5 * 3 / 5 = 4 lies between them, too.
+  // (2, 3), (4, 6): 6 is the first height. (3, 5), (5, 2): 3.5 is above it. (2, 4), (4, 5): 5 lies between 3.5 and 6. (1,
+  // 5.5), (6, 3): 5.5 - 2.5 * 3 / 5 = 4 lies between them, too.
   it.each(['polygons', 'signs'])(
     'has the flag of each curve over it, at level %s',
     async (detail) => {
@@ -29,7 +29,7 @@ describe('the history of a column', () => {
     },
   );
 
-  it('calls what lies below visible, but not of the printed text, which need not draw it (X-H1)', () => {
+  it('calls a point below visible, except in the printed text, which may not draw it (X-H1)', () => {
     const below = { e: 'visibility', at: 'FH5', segment: [0, 1], x: 4, flag: -1 } as const;
     const outcomeIn = (edition: Edition, event: Event): unknown =>
       new ColumnWatch([4, 0], 'signs', edition).see(event, 1);
@@ -39,7 +39,7 @@ describe('the history of a column', () => {
     expect(outcomeIn('printed', { ...below, flag: 0 })).toBe('fail');
   });
 
-  it('has the heights and each change of the horizons where the trace tells them', async () => {
+  it('has the heights and each change of the horizons if the trace does', async () => {
     const { entries } = await readHistory(textOf('hills.floating-horizon.signs.jsonl'), [4, 0]);
     const said = entries.flatMap(({ event }) =>
       event.e === 'height' || event.e === 'raise' || event.e === 'lower'

@@ -29,7 +29,7 @@ const judges: { readonly [K in keyof CurveEvents]?: Judge<K> } = {
 };
 
 const always = ['curve', 'visibility', 'draw_line', 'intersection', 'disagree'] as const;
-/** At the highest detail each change of a horizon has an event of its own. */
+/** The events to watch at each level. At the highest level each change of a horizon has an event of its own. */
 const wantedAt: Readonly<Record<Detail, Wanted>> = {
   windows: only(...always),
   polygons: only(...always, 'horizon'),
@@ -39,7 +39,7 @@ const wantedAt: Readonly<Record<Detail, Wanted>> = {
 const visibility = '{"e":"visibility"';
 const columnOf = /"x":(-?\d+)[,}]/;
 
-/** What happens over a column: every curve's height, its flag, the lines, the changes of the horizons. */
+/** The history of a column: every curve's height and flag, the lines, and the changes of the horizons. */
 export class ColumnWatch implements Watch {
   readonly wanted: Wanted;
   private readonly x: number;
@@ -59,14 +59,14 @@ export class ColumnWatch implements Watch {
     return { horizon: this.horizon };
   }
 
-  /** Most columns are other ones; but what Visibility says of them tells which horizon is met. */
+  /** Skips events of other columns, except those of Visibility, which determine the horizon that a segment meets. */
   isElsewhere(line: string): boolean {
     if (line.startsWith(visibility)) return false;
     const found = columnOf.exec(line);
     return found !== null && Number(found[1]) !== this.x;
   }
 
-  /** What Visibility says of a column tells which horizon is met, and of this one whether the curve is visible. */
+  /** Records a result of Visibility. For this column it is also the outcome: whether the curve is visible. */
   private look(event: Event<'visibility'>): Outcome | null {
     const { horizon, edition } = this;
     this.horizon = { ...horizon, place: placeAfter(event, horizon.place) };

@@ -1,7 +1,7 @@
-/** What the picture of a run of curves shows, each to be switched on and off. */
+/** The layers in the picture of a run of curves, each with a switch. */
 export const curveLayers = ['lines', 'curve', 'horizons', 'columns', 'edges'] as const;
 export type Layer = (typeof curveLayers)[number];
 
-/** All of it, or the lines alone. */
+/** The choice of all layers. */
 export const allLayers: ReadonlySet<Layer> = new Set(curveLayers);
 export const linesAlone: ReadonlySet<Layer> = new Set<Layer>(['lines']);

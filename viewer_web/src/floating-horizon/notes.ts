@@ -6,7 +6,7 @@ import type { N } from '../trace/values.js';
 const heights = (all: readonly (N | undefined)[], { list }: Numbers): string =>
   list(all.map((y) => y ?? '∅'));
 
-/** What the events of curves say in the notation of the listing. */
+/** The notes of the events of curves, in the notation of the listing. */
 export const notes: Pick<Notes, keyof CurveEvents> = {
   horizons: ({ upper, lower }, numbers) => heights([upper, lower], numbers),
   curve: ({ curve }) => String(curve),

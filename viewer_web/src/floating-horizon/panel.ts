@@ -98,7 +98,7 @@ export class HorizonPanel extends LitElement {
     );
   }
 
-  /** That of the step, or the one that was looked at last. */
+  /** The column of the step, or the one examined last. */
   private get column(): number {
     const { event, header } = this.view;
     const { area } = header.scene;
@@ -109,7 +109,7 @@ export class HorizonPanel extends LitElement {
     return current?.[0] ?? previous?.[0] ?? area.x;
   }
 
-  /** Always as many columns, so that nothing moves. */
+  /** The horizons over a constant number of columns, so that nothing moves. */
   private horizons(): TemplateResult {
     const { columns, header, texts: page } = this.view;
     const { area } = header.scene;

@@ -15,23 +15,23 @@ import { Dragging } from '../editor/dragging.js';
 import { handlesStyle } from '../editor/handles.style.js';
 import { base } from '../elements/theme.js';
 
-/** CSS pixels: of knobs, and of what takes the pointer around them. */
+/** CSS pixels: the radius of handles, and of the area around them that takes the pointer. */
 const radius = 5;
 const reach = 12;
 
-/** The samples of the current curve over the picture, to be moved up and down. */
+/** The samples of the current curve over the picture, which can be moved up and down. */
 @customElement('vidno-sample-handles')
 export class SampleHandlesElement extends LitElement {
   static override styles = [base, handlesStyle];
 
   @property({ attribute: false }) view!: View;
-  /** How the plane lies in the picture. */
+  /** The position of the plane in the picture. */
   @property({ attribute: false }) frame!: Frame;
 
   private readonly dragging = new Dragging(this);
   private keyed: SampleSpot | null = null;
 
-  /** The current one, or the first. */
+  /** The current curve, or the first one. */
   private get curve(): number {
     return this.view.after.horizon?.curve ?? 0;
   }
@@ -91,14 +91,14 @@ export class SampleHandlesElement extends LitElement {
     const isUpOrDown = event.key === 'ArrowUp' || event.key === 'ArrowDown';
     if (!isUpOrDown) return;
     event.preventDefault();
-    // From wherever keys before it, still to be shown, have led.
+    // Starts from where earlier keys, possibly not yet shown, have moved the sample.
     const to = (at: Sample): number => (led(at, event) ?? at)[1];
     const edit = (old: Sketch): Sketch => this.moved(old, spot, to);
     act(this, { do: 'edit', edit, name: `${event.key} ${spot.curve} ${spot.sample}` });
     this.keyed = spot;
   }
 
-  /** What the keyboard is at must be seen. */
+  /** Scrolls the focused sample into the picture. */
   private follow([x, y]: Place): void {
     this.dispatchEvent(new CustomEvent<Place>('follow', { detail: [x, y] }));
   }

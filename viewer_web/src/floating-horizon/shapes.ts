@@ -16,15 +16,15 @@ import type { FlagLook } from './flag-looks.js';
 import type { Layer } from './layers.js';
 import type { Line } from '../replay/lines.js';
 
-/** CSS pixels: of the mark of a flag, at most, and of a dot of the step. */
+/** CSS pixels: the largest mark of a flag, and a dot of the step. */
 const flagSize = 4;
 const dot = 4.5;
-/** So far apart samples have dots of their own. */
+/** Samples at least this far apart have dots of their own. */
 const samplesApart = 6;
 
 const parts = new WeakMap<Line, string>();
 
-/** Each line is written once: there may be thousands, and a step changes one. */
+/** The path data of a line, cached: there may be thousands of lines, and a step changes one. */
 function lineData(line: Line): string {
   const known = parts.get(line);
   if (known !== undefined) return known;
@@ -34,7 +34,7 @@ function lineData(line: Line): string {
   return d;
 }
 
-/** The height of a curve over a column, to be drawn there; null where the curve is not. */
+/** The height at which to draw a curve over a column; null where the curve does not exist. */
 export function heightOver(curve: Curve, column: number): number | null {
   const next = curve.findIndex(([x]) => x >= column);
   const [x2, y2] = curve[next] ?? [NaN, NaN];
@@ -45,7 +45,7 @@ export function heightOver(curve: Curve, column: number): number | null {
   return y1 + ((y2 - y1) * (column - x1)) / (x2 - x1);
 }
 
-/** A horizon from column to column where there is one; over a column alone, a short bar. */
+/** A horizon from column to column where it exists; a short bar over an isolated column. */
 function horizonData(heights: Grid<N | null>, { x, width }: Area): string {
   const row = heights.row(0);
   const pieces: string[] = [];
@@ -72,7 +72,7 @@ const curveInHand = ({ header, after }: View): Curve | null =>
 const first = (curve: Curve): Spot => curve[0] ?? [NaN, NaN];
 const last = (curve: Curve): Spot => curve.at(-1) ?? [NaN, NaN];
 
-/** Through the ends of curves; that of the last one may not have been reached yet. */
+/** A line through the ends of the curves. The end of the last one may not have been reached yet. */
 function sideEdge(ends: readonly Spot[], reached: Spot | null): Shape {
   const isReached = ends.at(-1)?.join() === reached?.join();
   return { look: 'side-edge', d: pathData(isReached ? ends : ends.slice(0, -1), false) };
@@ -80,7 +80,7 @@ function sideEdge(ends: readonly Spot[], reached: Spot | null): Shape {
 
 type Draw = (view: View, frame: Frame) => readonly Shape[];
 
-/** What each layer shows, those above later. */
+/** The shapes of each layer; later shapes are on top. */
 const layers: Readonly<Record<Layer, Draw>> = {
   edges: ({ header, after }) => {
     const { curve = null, edges } = after.horizon ?? {};
@@ -153,7 +153,7 @@ const heightDot: OfEvent<'raise' | 'lower' | 'height'> = ({ x, y }, _view, frame
   dotAt('point', [x, toNumber(y)], frame),
 ];
 
-/** What is shown because of the step itself. */
+/** The shapes of the step itself. */
 const ofStep: { readonly [K in keyof CurveEvents]?: OfEvent<K> } = {
   side_edge: ({ sample }, _view, frame) => [dotAt('point', sample, frame)],
   visibility: ({ x, flag }, view, frame) => {
@@ -190,7 +190,7 @@ function stepShapes(event: Event, view: View, frame: Frame): readonly Shape[] {
   return draw?.(event as CurveEvents[keyof CurveEvents], view, frame) ?? [];
 }
 
-/** What is pointed at, or asked about, anywhere on the page. */
+/** The shapes of what is pointed at or asked about, anywhere on the page. */
 function pointedShapes(view: View): readonly Shape[] {
   const { pointed, asked = [], header } = view;
   const { curves, area } = header.scene;
@@ -205,7 +205,7 @@ function pointedShapes(view: View): readonly Shape[] {
   });
 }
 
-/** A column that is chosen, or about to be. */
+/** A column that is chosen or under the cursor. */
 export const columnShape = (look: 'chosen-column' | 'cursor', x: number, area: Area): Shape => ({
   look,
   d: columnData(x, area),
@@ -218,7 +218,7 @@ export const areaShape = ({ x, y, width, height }: Area): Shape => ({
 
 const above: readonly Layer[] = ['horizons', 'edges', 'curve', 'lines', 'columns'];
 
-/** All that the picture shows at a step, those above later. */
+/** All shapes of a step; later shapes are on top. */
 export function curveShapes(view: View, frame: Frame, shown: ReadonlySet<Layer>): readonly Shape[] {
   const { event, pixel, header } = view;
   const { area } = header.scene;
@@ -233,7 +233,7 @@ export function curveShapes(view: View, frame: Frame, shown: ReadonlySet<Layer>)
   ].filter(({ d }) => d !== '');
 }
 
-/** Curves without a look, wide enough to be pointed at; of many, none. */
+/** Invisible curves, wide enough to point at; empty if there are too many curves. */
 export function curvesToPoint(curves: readonly Curve[]): readonly Shape[] {
   const most = 200;
   if (curves.length > most) return [];

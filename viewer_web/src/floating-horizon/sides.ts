@@ -4,17 +4,17 @@ import type { Event } from '../trace/events.js';
 import type { Flag } from './events.js';
 import type { FloatingHorizon } from './state.js';
 
-/** A point of a curve lies above the horizons, below them, or hidden between. */
+/** A point of a curve lies above the horizons, below them, or hidden between them. */
 export type Side = 'above' | 'below' | 'hidden';
 
-/** The side on which a point counts: one on both goes with its neighbour if that is visible. */
+/** The side on which a point counts. A point on both sides takes the side of its visible neighbour. */
 export function sideBeside(flag: Flag, neighbour: Flag): Side {
   if (flag === 0) return 'hidden';
   if (flag === 2) return neighbour === -1 ? 'below' : 'above';
   return flag === 1 ? 'above' : 'below';
 }
 
-/** Which horizon a segment meets; null where that is not the same in all editions (X-H2), or not told. */
+/** The horizon that a segment meets; null if that differs between editions (X-H2) or is unknown. */
 export function metBy(
   at: Event<'intersection'>['at'],
   state: Pick<FloatingHorizon, 'place'> | null,
@@ -28,6 +28,6 @@ export function metBy(
   return side === 'below' && was !== 'hidden' ? 'lower' : null;
 }
 
-/** Whether the printed text says of a point that it lies below, and need not draw it (X-H1). */
+/** Whether the printed text finds a point below, but does not draw it (X-H1). */
 export const isLostBelow = (flag: Flag, edition: Edition): boolean =>
   flag === -1 && hasDefect(edition, 'x-h1');

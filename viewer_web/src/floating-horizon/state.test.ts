@@ -68,7 +68,7 @@ describe('the state of the floating horizon', () => {
     expect((refused as Unreadable).refusal.reason).toBe(reason);
   });
 
-  it('is that of the samples of the scene, which go to the right', async () => {
+  it('has the samples of the scene, from left to right', async () => {
     const scene = {
       format: 'vidno-surface/1',
       window: { x: 0, y: 0, width: 8, height: 8 },

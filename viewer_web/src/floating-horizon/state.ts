@@ -17,10 +17,10 @@ declare module '../language/words.js' {
   }
 }
 
-/** A column that was looked at, and what Visibility said. */
+/** A column and the result of Visibility for it. */
 export type Looked = readonly [x: number, flag: Flag];
 
-/** What of the current curve was looked at last. */
+/** The part of the current curve that was examined last. */
 interface Place {
   readonly segment: Segment | null;
   /** x and Pflag of the listing. */
@@ -29,14 +29,14 @@ interface Place {
   readonly current: Looked | null;
 }
 
-/** The state of the floating horizon, but for what it has over each column. */
+/** The state of the floating horizon, except for the values over each column. */
 export interface FloatingHorizon {
-  /** The current curve, by its place in the scene. */
+  /** The index of the current curve in the scene. */
   readonly curve: number | null;
   readonly place: Place;
-  /** The height that Visibility looked at last, where the trace tells it. */
+  /** The height that Visibility examined last, if the trace contains it. */
   readonly told: CurveEvents['height'] | null;
-  /** Where the side edges have come to. */
+  /** The points that the side edges have reached. */
   readonly edges: { readonly left: Sample | null; readonly right: Sample | null };
 }
 
@@ -70,7 +70,7 @@ function expectOf(segment: Segment, { curve }: FloatingHorizon, { scene }: Colum
   if (!isOf(segment, samples)) throw new Refusal('segment', 'notOfCurve', segment.join(', '));
 }
 
-/** What was looked at last, once Visibility has looked at one column more. */
+/** The place after Visibility has examined one more column. */
 export function placeAfter(
   { at, segment, x, flag }: CurveEvents['visibility'],
   { previous, current }: Place,

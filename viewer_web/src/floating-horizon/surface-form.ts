@@ -16,7 +16,7 @@ type Way = 'origin' | 'across' | 'back';
 const ranges: readonly Range[] = ['x', 'z'];
 const ways: readonly Way[] = ['origin', 'across', 'back'];
 
-/** A surface: its function and how curves are cut out of it and seen, or how many samples it has. */
+/** The form of a surface: its function, how curves are cut out of it and seen, or the number of its samples. */
 @customElement('vidno-surface-form')
 export class SurfaceFormElement extends FormElement {
   static override styles = [base, formStyle, surfaceFormStyle];

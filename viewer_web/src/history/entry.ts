@@ -2,10 +2,10 @@ import type { Known } from '../language/words.js';
 import type { Wanted } from '../replay/wanted.js';
 import type { Event } from '../trace/events.js';
 
-/** What a step came to for the pixel: a test passed or failed, a colour written, a wrong decision, or neither. */
+/** The effect of a step on the pixel: a test passed or failed, a colour written, a wrong decision, or neither. */
 export type Outcome = 'pass' | 'fail' | 'paint' | 'wrong' | 'note';
 
-/** A step that concerned the pixel, with what its sentence needs to know. */
+/** A step that concerns the pixel, with the data for its sentence. */
 export interface Entry {
   readonly step: number;
   readonly event: Event;
@@ -13,13 +13,13 @@ export interface Entry {
   readonly known: Known;
 }
 
-/** Sees the events of a run in turn, those that it wants, and says which concern its pixel. */
+/** Sees the wanted events of a run in order, and returns the outcome of those that concern its pixel. */
 export interface Watch {
   readonly wanted: Wanted;
-  /** Whether the line of an event that is wanted shows, without being parsed, that the event means nothing here. */
+  /** Whether the text of a wanted event shows, without being parsed, that the event does not concern the pixel. */
   isElsewhere?(line: string): boolean;
   see(event: Event, step: number): Outcome | null;
-  /** What was known when the event happened; asked for after `see`. */
+  /** The data known at the event; read after `see`. */
   readonly known: Known;
 }
 

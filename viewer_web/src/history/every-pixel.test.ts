@@ -16,7 +16,7 @@ function pixelsOf({ header }: Trace): readonly Pixel[] {
 }
 
 describe.each(traceNames)('every pixel of %s', (name) => {
-  it('says of a step what the player says of it', async () => {
+  it('has the sentences of the player', async () => {
     const trace = await traceOf(textOf(name));
     for (const pixel of pixelsOf(trace)) {
       const history = new History(trace, pixel);
@@ -32,7 +32,7 @@ describe.each(traceNames)('every pixel of %s', (name) => {
     }
   });
 
-  it('is painted last with the colour that it ends with', async () => {
+  it('ends with the colour that was painted last', async () => {
     const trace = await traceOf(textOf(name));
     const { picture } = trace.timeline.seek(trace.timeline.length).screen;
     const { area } = trace.header.scene;

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { historyIn } from '../testing/histories.js';
 import { grouped } from './groups.js';
 
-it('what is painted stands under its own polygon, not under the clip polygon of the last list', async () => {
+it('a painted pixel is listed under its own polygon, not under the clip polygon of the last list', async () => {
   const { entries } = await historyIn('wedge.weiler-atherton.signs', [10, 6]);
   const painted = grouped(entries, 'weiler-atherton').flatMap(({ under, entries: own }) =>
     own.flatMap(({ event }) =>

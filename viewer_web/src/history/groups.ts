@@ -3,7 +3,7 @@ import type { Heading } from '../algorithm/algorithm.js';
 import type { Method } from '../trace/events.js';
 import type { Entry } from './entry.js';
 
-/** Entries in a row that stand under the same heading. */
+/** Consecutive entries with the same heading. */
 export interface Group {
   readonly under: Heading | null;
   readonly entries: readonly Entry[];
@@ -23,7 +23,7 @@ export function grouped(entries: readonly Entry[], method: Method): readonly Gro
 
 const page = 40;
 
-/** The entries that are shown around one of them. They stay while the reader moves among them. */
+/** The range of entries shown around one of them. It stays the same while the reader moves within it. */
 export function shownAround(index: number, length: number): readonly [first: number, end: number] {
   const first = Math.max(0, (Math.floor(index / page) - 1) * page);
   return [first, Math.min(length, first + 3 * page)];

@@ -26,14 +26,14 @@ import { sayEntry, sayWhy } from './say.js';
 
 const signs = { pass: '✓', fail: '✗', wrong: '!', note: '·' } as const;
 
-/** Every step that concerned the chosen pixel, each a way to that step. */
+/** Every step that concerned the chosen pixel, each with a link to the step. */
 @customElement('vidno-history')
 export class HistoryElement extends LitElement {
   static override styles = [base, hiddenStyle, historyStyle];
 
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) history: History | null = null;
-  /** The entry that is in sight: the answer first, then that of the step. */
+  /** The entry that is in sight: first the answer, then that of the step. */
   private centre = -1;
   private reached = -1;
   private length = -1;
@@ -177,7 +177,7 @@ export class HistoryElement extends LitElement {
     this.dispatchEvent(new CustomEvent<Command>('command', { detail: { do: 'seek', step } }));
   }
 
-  /** Only one entry is reached by Tab; from it the arrows lead to the others. */
+  /** Tab reaches only one entry; the arrow keys move between entries. */
   private onKey(event: KeyboardEvent): void {
     const by = { ArrowUp: -1, ArrowDown: 1 }[event.key];
     if (by === undefined) return;
@@ -193,7 +193,7 @@ export class HistoryElement extends LitElement {
 
   private followed = '';
 
-  /** Scrolls within the list only, when another entry is to be in sight. */
+  /** Scrolls within the list, and only when another entry has to be in sight. */
   private follow(): void {
     const step = this.history?.entries[this.centre]?.step;
     const goal = `${this.history?.pixel.join() ?? ''} ${step ?? ''}`;

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** The history of a pixel: its colour, and a list that scrolls under it. */
+/** The history of a pixel: its colour, and below it a scrolling list. */
 export const historyStyle = css`
   :host {
     display: flex;

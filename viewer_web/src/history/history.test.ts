@@ -4,7 +4,7 @@ import { textOf, traceOf } from '../testing/traces.js';
 import { History, historyOf } from './history.js';
 
 describe('a history', () => {
-  it('is found by step, and read in parts as at once', async () => {
+  it('is found by step, and is the same when it is read in parts', async () => {
     const history = await historyIn('small.zbuffer.windows', [2, 0]);
     expect([0, 1, 5, 6, 14, 15, 99].map((step) => history.indexAt(step))).toEqual([
       -1, 0, 0, 1, 1, 2, 2,
@@ -17,7 +17,7 @@ describe('a history', () => {
     expect(inParts.entries).toEqual(atOnce.entries);
   });
 
-  it('is only of a pixel of the picture', async () => {
+  it('exists only for pixels of the picture', async () => {
     const trace = await traceOf(textOf('small.zbuffer.windows.jsonl'));
     expect(historyOf(trace, [2, -1])?.pixel).toEqual([2, -1]);
     for (const pixel of [

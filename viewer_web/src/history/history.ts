@@ -7,8 +7,8 @@ import type { Entry, Watch } from './entry.js';
 const atOnce = 4096;
 
 /**
- * All that concerned a pixel, or of curves its column, in order. It is gathered in one pass over the events, which a page may spread
- * over several frames: nothing is kept for the pixels that nobody asks for.
+ * All steps that concern a pixel, or a column of a run of curves, in order. They are collected in one pass over the events,
+ * which a page may spread over several frames. Nothing is stored for other pixels.
  */
 export class History {
   private readonly found: Entry[] = [];
@@ -33,7 +33,7 @@ export class History {
     return this.last;
   }
 
-  /** Whether the whole trace was seen. */
+  /** Whether the whole trace was searched. */
   get complete(): boolean {
     return this.trace.complete && this.isUpToDate;
   }
@@ -42,7 +42,7 @@ export class History {
     return this.seen >= this.trace.timeline.length;
   }
 
-  /** Goes on through the events for about so long; says whether all that are there were seen. */
+  /** Continues for about this time. Returns whether all events read so far were searched. */
   read(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     do this.readSome();
@@ -83,7 +83,7 @@ export class History {
   }
 }
 
-/** The history of a pixel of a trace; none for a pixel that the picture does not have. */
+/** The history of a pixel of a trace; null for a pixel outside the picture. */
 export function historyOf(trace: Trace | null, pixel: Pixel | null): History | null {
   if (trace === null || pixel === null || !isIn(pixel, trace.header.scene.area)) return null;
   return new History(trace, pixel);

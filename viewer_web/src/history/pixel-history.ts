@@ -8,7 +8,7 @@ import type { Side } from './side-name.js';
 
 const mostPerFrame = 60;
 
-/** What of the player has to do with the pixel that is chosen. */
+/** The parts of the player that the history of the chosen pixel uses. */
 interface Host extends ReactiveControllerHost, EventTarget {
   readonly trace: Trace | null;
   readonly isFull: boolean;
@@ -16,7 +16,7 @@ interface Host extends ReactiveControllerHost, EventTarget {
   side: Side;
 }
 
-/** The history of the player's pixel, which is gathered over frames. */
+/** The history of the player's pixel, collected over several frames. */
 export class PixelHistory {
   history: History | null = null;
   private readonly reader: ReadOn;
@@ -30,7 +30,10 @@ export class PixelHistory {
     this.reader.read(this.history);
   }
 
-  /** A panel stays, for each run of a scene is another trace; but there may be no pixel any more. */
+  /**
+   * Opens the panel for a chosen pixel. It stays open, because each run of a scene is a new trace, unless no pixel is
+   * chosen any more.
+   */
   private open(isChosen: boolean): void {
     const { host } = this;
     this.history = historyOf(host.trace, host.pixel);

@@ -9,14 +9,14 @@ import type { Reason } from './why.js';
 
 const untouched: Reason = { why: 'untouched', polygon: null };
 
-/** An entry in one sentence: that of its step, but of a polygon that missed the pixel just this. */
+/** An entry in one sentence: that of its step, or for a polygon that missed the pixel only that fact. */
 export function sayEntry(entry: Entry, header: Header, language: Language): string {
   const { event, known } = entry;
   const own = algorithmOf(header).entry?.(entry, texts[language].history) ?? null;
   return own ?? sentence(event, known, known, header, language);
 }
 
-/** Why the pixel has the colour that this entry, the last to paint it, gave it. */
+/** Why the pixel has the colour of this entry, the last one to paint it. */
 export function sayWhy(entry: Entry, history: History, language: Language): string {
   const { because, whyBackground, why } = texts[language].history;
   const { header } = history.trace;

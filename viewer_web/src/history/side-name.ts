@@ -4,7 +4,7 @@ import { texts } from '../i18n/index.js';
 
 export type Side = 'state' | 'outline' | 'pixel' | 'exact' | 'solid' | 'predict' | 'bookmarks';
 
-/** The key that opens each, where there is one. */
+/** The keys that open the panels; not all have one. */
 export const sideKeys: Readonly<Partial<Record<Side, string>>> = {
   outline: 'T',
   pixel: 'P',
@@ -14,19 +14,21 @@ export const sideKeys: Readonly<Partial<Record<Side, string>>> = {
   bookmarks: 'Shift B',
 };
 
-/** Polygons that 3D can draw: of more, it would keep a browser without a graphics card busy for a minute. */
+/** The most polygons in the 3D view. More would block a browser without a graphics card for a minute. */
 const mostSolid = 3000;
 
-/** Whether there is a scene in 3D, and the page brings along what shows it, which is large; a player alone does not. */
+/**
+ * Whether there is a 3D view: it needs a scene with polygons, and code so large that the player alone does not include it.
+ */
 export const hasSolid = (view: View): boolean => whyNoSolid(view) === null;
 
-/** Why there is none. */
+/** Why there is no 3D view; null if there is one. */
 export function whyNoSolid(view: View): 'noSolid' | 'tooManySolid' | null {
   if (!showsOf(view).isSolid || customElements.get('vidno-solid') === undefined) return 'noSolid';
   return view.header.scene.polygons.length > mostSolid ? 'tooManySolid' : null;
 }
 
-/** What a panel is called. */
+/** The name of a panel. */
 export function sideName(side: Side, view: View): string {
   const { bookmarks, exact, outline, solid, predict } = texts[view.language];
   const names: Readonly<Record<Side, string>> = {

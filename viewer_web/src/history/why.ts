@@ -1,4 +1,4 @@
-/** The ways in which a pixel comes by its colour. */
+/** The reasons for the colour of a pixel. */
 export type Why =
   | 'hides'
   | 'centre'
@@ -13,6 +13,6 @@ export type Why =
 
 export interface Reason {
   readonly why: Why;
-  /** Whose colour it is; none for the background. */
+  /** The polygon of the colour; null for the background. */
   readonly polygon: string | null;
 }

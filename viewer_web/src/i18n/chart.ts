@@ -11,7 +11,7 @@ export const chartTexts: Readonly<Record<Language, ChartTexts>> = { en, ru };
 
 const reasons: Readonly<Record<Language, ReasonTexts>> = { en: enReasons, ru: ruReasons };
 
-/** What is wrong with a file: place and reason. */
+/** An error in a file: place and reason. */
 export function chartComplaint(
   name: string,
   { path, reason, details }: Refusal,

@@ -41,7 +41,7 @@ describe.each(languages)('in %s', (language) => {
     },
   );
 
-  it('each reason can be said', () => {
+  it('each reason has a text', () => {
     for (const reason of Object.values(texts[language].reasons)) {
       const speak = reason;
       expect(speak('1', '2', '3')).toMatch(/\p{L}/u);
@@ -57,7 +57,7 @@ describe('sentences', () => {
     expect(say(nearer, 'ru')).toBe('B ближе в 2 из 4 углов (левый верхний, левый нижний).');
   });
 
-  it('name the only polygon where the trace tells which it is', () => {
+  it('name the only polygon if the trace identifies it', () => {
     const decide: Event = { e: 'decide', at: 'W10', case: 'single' };
     expect(say(decide, 'en')).toBe('Only A is left in the window: background first, then A.');
     const both = { entries: [...apl.entries, ['B', false]] as const };
@@ -67,7 +67,7 @@ describe('sentences', () => {
     );
   });
 
-  it('name what hides everything, and what it no longer hides', () => {
+  it('name the polygon that hides everything, and the one that it no longer hides', () => {
     const uncover: Event = { e: 'uncover', at: 'PW7', polygon: 'B' };
     const covered = { ...values, warnock: { ...emptyWarnock, hasSurround: true, covering: 'A' } };
     expect(sentence(uncover, covered, values, header, 'en')).toBe(
@@ -81,7 +81,7 @@ describe('sentences', () => {
     expect(sentence(surrounded, covered, covered, header, 'en')).toMatch(/^A hides everything/u);
   });
 
-  it('count as the language does', () => {
+  it('use the plural forms of the language', () => {
     const fill = (n: number): Event => ({
       e: 'fill',
       at: 'W8',
@@ -100,7 +100,7 @@ describe('sentences', () => {
 });
 
 describe('a colour', () => {
-  // A and B look alike, and C looks like the background.
+  // A and B have the same colour, and C has that of the background.
   const twins = parseHeader({
     ...headerOf('warnock'),
     scene: {
@@ -133,7 +133,7 @@ describe('a colour', () => {
     color: seen,
   });
 
-  it('is that of the polygon which PointColor found, not of one that looks alike', () => {
+  it('is attributed to the polygon that PointColor found, not to one with the same colour', () => {
     const ofB = { nearest: { polygon: 'B', z: 0.5 } };
     expect(saying(color(shared), ofB)).toEqual([
       'At (0.5, 0.5) one sees B.',
@@ -146,7 +146,7 @@ describe('a colour', () => {
     expect(saying(color('#ffffff'), {})[0]).toMatch(/sees the background\.$/u);
   });
 
-  it('is that of the polygon which hides the others', () => {
+  it('is attributed to the polygon that hides the others', () => {
     expect(saying(fill('W8', shared), { covering: 'B' })).toEqual([
       '2 pixels take the colour of B.',
       '2 пикселя получают цвет B.',
@@ -156,7 +156,7 @@ describe('a colour', () => {
     expect(saying(fill('W7', '#ffffff'), {})[0]).toMatch(/take the background\.$/u);
   });
 
-  it('is that of all that have it where the trace does not say whose it is', () => {
+  it('is attributed to all polygons that have it if the trace does not identify one', () => {
     expect(saying(fill('W8', shared), {}, coarse)).toEqual([
       '2 pixels take the colour that A and B share.',
       '2 пикселя получают общий цвет A и B.',
@@ -194,7 +194,7 @@ describe('numbers', () => {
 });
 
 describe('a complaint', () => {
-  it('says file, line, place and reason', () => {
+  it('names file, line, place and reason', () => {
     const error = new Unreadable({
       line: 3,
       refusal: new Refusal('polygon', 'noSuchPolygon', 'X'),
@@ -206,7 +206,7 @@ describe('a complaint', () => {
 });
 
 describe('numbers that are compared', () => {
-  it('are short where that tells them apart, else in full', () => {
+  it('are short if that distinguishes them, or else in full', () => {
     expect(shortApart(0.5, 0.25)).toEqual(['0.5', '0.25']);
     expect(shortApart(-0.0585937462747097, -0.05859375)).toEqual([
       '−0.0585937462747097',

@@ -22,7 +22,7 @@ function reasonOf({ refusal }: Complaint, language: Language): string {
   return say(...refusal.details);
 }
 
-/** What is wrong with a file: line, place and reason. */
+/** An error in a file: line, place and reason. */
 export function complaint(name: string, wrong: Complaint, language: Language): string {
   const { page } = texts[language];
   const { line, refusal } = wrong;
@@ -30,7 +30,7 @@ export function complaint(name: string, wrong: Complaint, language: Language): s
   return page.unreadable(name, line, refusal.path, reasonOf(wrong, language));
 }
 
-/** The same of a line up to which the file is a trace. */
+/** The same for the line up to which the file is a valid trace. */
 export function wrongLine(wrong: Complaint, language: Language): string {
   const { line, refusal } = wrong;
   return texts[language].page.wrongLine(line, refusal.path, reasonOf(wrong, language));

@@ -28,7 +28,7 @@ const facts: Facts<EventName> = {
   ...regionFacts,
 };
 
-/** What is wrong with the sentences of a run, and which events it has. */
+/** The errors in the sentences of a run, and the events that occur in it. */
 async function faultsOf(made: string, run: RandomRun): Promise<readonly string[]> {
   const { trace: text, states } = await make(made, run);
   const [header, ...lines] = text.trim().split('\n').slice(0, -1);
@@ -58,7 +58,7 @@ const met = new Set<EventName>();
 const inTurn = 4;
 
 describe.runIf(program !== undefined)('the sentences of 200 random runs', () => {
-  it('state what the events and the program’s states do, in both languages', async () => {
+  it('agree with the events and the program’s states, in both languages', async () => {
     const waiting = [...randomRuns(200, 7)];
     const wrong: string[] = [];
     const work = async (): Promise<void> => {

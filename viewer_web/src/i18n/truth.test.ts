@@ -15,7 +15,7 @@ const known: Known = {
   zbuffer: { polygon: 'A' },
 };
 
-/** What is said of an event of a run of this edition, in each language. */
+/** The sentences about an event of a run of this edition, in each language. */
 function saying(event: Event, edition: Edition, detail = 'signs'): readonly string[] {
   const header = {
     ...parseHeader({ ...headerOf('warnock'), edition, detail }),
@@ -34,8 +34,8 @@ const pixel = (z: number, stored: number, shown: boolean): Event => ({
   shown,
 });
 
-describe('a sentence says no more than the step', () => {
-  it('of a pixel: the printed text shows ties, and nothing beyond 1', () => {
+describe('a sentence claims no more than the step', () => {
+  it('about a pixel: the printed text shows ties, and nothing beyond 1', () => {
     expect(saying(pixel(0.5, 0.5, true), 'printed')).toEqual([
       'Pixel (3, 1): 0.5 is as near as 0.5, so it shows.',
       'Пиксель (3; 1): 0,5 так же близко, как 0,5, — он виден.',
@@ -46,14 +46,14 @@ describe('a sentence says no more than the step', () => {
     expect(saying(pixel(0.5, 0.25, true), 'printed')[0]).toMatch(/0\.5 is nearer than 0\.25, so/u);
   });
 
-  it('of a line: one that covers no centre need not lie off the area', () => {
+  it('about a line: one that covers no centre may still lie in the area', () => {
     const miss = (at: Event<'miss'>['at']): string =>
       saying({ e: 'miss', at }, 'corrected')[0] ?? '';
     expect(miss('L1')).toMatch(/^The row lies outside the area/u);
     expect(miss('L2')).toMatch(/^No pixel of the area lies between the ends/u);
   });
 
-  it('of a side: it is where it lies, in whatever order the sides come', () => {
+  it('about a side: its name follows its position, in any order of the sides', () => {
     const side = (
       from: Event<'clip_side'>['from'],
       to: Event<'clip_side'>['to'],
@@ -65,13 +65,13 @@ describe('a sentence says no more than the step', () => {
     expect(side([0, 2], [4, 2])).toMatch(/the bottom one/u);
   });
 
-  it('of a ray: who counts each vertex twice does not say which are touched', () => {
+  it('about a ray: a method that counts each vertex twice does not say which vertices it meets', () => {
     const ray: Event = { e: 'ray', at: 'CR3', polygon: 'A', edge: 1, counts: 2 };
     expect(saying(ray, 'corrected')[0]).toMatch(/touches it, which counts two/u);
     expect(saying(ray, 'vertex-counted-twice')[0]).toMatch(/touched or pierced/u);
   });
 
-  it('of a box: one that touches the window’s side is not strictly inside, and yet inside', () => {
+  it('about a box: one that touches the window’s side is inside, but not strictly', () => {
     const insider: Event = { e: 'insider', at: 'PW10', polygon: 'A', inside: false };
     expect(saying(insider, 'corrected')).toEqual([
       'The box of A, the first that is counted, does not lie strictly inside the window.',
@@ -79,7 +79,7 @@ describe('a sentence says no more than the step', () => {
     ]);
   });
 
-  it('of a flag: what the printed text finds below it need not draw (X-H1)', () => {
+  it('about a flag: the printed text may not draw what it finds below (X-H1)', () => {
     const below: Event = { e: 'visibility', at: 'FH5', segment: [0, 1], x: 3, flag: -1 };
     expect(saying(below, 'corrected')).toEqual([
       'Over column 3 the curve is on the lower horizon or below it, and visible (−1).',
@@ -92,7 +92,7 @@ describe('a sentence says no more than the step', () => {
     expect(saying({ ...below, flag: 1 }, 'printed')[0]).toMatch(/and visible \(1\)\.$/u);
   });
 
-  it('of a list: at the level of windows nobody says which polygons have left it', () => {
+  it('about a list: the level of windows does not say which polygons have left it', () => {
     const pop: Event = { e: 'pop', at: 'W5', window: [0, 0, 4, 2] };
     expect(saying(pop, 'corrected', 'windows')).toEqual([
       'The window (0, 0) 4 × 2 comes off the stack.',

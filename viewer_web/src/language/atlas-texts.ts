@@ -1,7 +1,7 @@
-/** What a failure of the atlas comes from. */
+/** The cause of a failure in the atlas. */
 export type FailureKind = 'rounding' | 'printed' | 'mistake' | 'limit' | 'test';
 
-/** What is said of the atlas of failures. */
+/** The texts of the atlas of failures. */
 export interface AtlasTexts {
   readonly title: string;
   /** The label of the button that opens it. */
@@ -13,7 +13,7 @@ export interface AtlasTexts {
   /** Instead of a picture. */
   readonly noScene: string;
   readonly remedy: string;
-  /** Where a failure is seen, and what is there. */
+  /** The step at which a failure shows, and the defect there. */
   readonly at: (step: string, there: string) => string;
   readonly goTo: string;
   readonly compare: string;

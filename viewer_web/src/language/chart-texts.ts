@@ -9,7 +9,7 @@ import type { FileTexts } from './texts.js';
 
 export interface CostTexts {
   readonly name: string;
-  /** The axis, of a single subject and of means. */
+  /** The label of the axis, for a single subject and for means. */
   readonly axis: string;
   readonly ratioAxis: string;
   readonly sentence: (rounds: string) => string;
@@ -23,7 +23,7 @@ export interface ErrorTexts {
   readonly meanSentence: string;
 }
 
-/** The ways from a run to its replay. */
+/** The links from a run to its replay. */
 export interface ReplayTexts {
   readonly title: string;
   readonly hint: string;
@@ -43,7 +43,7 @@ export interface AdviceTexts {
   readonly neverRight: (means: string) => string;
 }
 
-/** What a surface loses between the samples, and what to arithmetic. */
+/** The errors of a surface between the samples, and by arithmetic. */
 export interface LossTexts {
   readonly nothing: string;
   readonly height: (pixels: string) => string;
@@ -51,17 +51,17 @@ export interface LossTexts {
   readonly decisions: (kernels: string) => string;
 }
 
-/** In what the page of scenes and that of surfaces differ. */
+/** The texts that differ between the chart of scenes and that of surfaces. */
 export interface SubjectTexts {
   readonly show: string;
   readonly showOne: string;
-  /** A series of which no knob was turned. */
+  /** The name of a series without a knob. */
   readonly fixed: string;
   readonly missingSomewhere: (runs: string) => string;
   readonly advice: AdviceTexts;
 }
 
-/** Everything that the page of cost against error says, in one language. */
+/** All texts of the chart of cost against error, in one language. */
 export interface ChartTexts extends FileTexts {
   readonly tagline: string;
   readonly subjects: Readonly<Record<'scenes' | 'surfaces', SubjectTexts>>;

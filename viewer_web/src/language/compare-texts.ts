@@ -1,6 +1,6 @@
 import type { Counter } from '../compare/counters.js';
 
-/** What is said where two runs are compared. */
+/** The texts of a comparison of two runs. */
 export interface CompareTexts {
   readonly compare: string;
   readonly compareWith: string;
@@ -47,7 +47,7 @@ export interface CompareTexts {
   readonly broken: BrokenTexts;
 }
 
-/** What is said where a line of a procedure is broken. */
+/** The texts about a broken line of a procedure. */
 export interface BrokenTexts {
   readonly offer: string;
   readonly explained: string;
@@ -68,5 +68,5 @@ export interface BrokenTexts {
   readonly wrong: string;
 }
 
-/** What there is to compare with at once. */
+/** What a run can be compared with at one click. */
 export type Quick = 'method' | 'variant' | 'printed' | 'corrected' | 'exact' | 'float' | 'before';

@@ -1,7 +1,7 @@
 import type { Layer } from '../floating-horizon/layers.js';
 import type { HistoryTexts } from './texts.js';
 
-/** What a run of curves has to say of its own. */
+/** The texts of runs of curves. */
 export interface CurveTexts {
   readonly curve: (curve: number) => string;
   readonly inHand: string;
@@ -22,7 +22,7 @@ export interface CurveTexts {
   readonly surface: SurfaceTexts;
 }
 
-/** What is said where a surface is made. */
+/** The texts of the form of a surface. */
 export interface SurfaceTexts {
   readonly own: string;
   readonly name: string;
@@ -39,12 +39,12 @@ export interface SurfaceTexts {
   readonly toleranceHint: string;
   readonly up: string;
   readonly ways: Readonly<Record<'origin' | 'across' | 'back', string>>;
-  /** Of a way on the screen. */
+  /** The labels of x and y for a direction on the screen. */
   readonly place: readonly [string, string];
   readonly sample: (curve: number, x: number, y: number) => string;
 }
 
-/** What is said of a column and of all that happened over it. */
+/** The texts about a column and its history. */
 export type CurveHistoryTexts = Pick<
   HistoryTexts,
   'pixel' | 'at' | 'hint' | 'how' | 'forget' | 'entries' | 'outcomes' | 'painted' | 'unpainted'

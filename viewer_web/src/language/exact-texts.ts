@@ -7,10 +7,10 @@ import type { Stage } from '../exactness/verdict.js';
 import type { Decision, Event } from '../trace/events.js';
 import type { Answer } from '../trace/values.js';
 
-/** What is said of a decision and its truth. */
+/** The texts about a decision and the right answer. */
 export interface ExactTexts {
   readonly exactness: string;
-  /** In the middle of a sentence. */
+  /** Used in the middle of a sentence. */
   readonly decided: Readonly<Record<Decision, string>>;
   readonly causes: Readonly<Record<Event<'disagree'>['cause'], string>>;
   readonly answer: (answer: Answer) => string;
@@ -22,10 +22,10 @@ export interface ExactTexts {
   readonly wrong: string;
   readonly undefined: string;
   readonly unchecked: string;
-  /** In place of how many are wrong. */
+  /** Shown in place of the number of wrong decisions. */
   readonly notChecked: string;
   readonly checking: string;
-  /** In place of how many are wrong, while it is found out. */
+  /** Shown in place of the number of wrong decisions during the check. */
   readonly checkingShort: string;
   readonly found: (wrong: number) => string;
   readonly unable: Readonly<Record<Unable, string>>;
@@ -42,17 +42,17 @@ export interface ExactTexts {
     readonly kinds: Readonly<Record<FindingKind, string>>;
     readonly coincidences: Readonly<Record<Coincidence, string>>;
     readonly pixels: (off: string) => string;
-    /** By how much two numbers differ. */
+    /** The difference between two numbers. */
     readonly gap: (computed: string, exact: string) => string;
     readonly decides: (pixels: string) => string;
   };
-  /** What happens where a vertex is moved over a side of its margin. */
+  /** The effect of moving a vertex across a side of its margin. */
   readonly margin: {
     readonly edge: (edge: number, at: string) => string;
     readonly vertex: (side: WindowSide) => string;
     readonly edgeAtCorner: (edge: number, corner: WindowCorner) => string;
   };
-  /** Above the calculation line by line, and its two ways. */
+  /** The heading of the calculation line by line, and its two versions. */
   readonly byHand: string;
   readonly byHandWith: Readonly<Record<Column, string>>;
   readonly noNumbers: string;
@@ -64,7 +64,7 @@ export interface ExactTexts {
   readonly drawing: string;
   readonly wrongPlaces: (wrong: number, all: number) => string;
   readonly drifted: string;
-  /** What is seen at a place the given number of ulps away. */
+  /** The signs at a place the given number of ulps away. */
   readonly cell: (x: number, y: number, computed: string, exact: string) => string;
   readonly signs: Readonly<Record<`${Cell['exact']}`, string>>;
   readonly yesNo: Readonly<Record<`${Cell['exact']}`, string>>;

@@ -23,7 +23,7 @@ const textsOf = <K extends string>(
 ): Readonly<Record<K, string>> =>
   Object.fromEntries(names.map((name) => [name, text(name)])) as Record<K, string>;
 
-/** The names of methods, of editions and of variants, as the program has them in a language. */
+/** The names of methods, editions and variants in a language, as the program has them. */
 export const methodTitles = (language: Language): Readonly<Record<Method, string>> =>
   textsOf(methodNames, (method) => methodTitle(method)[language]);
 export const editionTitles = (
@@ -35,7 +35,9 @@ export const editionTitles = (
     (edition) => (isMistake(edition) ? mistake : '') + editionTitle(edition)[language],
   );
 
-/** What an edition is called, given the names of those with a name of their own: "as printed: X-W2, X-W4". */
+/**
+ * The name of an edition, composed from the names of its deviations if it has none of its own: "as printed: X-W2, X-W4".
+ */
 export function editionName(
   names: Readonly<Record<NamedEdition, string>>,
   edition: Edition,
@@ -50,29 +52,29 @@ export function editionName(
 export const variantTitles = (language: Language): Names =>
   textsOf(methodNames.filter(isFamily) as Variant[], (method) => methodTitle(method)[language]);
 
-/** What each method takes and does. */
+/** The input and the rule of each method. */
 export const methodRules = (language: Language): Readonly<Record<Method, string>> =>
   textsOf(methodNames, (method) => methodSays(method)[language]);
 
-/** The names of variants with that of the algorithm before them. */
+/** The names of variants, preceded by the name of the algorithm. */
 export function prefixed(before: string, names: Names): Names {
   return Object.fromEntries(
     Object.entries(names).map(([variant, name]) => [variant, before + name]),
   ) as Names;
 }
 
-/** What is said of the variants of Warnock's algorithm alone. */
+/** The texts of the variants of Warnock's algorithm. */
 export interface FamilyTexts {
-  /** Among one another, and among other methods. */
+  /** The short names among variants, and the full names among other methods. */
   readonly names: Names;
   readonly methods: Names;
-  /** What each method takes and does. */
+  /** The input and the rule of each method. */
   readonly rules: Readonly<Record<Method, string>>;
   readonly purposes: Readonly<Record<OfVariants & Procedure, string>>;
   readonly panel: FamilyPanelTexts;
 }
 
-/** What stands in the panel of the state. */
+/** The texts of the panel of state. */
 export interface FamilyPanelTexts {
   readonly level: string;
   readonly third: string;

@@ -1,4 +1,4 @@
-/** What a key has done, or why it has not. */
+/** The effect of a key, or why it has none. */
 export interface NewsTexts {
   readonly panel: (name: string) => string;
   readonly presented: string;
@@ -9,7 +9,7 @@ export interface NewsTexts {
   readonly noComparison: string;
 }
 
-/** What is said in the map of keys. */
+/** The texts of the map of keys. */
 export interface KeyTexts {
   readonly everywhere: string;
   readonly everywhereHint: string;

@@ -1,7 +1,7 @@
 export const languages = ['en', 'ru'] as const;
 export type Language = (typeof languages)[number];
 
-/** What is said, or how, in each language. */
+/** A text, or any other value, in each language. */
 export type Bilingual<T> = Readonly<Record<Language, T>>;
 
 /** Each language by its own name. */

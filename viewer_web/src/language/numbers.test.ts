@@ -12,7 +12,7 @@ const say = (event: Event, language: Language): string =>
   sentence(event, nothing, nothing, header, language);
 
 describe('numbers', () => {
-  it('have a decimal comma in Russian, and coordinates stand apart by semicolons', () => {
+  it('have a decimal comma in Russian, and semicolons between coordinates', () => {
     const { short, whole, inFull, list, point, windowText, shortApart } = texts.ru.numbers;
     expect([short(-2.667), short('1/3'), short(8)]).toEqual(['−2,667', '1/3', '8']);
     expect(point([6.5, 2])).toBe('(6,5; 2)');
@@ -24,7 +24,7 @@ describe('numbers', () => {
     expect([texts.en.page.rate(0.5), texts.ru.page.rate(0.5)]).toEqual(['0.5/s', '0,5/с']);
   });
 
-  it('are so in sentences', () => {
+  it('have the same format in sentences', () => {
     const event = { e: 'slope', at: 'L4', dz: -0.125 } as unknown as Event;
     expect(say(event, 'en')).toBe('From pixel to pixel z changes by −0.125.');
     expect(say(event, 'ru')).toBe('От пикселя к пикселю z меняется на −0,125.');

@@ -1,12 +1,12 @@
 import type { Facet } from '../outline/query.js';
 import type { PluralForms } from './words.js';
 
-/** What is said in the outline of a run. */
+/** The texts of the outline of a run. */
 export interface OutlineTexts {
   readonly title: string;
   readonly tree: string;
   readonly reading: string;
-  /** Where the run waits for an answer. */
+  /** Shown while the run waits for an answer. */
   readonly veiled: string;
   readonly rows: (first: string, last: string) => string;
   readonly noRows: string;

@@ -1,7 +1,7 @@
 import type { Zooming } from '../picture/frame.js';
 import type { Layer } from '../picture/layers.js';
 
-/** What is said of the picture and of what is shown of it. */
+/** The texts about the picture and its layers. */
 export interface PictureTexts extends Readonly<Record<Zooming, string>> {
   readonly zoom: string;
   readonly legend: string;
@@ -33,11 +33,11 @@ export type LegendEntry =
   | CurveLegendEntry
   | RegionLegendEntry;
 
-/** Those on the picture of curves. */
+/** The marks on the picture of curves. */
 export type CurveLegendEntry =
   'visible' | 'inHand' | 'upper' | 'lower' | 'above' | 'below' | 'hidden' | 'sideEdge';
 
-/** Those on the picture of regions. */
+/** The marks on the picture of regions. */
 export type RegionLegendEntry =
   | 'clipRegion'
   | 'subject'

@@ -2,10 +2,10 @@ import type { Relation } from '../predict/asker.js';
 import type { Abouts, Asks, Becomes, Kind, tests } from '../predict/question.js';
 import type { Event } from '../trace/events.js';
 
-/** What is said where one predicts the next steps. */
+/** The texts of predictions. */
 export interface PredictTexts {
   readonly title: string;
-  /** With the key for it, where keys of one character do something. */
+  /** Includes the key if single-character keys are on. */
   readonly hint: (key: string | null) => string;
   readonly next: string;
   readonly none: string;
@@ -15,16 +15,16 @@ export interface PredictTexts {
   readonly kinds: Readonly<Record<Kind, string>>;
   readonly intro: { readonly [K in Kind]: (about: Abouts[K]) => string };
   readonly asks: Readonly<Record<Asks, string>>;
-  /** How a row is typed. */
+  /** The format of an answer of several values. */
   readonly rows: Readonly<Record<'signs' | 'list' | 'order' | 'walked', string>>;
-  /** What fills the places after the end of a row. */
+  /** The text in the places after the end of a row. */
   readonly ends: PredictTexts['rows'];
   readonly crossing: string;
   readonly area: string;
   readonly noPolygon: Readonly<Record<'hides' | 'wins', string>>;
   readonly relations: Readonly<Record<Relation, string>>;
   readonly lies: Readonly<Record<Event<'relation'>['relation'], string>>;
-  /** What the lines of the test of a relation look at. */
+  /** The conditions that the lines of the relation test examine. */
   readonly tests: Readonly<Record<(typeof tests)[number], string>>;
   readonly becomes: Readonly<Record<Becomes, string>>;
   readonly edge: (edge: string) => string;

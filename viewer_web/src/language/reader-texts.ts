@@ -1,4 +1,4 @@
-/** What is said around the text of a lesson. */
+/** The texts around the text of a lesson. */
 export interface ReaderTexts {
   readonly text: string;
   readonly hide: string;

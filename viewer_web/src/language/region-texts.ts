@@ -1,7 +1,7 @@
 import type { RegionLayer } from '../weiler-atherton/layers.js';
 import type { PluralForms } from './words.js';
 
-/** What a run with regions has to say of its own. */
+/** The texts of runs with regions. */
 export interface RegionTexts {
   readonly lists: string;
   readonly list: string;

@@ -1,7 +1,7 @@
 import type { Detail } from '../trace/events.js';
 import type { Area } from '../trace/header.js';
 
-/** What is said where a scene is edited. */
+/** The texts of the editor. */
 export interface SceneTexts {
   readonly scene: string;
   readonly edit: string;
@@ -48,14 +48,14 @@ export interface SceneTexts {
   readonly split: (n: number) => string;
   readonly removeCorner: (n: number) => string;
   readonly refused: (polygon: string | null, reason: string) => string;
-  /** The same of a surface's formula. */
+  /** The same for a surface's formula. */
   readonly formula: (reason: string) => string;
   readonly notFiniteAt: (x: number, z: number) => string;
   readonly stands: string;
   /** A place in the text of a file. */
   readonly at: (line: number, column: number) => string;
   readonly missing: (key: string) => string;
-  /** The library's reasons that a drawing can meet. */
+  /** The library's reasons for refusal that can occur while drawing. */
   readonly reasons: Readonly<Record<string, string>>;
   readonly more: (n: number) => string;
 }

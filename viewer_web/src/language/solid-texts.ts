@@ -1,6 +1,6 @@
 import type { ViewName } from '../solid/turn.js';
 
-/** What is said of the scene in 3D. */
+/** The texts of the 3D view. */
 export interface SolidTexts {
   readonly solid: string;
   readonly title: string;

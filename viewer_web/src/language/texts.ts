@@ -29,7 +29,7 @@ import type * as words from './words.js';
 import type { TourTexts, VerdictTexts, WordTexts } from './word-texts.js';
 import type { Words } from './words.js';
 
-/** One sentence an event in each language, made from the event and the step that it belongs to. */
+/** One sentence per event in each language, made from the event and its step. */
 export type SentencesOf<Names extends EventName> = {
   readonly [K in Names]: Bilingual<(event: Event<K>, words: Words) => string>;
 };
@@ -38,7 +38,7 @@ export type ReasonTexts = {
   readonly [K in Reason]: (...details: Reasons[K]) => string;
 };
 
-/** How numbers and what is made of them are written. */
+/** How numbers, and texts made from them, are written. */
 export type Numbers = Pick<
   typeof words,
   | 'short'
@@ -60,7 +60,7 @@ export interface Phrases {
   readonly takes: (n: number, words: Words) => string;
 }
 
-/** What the page says in one language, but for the sentences of its events, which stand in both beside each other. */
+/** The page's texts in one language, except for the sentences of its events, which are in one table for both languages. */
 export interface Texts {
   readonly numbers: Numbers;
   readonly phrases: Phrases;
@@ -89,13 +89,13 @@ export interface Texts {
   readonly atlas: AtlasTexts;
 }
 
-/** What is said of a pixel and of all that concerned it. */
+/** The texts about a pixel and its history. */
 export interface HistoryTexts {
   readonly pixel: string;
   readonly at: (x: number, y: number) => string;
   /** The pixel under the keyboard's cursor, for screen readers. */
   readonly spoken: (at: Pixel, facts: PixelFacts) => string;
-  /** With the key for it, where keys of one character do something. */
+  /** Includes the key if single-character keys are on. */
   readonly hint: (key: string | null) => string;
   readonly how: string;
   readonly forget: string;
@@ -113,7 +113,7 @@ export interface HistoryTexts {
   readonly whyBackground: string;
 }
 
-/** The ways through a run that are longer than a step. */
+/** The texts about moves through a run that are longer than a step. */
 export interface TravelTexts {
   readonly procedure: string;
   readonly over: string;
@@ -128,7 +128,7 @@ export interface TravelTexts {
   readonly noGoal: string;
 }
 
-/** What is said of a place in the run, and of the strip that shows the whole run. */
+/** The texts about a place in the run, and about the strip, which shows the whole run. */
 export interface StripTexts {
   readonly step: (step: number, length: number) => string;
   readonly windowAt: (size: string, at: string) => string;
@@ -144,7 +144,7 @@ export interface StripTexts {
   readonly columns: string;
 }
 
-/** What is said of the part of a run that the strip shows. */
+/** The texts about the part of a run that the strip shows. */
 export interface ZoomTexts {
   readonly part: string;
   readonly shown: (range: Range, length: number) => string;
@@ -152,7 +152,7 @@ export interface ZoomTexts {
   readonly how: string;
 }
 
-/** What stands on the strip at single steps. */
+/** The marks on the strip at single steps. */
 export type StripMark = 'wrong' | 'fault' | 'bookmark' | 'hit' | 'now';
 
 export interface BookmarkTexts {
@@ -165,15 +165,15 @@ export interface BookmarkTexts {
   readonly count: (n: number, most: number) => string;
   readonly full: (most: number) => string;
   readonly long: (most: number) => string;
-  /** With the key for it, where keys of one character do something. */
+  /** Includes the key if single-character keys are on. */
   readonly hint: (key: string | null) => string;
   readonly linked: string;
-  /** The same of a page on a disk, whose address leads nobody else here. */
+  /** The same for a page on disk, whose address works for nobody else. */
   readonly onDisk: string;
   readonly unlinked: string;
 }
 
-/** What is said where a file may be opened. */
+/** The texts of opening files. */
 export interface FileTexts {
   readonly ownFile: string;
   readonly openFile: string;
@@ -187,14 +187,14 @@ export interface PageTexts extends FileTexts {
   readonly reading: (name: string) => string;
   readonly growing: (steps: string, percent: number) => string;
   readonly stopReading: string;
-  /** To a step that takes a while to be reached. */
+  /** While a distant step is being computed. */
   readonly onTheWay: (step: string) => string;
   readonly cancel: string;
   readonly unreadable: (name: string, line: number, where: string, reason: string) => string;
   readonly unknown: (name: string) => string;
   readonly broken: (name: string) => string;
   readonly refusedScene: (name: string, why: string) => string;
-  /** The same before a list of what is wrong. */
+  /** The same before a list of errors. */
   readonly refusedFor: (name: string) => string;
   readonly isChart: (name: string) => string;
   readonly emptyFile: (name: string) => string;
@@ -226,15 +226,15 @@ export interface PageTexts extends FileTexts {
   readonly ofSteps: (length: string) => string;
   readonly speed: string;
   readonly perSecond: (n: number) => string;
-  /** The same, short. */
+  /** The same, abbreviated. */
   readonly rate: (n: number) => string;
   readonly keys: string;
   readonly close: string;
   readonly skip: string;
-  /** The view of everything that is known of a step. */
+  /** The view with everything known about a step. */
   readonly workbench: string;
   readonly workbenchHint: string;
-  /** What is behind a button where there is no room for all. */
+  /** The label of the button that shows the tools where there is no room for them. */
   readonly tools: string;
   /** A line between two panels, which may be dragged. */
   readonly divider: string;
@@ -266,7 +266,7 @@ export interface PageTexts extends FileTexts {
   readonly defect: (id: string) => string;
 }
 
-/** What is pointed at, as it is called. */
+/** The names of things that can be pointed at. */
 export interface ThingTexts {
   readonly polygon: (id: string) => string;
   readonly edge: (edge: number) => string;

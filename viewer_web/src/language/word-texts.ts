@@ -1,13 +1,13 @@
 import type { Detail } from '../trace/events.js';
 
-/** The words by which runs are named, explained. */
+/** Explanations of the words that name runs. */
 export interface WordTexts {
   readonly explain: string;
   readonly editions: Readonly<Record<'corrected' | 'printed' | 'defects' | 'mistake', string>>;
   readonly details: Readonly<Record<Detail, string>>;
 }
 
-/** What is said at the end of a run. */
+/** The texts at the end of a run. */
 export interface VerdictTexts {
   readonly pixels: (n: number) => string;
   readonly allRight: string;
@@ -20,7 +20,7 @@ export interface VerdictTexts {
   readonly curves: (n: number) => string;
 }
 
-/** A few steps through the page. */
+/** A tour of a few steps through the page. */
 export interface TourTexts {
   readonly offer: string;
   readonly again: string;

@@ -5,14 +5,14 @@ import type { Numbers, Phrases, Texts } from './texts.js';
 const shortest = 7;
 const longest = 40;
 
-/** A whole fraction's value, near enough to be shown. */
+/** The approximate value of a fraction, for display. */
 function fractionValue(written: string): number {
   const [above = '0', below = '1'] = written.split('/');
   const scale = 10n ** 12n;
   return Number((BigInt(above) * scale) / BigInt(below)) / 1e12;
 }
 
-/** The digits of a number that are shown; if these are not all, there is room for `≈`. */
+/** The displayed digits of a number. If these are not all, there is room for `≈`. */
 function rounded(value: number): string {
   const exact = String(value);
   if (exact.length <= shortest) return exact;
@@ -27,27 +27,27 @@ function shortNumber(value: number): string {
   return Number(text) === value || Number.isNaN(value) ? text : `≈${text}`;
 }
 
-/** A number of a trace as it is shown: short, with a real minus sign; `≈` where that is not all of it. */
+/** The displayed form of a number of a trace: short, with a real minus sign, and with `≈` if digits are missing. */
 export function short(value: N): string {
   return plain(value).replaceAll('-', '−');
 }
 
-/** A text in which `x = ≈0.3` is `x ≈ 0.3`. */
+/** Replaces `x = ≈0.3` by `x ≈ 0.3`. */
 export const withoutDoubledSigns = (text: string): string => text.replaceAll('= ≈', '≈ ');
 
-/** A whole number that is added. */
+/** A whole number with its sign, as a summand. */
 export const signed = (n: number): string => (n > 0 ? `+${n}` : short(n));
 
-/** Two numbers that are compared: in full where they are not the same and would look so. */
+/** Two numbers to compare, in full if they differ but their short forms do not. */
 export function shortApart(a: N, b: N): readonly [string, string] {
   const looks = [short(a), short(b)] as const;
   return looks[0] === looks[1] && a !== b ? [inFull(a), inFull(b)] : looks;
 }
 
-/** All of a number, however long. */
+/** A number with all its digits. */
 export const whole = (value: N): string => String(value).replaceAll('-', '−').replace('inf', '∞');
 
-/** Fractions may be longer than any sentence. */
+/** A number in full, up to a length: fractions may be too long for a sentence. */
 export function inFull(value: N): string {
   const text = whole(value);
   return text.length > longest ? short(value) : text;
@@ -62,7 +62,7 @@ function plain(value: N): string {
   return `≈${rounded(fractionValue(value))}`;
 }
 
-/** The number to plot, where there is one. */
+/** The number to plot, or NaN. */
 export function toNumber(value: N): number {
   if (typeof value === 'number') return value;
   if (value === 'inf') return Infinity;
@@ -76,7 +76,7 @@ function asFraction(value: string): readonly [bigint, bigint] | null {
   return [BigInt(above), BigInt(below)];
 }
 
-/** How a number compares with another: -1, 0 or 1; null where neither is less, equal or greater. */
+/** The order of one number relative to another: -1, 0 or 1; null if they cannot be compared. */
 export function orderOf(a: N, b: N): -1 | 0 | 1 | null {
   const [one, other] = [a, b].map((value) =>
     typeof value === 'string' ? asFraction(value) : null,
@@ -88,10 +88,10 @@ export function orderOf(a: N, b: N): -1 | 0 | 1 | null {
   return difference == 0 ? 0 : null;
 }
 
-/** Their difference, of infinities too. */
+/** The difference of two numbers, also of infinities. */
 const comparable = (a: number, b: number): number => (a === b ? 0 : a - b);
 
-/** Texts with numbers in them, one after the other. */
+/** Several texts with numbers, separated by commas. */
 export const joined = (all: readonly string[]): string => all.join(', ');
 
 export const list = (all: readonly N[], write = short): string =>
@@ -99,7 +99,7 @@ export const list = (all: readonly N[], write = short): string =>
 
 export const point = (at: readonly N[]): string => `(${list(at)})`;
 
-/** Whole numbers from one to another, where a dash may stand between them. */
+/** A range of whole numbers, with a dash where possible. */
 export function rangeOf(first: number, last: number): string {
   if (first === last) return short(first);
   return `${short(first)}${first < 0 ? '…' : '–'}${short(last)}`;
@@ -116,8 +116,7 @@ export interface PluralForms {
 }
 
 /**
- * What of a step's values the sentences use, each algorithm's under a name of its own. The algorithms add their parts by
- * `declare module`.
+ * The values of a step that the sentences use. Each algorithm adds a part, under a name of its own, by `declare module`.
  */
 // eslint-disable-next-line @typescript-eslint/no-empty-object-type
 export interface Known {}
@@ -129,10 +128,10 @@ export function counted(n: number, forms: PluralForms, rules: Intl.PluralRules):
   return `${n} ${form === 'few' ? (forms.few ?? forms.other) : forms.other}`;
 }
 
-/** What of a header the sentences use. */
+/** The parts of a header that the sentences use. */
 export type ShownHeader = Pick<Header, 'method' | 'scene' | 'detail' | 'edition'>;
 
-/** What the sentences of a step need beside its event. */
+/** What the sentences of a step need besides its event. */
 export class Words {
   constructor(
     readonly before: Known,

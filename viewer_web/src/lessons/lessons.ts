@@ -5,8 +5,8 @@ import { edition } from '../trace/editions.js';
 import { details, methods } from '../trace/events.js';
 
 /**
- * What `index.json` beside the lessons' traces says; the build embeds it together with them. `vidno page` may put a scene
- * in the place of a trace: what is said of the run is then how to run it.
+ * An entry of `index.json`, beside the lessons' traces; the build embeds them together. `vidno page` may replace a trace by
+ * a scene: the entry then also states how to run it.
  */
 const entry = part({
   file: text,
@@ -14,9 +14,9 @@ const entry = part({
   kernel: text,
   edition,
   detail: oneOf(...details),
-  /** Whether a scene is run with every decision held against exact arithmetic. */
+  /** Whether every decision of the scene's run is compared with exact arithmetic. */
   check: optional(bool),
-  /** What it shows. */
+  /** The title of the run. */
   title: optional(part({ en: text, ru: text })),
 });
 
@@ -37,13 +37,13 @@ export function idOf({ file }: LessonTrace): string {
   return file.replace(/\.(json|jsonl|jsonl\.gz)$/, '');
 }
 
-/** The lessons that stand in the page as blocks of data, which no browser executes. */
+/** The lessons in the page. They are blocks of data, which no browser executes. */
 export function embeddedLessons(page: Document): readonly Lesson[] {
   const block = page.getElementById('vidno-lessons');
   return block === null ? [] : lessonList(JSON.parse(block.textContent), '');
 }
 
-/** The file of this name that the page brings along. */
+/** A file that the page contains, by name. */
 export function embeddedFile(page: Document, file: string): Blob | null {
   const blocks = page.querySelectorAll<HTMLScriptElement>('script[data-vidno-file]');
   const block = [...blocks].find((each) => each.dataset['vidnoFile'] === file);

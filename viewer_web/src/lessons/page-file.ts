@@ -1,26 +1,26 @@
 import type { Lesson } from './lessons.js';
 
-/** What another page brings along. */
+/** The content of another page. */
 export interface PageContent {
-  /** Their runs and texts are files of this page, unless `own` has them. */
+  /** The lessons. Their runs and texts are files of this page, unless `own` has them. */
   readonly lessons: readonly Lesson[];
-  /** Files that this page does not bring along, by name. */
+  /** Files that this page does not contain, by name. */
   readonly own: ReadonlyMap<string, Blob>;
-  /** Where it opens. */
+  /** The address at which it opens. */
   readonly address: string;
 }
 
-/** Whether the page was opened from a disk: its address then leads nobody else here. */
+/** Whether the page was opened from disk, so that its address works for nobody else. */
 export const isOnDisk = (): boolean => location.protocol === 'file:';
 
-/** The address at which the page opens where its own says nothing. */
+/** The address at which the page opens if its own has no fragment. */
 export function embeddedAddress(page: Document): string {
   const block = page.getElementById('vidno-address');
   const address: unknown = block === null ? '' : JSON.parse(block.textContent);
   return typeof address === 'string' ? address : '';
 }
 
-/** What this page is given to show, and what it has made of itself. */
+/** The content of this page, and the elements that its script has made. */
 const replaced = [
   '#vidno-lessons',
   '#vidno-address',
@@ -28,7 +28,7 @@ const replaced = [
   'script[type="module"]',
 ].join();
 
-/** JSON as a block of data in a page: nothing in it ends the block. */
+/** JSON as a block of data in a page, escaped so that nothing in it ends the block. */
 function jsonBlock(id: string, value: unknown): string {
   const json = JSON.stringify(value).replaceAll('<', '\\u003c');
   return `<script type="application/json" id="${id}">${json}</script>`;
@@ -37,7 +37,7 @@ function jsonBlock(id: string, value: unknown): string {
 const fileBlock = (name: string, base64: string): string =>
   `<script type="application/octet-stream" data-vidno-file="${name}">${base64}</script>`;
 
-/** As the browser packs it: a file may be large. */
+/** A file in base64, encoded by the browser because the file may be large. */
 function base64(file: Blob): Promise<string> {
   const reader = new FileReader();
   return new Promise((resolve, reject) => {
@@ -47,9 +47,9 @@ function base64(file: Blob): Promise<string> {
   });
 }
 
-/** The page without all that, as text: before and after the blocks of data. */
+/** The text of the page without all that, before and after the blocks of data. */
 function shell(page: Document): readonly [string, string] {
-  // In a document of its own nothing of the copy comes to life.
+  // Nothing in a separate document is executed or loaded.
   const copy = page.implementation.createHTMLDocument().importNode(page.documentElement, true);
   for (const each of copy.querySelectorAll(replaced)) each.remove();
   const app = copy.querySelector('vidno-app');
@@ -70,7 +70,7 @@ function filesOf({ lessons }: PageContent): ReadonlySet<string> {
   return new Set(names);
 }
 
-/** A page like this one that shows some of its lessons, or what was opened in it, and nothing else. */
+/** A page like this one that contains only some of its lessons, or what was opened in it. */
 export async function pageFile(page: Document, content: PageContent): Promise<Blob> {
   const { lessons, own, address } = content;
   const [before, after] = shell(page);

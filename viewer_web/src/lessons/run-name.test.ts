@@ -27,7 +27,7 @@ const run = {
   detail: 'windows',
 } as const;
 
-it('names a run after what it shows, and says how it was made', () => {
+it('names a run by its title, and adds its settings', () => {
   const title = { en: 'A triangle', ru: 'Треугольник' };
   const name = { ...run, title };
   expect(runName(name, texts.en.page, 'en')).toEqual({
@@ -37,11 +37,11 @@ it('names a run after what it shows, and says how it was made', () => {
   expect(runName(name, texts.ru.page, 'ru').title).toBe('Треугольник');
 });
 
-it('names one that says nothing of that by how it was made, never by its file', () => {
+it('names a run without a title by its settings, never by its file', () => {
   expect(runName(run, texts.en.page, 'en').title).toBe('Warnock, float');
 });
 
-it('knows what each run of the lessons shows, in both languages', () => {
+it('finds a title of each run of the lessons, in both languages', () => {
   expect(runs.length).toBeGreaterThan(70);
   const untold = runs.filter(
     ({ title }) => title === undefined || title.en === '' || !/\p{Script=Cyrillic}/u.test(title.ru),

@@ -3,7 +3,7 @@ import type { Language } from '../language/language.js';
 import type { PageTexts } from '../language/texts.js';
 import type { LessonTrace } from './lessons.js';
 
-/** A run of a lesson in words: what it shows, and how: its method, and in what it is not as usual. */
+/** The name of a lesson's run: its title, and its method with any unusual settings. */
 export function runName(
   { file, title, method, kernel, edition }: LessonTrace,
   page: PageTexts,

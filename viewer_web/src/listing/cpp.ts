@@ -7,7 +7,7 @@ import { Follower } from '../picture/in-sight.js';
 import { sourcesOf, telling } from './sources.js';
 import type { Source, SourceLine } from './sources.js';
 
-/** The C++ of the procedures, and the lines that told the step. */
+/** The C++ of the procedures, with the lines that recorded the step. */
 @customElement('vidno-cpp')
 export class CppElement extends LitElement {
   static override styles = [
@@ -105,7 +105,7 @@ export class CppElement extends LitElement {
   }
 
   override updated(): void {
-    // Before the first step one looks at the beginning.
+    // Before the first step the listing is at its beginning.
     const what = this.view.step === 0 ? 'section' : '.now';
     const mark = this.renderRoot.querySelector<HTMLElement>(what);
     this.follower.follow(this.files, mark, 32);

@@ -5,7 +5,7 @@ import { headerOf, textWith, traceOf, pop, push } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 import { valuesInPlay } from './in-play.js';
 
-/** Two polygons in a window: A is passed, B is being tested at its first corner. */
+/** Two polygons in a window: A is done, and B is being tested at its first corner. */
 const events: readonly Event[] = [
   push,
   pop,
@@ -31,7 +31,7 @@ async function at(
 }
 
 describe('the values in play', () => {
-  it('are what each line said last, in the procedure and in those that wait for it', async () => {
+  it('are the last notes of each line, in the procedure and in its callers', async () => {
     expect(await at(12)).toEqual({
       W5: '(0, 0) 8 × 8',
       PW1: 'z = −∞',
@@ -42,17 +42,17 @@ describe('the values in play', () => {
     });
   });
 
-  it('are written as the language writes numbers', async () => {
+  it('have the number format of the language', async () => {
     expect((await at(12, 'ru'))['W5']).toBe('(0; 0) 8 × 8');
   });
 
-  it('of a later line are over when its loop begins again', async () => {
+  it('of a later line end when its loop begins again', async () => {
     expect(await at(7)).toMatchObject({ PW4: '1', PW10: 'false' });
     expect(await at(8)).not.toHaveProperty('PW10');
     expect(await at(8)).not.toHaveProperty('PW4');
   });
 
-  it('of a procedure are over with it, and its result is the caller’s', async () => {
+  it('of a procedure end with it, and its result belongs to the caller', async () => {
     const values = await at(13);
     expect(values['PW8']).toBe('true');
     expect(Object.keys(values).filter((label) => label.startsWith('S'))).toEqual([]);

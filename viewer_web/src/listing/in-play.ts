@@ -4,18 +4,19 @@ import { depthChanges } from '../replay/state.js';
 import type { Trace } from '../replay/trace.js';
 import { noteOf } from './notes.js';
 
-/** So far back is looked for values: a long list of polygons is not gone through at each step. */
+/** The number of steps to search for values, so that a step need not go through a long list of polygons. */
 const farthest = 400;
 
-/** A label is its procedure's letters and the number of the line. */
+/** The procedure's letters and the line number in a label. */
 function placeOf(label: string): readonly [procedure: string, line: number] {
   const letters = /^[A-Z]+/.exec(label)?.[0] ?? '';
   return [letters, Number(label.slice(letters.length))];
 }
 
 /**
- * What each line last said, by its label: in the procedures that run, on the way from where their loops last began.
- * What a later line said in a round before is over. The way begins with the window, the polygon, the curve, or the list in hand.
+ * The last note of each line, by its label, in the running procedures since the start of their current loop iterations.
+ * Notes of later lines from an earlier iteration are outdated. The search goes back to the start of the current window,
+ * polygon, curve or list.
  */
 export function valuesInPlay(
   { header, timeline }: Trace,
@@ -26,7 +27,7 @@ export function valuesInPlay(
   const { begins } = algorithmOf(header);
   const values = new Map<string, string>();
   let lines = new Map<string, number>(); // in each procedure, the line reached on the way back
-  let within = 0; // calls that were over
+  let within = 0; // the depth inside calls that have returned
   for (let at = step; at > Math.max(0, step - farthest); at--) {
     const change = changes[timeline.names[at - 1] ?? 0] ?? 0;
     if (within > 0) {

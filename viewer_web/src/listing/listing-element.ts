@@ -22,7 +22,7 @@ interface LineKind {
   readonly caller: boolean;
 }
 
-/** The procedures, the current line and the lines that wait for a result. */
+/** The procedures, with the current line and the lines that wait for a result. */
 @customElement('vidno-listing')
 export class ListingElement extends LitElement {
   static override styles = [base, listingStyle];
@@ -30,9 +30,9 @@ export class ListingElement extends LitElement {
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
 
-  /** Whether lines can be broken: an event `vidno-break` asks for the run of an edition beside this one. */
+  /** Whether lines can be broken. An event `vidno-break` asks for the run of an edition beside this one. */
   @property({ type: Boolean }) breakable = false;
-  /** Whether the C++ of the same procedures is shown instead. */
+  /** Whether the C++ code of the procedures is shown instead. */
   @state() private source = false;
 
   private listings: readonly Listing[] = [];
@@ -92,7 +92,7 @@ export class ListingElement extends LitElement {
     </button>`;
   }
 
-  /** The mark of a line that can be broken: for the pointer; keys have the button above the procedures. */
+  /** The mark of a line that can be broken, for the pointer. For the keyboard there is the button above the procedures. */
   private mark(at: string): TemplateResult | typeof nothing {
     if (!this.wrong.some((each) => each.at === at)) return nothing;
     const { broken } = texts[this.view.language].compare;
@@ -132,13 +132,13 @@ export class ListingElement extends LitElement {
     return { now: at === this.current, caller: this.callers.has(at) };
   }
 
-  /** A procedure that was just called is at no line yet: its name is marked. */
+  /** A procedure that was just called has no current line yet, so its name is marked. */
   private isEntered(name: string): boolean {
     const top = this.view.after.calls.at(-1);
     return this.view.event?.e === 'call' && top?.of === name;
   }
 
-  /** Most steps change nothing in most procedures. */
+  /** The template of a procedure, cached because most steps change few procedures. */
   private procedure(listing: Listing): unknown {
     const { name, title, takes, lines } = listing;
     const isEntered = this.isEntered(name);
@@ -170,7 +170,7 @@ export class ListingElement extends LitElement {
     `;
   }
 
-  /** What the line last said; its place is kept where it says nothing now, so that no line moves. */
+  /** The last note of the line. Its place remains when it is empty, so that no line moves. */
   private said(at: string): TemplateResult {
     const said = this.values.get(at) ?? '';
     return html`<var title=${said}>${said}</var>`;
@@ -185,7 +185,7 @@ export class ListingElement extends LitElement {
   override updated(changed: PropertyValues<this>): void {
     super.updated(changed);
     const find = (what: string): HTMLElement | null => this.renderRoot.querySelector(what);
-    // Before the first step one looks at the beginning.
+    // Before the first step the listing is at its beginning.
     const mark = this.view.step === 0 ? find('section') : (find('.entered h3') ?? find('.now'));
     this.follower.follow(find('.procedures'), mark);
   }

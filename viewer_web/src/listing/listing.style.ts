@@ -131,7 +131,7 @@ export const listingStyle = css`
     opacity: 0.55;
     cursor: pointer;
   }
-  /* No part of the text of the line, for copies and for screen readers. */
+  /* Not part of the line's text, for copying and for screen readers. */
   .mark::after {
     content: '≠';
   }
@@ -170,7 +170,7 @@ export const listingStyle = css`
     text-decoration: none;
     cursor: help;
   }
-  /* Only the procedures that run: those of the line and of its callers. */
+  /* Only the running procedures: those of the line and of its callers. */
   @media print {
     .mark {
       display: none;

@@ -8,7 +8,7 @@ import { listingsOf, wrongLines } from './listings.js';
 const detail = 'signs';
 
 describe('the listings', () => {
-  it.each(languages)('hold a line for each label of an event, in %s', (language) => {
+  it.each(languages)('have a line for each label of an event, in %s', (language) => {
     const labels = methods.flatMap((method) =>
       listingsOf({ method, edition: 'corrected', detail }, language).flatMap(({ lines }) =>
         lines.map(({ at }) => at),
@@ -69,7 +69,7 @@ describe('the wrong variants of lines', () => {
     expect(ways(run, 'W5')).toEqual([]);
   });
 
-  it('are those of the method', () => {
+  it('belong to the method', () => {
     expect(ways({ ...run, method: 'zbuffer' }, 'I1')).toEqual(['printed:x-w6', 'y-flipped']);
     expect(ways({ ...run, method: 'warnock-full' }, 'TF3')).toEqual(['line-for-edge']);
     expect(ways({ ...run, method: 'floating-horizon' }, 'FH1')).toEqual([
@@ -79,12 +79,12 @@ describe('the wrong variants of lines', () => {
     expect(wrongLines({ ...run, method: 'weiler-atherton' }).size).toBe(0);
   });
 
-  it('are those that run under the kernel', () => {
+  it('run under the kernel', () => {
     expect(ways({ ...run, kernel: 'float' }, 'PW7')).toEqual(['printed:x-w3']);
     expect(wrongLines({ ...run, kernel: 'filtered' }).size).toBe(0);
   });
 
-  it('are not offered where the run is wrong already', () => {
+  it('are not offered if the run is already wrong', () => {
     expect(wrongLines({ ...run, edition: 'printed' }).size).toBe(0);
     expect(wrongLines({ ...run, edition: 'one-list' }).size).toBe(0);
   });

@@ -6,14 +6,14 @@ import type { Deviation, Edition } from '../trace/editions.js';
 import type { Header } from '../trace/header.js';
 import { speaks } from './notes.js';
 
-/** A line of a procedure as it is shown. */
+/** A line of a procedure as shown. */
 export interface Line {
   readonly at: string;
   readonly indent: number;
   readonly text: string;
-  /** The defects of the printed text in this line, if that is what is shown; of a usual mistake, ≠. */
+  /** The defects of the printed text in this line, if that text is shown; ≠ for a usual mistake. */
   readonly defects: readonly string[];
-  /** Whether it ever says something that is written beside it. */
+  /** Whether the line can have a note beside it. */
   readonly speaks: boolean;
 }
 
@@ -50,10 +50,10 @@ function line(source: SourceLine, edition: Edition, language: Language): Omit<Li
   return { at, indent, text: shown[language], defects: defects ?? [] };
 }
 
-/** The procedures of a method in the order in which they call one another. */
+/** The procedures of a method, in the order of their calls. */
 export const namesOf = (method: Method): readonly string[] => listings.methods[method];
 
-/** What they say in the run's edition, and where its level has values to write beside it. */
+/** The listings in the run's edition, with the lines that can have notes at its level. */
 export function listingsOf(
   { method, edition, detail }: Pick<Header, 'method' | 'edition' | 'detail'>,
   language: Language,
@@ -71,7 +71,7 @@ export function listingsOf(
     }));
 }
 
-/** By the labels of lines the ways in which a run may have them wrong; none where the run is not a right one. */
+/** By line label, the ways in which a run could have that line wrong; empty if the run itself is not correct. */
 export function wrongLines({
   method,
   edition,

@@ -1,13 +1,13 @@
 import type { Numbers } from '../language/texts.js';
 import type { N } from '../trace/values.js';
 
-/** From a first column, row or pixel up to, not including, an end. */
+/** A half-open range of columns, rows or pixels. */
 export const half = (range: readonly [first: number, end: number], { list }: Numbers): string =>
   `[${list(range)})`;
 
 const order: Readonly<Record<string, string>> = { '-1': '<', '0': '=', '1': '>' };
 
-/** How two numbers stand to each other. */
+/** The comparison of two numbers. */
 export const compared = (z: N, other: N, sign: number, { shortApart }: Numbers): string =>
   shortApart(z, other).join(` ${order[sign] ?? ''} `);
 

@@ -7,7 +7,7 @@ import type { CommonEvents, Detail, Event, EventName, Method } from '../trace/ev
 import type { Answer } from '../trace/values.js';
 import { half } from './notation.js';
 
-/** What an event says in the notation of the listing; null where that is nothing. */
+/** The note of an event in the notation of the listing; null if it has none. */
 export type Note<K extends EventName> = ((event: Event<K>, numbers: Numbers) => string) | null;
 export type Notes = { readonly [K in EventName]: Note<K> };
 
@@ -28,18 +28,18 @@ function ownNote(name: EventName, method: Method): Note<EventName> {
   return note as Note<EventName>;
 }
 
-/** What an event of a method says beside its line; null if nothing. */
+/** The note of an event beside its line; null if it has none. */
 export function noteOf(event: Event, method: Method, numbers: Numbers): string | null {
   const note = ownNote(event.e, method);
   return note === null ? null : withoutDoubledSigns(note(event, numbers));
 }
 
-/** Whether a line of the method's listings ever has something beside it at this level. */
+/** Whether a line of the method's listings can have a note at this level. */
 export function speaks(label: string, method: Method, detail: Detail): boolean {
   return eventsOf[method].some((name) => {
     const { at, from } = kinds[name];
     return (
-      !isToldAnywhere(name) && // with what any line says by itself
+      !isToldAnywhere(name) && // except notes that any line may have
       ownNote(name, method) !== null &&
       details.indexOf(from) <= details.indexOf(detail) &&
       new RegExp(`^${plainOf(at)}$`).test(`"${label}"`)

@@ -6,7 +6,7 @@ import { sourcesOf, telling } from './sources.js';
 
 const warnock = { method: 'warnock', edition: 'corrected' } as const;
 
-/** The lines that are marked at an event, as text. */
+/** The lines marked at an event, as text. */
 const marked = (at: string, e: string, run: Parameters<typeof sourcesOf>[0] = warnock) => {
   const event = allSamples.find((each) => each.e === e);
   if (event === undefined) throw new Error(e);
@@ -30,14 +30,14 @@ describe('the C++ of a run', () => {
     ]);
   });
 
-  it('is that of the edition', () => {
+  it('belongs to the edition', () => {
     const printed = sourcesOf({ method: 'zbuffer', edition: 'printed' }).map(({ path }) => path);
     expect(printed).toContain('printed/show_line.h');
-    expect(printed).toContain('warnock/depth.h'); // which the text has right
+    expect(printed).toContain('warnock/depth.h'); // which is right in that text
     expect(printed.at(-1)).toBe('printed.h');
   });
 
-  it('of a usual mistake ends with what is usual and the mistake', () => {
+  it('of a usual mistake ends with the usual rules and the mistake', () => {
     const paths = sourcesOf({ method: 'warnock', edition: 'one-list' }).map(({ path }) => path);
     expect(paths.slice(-2)).toEqual(['corrected.h', 'mistakes/one_list.h']);
     const list = sourcesOf({ method: 'warnock', edition: 'one-list' }).at(-1);
@@ -50,11 +50,11 @@ describe('the C++ of a run', () => {
     ]);
     const files = (edition: 'boundary-outside' | 'depth-sign-reversed') =>
       sourcesOf({ method: 'warnock', edition }).map(({ path }) => path);
-    expect(files('boundary-outside')).not.toContain('warnock/surround_test.h'); // it has its own
-    expect(files('depth-sign-reversed')).toContain('warnock/depth.h'); // which its own asks
+    expect(files('boundary-outside')).not.toContain('warnock/surround_test.h'); // it has its own version
+    expect(files('depth-sign-reversed')).toContain('warnock/depth.h'); // which its own version calls
   });
 
-  it('marks of the lines with a label the one that tells the event', () => {
+  it('marks, among the lines with a label, the one that records the event', () => {
     expect(marked('PW6', 'compare')).toEqual([
       'trace.compare_corner(PW6, polygon, i, z[i], nearest[i], nearer[i]);',
     ]);
@@ -64,7 +64,7 @@ describe('the C++ of a run', () => {
     ]);
   });
 
-  it('has a line for each event but that of the planes, which are made before the run', () => {
+  it('has a line for each event except that of the planes, which are computed before the run', () => {
     for (const method of methods) {
       const sources = sourcesOf({ method, edition: 'corrected' });
       const labels = listingsOf({ method, edition: 'corrected', detail: 'signs' }, 'en').flatMap(

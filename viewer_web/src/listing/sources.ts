@@ -14,19 +14,19 @@ const texts = import.meta.glob<string>(
   { query: '?raw', import: 'default', eager: true },
 );
 
-/** A line of C++, its indentation apart. */
+/** A line of C++ without its indentation. */
 export interface SourceLine {
   readonly indent: number;
   readonly text: string;
 }
 
-/** The file of the library that holds a procedure, or the rules in which the editions differ. */
+/** The file of the library that contains a procedure, or the rules in which the editions differ. */
 export interface Source {
   readonly path: string;
   readonly lines: readonly SourceLine[];
 }
 
-/** Where a procedure is not in the file of its name alone. */
+/** The files of procedures that are not in a single file with their name. */
 const filesOfOthers: Readonly<Record<string, readonly string[]>> = {
   SimplestWarnock: ['simplest.h'],
   ThreeListsWarnock: ['three_lists.h', 'polygon_lists.h'],
@@ -47,7 +47,7 @@ const linesOf = (text: string): readonly SourceLine[] =>
 
 const mistakePath = (mistake: Mistake): string => `mistakes/${mistake.replaceAll('-', '_')}.h`;
 
-/** The rules of an edition: those that are as usual, and what it has otherwise. */
+/** The files with the rules of an edition: the usual ones, and those in which it differs. */
 function rulesOf(method: Method, edition: Edition): readonly string[] {
   const usual = [...(isFamily(method) ? ['family/family.h'] : []), 'corrected.h'];
   if (edition === 'corrected') return usual;
@@ -56,24 +56,24 @@ function rulesOf(method: Method, edition: Edition): readonly string[] {
   return [...usual, method === 'zbuffer' ? 'printed/z_buffer_defects.h' : 'printed.h'];
 }
 
-/** The procedures of which the printed text as a whole is a single defect. */
+/** The procedures whose whole printed text is a single defect. */
 const wholeDefects: Readonly<Record<string, string>> = {
   'surround_test.h': 'x-w4',
   'initialize_polygon.h': 'x-w6',
 };
 
-/** Whether an edition has a procedure as it is printed. */
+/** Whether an edition has the printed version of a procedure. */
 const isAsPrinted = (file: string, edition: Edition): boolean =>
   edition === 'printed' || hasDefect(edition, wholeDefects[file] ?? '');
 
-/** Whether a mistake has a procedure of its own, which does not ask for the usual one. */
+/** Whether a mistake replaces a procedure and does not call the usual one. */
 function replaces(edition: Edition, procedure: string): boolean {
   if (!isMistake(edition)) return false;
   const text = texts[root + mistakePath(edition)] ?? '';
   return text.includes(` ${procedure}(auto& run`) && !text.includes(`Corrected::${procedure}(`);
 }
 
-/** The C++ of a run's procedures, in the order of their listings, and the rules of its edition. */
+/** The C++ code of a run's procedures, in the order of their listings, and the rules of its edition. */
 export function sourcesOf({
   method,
   edition,
@@ -92,7 +92,7 @@ export function sourcesOf({
     .map((path) => ({ path, lines: linesOf(texts[root + path] ?? '') }));
 }
 
-/** Which lines of a source tell the event: those with its label, of several the ones that name the event. */
+/** The lines of a source that record the event: those with its label, preferably those that name the event. */
 export function telling({ e, at }: Event, { lines }: Source): readonly number[] {
   const calls = new RegExp(`\\b(\\w+)\\((?:[^()]*\\W)?${at}\\b`, 'g');
   const found = lines.flatMap(({ text }, number) =>

@@ -7,14 +7,16 @@ import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import type { Deviation, Edition } from '../trace/editions.js';
 
-/** A line of a listing, and how it can be wrong. */
+/** A line of a listing, and its wrong versions. */
 export interface WrongLine {
   readonly at: string;
   readonly text: string;
   readonly wrong: readonly Deviation[];
 }
 
-/** The choice of how a line is to be wrong: an event `vidno-break`, which leaves all elements, tells the edition. */
+/**
+ * The choice of a wrong version of a line. An event `vidno-break`, which bubbles out of all elements, carries the edition.
+ */
 @customElement('vidno-wrong-lines')
 export class WrongLinesElement extends LitElement {
   static override styles = [
@@ -73,11 +75,11 @@ export class WrongLinesElement extends LitElement {
 
   @property({ attribute: false }) language: Language = 'en';
   @property({ attribute: false }) lines: readonly WrongLine[] = [];
-  /** The one line that is asked about; null: all. */
+  /** The line to break; null for all lines. */
   @state() private only: string | null = null;
   @query('dialog') private dialog!: HTMLDialogElement;
 
-  /** Offers what may be wrong with a line, or with all. */
+  /** Offers the wrong versions of a line, or of all lines. */
   async show(only: string | null): Promise<void> {
     this.only = only;
     await this.updateComplete;
@@ -125,7 +127,7 @@ export class WrongLinesElement extends LitElement {
     this.dispatchEvent(new CustomEvent<Edition>('vidno-break', options));
   }
 
-  /** Arrows go from one to the next; no key means anything to the page behind. */
+  /** Arrow keys move between the choices; no key reaches the page behind. */
   private readonly onKey = (event: KeyboardEvent): void => {
     event.stopPropagation();
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];

@@ -6,9 +6,9 @@ const key = '"polygon":"';
 
 const mayName = eventNames.map((name) => 'polygon' in kinds[name].fields);
 
-/** Which polygon each event of a run names, read off the lines, as a rule without parsing them. */
+/** The polygon named by each event of a run, read from the lines, usually without parsing them. */
 export class Mentions {
-  /** For each step the polygon's place in the scene; -1 where none is named. */
+  /** For each step, the index of the polygon in the scene; -1 for none. */
   private readonly places: Int32Array;
   private readonly byId: ReadonlyMap<string, number>;
   private seen = 0;
@@ -23,7 +23,7 @@ export class Mentions {
     return this.places[step] ?? -1;
   }
 
-  /** Goes on for about so long; says whether all was seen. */
+  /** Continues for about this time. Returns whether all steps were read. */
   read(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     do this.readSome();

@@ -24,20 +24,20 @@ import { none } from './table.js';
 import { treeKeys } from './tree-keys.js';
 import { Unfolded } from './unfolded.js';
 
-/** Milliseconds of a frame that reading a run, or looking through it, may take. */
+/** Milliseconds per frame for reading a run or searching it. */
 const mostPerFrame = 6;
 /** The height of a row, in rem. */
 const rowHeight = 1.5;
-/** Rows that are there beyond those in sight. */
+/** The number of rows rendered beyond those in sight. */
 const spare = 4;
-/** Words that are kept. */
+/** The number of row texts in the cache. */
 const mostSaid = 4000;
-/** More polygons than this are not offered. */
+/** More polygons than this are not suggested. */
 const mostOffered = 200;
 
 /**
- * The outline of a run as a tree, in which the step that is shown is marked and kept in sight, and which can be searched. A row that
- * is chosen leads to its step. What was found is told by an event `hits`, what is looked for by `search`.
+ * The outline of a run as a searchable tree, which marks the current step and keeps it in sight. Choosing a row goes to its
+ * step. An event `hits` carries the steps found, an event `search` the query.
  */
 @customElement('vidno-outline')
 export class OutlineElement extends LitElement {
@@ -45,11 +45,11 @@ export class OutlineElement extends LitElement {
 
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
-  /** What is looked for; it is kept by whoever shows this. */
+  /** The query; the owner of this element stores it. */
   @property({ attribute: false }) sought = '';
-  /** What comes after the step is hidden. */
+  /** Whether everything after the step is hidden. */
   @property({ type: Boolean }) veiled = false;
-  /** The node that the keyboard is at; `none` for that of the step. */
+  /** The node of the keyboard cursor; `none` for that of the step. */
   @state() private cursor = none;
   @query('.tree') private tree!: HTMLElement | null;
   @query('input') private field!: HTMLInputElement | null;
@@ -59,14 +59,14 @@ export class OutlineElement extends LitElement {
   private search: Search | null = null;
   private readonly reader = new ReadOn(this, mostPerFrame);
   private readonly said = new Map<number, string>();
-  /** What is known of the tree's place without asking the browser, which would lay out the page. */
+  /** The known scroll position of the tree. Reading it from the browser would force a layout. */
   private top = 0;
   private height = 0;
   private row = 24;
   private frame = 0;
   private step = -1;
   private toldHits: readonly number[] = [];
-  /** The search whose hits were told. */
+  /** The search whose hits were reported. */
   private told: Search | null = null;
   private observed: Element | null = null;
 
@@ -89,7 +89,7 @@ export class OutlineElement extends LitElement {
     return texts[this.view.language].outline;
   }
 
-  /** Gives the keyboard to the tree. */
+  /** Moves the focus to the tree. */
   override focus(): void {
     this.tree?.focus();
   }
@@ -103,7 +103,7 @@ export class OutlineElement extends LitElement {
     this.followStep();
   }
 
-  /** Goes on reading the run, then with the search. */
+  /** Continues to read the run, then to search it. */
   read(milliseconds: number): boolean {
     const { outline, trace, search } = this;
     if (!outline.isUpToDate) {
@@ -140,7 +140,7 @@ export class OutlineElement extends LitElement {
     this.dispatchEvent(new CustomEvent<readonly number[]>('hits', { detail: this.toldHits }));
   }
 
-  /** Where the step has changed, its row is brought in sight. */
+  /** When the step has changed, scrolls its row into view. */
   private followStep(): void {
     const { step } = this.view;
     if (step === this.step) return;
@@ -151,7 +151,7 @@ export class OutlineElement extends LitElement {
     this.bringInSight(this.unfolded.rowOf(at));
   }
 
-  /** Scrolls, with the next frame, only if a row is out of sight. */
+  /** Scrolls in the next frame, and only if the row is out of sight. */
   private bringInSight(row: number): void {
     const { height, row: tall, top } = this;
     const at = row * tall;
@@ -300,7 +300,7 @@ export class OutlineElement extends LitElement {
     </button>`;
   }
 
-  /** What may be written, for those who do not know. */
+  /** Suggestions for the search field. */
   private offered(): readonly string[] {
     const { header } = this.view;
     return facetsOf(header).flatMap((facet) => {
@@ -443,7 +443,7 @@ export class OutlineElement extends LitElement {
 
 const arrow = html`<svg viewBox="0 0 12 12">${svg`<path d="M4 2l4 4-4 4" />`}</svg>`;
 
-/** The node of the row that an event is about. */
+/** The node of the row under an event. */
 function nodeOf(event: Event): number {
   const row = event
     .composedPath()

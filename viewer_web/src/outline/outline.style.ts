@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** A search, and under it the tree, which scrolls. All rows are of one height, of which the element knows where each is. */
+/** A search, and below it the scrolling tree. All rows have the same height, so the element can compute their positions. */
 export const outlineStyle = css`
   :host {
     display: flex;

@@ -25,14 +25,14 @@ const handsOf = (outline: Outline): readonly number[] =>
   nodesOf(outline).filter((node) => outline.isHand(node));
 const firstOf = ({ nodes }: Outline, node: number): number => nodes.first[node] ?? 0;
 
-/** How often each of some words comes. */
+/** The number of times that each word occurs. */
 function tally(words: readonly string[]): Readonly<Record<string, number>> {
   const counts: Record<string, number> = {};
   for (const word of words) counts[word] = (counts[word] ?? 0) + 1;
   return counts;
 }
 
-/** The outline as indented lines, without what stands for calls. */
+/** The outline as indented lines, without the nodes of calls. */
 const drawn = (outline: Outline): readonly string[] =>
   nodesOf(outline)
     .filter((node) => outline.isHand(node) || outline.isPart(node))
@@ -40,7 +40,7 @@ const drawn = (outline: Outline): readonly string[] =>
       (node) => '  '.repeat((outline.nodes.depth[node] ?? 1) - 1) + sayNode(outline, node, 'en'),
     );
 
-/** The procedures that are called but have no result yet at a step, as the state of the replay has them. */
+/** The procedures that are called but have no result yet at a step, by the state of the replay. */
 const callsAt = ({ timeline }: Trace, step: number): readonly string[] =>
   timeline
     .seek(step)
@@ -60,7 +60,7 @@ function callsIn(outline: Outline, step: number): readonly string[] {
 }
 
 describe.each(traceNames.map((name) => name.replace('.jsonl', '')))('the outline of %s', (name) => {
-  it('has at each step the calls that the state has', async () => {
+  it('has the calls of the state at each step', async () => {
     const outline = await outlineIn(name);
     const { trace } = outline;
     for (let step = 0; step <= trace.timeline.length; step++) {
@@ -68,7 +68,7 @@ describe.each(traceNames.map((name) => name.replace('.jsonl', '')))('the outline
     }
   });
 
-  it('is a tree: a node has the steps and the places that it should', async () => {
+  it('is a tree with correct steps and places', async () => {
     const outline = await outlineIn(name);
     const { parent, place, children, depth } = outline.nodes;
     const counts = new Map<number, number>();
@@ -90,7 +90,7 @@ describe.each(traceNames.map((name) => name.replace('.jsonl', '')))('the outline
     expect(outline.topSize).toBe(counts.get(none) ?? 0);
   });
 
-  it('has what each result says in words, in both languages', async () => {
+  it('has a text for each result, in both languages', async () => {
     const outline = await outlineIn(name);
     for (const node of nodesOf(outline)) {
       for (const language of ['en', 'ru'] as const) {
@@ -114,7 +114,7 @@ describe("the windows of Warnock's algorithm", () => {
     .filter((name) => name.includes('warnock'))
     .map((name) => name.replace('.jsonl', ''));
 
-  it.each(warnocks)('are as many of each case as are decided (%s)', async (name) => {
+  it.each(warnocks)('are as many of each case as the trace decides (%s)', async (name) => {
     const outline = await outlineIn(name);
     const events = eventsIn(name);
     const decided = events.flatMap(([, event]) => (event.e === 'decide' ? event.case : []));
@@ -124,14 +124,14 @@ describe("the windows of Warnock's algorithm", () => {
     expect(tally(told)).toEqual(tally(decided));
   });
 
-  it.each(warnocks)('are each in the one that was divided (%s)', async (name) => {
+  it.each(warnocks)('are each in the window that was divided (%s)', async (name) => {
     const outline = await outlineIn(name);
     const windows = new Map(
       eventsIn(name).flatMap(([step, event]) => (event.e === 'pop' ? [[step, event.window]] : [])),
     );
     for (const node of handsOf(outline)) {
       const [x, y, width, height] = windows.get(firstOf(outline, node)) ?? [0, 0, 0, 0];
-      // The smallest of all windows before it that holds it.
+      // The smallest of all earlier windows that contains it.
       const around = [...windows].filter(
         ([step, [left, top, wide, tall]]) =>
           step < firstOf(outline, node) &&
@@ -146,9 +146,9 @@ describe("the windows of Warnock's algorithm", () => {
     }
   });
 
-  it('say which polygon is seen, where the trace tells', async () => {
+  it('name the visible polygon, if the trace does', async () => {
     const outline = await outlineIn('inside.warnock.signs');
-    // Its only window; the polygon that is drawn at its last event.
+    // The polygon of the only window is drawn at its last event.
     expect(handsOf(outline).map((node) => sayNode(outline, node, 'en'))).toEqual([
       'window 4 × 4 at (0, 0): single, A',
     ]);
@@ -175,7 +175,7 @@ describe('the polygons and rows of the Z-buffer algorithm', () => {
     },
   );
 
-  it('have in each row the edges that are active as it is shown, and a span for each pair', async () => {
+  it('have in each row the active edges when it is shown, and a span for each pair', async () => {
     const outline = await outlineIn('small.zbuffer.signs');
     const { timeline } = outline.trace;
     for (const node of nodesOf(outline).filter((each) => outline.isPart(each))) {
@@ -195,7 +195,7 @@ describe('the polygons and rows of the Z-buffer algorithm', () => {
 describe("the lists of Weiler and Atherton's algorithm", () => {
   const name = 'wedge.weiler-atherton.polygons';
 
-  it('are those that come from the stack, each with its clip polygon', async () => {
+  it('are those popped from the stack, each with its clip polygon', async () => {
     const popped = eventsIn(name).flatMap(([, event]) =>
       event.e === 'pop_list' ? `list of ${event.count}, clip polygon ${event.clip}` : [],
     );
@@ -203,8 +203,8 @@ describe("the lists of Weiler and Atherton's algorithm", () => {
     expect(said).toEqual(popped);
   });
 
-  it('are below the one whose parts inside are tried again, with what is left outside of these', async () => {
-    // Read off the file: W is behind Q, so that Q and W are put back at WA9; what lies outside of W waits on the stack.
+  it('are nested below a list whose inside parts are tried again, with the parts left outside', async () => {
+    // By hand from the file: W is behind Q, so Q and W are put back at WA9. The part of W outside waits on the stack.
     expect(drawn(await outlineIn('wall.weiler-atherton.signs'))).toEqual([
       'list of 3, clip polygon W: behind Q',
       '  list of 2, clip polygon Q: visible',
@@ -214,14 +214,14 @@ describe("the lists of Weiler and Atherton's algorithm", () => {
     ]);
   });
 
-  it('are visible as often as a region is shown', async () => {
+  it('are visible once for each region shown', async () => {
     const shown = eventsIn(name).filter(([, event]) => event.e === 'show').length;
     expect(drawn(await outlineIn(name)).filter((line) => line.endsWith(': visible'))).toHaveLength(
       shown,
     );
   });
 
-  it('leave painting out: it is no part of a list', async () => {
+  it('do not include painting, which is not part of a list', async () => {
     const outline = await outlineIn(name);
     const last = outline.before(outline.trace.timeline.length);
     const way = [...outline.wayUp(last)];
@@ -259,7 +259,7 @@ describe('an outline', () => {
     expect(outline.at(40)).not.toBe(none);
   });
 
-  it('has no node before anything is current, and none for a run without events', async () => {
+  it('has no node before the first item, and none for a run without events', async () => {
     const outline = await outlineIn('small.zbuffer.signs');
     expect(outline.at(0)).toBe(none);
     const empty = new Outline(

@@ -9,36 +9,36 @@ import { NodeTable, none } from './table.js';
 
 const atOnce = 8192;
 
-/** The kinds of nodes, each at its number in the table. */
+/** The kinds of nodes by their numbers in the table. */
 const kindsByNumber: readonly Kind[] = [
   'hand',
   'part',
   ...(Object.keys(callsFrom) as readonly Procedure[]),
 ];
 const [hand, part] = [0, 1];
-/** The result of a call that has none yet. */
+/** The kind of a call that has no result yet. */
 const pending = 255;
 
 const call = numberOf.get('call') ?? -1;
 
-/** For each event's name the kind of the procedure whose result it is; 0 if it is none's. */
+/** For each event name, the kind of the procedure that it is a result of; 0 if there is none. */
 const resultOf = eventNames.map((name) => {
   const { resultOf: procedure } = kinds[name];
   return procedure === undefined ? 0 : kindsByNumber.indexOf(procedure);
 });
 
 /**
- * The outline of a run: a tree of its items, such as windows in windows, with its parts and the procedures that
- * were called. It is gathered in one pass over the numbers of the events' names, which a page may spread over frames and which
- * goes on as the trace grows. What else there is to say of a node is looked up when it is shown.
+ * The outline of a run: a tree of its items, such as nested windows, with their parts and the procedure calls. It is built
+ * in one pass over the event names, which a page may spread over frames and which continues as the trace grows. The texts
+ * of nodes are made when they are shown.
  */
 export class Outline {
   readonly nodes = new NodeTable();
   private seen = 0;
   private atTop = 0;
-  /** The nodes that are open: first the current ones, each in the one before it, then perhaps a part, then calls. */
+  /** The open nodes: first the current items, each nested in the one before it, then possibly a part, then calls. */
   private open: number[] = [];
-  /** How many of these are current. */
+  /** The number of open nodes that are current items. */
   private inHand = 0;
   private readonly closesCall: readonly boolean[];
   private readonly watch: readonly (((step: number) => void) | undefined)[];
@@ -58,12 +58,12 @@ export class Outline {
     return this.nodes.size;
   }
 
-  /** How many nodes are in no other one. */
+  /** The number of nodes at the top level. */
   get topSize(): number {
     return this.atTop;
   }
 
-  /** Whether all of the run that is there was seen. */
+  /** Whether all steps read so far were processed. */
   get isUpToDate(): boolean {
     return this.seen >= this.trace.timeline.length;
   }
@@ -72,7 +72,7 @@ export class Outline {
     return this.trace.complete && this.isUpToDate;
   }
 
-  /** Goes on for about so long; says whether all that is there was seen. */
+  /** Continues for about this time. Returns whether all steps read so far were processed. */
   read(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     do this.readSome();
@@ -88,7 +88,7 @@ export class Outline {
     return event?.e === 'call' ? event.of : 'hand';
   }
 
-  /** The row after a node and all that is in it. */
+  /** The row after a node and its descendants. */
   endOf(node: number): number {
     const end = this.nodes.end[node] ?? 0;
     return end === 0 ? this.size : end;
@@ -99,7 +99,7 @@ export class Outline {
     return end[node] === 0 ? this.seen : (last[node] ?? 0);
   }
 
-  /** The last node that begins at a step or before it; `none` before the first. */
+  /** The last node that begins at or before a step; `none` before the first. */
   before(step: number): number {
     const { first, size } = this.nodes;
     let from = 0;
@@ -112,19 +112,19 @@ export class Outline {
     return from === 0 ? none : from - 1;
   }
 
-  /** The innermost node that a step is in; `none` where it is in none. */
+  /** The innermost node that contains a step; `none` if there is none. */
   at(step: number): number {
     let node = this.before(step);
     while (node !== none && this.lastOf(node) < step) node = this.nodes.parent[node] ?? none;
     return node;
   }
 
-  /** A node, and those that it is in, outwards. */
+  /** A node and its ancestors, from the inside out. */
   *wayUp(node: number): Generator<number> {
     for (let at = node; at !== none; at = this.nodes.parent[at] ?? none) yield at;
   }
 
-  /** The node of the current item that a node is or is in; `none` where nothing is. */
+  /** The innermost item at or above a node; `none` if there is none. */
   handOf(node: number): number {
     for (const at of this.wayUp(node)) if (this.nodes.kind[at] === hand) return at;
     return none;
@@ -176,7 +176,7 @@ export class Outline {
     }
   }
 
-  /** A node in the innermost one that is open. */
+  /** Begins a node in the innermost open one. */
   private begin(step: number, kind: number, value: number): number {
     const { nodes, open } = this;
     const parent = open.at(-1) ?? none;
@@ -193,7 +193,7 @@ export class Outline {
     return node;
   }
 
-  /** Closes all but the given number of open nodes. */
+  /** Closes all open nodes except the given number. */
   private close(left: number, last: number): void {
     const { nodes, open } = this;
     for (const node of open.splice(left)) {
@@ -207,7 +207,7 @@ export class Outline {
     this.begin(step, part, -1);
   }
 
-  /** The result of a procedure ends its call; where the trace has no calls it stands for one. */
+  /** The result of a procedure ends its call. In a trace without calls the result is a node of its own. */
   private finish(step: number, name: number): void {
     const top = this.open.at(-1) ?? none;
     const isCalled = this.closesCall[name] === true && this.nodes.kind[top] === pending;
@@ -216,7 +216,7 @@ export class Outline {
     this.close(this.open.length - 1, step);
   }
 
-  /** What the course of the run tells becomes nodes. */
+  /** Turns the records of the run's course into nodes. */
   private book(): Book {
     const { trace } = this;
     const indices = new Map(trace.header.scene.polygons.map(({ id }, i) => [id, i]));
@@ -257,7 +257,7 @@ function stepsOf(
 
 const outlines = new WeakMap<Trace, Outline>();
 
-/** The outline of a run, as far as it was gathered. */
+/** The outline of a run, as far as it has been built. */
 export function outlineOf(trace: Trace): Outline {
   const known = outlines.get(trace) ?? new Outline(trace);
   outlines.set(trace, known);

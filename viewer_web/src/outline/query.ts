@@ -7,20 +7,20 @@ import { eventsOf, kinds } from '../trace/events.js';
 import type { Method, Procedure } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 
-/** What may be searched for. */
+/** What can be searched for. */
 export const facets = ['polygon', 'curve', 'case', 'row', 'procedure'] as const;
 export type Facet = (typeof facets)[number];
 
-/** What a term may mean: one of these polygons or curves, by their places in the scene, cases, rows, or procedures. */
+/** The meaning of a term: some polygons or curves by their indices in the scene, or some cases, rows or procedures. */
 export type Meaning =
   | { readonly facet: 'procedure'; readonly values: ReadonlySet<Procedure> }
   | { readonly facet: Exclude<Facet, 'procedure'>; readonly values: ReadonlySet<number> };
 
 /** A word of a query, such as `B` or `case:split`. */
 export interface Term {
-  /** As it is written. */
+  /** The text as typed. */
   readonly word: string;
-  /** None if there is nothing of that name. */
+  /** Empty if nothing has that name. */
   readonly meanings: readonly Meaning[];
 }
 
@@ -30,7 +30,7 @@ export function proceduresOf(method: Method): readonly Procedure[] {
   return [...new Set(all)];
 }
 
-/** What may be searched for in the runs of a header. */
+/** The facets that the runs of a header have. */
 export function facetsOf(header: Header): readonly Facet[] {
   const { lanes, outline } = algorithmOf(header);
   const own: Readonly<Partial<Record<Facet, boolean>>> = {
@@ -44,7 +44,9 @@ export function facetsOf(header: Header): readonly Facet[] {
 
 const pattern = /(?:([^\s:"]+):)?("[^"]*"?|\S+)/gu;
 
-/** The terms of a query: words apart by spaces, one with spaces of its own in quotes, each perhaps after a facet's name. */
+/**
+ * The terms of a query. Spaces separate them, quotes enclose a term with spaces, and each may begin with a facet's name.
+ */
 export function termsOf(query: string, header: Header): readonly Term[] {
   return [...query.matchAll(pattern)].map(([word, name, quoted = '']) => {
     const text = quoted.replaceAll('"', '');
@@ -58,7 +60,7 @@ export function termsOf(query: string, header: Header): readonly Term[] {
 export const without = (terms: readonly Term[], gone: Term): string =>
   terms.flatMap((term) => (term === gone ? [] : term.word)).join(' ');
 
-/** A term that means one thing, as it is written. */
+/** A term with a single meaning, as text. */
 export function written(facet: Facet, name: string): string {
   return `${facet}:${/[\s"]/u.test(name) ? `"${name}"` : name}`;
 }
@@ -67,7 +69,7 @@ const isSame = (one: string, other: string): boolean => one.toLowerCase() === ot
 const begins = (name: string, text: string): boolean =>
   name.toLowerCase().startsWith(text.toLowerCase());
 
-/** The facet of that name, in any language. */
+/** The facet with that name in any language. */
 const facetNamed = (name: string): Facet | null =>
   facets.find((facet) =>
     [facet, ...languages.map((language) => texts[language].outline.facets[facet])].some((each) =>
@@ -75,7 +77,9 @@ const facetNamed = (name: string): Facet | null =>
     ),
   ) ?? null;
 
-/** What a word means that says no facet: something of just that name, or else something whose name begins so. */
+/**
+ * The meanings of a word without a facet: everything with exactly that name, or else polygons whose name begins with it.
+ */
 function plain(text: string, header: Header): readonly Meaning[] {
   const { polygons } = header.scene;
   const exact = new Set(polygons.flatMap(({ id }, i) => (id === text ? i : [])));
@@ -122,7 +126,7 @@ function numbersOf(
   return new Set(isThere ? [number] : []);
 }
 
-/** What a term is taken to mean, in words. */
+/** The meaning of a term in words. */
 export function sayTerm({ meanings }: Term, { scene }: Header, language: Language): string {
   const { outline, strip } = texts[language];
   const most = 3;

@@ -6,10 +6,10 @@ import { kinds } from '../trace/events.js';
 import type { Outline } from './outline.js';
 import type { Told } from './outlined.js';
 
-/** Characters of a note; a list in it may be far longer than a row. */
+/** The maximum length of a note: a list in it may be far longer than a row. */
 const longest = 60;
 
-/** A procedure with its result, as it stands beside the listing: "SurroundTest A: true". */
+/** A procedure with its result, as in the listing's notes: "SurroundTest A: true". */
 function sayCall({ kind, last, header, event }: Told, language: Language): string {
   const result = event(last);
   if (result === null || kinds[result.e].resultOf !== kind) return kind;
@@ -21,7 +21,7 @@ function sayCall({ kind, last, header, event }: Told, language: Language): strin
   return `${polygon === '' ? kind : `${kind} ${polygon}`}: ${note}`;
 }
 
-/** What a node is, in a few words. */
+/** The text of a node. */
 export function sayNode(outline: Outline, node: number, language: Language): string {
   const told = outline.told(node);
   return algorithmOf(told.header).outline.say(told, language) ?? sayCall(told, language);

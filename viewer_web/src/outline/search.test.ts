@@ -21,7 +21,7 @@ async function found(name: string, query: string): Promise<readonly number[]> {
   return search.hits.map((node) => outline.nodes.first[node] ?? 0);
 }
 
-/** Runs of events from one of some name up to the next, with the step of the first: worked out without the outline. */
+/** The ranges from each event with some names up to the next, with the step of the first, computed without the outline. */
 function stretches(
   name: string,
   begin: Event['e'],
@@ -48,7 +48,7 @@ describe('a search', () => {
     }
   });
 
-  it('finds the windows in which a polygon is looked at', async () => {
+  it('finds the windows in which a polygon is tested', async () => {
     const steps = stretches(warnock, 'pop')
       .filter(([, events]) => events.some((event) => 'polygon' in event && event.polygon === 'B'))
       .map(([step]) => step);
@@ -58,7 +58,7 @@ describe('a search', () => {
     }
   });
 
-  it('finds what all terms mean', async () => {
+  it('finds nodes that match all terms', async () => {
     const steps = stretches(warnock, 'pop')
       .filter(
         ([, events]) =>
@@ -70,7 +70,7 @@ describe('a search', () => {
     expect(await found(warnock, 'B split')).toEqual(steps);
   });
 
-  it('finds the calls of a procedure, of a polygon, and in windows of a case', async () => {
+  it('finds the calls of a procedure, for a polygon, and in windows of a case', async () => {
     const calls = eventsIn(warnock).flatMap((event, i) =>
       event.e === 'call' && event.of === 'SurroundTest' ? i + 1 : [],
     );
@@ -107,7 +107,7 @@ describe('a search', () => {
     expect(await found(zbuffer, 'B ShowLine')).toEqual(shown);
   });
 
-  it('finds lists in which a polygon is, and curves by their number', async () => {
+  it('finds lists that contain a polygon, and curves by their number', async () => {
     const regions = 'wedge.weiler-atherton.polygons';
     const id = eventsIn(regions).find((event) => event.e === 'pop_list')?.clip ?? '';
     const lists = stretches(regions, 'pop_list')
@@ -127,7 +127,7 @@ describe('a search', () => {
     expect(await found(curves, '1')).toEqual([second]);
   });
 
-  it('finds nothing where a term means nothing', async () => {
+  it('finds nothing if a term has no meaning', async () => {
     expect(await found(warnock, 'polygon:nobody')).toEqual([]);
     expect(await found(warnock, 'split nobody')).toEqual([]);
     expect(await found(warnock, 'curve:1')).toEqual([]);
@@ -136,7 +136,7 @@ describe('a search', () => {
 });
 
 describe('a query', () => {
-  it('has terms that are said in words, and can be taken away', async () => {
+  it('has terms that are explained in words, and can be removed', async () => {
     const { header } = await traceOf(textOf(`${warnock}.jsonl`));
     const terms = termsOf('polygon:B  spl "no one"', header);
     expect(terms.map(({ word }) => word)).toEqual(['polygon:B', 'spl', '"no one"']);
@@ -155,7 +155,7 @@ describe('a query', () => {
     expect(without(terms, first)).toBe('spl "no one"');
   });
 
-  it('takes a word for all that begins so', async () => {
+  it('takes a word as a prefix', async () => {
     const { header } = await traceOf(textOf(`${warnock}.jsonl`));
     const [term] = termsOf('surr', header);
     if (term === undefined) throw new Error('no term');

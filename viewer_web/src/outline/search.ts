@@ -6,10 +6,10 @@ import { none } from './table.js';
 
 const atOnce = 512;
 
-/** One way to take a query: what each of its terms means. */
+/** One reading of a query: a meaning for each of its terms. */
 type Reading = readonly Meaning[];
 
-/** All ways to take a query. */
+/** All readings of a query. */
 function readingsOf(terms: readonly Term[]): readonly Reading[] {
   return terms.reduce<readonly Reading[]>(
     (all, { meanings }) => all.flatMap((some) => meanings.map((one) => [...some, one])),
@@ -26,15 +26,15 @@ function mentionsIn(outline: Outline): Mentions {
 }
 
 /**
- * Looks for the nodes that a query means in the outline of a whole run: calls, if it names a procedure; else parts, if it names
- * one; else the current item. The other terms are about these or what they are in.
+ * Searches the outline of a whole run for the nodes that a query means: calls if it names a procedure, or else parts if it
+ * names one, or else current items. The other terms are conditions on these nodes and their ancestors.
  */
 export class Search {
   private readonly readings: readonly Reading[];
   private mentions: Mentions | null = null;
   private readonly found: number[] = [];
   private at = 0;
-  /** For polygons that are meant, which of the current nodes have a step that names one of them. */
+  /** For each set of polygons, which of the current nodes have a step that names one of them. */
   private readonly naming = new Map<ReadonlySet<number>, Uint8Array>();
   private readonly numbers = new Map<number, number | null>();
 
@@ -45,7 +45,7 @@ export class Search {
     this.readings = readingsOf(terms);
   }
 
-  /** The nodes, in their order. */
+  /** The nodes in order. */
   get hits(): readonly number[] {
     return this.found;
   }
@@ -54,7 +54,7 @@ export class Search {
     return this.readings.length === 0 || this.at >= this.outline.size;
   }
 
-  /** Goes on for about so long; says whether all was seen. */
+  /** Continues for about this time. Returns whether the whole outline was searched. */
   read(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     if (!this.complete && !this.readMentions(milliseconds)) return false;
@@ -63,7 +63,7 @@ export class Search {
     return this.complete;
   }
 
-  /** Which polygons are named is looked up only for those who ask for polygons. */
+  /** The names of polygons are read only for queries about polygons. */
   private readMentions(milliseconds: number): boolean {
     if (!this.readings.flat().some(({ facet }) => facet === 'polygon')) return true;
     this.mentions ??= mentionsIn(this.outline);
@@ -107,7 +107,10 @@ export class Search {
     }
   }
 
-  /** A call, if its result names a polygon; else the current item, if it is that polygon or a step of it names that. */
+  /**
+   * Whether a call's result names a polygon. For other nodes: whether the current item is that polygon, or has a step that
+   * names it.
+   */
   private concerns(node: number, polygons: ReadonlySet<number>): boolean {
     const { outline, mentions: named } = this;
     const own = outline.isHand(node) ? -1 : (named?.at(outline.lastOf(node)) ?? -1);
@@ -141,7 +144,7 @@ export class Search {
     return found;
   }
 
-  /** The number of the part that a node is or is in. */
+  /** The number of the part at or above a node. */
   private numberOf(node: number): number | null {
     const { outline, numbers } = this;
     for (const at of outline.wayUp(node)) {

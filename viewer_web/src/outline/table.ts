@@ -14,28 +14,28 @@ function twice<T extends Numbers>(column: T): T {
 }
 
 /**
- * The nodes of an outline, a row each in the order of their first steps, so that a node stands before all that is in it. A long
- * run has some 100 000 of them: each of their properties is a column.
+ * The nodes of an outline, one row each, in the order of their first steps, so that a node comes before its descendants. A
+ * long run has some 100 000 nodes, so each property is a column.
  */
 export class NodeTable {
   first = new Uint32Array(some);
-  /** Its last step, those of the nodes in it among them. */
+  /** Its last step, including those of its descendants. */
   last = new Uint32Array(some);
-  /** The row after it and all nodes in it; 0 while it is open. */
+  /** The row after it and its descendants; 0 while it is open. */
   end = new Uint32Array(some);
-  /** The node that it is in; `none` at the top. */
+  /** Its parent; `none` at the top. */
   parent = new Uint32Array(some);
-  /** Which of the nodes there it is, from 1, and how many are in itself. */
+  /** Its index among its siblings, from 1, and the number of its children. */
   place = new Uint32Array(some);
   children = new Uint32Array(some);
-  /** From 1 at the top. */
+  /** Its depth, 1 at the top. */
   depth = new Uint16Array(some);
   kind = new Uint8Array(some);
-  /** What the course of the run says of it, see `Stretches`; -1 for what is no item. */
+  /** The value from the run's course, see `Stretches`; -1 if it is not an item. */
   part = new Int32Array(some);
   size = 0;
 
-  /** A further row, all zeros; gives its number. */
+  /** Adds a row of zeros and returns its number. */
   add(): number {
     if (this.size === this.first.length) {
       this.first = twice(this.first);
@@ -52,5 +52,5 @@ export class NodeTable {
   }
 }
 
-/** In the place of a node where there is none. */
+/** Stands for no node. */
 export const none = 2 ** 32 - 1;

@@ -1,7 +1,10 @@
 import { none } from './table.js';
 import type { Unfolded } from './unfolded.js';
 
-/** Where a key leads from a node of a tree, as trees are gone about in everywhere, or what it folds; null for other keys. */
+/**
+ * The node that a key moves to from a node of a tree, as in other trees, or null for other keys. Some keys fold and unfold
+ * nodes.
+ */
 export function treeKeys(key: string, from: number, page: number, tree: Unfolded): number | null {
   const { outline } = tree;
   const { parent, children } = outline.nodes;
@@ -42,7 +45,7 @@ export function treeKeys(key: string, from: number, page: number, tree: Unfolded
   }
 }
 
-/** Unfolds all nodes that are in the same one. */
+/** Unfolds all siblings of a node. */
 function unfoldBeside(node: number, tree: Unfolded): void {
   const { outline } = tree;
   const { parent } = outline.nodes;

@@ -5,7 +5,7 @@ import { none } from './table.js';
 import { treeKeys } from './tree-keys.js';
 import { Unfolded } from './unfolded.js';
 
-// Two polygons, A with rows from -1 on and then B; each row shows lines.
+// Two polygons, A with rows from -1 on, and then B; each row shows lines.
 async function tree(): Promise<Unfolded> {
   const outline = new Outline(await traceOf(textOf('small.zbuffer.signs.jsonl')));
   outline.read();
@@ -16,7 +16,7 @@ const rowsOf = (unfolded: Unfolded): readonly number[] =>
   Array.from({ length: unfolded.length }, (_, row) => unfolded.nodeAt(row));
 
 describe('the rows of an outline', () => {
-  it('are those at the top, until something is unfolded', async () => {
+  it('are at the top level, until something is unfolded', async () => {
     const unfolded = await tree();
     const { outline } = unfolded;
     const [a = none, b = none] = rowsOf(unfolded);
@@ -28,7 +28,7 @@ describe('the rows of an outline', () => {
     expect(rowsOf(unfolded)).toEqual([a, b]);
   });
 
-  it('unfold on the way to a step, and fold again behind it', async () => {
+  it('unfold down to a step, and fold again after it', async () => {
     const unfolded = await tree();
     const { outline } = unfolded;
     const [a = none, b = none] = rowsOf(unfolded);
@@ -40,7 +40,7 @@ describe('the rows of an outline', () => {
     expect(rowsOf(unfolded)).toEqual([a, b]);
   });
 
-  it('stay as they are once the reader has done something with them', async () => {
+  it('stay unfolded once the reader has acted on them', async () => {
     const unfolded = await tree();
     const { outline } = unfolded;
     const [a = none, b = none] = rowsOf(unfolded);
@@ -51,7 +51,7 @@ describe('the rows of an outline', () => {
     unfolded.fold(a);
     unfolded.follow(outline.at(outline.nodes.first[a + 2] ?? 0));
     expect(unfolded.isUnfolded(a)).toBe(false);
-    expect(unfolded.rowOf(a + 2)).toBe(0); // what is folded stands for what is in it
+    expect(unfolded.rowOf(a + 2)).toBe(0); // a folded node stands for its descendants
   });
 
   it('change their version only when they change', async () => {
@@ -65,7 +65,7 @@ describe('the rows of an outline', () => {
 });
 
 describe('keys in an outline', () => {
-  it('lead from row to row, into a node and out of it', async () => {
+  it('move from row to row, into a node and out of it', async () => {
     const unfolded = await tree();
     const [a = none, b = none] = rowsOf(unfolded);
     const go = (key: string, from: number): number | null => treeKeys(key, from, 5, unfolded);

@@ -2,23 +2,23 @@ import type { Outline } from './outline.js';
 import { none } from './table.js';
 
 /**
- * Which nodes of an outline are unfolded, and so which rows there are: those that the reader has unfolded, and the way to the
- * step that is shown, which folds again behind it unless the reader does something with the tree.
+ * The unfolded nodes of an outline, and so its rows. These are the nodes that the reader has unfolded, and the ancestors of
+ * the current step. The latter fold again when the step leaves them, unless the reader acts on the tree.
  */
 export class Unfolded {
   private rows = new Uint32Array(256);
   private count = 0;
   private readonly byReader = new Set<number>();
-  /** What the reader has folded stays so, though the step be in it. */
+  /** The nodes that the reader has folded. They stay folded even if the step is in them. */
   private readonly folded = new Set<number>();
   private way: readonly number[] = [];
-  /** The size of the outline for which the rows were made; -1 if others are due. */
+  /** The size of the outline for which the rows were made; -1 if they are outdated. */
   private madeFor = -1;
   private turn = 0;
 
   constructor(readonly outline: Outline) {}
 
-  /** Changes whenever the rows do. */
+  /** A number that changes whenever the rows do. */
   get version(): number {
     this.make();
     return this.turn;
@@ -34,7 +34,7 @@ export class Unfolded {
     return row >= 0 && row < this.count ? (this.rows[row] ?? none) : none;
   }
 
-  /** The row of a node, or of the innermost one that it is in and that has a row; -1 for no node. */
+  /** The row of a node, or of its innermost ancestor that has a row; -1 for no node. */
   rowOf(node: number): number {
     this.make();
     for (const at of this.outline.wayUp(node)) {
@@ -48,7 +48,7 @@ export class Unfolded {
     return !this.folded.has(node) && (this.byReader.has(node) || this.way.includes(node));
   }
 
-  /** The step has come to this node: what it is in is unfolded, and what it has left is folded. */
+  /** Follows the step to a node: unfolds its ancestors, and folds those of the previous node. */
   follow(node: number): void {
     const [at, ...around] = this.outline.wayUp(node);
     const way = at !== undefined && this.way.includes(at) ? [at, ...around] : around;
@@ -57,7 +57,7 @@ export class Unfolded {
     this.madeFor = -1;
   }
 
-  /** What is unfolded now stays so. */
+  /** Keeps unfolded what is unfolded now. */
   keep(): void {
     for (const node of this.way) this.byReader.add(node);
   }
@@ -76,7 +76,7 @@ export class Unfolded {
     this.madeFor = -1;
   }
 
-  /** Unfolds all that a node is in. */
+  /** Unfolds all ancestors of a node. */
   reveal(node: number): void {
     const [, ...around] = this.outline.wayUp(node);
     for (const each of around) this.unfold(each);
@@ -99,7 +99,7 @@ export class Unfolded {
     }
   }
 
-  /** The row of just this node, or -1. */
+  /** The row of exactly this node, or -1. */
   private search(node: number): number {
     let from = 0;
     let end = this.count;

@@ -7,14 +7,14 @@ import type { Frame } from './frame.js';
 import type { Pixel } from './pixel.js';
 import { ticksIn } from './ticks.js';
 
-/** CSS pixels: how far numbers are from the area, from the edge of the box, and a letter's width. */
+/** CSS pixels: the distance of numbers from the area, their distance from the edge of the box, and the width of a digit. */
 const off = 5;
 const edge = 3;
 const letter = 6.5;
-/** What numbers must be apart, in CSS pixels. */
+/** The least distance between numbers, in CSS pixels. */
 const apart = { x: 30, y: 17 };
 
-/** The numbers of columns and rows along the area; where that is out of sight, along the edge of the box. */
+/** The numbers of columns and rows along the area. Where its edge is out of sight, they are along the edge of the box. */
 @customElement('vidno-axes')
 export class AxesElement extends LitElement {
   static override styles = [
@@ -60,7 +60,7 @@ export class AxesElement extends LitElement {
   ];
 
   @property({ attribute: false }) frame!: Frame;
-  /** The pixel that is pointed at, whose column and row have their numbers in any case. */
+  /** The pixel under the pointer, whose column and row are always numbered. */
   @property({ attribute: false }) pointed: Pixel | null = null;
 
   override render(): TemplateResult {
@@ -72,7 +72,7 @@ export class AxesElement extends LitElement {
     </svg>`;
   }
 
-  /** Which numbers stand where along an axis; near the one that is pointed at there is no other. */
+  /** The numbers along an axis and their positions. No other number is close to the pointed one. */
   private numbers(axis: 'x' | 'y'): readonly (readonly [n: number, at: number])[] {
     const { area, shown, scale } = this.frame;
     const [from, length] = axis === 'x' ? [area.x, area.width] : [area.y, area.height];

@@ -4,14 +4,14 @@ import { beyond } from './beyond.js';
 import { Frame } from './frame.js';
 import { point } from './mark.js';
 
-// 100 x 100 units with a margin of 7 in a box of 1140: 10 CSS pixels a unit.
+// 100 x 100 units with a margin of 7 in a box of 1140: 10 CSS pixels per unit.
 const frame = new Frame({ x: 0, y: 0, width: 100, height: 100 }, { width: 1140, height: 1140 });
 const { numbers } = texts.en;
 
 describe('points of a step that are out of sight', () => {
-  it('have an arrow at the edge that is nearest to them, and their place beside it', () => {
+  it('have an arrow at the nearest edge, and their coordinates beside it', () => {
     const { shapes, labels } = beyond([point('no', [50, -107])], frame, numbers);
-    // The tip is 3 CSS pixels from the edge at -7, and the arrow 14 long and 14 wide.
+    // The tip is 3 CSS pixels from the edge at -7; the arrow is 14 long and 14 wide.
     expect(shapes.map(({ look }) => look)).toEqual(['dot no']);
     const corners = [50, -6.7, 50.7, -5.3, 49.3, -5.3];
     (shapes[0]?.d.match(/-?[\d.]+/g) ?? []).forEach((each, i) => {
@@ -25,13 +25,13 @@ describe('points of a step that are out of sight', () => {
     expect(labels[0]?.at[1]).toBeCloseTo(-4.2);
   });
 
-  it('have one each, and those in sight none, nor what is there because of the state', () => {
+  it('have one arrow each; visible points and points of the state have none', () => {
     const far = [point('side', [-50, 50]), point('point', [-50, 50]), point('yes', [-50, 50])];
     expect(beyond([point('yes', [50, 50]), ...far], frame, numbers).shapes).toHaveLength(1);
     expect(beyond([point('edge', [-50, 50])], frame, numbers).labels).toEqual([]);
   });
 
-  it('have none once all that there is is shown', () => {
+  it('have none once everything is shown', () => {
     const wide = new Frame(frame.area, frame.size, null, [0, -107, 100, 207]);
     expect(beyond([point('no', [50, -107])], wide, numbers).shapes).toHaveLength(1);
     expect(beyond([point('no', [50, -107])], wide.with(wide.all), numbers).shapes).toEqual([]);

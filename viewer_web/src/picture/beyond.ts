@@ -5,13 +5,13 @@ import { pathData } from './shapes.js';
 import type { Shape } from './shapes.js';
 import type { Label } from './still.js';
 
-/** What a step says of points. */
+/** The roles of points that have arrows. */
 const told: readonly Role[] = ['yes', 'no', 'point'];
-/** CSS pixels: of an arrow, how long it is, half its width and how far from the edge; half the width of a letter. */
+/** CSS pixels: the length, half width and distance from the edge of an arrow, and half the width of a letter. */
 const arrow = { length: 14, half: 7, off: 3 };
 const letter = 4;
 
-/** For each point of a step that is out of sight, an arrow at the edge towards it, and where it is. */
+/** An arrow and a label at the edge for each point of a step that is out of sight. */
 export interface Beyond {
   readonly shapes: readonly Shape[];
   readonly labels: readonly Label[];
@@ -30,7 +30,7 @@ export function beyond(marks: readonly Mark[], frame: Frame, { point }: Numbers)
   };
 }
 
-/** How far from the edge the middle of the letters stands, so that none is cut and the arrow is free. */
+/** The distance of a label's centre from the edge, so that no letter is cut and the arrow stays visible. */
 const besides = (text: string): Point => [
   Math.max(text.length * letter + 6, 2 * arrow.length),
   2 * arrow.length,
@@ -40,7 +40,7 @@ function isSeen([x, y]: Point, { shown: [left, top, width, height] }: Frame): bo
   return x >= left && x <= left + width && y >= top && y <= top + height;
 }
 
-/** The place in sight that is nearest to a point, so many CSS pixels from the edge. */
+/** The visible place nearest to a point, at a distance from the edge in CSS pixels. */
 function nearest([x, y]: Point, { shown, scale }: Frame, [across, down]: Point): Point {
   const [left, top, width, height] = shown;
   const within = (at: number, from: number, length: number, inset: number): number =>

@@ -1,8 +1,8 @@
 import { css } from 'lit';
 
 /**
- * The looks of what the picture of curves shows, on white in both themes. The horizons lie under the lines, which
- * are on them; the lower one is narrower, where both are the same.
+ * The looks of the picture of curves, on white in both themes. The horizons lie under the lines that are on them. The lower
+ * one is narrower, for places where both coincide.
  */
 export const curvesStyle = css`
   .visible {

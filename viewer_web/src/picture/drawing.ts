@@ -9,7 +9,7 @@ import type { Shape } from './shapes.js';
 import { gridShapes, labelsOf, notesOf, outlineShapes } from './still.js';
 import type { Label } from './still.js';
 
-/** What is drawn over the pixels of a picture, from below, on the page and in a figure alike. */
+/** The drawing over the pixels of a picture, from bottom to top, for the page and for figures. */
 export interface Drawing {
   readonly shapes: readonly Shape[];
   readonly labels: readonly Label[];
@@ -25,7 +25,7 @@ export const sceneDrawing = (
   labels: labelsOf(scene, frame),
 });
 
-/** What the step is about; `over` lies under its marks. */
+/** The marks of the step; `over` lies under them. */
 export function stepDrawing(view: View, frame: Frame, over: readonly Shape[] = []): Drawing {
   const marks = marksOf(view, frame.sight);
   const outside = beyond(marks, frame, numbersOf(view));

@@ -6,13 +6,13 @@ import { labelSize } from './still.js';
 import type { Label } from './still.js';
 import { polygonThing } from '../algorithm/pointed.js';
 
-/** A shape as the page shows it. */
+/** A shape on the page. */
 export function drawn({ look, d, color, fill, thing }: Shape): SVGTemplateResult {
   if (fill !== undefined) return svg`<path class=${look} d=${d} .style=${`fill: ${fill}`} />`;
   return svg`<path class=${look} d=${d} stroke=${color ?? nothing} data-thing=${thing ?? nothing} />`;
 }
 
-/** Labels as text of one size wherever one zooms; polygons are pointed at by their names. */
+/** Labels in a text size independent of the zoom; polygons can be pointed at by their names. */
 export function labels(all: readonly Label[], { scale }: Frame): readonly SVGTemplateResult[] {
   const size = labelSize / scale;
   return all.map(

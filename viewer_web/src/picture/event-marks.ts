@@ -4,11 +4,11 @@ import type { N, Point } from '../trace/values.js';
 import { box, path, point } from './mark.js';
 import type { Mark, Role } from './mark.js';
 
-/** What stands on the picture because of an event. */
+/** The marks of an event on the picture. */
 export type Draw<K extends EventName> = (event: Event<K>, view: View) => readonly Mark[];
 export type Draws = { readonly [K in EventName]?: Draw<K> };
 
-/** Stretches of a row of pixels. */
+/** Boxes around runs of pixels in a row. */
 export const rowBoxes = (
   role: Role,
   row: number,
@@ -19,18 +19,18 @@ export const atPoint = ({ point: at }: { readonly point: Point }): readonly Mark
   point('point', at),
 ];
 
-/** The pixels that take a colour. */
+/** The pixels that are painted. */
 export const painted = ({ runs }: Pick<Event<'draw'>, 'runs'>): readonly Mark[] =>
   runs.flatMap(([row, ...run]) => rowBoxes('touched', row, [run]));
 
-/** A piece of the centre line of a row. */
+/** A segment of the centre line of a row. */
 export const onRow = (row: number, left: N, right: N): Mark =>
   path('side', [
     [left, row + 0.5],
     [right, row + 0.5],
   ]);
 
-/** What the events tell that all algorithms have. */
+/** The marks of events that all algorithms have. */
 const common: Draws = {
   depth: atPoint,
   fault: ({ x, y }) => (x === undefined || y === undefined ? [] : [box('off', [x, y, 1, 1])]),

@@ -3,7 +3,7 @@ import type { Rectangle } from './frame.js';
 
 const known = new WeakMap<Scene, Rectangle>();
 
-/** What a scene takes up: the area and all vertices, in it or not. The same scene gives the same rectangle. */
+/** The extent of a scene: the area and all vertices, even those outside. The same scene always gives the same object. */
 export function extentOf(scene: Scene): Rectangle {
   const found = known.get(scene) ?? boundsOf(scene);
   known.set(scene, found);

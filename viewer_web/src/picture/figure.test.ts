@@ -14,11 +14,11 @@ async function viewAt(text: string, step: number): Promise<View> {
   return viewOf(await traceOf(text), step, { language: 'en', pixel: null, pointed: null });
 }
 
-/** All that is written for an attribute, in order. */
+/** All values of an attribute, in order. */
 const written = (figure: string, pattern: RegExp): readonly string[] =>
   [...figure.matchAll(pattern)].map((match) => match.slice(1).join(' '));
 
-/** The rectangles that carry colours, painted on cells; each cell once. */
+/** The coloured rectangles, painted on cells, each cell at most once. */
 function painted(figure: string, { header }: View): readonly (readonly string[])[] {
   const { x, y, width, height } = header.scene.area;
   const cells = Array.from({ length: height }, () => new Array<string>(width).fill('none'));
@@ -66,7 +66,7 @@ describe('the pixels of a figure', () => {
 });
 
 describe('a figure', () => {
-  it('is the same bytes for the same step, whatever was shown between', async () => {
+  it('has the same bytes for the same step, whatever was shown in between', async () => {
     const trace = await traceOf(textOf('small.warnock.signs.jsonl'));
     const at = (step: number): string =>
       figureOf(viewOf(trace, step, { language: 'en', pixel: null, pointed: null }));
@@ -75,7 +75,7 @@ describe('a figure', () => {
     expect(at(200)).toBe(first);
   });
 
-  it('has names as text, in which no markup and no forbidden character counts', async () => {
+  it('has names as text, with markup escaped and forbidden characters removed', async () => {
     const name = '</text><script>"&\u0000\ud800';
     const text = textWith(headerOf('warnock'), [push]).replaceAll('"A"', JSON.stringify(name));
     const figure = figureOf(await viewAt(text, 1));
@@ -84,7 +84,7 @@ describe('a figure', () => {
     expect(figure).not.toContain('script>"');
   });
 
-  it('says which step it shows, and what happened there', async () => {
+  it('states its step, and what happened there', async () => {
     const figure = figureOf(await viewAt(textWith(headerOf('warnock'), [push]), 1));
     expect(figure).toContain('<title>Two squares · Warnock · Step 1</title>');
     expect(figure).toContain('<desc>The first window, (0, 0) 8 × 8, goes on the stack');
@@ -110,7 +110,7 @@ describe('a figure', () => {
 });
 
 describe('the looks of the page', () => {
-  it('are found for each class, the more exact rule before the more general', () => {
+  it('are found for each class, with the more specific rule taking precedence', () => {
     expect(lookOf('window', 1).get('stroke-width')).toBe('3');
     expect(lookOf('casing window', 1).get('stroke')).toBe('#ffffff');
     expect(lookOf('casing active', 1).get('stroke')).toBe('#10131c');

@@ -11,7 +11,7 @@ import type { Label } from './still.js';
 /** The longer side, in CSS pixels. */
 const side = 720;
 
-/** A shape where a unit is so many CSS pixels. */
+/** An SVG path of a shape, at a scale of CSS pixels per unit. */
 export function pathOf({ look, d, color, fill }: Shape, scale: number): string {
   const attributes = new Map([...lookOf(look, scale), ['d', d]]);
   if (color !== undefined) attributes.set('stroke', color);
@@ -19,7 +19,7 @@ export function pathOf({ look, d, color, fill }: Shape, scale: number): string {
   return element('path', attributes);
 }
 
-/** Written twice, first as a light rim: few programs can do both at once. */
+/** The text is written twice, first as a light rim, because few programs can draw rim and text at once. */
 function label({ text, at: [x, y] }: Label, { whole, scale }: Frame): string {
   const attributes = {
     x: short((x - whole[0]) * scale),
@@ -38,19 +38,19 @@ function label({ text, at: [x, y] }: Label, { whole, scale }: Frame): string {
   );
 }
 
-/** How the plane of a view lies in its figure. */
+/** The frame of a view's figure. */
 export const figureFrame = ({ header }: View): Frame =>
   new Frame(header.scene.area, { width: side, height: side });
 
-/** What is drawn besides: under the polygons' outlines, and over these. */
+/** Additional shapes, under and over the polygons' outlines. */
 interface Layers {
   readonly under: readonly Shape[];
   readonly over: readonly Shape[];
 }
 
 /**
- * The picture at a step, with its marks and names, as an SVG document of its own, which looks as on the page wherever it
- * is opened: vectors alone, looks as attributes, on white. The same view gives the same bytes.
+ * The picture at a step, with its marks and names, as a separate SVG document that looks the same wherever it is opened:
+ * vectors only, looks as attributes, on white. The same view gives the same bytes.
  */
 export function figureOf(view: View, { under, over }: Layers = { under: [], over: [] }): string {
   const { scene } = view.header;
@@ -59,7 +59,7 @@ export function figureOf(view: View, { under, over }: Layers = { under: [], over
 
   const patches = patchesOf(view.screen.picture, scene.area);
   const pixels = patches.map(({ color, d }) => element('path', Object.entries({ fill: color, d })));
-  // Neighbours must meet without a seam.
+  // Neighbouring pixels must meet without a seam.
   const sharp = element('g', [['shape-rendering', 'crispEdges']], `\n${pixels.join('')}`);
   const still = sceneDrawing(scene, frame, under);
   const step = stepDrawing({ ...view, pointed: null, asked: [] }, frame, over);
@@ -68,7 +68,7 @@ export function figureOf(view: View, { under, over }: Layers = { under: [], over
   return figureDocument(view, frame, `${sharp}${shapes.join('')}`, names.join(''));
 }
 
-/** The document of what is drawn in the plane, and of what stands on it in CSS pixels. */
+/** The document with a drawing in the plane, and labels in CSS pixels. */
 export function figureDocument(view: View, frame: Frame, drawing: string, names = ''): string {
   const { header, step, texts } = view;
   const { scene } = header;

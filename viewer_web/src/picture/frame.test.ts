@@ -14,7 +14,7 @@ describe('the whole', () => {
     expect(whole.zoom).toBeNull();
   });
 
-  it('is what remains if it is made smaller, or moved', () => {
+  it('is unchanged when it is made smaller or moved', () => {
     for (const frame of [whole.zoomed(0.5, [3, 4]), whole.moved(100, -30)]) {
       expect(frame.zoom).toBeNull();
       frame.shown.forEach((value, i) => {
@@ -50,22 +50,22 @@ describe('a zoom', () => {
     expect(whole.zoomed(39).isLargest).toBe(false);
   });
 
-  it('in, and out again about the same point, is the whole', () => {
+  it('in, and out again around the same point, gives the whole', () => {
     const far = whole.zoomed(20, [10, 10]).zoomed(1 / 20, [1000, 600]);
     expect(far.zoom).toBeNull();
     expect(far.scale).toBe(whole.scale);
   });
 });
 
-describe('what must be seen', () => {
+describe('a square that must be visible', () => {
   const zoom: Zoom = { by: 10, middle: [50, 25] }; // 11.4 x 7 units, from (44.3, 21.5)
   const near = whole.with(zoom);
 
-  it('moves nothing where it is in sight', () => {
+  it('moves nothing if it is in sight', () => {
     expect(near.showing([50, 25], 1).shown).toEqual(near.shown);
   });
 
-  it('is moved into sight, with as much again on each side', () => {
+  it('is moved into sight, with its own size as a margin on each side', () => {
     // The pixel 60 and one more end at 62; the pixel 20 and one before it begin at 19.
     const [x, y, width] = near.showing([60, 20], 1).shown;
     expect(x + width).toBeCloseTo(62);
@@ -80,7 +80,7 @@ describe('a scene that reaches farther than the area', () => {
   const frame = new Frame(square, box, null, [-8, -6, 32, 32]);
   const { all } = frame;
 
-  it('is first shown as far as the area is', () => {
+  it('is at first shown as far as the area extends', () => {
     expect(frame.zoom).toBeNull();
     expect(frame.shown).toEqual(new Frame(square, box).shown);
     expect(frame.hasMore).toBe(true);
@@ -98,18 +98,18 @@ describe('a scene that reaches farther than the area', () => {
     expect(frame.with(all).zoomed(0.5).scale).toBe(frame.with(all).scale);
   });
 
-  it('is shown as far as the area is on the way in and out', () => {
+  it('stops at the extent of the area on the way in and out', () => {
     expect(frame.with(all).zoomed(10).zoom).toBeNull();
     expect(frame.zoomed(1.5).zoomed(0.1).zoom).toBeNull();
   });
 
-  it('may be moved to where its vertices are', () => {
+  it('can be moved to its vertices', () => {
     const [x, y] = frame.zoomed(8).moved(1e6, 1e6).shown;
     expect(x).toBeLessThan(-8);
     expect(y).toBeLessThan(-6);
   });
 
-  it('has no more to show where it ends within the margin', () => {
+  it('has nothing more to show if it ends within the margin', () => {
     expect(new Frame(square, box, null, [-1, 0, 17, 16]).hasMore).toBe(false);
   });
 });

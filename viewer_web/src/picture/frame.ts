@@ -8,49 +8,49 @@ export interface Size {
   readonly height: number;
 }
 
-/** How much larger than the whole a part of the plane is shown, and the middle of that part. */
+/** The magnification of a visible part of the plane relative to the whole, and the centre of that part. */
 export interface Zoom {
   readonly by: number;
   readonly middle: Point;
 }
 
-/** Ways to another zoom; `all` has what lies outside of the area, too. */
+/** The zoom commands; `all` also shows what lies outside the area. */
 export type Zooming = 'out' | 'in' | 'whole' | 'all';
 
 export type Point = readonly [x: number, y: number];
 export type Rectangle = readonly [x: number, y: number, width: number, height: number];
 
-/** CSS pixels that a pixel of the picture may always be enlarged to. */
+/** A pixel of the picture can always be enlarged to this number of CSS pixels. */
 const large = 64;
-/** How much any picture may be enlarged. */
+/** Any picture can be magnified this many times. */
 const most = 40;
-/** CSS pixels that lines must be apart. */
+/** The least distance between lines, in CSS pixels. */
 const apart = 5;
-/** What is around the area, as a part of its longer side; and where there is little room. */
+/** The margin around the area as a share of its longer side, usually and in a small box. */
 export const margins = { usual: 0.07, small: 0.05 };
 
-/** How the plane lies in a box of the page: the area and a margin around it, in the middle, or a part of that. */
+/** The position of the plane in a box of the page: the area and a margin around it, centred, or a part of that. */
 export class Frame {
-  /** The zoom that came of the one that was wanted; null where the whole is shown. */
+  /** The actual zoom, limited from the wanted one; null if the whole is shown. */
   readonly zoom: Zoom | null;
-  /** What of the plane fills the box. */
+  /** The part of the plane that fills the box. */
   readonly shown: Rectangle;
   /** The area and the margin around it. */
   readonly whole: Rectangle;
-  /** What one may move to: the whole, and as far around its middle as the scene reaches. */
+  /** The region that the view can move in: the whole, extended on all sides as far as the scene reaches. */
   private readonly bounds: Rectangle;
   /** CSS pixels per unit of the plane. */
   readonly scale: number;
   /** The same for the whole. */
   private readonly fit: number;
-  /** How much larger than the whole all that there is can be shown: 1, or less. */
+  /** The least magnification, at which everything is visible: 1 or less. */
   private readonly least: number;
 
   constructor(
     readonly area: Area,
     readonly size: Size,
     readonly wanted: Zoom | null = null,
-    /** What the scene takes up. */
+    /** The extent of the scene. */
     readonly extent: Rectangle = [area.x, area.y, area.width, area.height],
     readonly margin = margins.usual,
   ) {
@@ -77,12 +77,12 @@ export class Frame {
     this.zoom = by === 1 ? null : { by, middle };
   }
 
-  /** Whether there is anything outside of the whole. */
+  /** Whether there is anything outside the whole. */
   get hasMore(): boolean {
     return this.least < 1;
   }
 
-  /** The zoom at which that is in sight, too. */
+  /** The zoom at which that is visible, too. */
   get all(): Zoom | null {
     return this.hasMore ? { by: this.least, middle: this.middleOfWhole } : null;
   }
@@ -95,7 +95,7 @@ export class Frame {
     return (this.zoom?.by ?? 1) >= this.limited(Infinity);
   }
 
-  /** What of it can be told apart. */
+  /** The visible part, and the smallest distinguishable size. */
   get sight(): Sight {
     return { shown: this.shown, least: apart / this.scale };
   }
@@ -109,7 +109,7 @@ export class Frame {
     return [left + width / 2, top + height / 2];
   }
 
-  /** Nothing beyond the bounds is shown, but where there is room for more: then the whole is in the middle. */
+  /** The centre of the view along an axis. The view stays within the bounds; if it is larger, they are centred. */
   private middleOf(axis: 0 | 1, seen: Point): number {
     const { bounds } = this;
     const [from, length] = axis === 0 ? [bounds[0], bounds[2]] : [bounds[1], bounds[3]];
@@ -124,7 +124,7 @@ export class Frame {
     return new Frame(this.area, this.size, zoom, this.extent, this.margin);
   }
 
-  /** So much larger, with the same place under a point of the box; on the way past the whole one stops there. */
+  /** Magnifies by a factor and keeps the place under a point of the box. A zoom that would pass the whole stops there. */
   zoomed(by: number, at: Point = this.center): Frame {
     const [x, y] = this.at(...at);
     const old = this.zoom?.by ?? 1;
@@ -135,14 +135,14 @@ export class Frame {
     return this.with({ by: now, middle: [x - left / scale, y - top / scale] });
   }
 
-  /** What is shown moves by so many CSS pixels. */
+  /** Moves the plane by a number of CSS pixels. */
   moved(dx: number, dy: number): Frame {
     const [x, y] = this.middle;
     const { by } = this.zoom ?? { by: 1 };
     return this.with({ by, middle: [x - dx / this.scale, y - dy / this.scale] });
   }
 
-  /** Moved no more than it must be to show a square of the plane, with as much again around it. */
+  /** Moves the plane only as far as needed to show a square with a margin of its own size. */
   showing([x, y]: Point, side: number): Frame {
     const [left, top, width, height] = this.shown;
     const along = (from: number, seen: number, at: number): number => {
@@ -153,7 +153,7 @@ export class Frame {
     return this.moved(-along(left, width, x) * scale, -along(top, height, y) * scale);
   }
 
-  /** Where the area lies on a canvas with so many dots per CSS pixel. */
+  /** The position of the area on a canvas with `ratio` canvas pixels per CSS pixel. */
   place(ratio: number): Place {
     const { area, shown, scale } = this;
     const dots = scale * ratio;
@@ -164,12 +164,12 @@ export class Frame {
     return [this.size.width / 2, this.size.height / 2];
   }
 
-  /** The middle of what is shown. */
+  /** The centre of the visible part. */
   get middle(): Point {
     return this.at(...this.center);
   }
 
-  /** What of the plane is under a point of the box. */
+  /** The point of the plane under a point of the box. */
   at(x: number, y: number): Point {
     const { shown, scale } = this;
     return [shown[0] + x / scale, shown[1] + y / scale];
@@ -187,7 +187,7 @@ function withMargin([x, y, width, height]: Rectangle, margin: number): Rectangle
   return [x - around, y - around, width + 2 * around, height + 2 * around];
 }
 
-/** How far along an axis one rectangle reaches over another, at the end where it does so more. */
+/** The greater of the two distances by which one rectangle extends beyond another along an axis. */
 function farther(one: Rectangle, other: Rectangle, axis: 0 | 1): number {
   const size = axis === 0 ? 2 : 3;
   const before = other[axis] - one[axis];

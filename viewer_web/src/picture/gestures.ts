@@ -1,14 +1,17 @@
 import type { Frame, Point } from './frame.js';
 import { pointIn } from './own-size.js';
 
-/** CSS pixels that a press may move and still be a click. */
+/** The greatest distance in CSS pixels that a press may move and still be a click. */
 const still = 3;
-/** How much of a wheel's way doubles the size, in CSS pixels; a touchpad tells two fingers as a wheel with Ctrl. */
+/** The wheel distance in CSS pixels that doubles the size. A touchpad reports two fingers as a wheel with Ctrl. */
 const doubled = { wheel: 300, fingers: 70 };
-/** CSS pixels of a line and of a page, in which a wheel may count. */
+/** CSS pixels per wheel unit: a pixel, a line or a page. */
 const wheelUnits = [1, 16, 400];
 
-/** Zooms and moves a frame by wheel, by a pointer that drags, and by two; what can be turned is, by one without Shift. */
+/**
+ * Zooms and moves a frame by wheel, by dragging, and by two fingers. A picture that can be turned is turned by dragging
+ * without Shift.
+ */
 export class Gestures {
   private readonly pointers = new Map<number, Point>();
   private pressed: Point = [0, 0];
@@ -20,12 +23,12 @@ export class Gestures {
     private readonly turn: ((dx: number, dy: number) => void) | null = null,
   ) {}
 
-  /** Whether the last press moved: then it was no click. */
+  /** Whether the last press has moved, and so was not a click. */
   get dragged(): boolean {
     return this.drags;
   }
 
-  /** A wheel that would make the whole smaller moves the page. */
+  /** A wheel that would shrink the whole scrolls the page instead. */
   readonly onWheel = (event: WheelEvent): void => {
     const way = event.deltaY * (wheelUnits[event.deltaMode] ?? 1);
     const { zoom, isSmallest } = this.frame();
@@ -73,12 +76,12 @@ export class Gestures {
     this.pointers.delete(pointerId);
   };
 
-  /** Two fingers on the picture do not move the page. */
+  /** Two fingers on the picture do not scroll the page. */
   readonly onTouch = (event: TouchEvent): void => {
     if (event.touches.length > 1) event.preventDefault();
   };
 
-  /** Where the pointers are together, and how far apart; one alone is always as far. */
+  /** The centre of the pointers and their distance; a single pointer has a constant distance. */
   private spread(): { readonly middle: Point; readonly size: number } {
     const [a = [0, 0], b = a] = this.pointers.values();
     const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
@@ -86,7 +89,7 @@ export class Gestures {
   }
 }
 
-/** Where in what listens a pointer is. */
+/** The place of a pointer in the listening element. */
 const pointOf = (event: MouseEvent): Point => pointIn(event.currentTarget as Element, event);
 
 const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);

@@ -3,7 +3,7 @@ import type { Polygon } from '../trace/header.js';
 import { path } from './mark.js';
 import type { Mark } from './mark.js';
 
-/** The polygon that the step is about, or else the one that the algorithm has in hand. */
+/** The polygon of the step, or else the current polygon of the algorithm. */
 export function polygonInHand(
   { event, header }: View,
   id: string | null = null,

@@ -4,7 +4,7 @@ import { bringInSight } from './in-sight.js';
 const line = (offsetTop: number) => ({ offsetTop, offsetHeight: 20 });
 
 describe('a list', () => {
-  it('is scrolled to a mark that is out of sight, at a third of its height, and no further', () => {
+  it('is scrolled to put a mark that is out of sight at a third of its height', () => {
     const box = { scrollTop: 0, clientHeight: 90 };
     bringInSight(box, line(40));
     expect(box.scrollTop).toBe(0);

@@ -1,8 +1,8 @@
-/** What of a list the follower looks at. */
+/** The properties of a list that the follower reads. */
 type List = Pick<HTMLElement, 'scrollTop' | 'clientHeight'>;
 type Mark = Pick<HTMLElement, 'offsetTop' | 'offsetHeight'>;
 
-/** Scrolls a list within itself, only if what is marked in it is out of sight, to a third of its height. */
+/** Scrolls the mark of a list to a third of the list's height, if the mark is out of sight. */
 export function bringInSight(list: List, mark: Mark, above = 0): void {
   const { offsetTop: top, offsetHeight: height } = mark;
   const hidden =
@@ -11,8 +11,8 @@ export function bringInSight(list: List, mark: Mark, above = 0): void {
 }
 
 /**
- * Keeps what is marked in a list in sight: scrolls when the mark is another, or the list's size. It looks when the browser has laid
- * out the page for the next frame, as to look earlier would have it do so twice.
+ * Keeps the mark of a list in sight: scrolls when the mark or the list's size changes. It measures after the browser's own
+ * layout for the next frame, because measuring earlier would force a second layout.
  */
 export class Follower {
   private list: HTMLElement | null = null;
@@ -20,7 +20,7 @@ export class Follower {
   private above = 0;
   private readonly observer = new ResizeObserver(() => this.look());
 
-  /** So much at the top of the list covers what is there. */
+  /** Follows a mark in a list whose top is covered to the height `above`. */
   follow(list: HTMLElement | null, mark: HTMLElement | null, above = 0): void {
     const { observer } = this;
     this.above = above;
@@ -30,7 +30,7 @@ export class Follower {
       this.list = list;
     } else if (mark === this.mark) return;
     this.mark = mark;
-    // What is observed anew is told of at once.
+    // The observer reports a newly observed element at once.
     if (mark !== null) observer.observe(mark);
   }
 

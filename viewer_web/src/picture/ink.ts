@@ -2,7 +2,7 @@ import type { Frame, Size } from './frame.js';
 import { lookOf } from './looks.js';
 import type { Shape } from './shapes.js';
 
-/** How a look is drawn on a canvas; the lengths are in CSS pixels. */
+/** The pen that draws a look on a canvas; lengths are in CSS pixels. */
 interface Pen {
   readonly fill: string | null;
   readonly fillOpacity: number;
@@ -39,7 +39,7 @@ function penOf(look: string): Pen {
   return pen;
 }
 
-/** Makes a canvas fill a box of the page, a dot of it one of the device; what was on it is lost only if it was of another size. */
+/** Makes a canvas fill a box of the page at the device's resolution. Its content is lost only if its size changes. */
 export function fit(canvas: HTMLCanvasElement, { width, height }: Size, ratio: number): void {
   const across = Math.ceil(width * ratio);
   const down = Math.ceil(height * ratio);
@@ -50,7 +50,7 @@ export function fit(canvas: HTMLCanvasElement, { width, height }: Size, ratio: n
   if (canvas.style.height !== high) canvas.style.height = high;
 }
 
-/** What is on a canvas. */
+/** What a canvas shows. */
 interface Inked {
   readonly shapes: readonly Shape[];
   readonly frame: Frame;
@@ -65,11 +65,13 @@ const areAlike = (some: readonly Shape[], others: readonly Shape[]): boolean =>
       return other?.d === d && other.look === look && other.color === color && other.fill === fill;
     }));
 
-/** Draws shapes on a canvas as an SVG document shows them. What is on it already is not drawn again. */
+/**
+ * Draws shapes on a canvas as an SVG document would show them. Shapes that the canvas already shows are not drawn again.
+ */
 export class Inker {
   private last: Inked | null = null;
 
-  /** The canvas fills the frame's box and has so many dots per CSS pixel. */
+  /** Draws on a canvas that fills the frame's box, with `ratio` canvas pixels per CSS pixel. */
   draw(canvas: HTMLCanvasElement, shapes: readonly Shape[], frame: Frame, ratio: number): void {
     const context = canvas.getContext('2d');
     const { last } = this;
@@ -84,7 +86,7 @@ export class Inker {
     let d = '';
     let path = new Path2D();
     for (const shape of shapes) {
-      // A line and the casing under it run alike.
+      // A line and the casing under it have the same path.
       if (shape.d !== d) {
         d = shape.d;
         path = new Path2D(d);

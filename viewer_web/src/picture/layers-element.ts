@@ -12,12 +12,12 @@ import { hiddenStyle } from '../elements/hidden.style.js';
 import { textureStyle } from '../elements/texture.style.js';
 import { base } from '../elements/theme.js';
 
-/** Asks whoever holds the player for another layer. */
+/** Requests another layer from the owner of the player. */
 export function askForLayer(from: EventTarget, detail: Layer): void {
   from.dispatchEvent(new CustomEvent('vidno-layer', { detail, bubbles: true, composed: true }));
 }
 
-/** The choice of what the pixels show, and what that means. */
+/** The choice of the layer that the pixels show, and its meaning. */
 @customElement('vidno-layers')
 export class LayersElement extends LitElement {
   static override styles = [
@@ -75,7 +75,7 @@ export class LayersElement extends LitElement {
   @property({ attribute: false }) layer: Layer = 'picture';
   @property({ attribute: false }) exact: Exact = null;
 
-  /** Said when another layer is shown, and not at each step of it. */
+  /** The last announcement, made when another layer is shown and not at every step. */
   private said = '';
 
   private get say(): PictureTexts {
@@ -122,14 +122,14 @@ export class LayersElement extends LitElement {
     return needsExact(this.layer) && this.exact === 'computing';
   }
 
-  /** How many pixels differ; null where another layer is shown, or that is not known yet. */
+  /** The number of pixels that differ; null if another layer is shown, or it is not known yet. */
   private get difference(): Difference | null {
     const right = known(this.exact);
     if (this.layer !== 'difference' || right === null) return null;
     return differenceOf(this.view.screen.picture, right);
   }
 
-  /** What the layer means, in words alone. */
+  /** The meaning of the layer as plain text. */
   private words(): string {
     const { say, layer, difference } = this;
     if (this.isComputing) return say.computing;
@@ -144,7 +144,7 @@ export class LayersElement extends LitElement {
     return [short(far), short(near)];
   }
 
-  /** What the picture so far is need not be said. */
+  /** The status of the layer; the picture so far needs none. */
   private status(): TemplateResult | typeof nothing {
     const { say, layer, difference } = this;
     if (layer === 'depths') {

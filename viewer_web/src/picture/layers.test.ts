@@ -25,20 +25,20 @@ const rowOf = (cells: Cells | null, j: number): ArrayLike<number> =>
   cells?.row(j, [...Array(cells.width).keys()]) ?? [];
 
 describe('the difference', () => {
-  it('counts what was painted wrong, and what is background though it is not to stay so', async () => {
-    // Of 8 columns: 0 to 2 right, 3 and 4 wrong, 5 and 6 not yet painted, 7 to stay background.
+  it('counts wrong pixels, and background pixels still to be painted', async () => {
+    // 8 columns: 0 to 2 are right, 3 and 4 wrong, 5 and 6 not yet painted, and 7 is background in the end.
     const exact = await screenAfter(fill(0, 7, '#112233'));
     const { picture } = await screenAfter(fill(0, 3, '#112233'), fill(3, 2, '#445566'));
     expect(differenceOf(picture, exact.picture)).toEqual({ wrong: 2 * 8, lacking: 2 * 8 });
   });
 
-  it('is wrong where background was painted on what is none', async () => {
+  it('is wrong where a pixel was painted in the background colour', async () => {
     const exact = await screenAfter(fill(0, 8, '#112233'));
     const { picture } = await screenAfter(fill(0, 1, '#ffffff'));
     expect(differenceOf(picture, exact.picture)).toEqual({ wrong: 8, lacking: 7 * 8 });
   });
 
-  it('tells the three apart by texture, and pales the colours', async () => {
+  it('distinguishes the three by texture, and pales the colours', async () => {
     const exact = await screenAfter(fill(0, 2, '#112233'));
     const screen = await screenAfter(fill(0, 1, '#112233'), fill(2, 1, '#445566'));
     const row = rowOf(cellsOf('difference', screen, exact.picture), 0);
@@ -46,13 +46,13 @@ describe('the difference', () => {
     const [right, lacking, wrong, ground] = textures;
     expect(new Set([right, lacking, wrong]).size).toBe(3);
     expect(ground).toBe(right);
-    // 170 and a third of 11, 22 and 33 (hexadecimal).
+    // 170 plus a third of 11, 22 and 33 (hexadecimal).
     expect(row[0]).toBe(toPixel('#b0b5bb'));
   });
 });
 
 describe('the depths', () => {
-  it('go from the farthest to the nearest vertex; what nothing was painted on has none', async () => {
+  it('range from the farthest to the nearest vertex; an unpainted pixel has none', async () => {
     const { header, timeline } = await traceOf(textOf('small.zbuffer.signs.jsonl'));
     const { scene } = header;
     const depths = scene.polygons.flatMap(({ vertices }) => vertices.map(([, , z]) => z));

@@ -9,14 +9,17 @@ import { opaque, textured } from './paint.js';
 import type { Cells } from './paint.js';
 import { inkAt } from './ramp.js';
 
-/** What the pixels show: the picture so far, the Z-buffer, the exact picture, or where the first differs from that. */
+/**
+ * What the pixels show: the picture so far, the Z-buffer, the exact picture, or the difference between picture and exact
+ * picture.
+ */
 export const layers = ['picture', 'depths', 'exact', 'difference'] as const;
 export type Layer = (typeof layers)[number];
 
-/** The picture by exact decisions; it may be on its way, or there is none. */
+/** The picture by exact decisions; null if there is none. */
 export type Exact = Grid<number> | 'computing' | null;
 
-/** That picture, if it is there. */
+/** That picture, once it is computed. */
 export const known = (exact: Exact): Grid<number> | null => (exact === 'computing' ? null : exact);
 
 export function isLayer(name: string | null): name is Layer {
@@ -42,7 +45,7 @@ export function depthRange({ polygons }: Scene): readonly [far: number, near: nu
   );
 }
 
-/** What a layer paints; null as long as that is not known. */
+/** The cells that a layer paints; null until they are known. */
 export function cellsOf(layer: Layer, { picture, z, scene }: Screen, exact: Exact): Cells | null {
   const { width, height } = picture;
   const rightly = known(exact);
@@ -90,7 +93,7 @@ function differing(pixel: number, right: number): number {
   return textured(isPainted(pixel) ? 'wrong' : 'lacking', pale);
 }
 
-/** A third of the colour, and white. */
+/** A third of the colour, and two thirds white. */
 const faded = (pixel: number): number =>
   [0, 8, 16].reduce((all, shift) => {
     const channel = (pixel >>> shift) & 0xff;
@@ -100,11 +103,11 @@ const faded = (pixel: number): number =>
 export interface Difference {
   /** Pixels that were painted and do not have the exact colour. */
   readonly wrong: number;
-  /** Pixels that nothing was painted on yet, though they are not to stay background. */
+  /** Pixels not painted yet that do not stay background. */
   readonly lacking: number;
 }
 
-/** How far the picture is from the exact one. */
+/** The difference between the picture and the exact one. */
 export function differenceOf(picture: Grid<number>, exact: Grid<number>): Difference {
   const count = { wrong: 0, lacking: 0 };
   for (let j = 0; j < picture.height; j++) {

@@ -12,7 +12,7 @@ import { regionsStyle } from './regions.style.js';
 
 const dots: readonly LegendEntry[] = ['yes', 'no', 'edge'];
 
-/** What the marks on the picture mean; in its slot, what can be done with the picture. */
+/** The meaning of the marks on the picture. Its slot has the controls of the picture. */
 @customElement('vidno-legend')
 export class LegendElement extends LitElement {
   static override styles = [

@@ -4,13 +4,13 @@ import { marksStyle } from './marks.style.js';
 import { pictureStyle } from './picture.style.js';
 import { regionsStyle } from './regions.style.js';
 
-/** Declarations for what has all of some classes. */
+/** Declarations for elements with all of some classes. */
 interface Rule {
   readonly classes: readonly string[];
   readonly declarations: readonly (readonly [name: string, value: string])[];
 }
 
-/** What of a look becomes an attribute; the lengths are in CSS pixels. */
+/** The properties of a look that become attributes; the lengths are in CSS pixels. */
 const lengths = ['stroke-width', 'stroke-dasharray'];
 const attributes = [
   'fill',
@@ -25,7 +25,7 @@ const attributes = [
 const sheet =
   marksStyle.cssText + pictureStyle.cssText + curvesStyle.cssText + regionsStyle.cssText;
 
-/** Those of the page's own are as in the light theme: the marks are alike in both. */
+/** The page's own variables have their values of the light theme: the marks are alike in both. */
 const variables = new Map(
   [...`${sheet}${tokens.cssText}`.matchAll(/(--[\w-]+):\s*([^;]+);/g)]
     .reverse()
@@ -39,7 +39,7 @@ function declarationsIn(body: string): Rule['declarations'] {
   });
 }
 
-/** Of the page's style sheet the rules about shapes, in the order in which later ones win. */
+/** The rules about shapes in the page's style sheet, in the order of their priority, the last one highest. */
 const rules: readonly Rule[] = [...sheet.matchAll(/([^{}]+)\{([^{}]*)\}/g)]
   .flatMap(([, selectors = '', body = '']) =>
     selectors.split(',').flatMap((selector) => {
@@ -51,8 +51,8 @@ const rules: readonly Rule[] = [...sheet.matchAll(/([^{}]+)\{([^{}]*)\}/g)]
   .sort((a, b) => a.classes.length - b.classes.length);
 
 /**
- * The look that the page's style sheet gives to classes, as attributes, where a unit is so many CSS pixels: many programs
- * that show drawings know nothing of style sheets.
+ * The look that the page's style sheet gives to classes, as attributes, at a scale of CSS pixels per unit. Many programs
+ * that display drawings do not support style sheets.
  */
 export function lookOf(look: string, scale: number): ReadonlyMap<string, string> {
   const classes = look.split(' ');
@@ -73,5 +73,5 @@ export function lookOf(look: string, scale: number): ReadonlyMap<string, string>
   return found;
 }
 
-/** Six digits are enough for a place in a drawing. */
+/** Six digits suffice for a coordinate in a drawing. */
 export const short = (n: number): number => Number(n.toPrecision(6));

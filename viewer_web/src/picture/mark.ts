@@ -3,7 +3,7 @@ import type { Polygon } from '../trace/header.js';
 import type { Box, Corner, N } from '../trace/values.js';
 import type { Pixel } from './pixel.js';
 
-/** What a mark is about; the style sheet of the picture gives each role its look. */
+/** The meaning of a mark; the style sheet of the picture gives each role its look. */
 export type Role =
   | 'stacked'
   | 'tree'
@@ -33,11 +33,11 @@ interface PathMark {
   readonly role: Role;
   readonly points: readonly Spot[];
   readonly closed: boolean;
-  /** Instead of the role's own colour. */
+  /** Replaces the role's own colour. */
   readonly color?: string;
 }
 
-/** A few letters or digits, about a place. */
+/** A few letters or digits, centred on a place. */
 export interface NoteMark {
   readonly kind: 'note';
   readonly at: Spot;
@@ -50,7 +50,7 @@ export type Mark =
   | { readonly kind: 'boxes'; readonly role: Role; readonly boxes: readonly Box[] }
   | { readonly kind: 'point'; readonly role: Role; readonly at: Spot }
   | NoteMark
-  /** A pixel, to be found even where pixels are small. */
+  /** A pixel with lines towards it, so that it can be found even where pixels are small. */
   | { readonly kind: 'target'; readonly role: 'chosen' | 'cursor'; readonly at: Pixel };
 
 export type Spot = readonly [number, number];
@@ -65,7 +65,7 @@ export const note = (at: Spot, text: string): Mark => ({ kind: 'note', at, text 
 
 export const box = (role: Role, of: Box): Mark => ({ kind: 'box', role, box: of });
 
-/** Where it is drawn; a number that is none is not to be drawn. */
+/** The place where it is drawn; a coordinate of NaN is not drawn. */
 export const spot = (at: readonly N[]): Spot => [toNumber(at[0] ?? NaN), toNumber(at[1] ?? NaN)];
 export const isShown = (at: Spot): boolean => at.every(Number.isFinite);
 

@@ -1,8 +1,8 @@
 import { css } from 'lit';
 
 /**
- * Marks stand on a picture of any colours: each has a light casing, so that it shows on light and on dark, in
- * both themes alike.
+ * Marks must be visible on any colours of the picture. Each has a light casing, so that it shows on light and dark, alike
+ * in both themes.
  */
 export const marksStyle = css`
   :host {

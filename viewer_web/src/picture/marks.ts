@@ -30,14 +30,14 @@ function thingMarks(text: string, view: View): readonly Mark[] {
   }
 }
 
-/** What is asked about, and what is pointed at anywhere on the page. */
+/** The marks of what is asked about, and of what is pointed at anywhere on the page. */
 function pointedMarks(view: View): readonly Mark[] {
   const { asked = [], pointed } = view;
   const things = pointed === null ? asked : [...asked, pointed];
   return things.flatMap((thing) => thingMarks(thing, view));
 }
 
-/** All marks of a step that are in sight, those above later. */
+/** All visible marks of a step; later marks are on top. */
 export function marksOf(view: View, sight: Sight): readonly Mark[] {
   const chosen = view.pixel === null ? [] : [target('chosen', view.pixel)];
   const own = algorithmOf(view.header).marks(view, sight);

@@ -1,7 +1,7 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { Size } from './frame.js';
 
-/** The size of an element in dots of the device; when it changes, or the theme does, the host is drawn anew. */
+/** The size of an element in device pixels. When it or the theme changes, the host renders again. */
 export class OwnDots implements ReactiveController {
   value: Size = { width: 0, height: 0 };
 
@@ -35,12 +35,12 @@ export class OwnDots implements ReactiveController {
     try {
       this.observer.observe(this.element(), { box: 'device-pixel-content-box' });
     } catch {
-      this.observer.observe(this.element()); // a browser that does not know its dots
+      this.observer.observe(this.element()); // the browser does not support device pixels
     }
   }
 }
 
-/** As the browser tells it; but it does not where it only plays another device. */
+/** The size that the browser reports. When it emulates another device, the report is wrong and the size is computed. */
 function dotsOf({ devicePixelContentBoxSize, contentRect }: ResizeObserverEntry): Size {
   const ratio = window.devicePixelRatio;
   const width = contentRect.width * ratio;

@@ -1,20 +1,20 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { Point, Size } from './frame.js';
 
-/** How many pixels of the page one of the element's own is; not all browsers know. */
+/** The number of page pixels per pixel of the element; not all browsers know it. */
 const zoomOf = (element: Partial<Element>): number => element.currentCSSZoom ?? 1;
 
-/** Where in an element a pointer is, in the element's own pixels. */
+/** The place of a pointer in an element, in the element's own pixels. */
 export function pointIn(element: Element, { clientX, clientY }: MouseEvent): Point {
   const { left, top } = element.getBoundingClientRect();
   const zoom = zoomOf(element);
   return [(clientX - left) / zoom, (clientY - top) / zoom];
 }
 
-/** The size that an element has on the page; when it changes, the element is drawn anew. */
+/** The size of an element on the page; when it changes, the element renders again. */
 export class OwnSize implements ReactiveController {
   value: Size = { width: 0, height: 0 };
-  /** How many pixels of the page one of its own is. To ask for it makes the browser lay out the page. */
+  /** The number of page pixels per own pixel. Reading it forces the browser to lay out the page. */
   zoom = 1;
 
   private readonly observer = new ResizeObserver(([entry]) => {

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { CellPainter } from './paint.js';
 import type { Cells } from './paint.js';
 
-/** A canvas of so many dots a side, as far as a painter knows one, and what was painted on it. */
+/** A mock of a square canvas with the methods that a painter uses, and the pixels painted on it. */
 function canvasOf(side: number): { canvas: HTMLCanvasElement; dots: Uint32Array } {
   const data = new Uint8ClampedArray(4 * side * side);
   const image = { width: side, height: side, data };
@@ -23,7 +23,7 @@ function cellsOf(side: number): { cells: Cells; asked: () => number } {
 }
 
 describe('cells on a canvas', () => {
-  it('are squares where they are larger than dots, at their place, with nothing around', () => {
+  it('are squares at their place if they are larger than a canvas pixel, with nothing around', () => {
     const { canvas, dots } = canvasOf(8);
     new CellPainter().paint(canvas, cellsOf(2).cells, { x: 1, y: 1, scale: 3, ratio: 1 });
     const [a, b, c, d] = [ink(0, 0), ink(1, 0), ink(0, 1), ink(1, 1)];
@@ -32,16 +32,16 @@ describe('cells on a canvas', () => {
     expect([...dots]).toEqual([none, upper, upper, upper, lower, lower, lower, none].flat());
   });
 
-  it('are asked for no oftener than dots show them', () => {
+  it('are read only once for each canvas pixel that shows them', () => {
     const { canvas, dots } = canvasOf(100);
     const { cells, asked } = cellsOf(16000);
     new CellPainter().paint(canvas, cells, { x: 0, y: 0, scale: 1 / 160, ratio: 1 });
     expect(asked()).toBe(100 * 100);
-    // The middle of the dot at (3, 2) lies at 3.5 and 2.5 times 160 cells.
+    // The middle of the dot at (3, 2) is at 3.5 and 2.5 times 160 cells.
     expect(dots[2 * 100 + 3]).toBe(ink(560, 400));
   });
 
-  it('are painted again only in rows that have changed', () => {
+  it('are repainted only in changed rows', () => {
     const { canvas, dots } = canvasOf(2);
     const painter = new CellPainter();
     const place = { x: 0, y: 0, scale: 1, ratio: 1 };

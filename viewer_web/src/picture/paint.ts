@@ -1,21 +1,21 @@
-/** What is painted: rows of cells, each a colour in the four bytes that a canvas takes, the last of them its texture. */
+/** Rows of cells to paint. Each cell is a colour in the four bytes of a canvas pixel; the last byte is its texture. */
 export interface Cells {
   readonly width: number;
   readonly height: number;
-  /** As long as all of these are the same, so are the cells. */
+  /** The cells are unchanged as long as these values are. */
   readonly of: readonly unknown[];
-  /** Cells of a row, those of some columns: of a large picture few are seen. */
+  /** The cells of a row in some columns: only a few cells of a large picture are visible. */
   row(j: number, columns: readonly number[]): ArrayLike<number>;
 }
 
-/** Where cells lie on a canvas, in dots of the device. */
+/** The position of cells on a canvas, in device pixels. */
 export interface Place {
   /** The corner of the first cell, which may be off the canvas. */
   readonly x: number;
   readonly y: number;
   /** The side of a cell. */
   readonly scale: number;
-  /** Dots of the device per CSS pixel. */
+  /** Device pixels per CSS pixel. */
   readonly ratio: number;
 }
 
@@ -25,13 +25,13 @@ const white = 0xffffffff;
 const grey = 0xff98877c;
 const clear = 0;
 
-/** Where a cell has another colour than its own, told by hatches and dots; the point is in CSS pixels. */
+/** Textures of cells, made of hatches and dots, at a point in CSS pixels. */
 const textures = {
   /** Dark and light stripes. */
   wrong: (x: number, y: number, own: number) => [black, black, white, own][((x + y) >> 1) & 3],
   /** Dots. */
   lacking: (x: number, y: number, own: number) => (x % 5 < 2 && y % 5 < 2 ? black : own),
-  /** Thin lines on the ground. */
+  /** Thin lines on the background. */
   nothing: (x: number, y: number) => ((x + 6000 - y) % 6 === 0 ? grey : clear),
 } as const;
 export type Texture = keyof typeof textures;
@@ -52,7 +52,7 @@ function inkOf(cell: number, x: number, y: number): number {
 
 const none = -1;
 
-/** The cell that the middle of each dot lies in. */
+/** The cell at the middle of each dot. */
 function cellsAlong(dots: number, from: number, scale: number, cells: number): readonly number[] {
   return Array.from({ length: dots }, (_, dot) => {
     const cell = Math.floor((dot + 0.5 - from) / scale);
@@ -60,7 +60,7 @@ function cellsAlong(dots: number, from: number, scale: number, cells: number): r
   });
 }
 
-/** Dots in a column that show the same cell. */
+/** Adjacent rows of dots that show the same row of cells. */
 interface Band {
   readonly cell: number;
   readonly first: number;
@@ -78,14 +78,14 @@ function bandsOf(cells: readonly number[]): readonly Band[] {
   return bands;
 }
 
-/** How cells of a place are dots of a canvas. */
+/** The mapping from the cells of a place to the dots of a canvas. */
 class Raster {
-  /** The columns that are seen. */
+  /** The visible columns. */
   readonly columns: readonly number[];
-  /** For each dot of a row its cell's place among the columns. */
+  /** For each dot of a row, the index of its cell in the columns. */
   private readonly across: Int32Array;
   private readonly bands: readonly Band[];
-  /** The cells of each band as they were painted last. */
+  /** The last painted cells of each band. */
   private readonly painted: ArrayLike<number>[] = [];
   private readonly dots: Uint32Array;
 
@@ -118,7 +118,7 @@ class Raster {
     );
   }
 
-  /** Paints the rows that have changed; gives the rows of dots from the first to the last of these. */
+  /** Paints the rows that have changed, and returns the range of their rows of dots. */
   paint(cells: Cells): readonly [first: number, end: number] {
     let [top, bottom] = [Infinity, 0];
     this.bands.forEach((band, i) => {
@@ -159,12 +159,12 @@ function areEqual<T>(a: ArrayLike<T>, b: ArrayLike<T> | undefined): boolean {
 }
 
 /**
- * Paints cells dot by dot on a canvas: each is a sharp square, at most half a dot from its place. What is painted already is
- * left alone, as most steps of a run paint nothing.
+ * Paints cells dot by dot on a canvas. Each is a sharp square, at most half a dot from its place. Unchanged cells are not
+ * repainted, as most steps of a run paint nothing.
  */
 export class CellPainter {
   private raster: Raster | null = null;
-  /** What the cells were made of that were painted last. */
+  /** The values on which the last painted cells depend. */
   private of: readonly unknown[] = [];
 
   paint(canvas: HTMLCanvasElement, cells: Cells | null, place: Place): void {

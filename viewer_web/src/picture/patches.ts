@@ -3,7 +3,7 @@ import type { Grid } from '../replay/grid.js';
 import type { Area } from '../trace/header.js';
 import { boxData } from './shapes.js';
 
-/** Pixels of one colour, as the `d` of rectangles that do not overlap. */
+/** Pixels of one colour, as path data of rectangles that do not overlap. */
 export interface Patch {
   readonly color: string;
   readonly d: string;
@@ -26,8 +26,8 @@ function* runsOf(row: ArrayLike<number>, top: number): Generator<Run> {
 }
 
 /**
- * The picture as vectors, in the plane: runs of equal pixels, joined where the next row has the same run. The colours come
- * as they are first met, from the top.
+ * The picture as vectors in the plane: runs of equal pixels, joined where the next row has the same run. The colours are in
+ * the order of their first occurrence, from the top.
  */
 export function patchesOf(picture: Grid<number>, area: Area): readonly Patch[] {
   const data = new Map<number, string[]>();

@@ -8,7 +8,7 @@ import { factsAt } from './pixel-facts.js';
 /** The background is #ffffff, A is #112233, B #445566. */
 const { scene } = parseHeader(headerOf('zbuffer'));
 
-describe('a pixel as it is spoken', () => {
+describe('the spoken text of a pixel', () => {
   const screen = new Screen(scene, true);
   const said = (x: number, y: number): string =>
     texts.en.history.spoken([x, y], factsAt(screen, [x, y]));
@@ -17,7 +17,7 @@ describe('a pixel as it is spoken', () => {
     expect(said(3, 4)).toBe('Pixel (3, 4): not painted yet');
   });
 
-  it('has its colour, whose that is, and the depth of the Z-buffer', () => {
+  it('has its colour, its polygon, and the depth in the Z-buffer', () => {
     screen.clear('#ffffff', '-inf');
     screen.paint(2, 1, 3, 1, '#112233');
     screen.z?.set(3, 1, 0.25);
@@ -29,7 +29,7 @@ describe('a pixel as it is spoken', () => {
     );
   });
 
-  it('may have the colour of several', () => {
+  it('may name several polygons of a colour', () => {
     const [a, b] = scene.polygons;
     if (a === undefined || b === undefined) throw new Error('two squares');
     const alike = new Screen({ ...scene, polygons: [a, { ...b, color: a.color }] }, false);
@@ -39,7 +39,7 @@ describe('a pixel as it is spoken', () => {
     );
   });
 
-  it('is background', () => {
+  it('may name the background', () => {
     const plain = new Screen(scene, false);
     plain.paint(0, 0, 8, 8, '#ffffff');
     expect(texts.en.history.spoken([0, 0], factsAt(plain, [0, 0]))).toBe(

@@ -3,14 +3,14 @@ import type { Screen } from '../replay/screen.js';
 import type { N } from '../trace/values.js';
 import type { Pixel } from './pixel.js';
 
-/** What is known of a pixel at a step. */
+/** The facts about a pixel at a step. */
 export interface PixelFacts {
-  /** Null where nothing was painted yet. */
+  /** Null if nothing was painted yet. */
   readonly color: string | null;
   readonly isBackground: boolean;
-  /** The polygons of that colour: which of them it was the picture does not say. */
+  /** The polygons with that colour; the picture does not determine which of them it was. */
   readonly polygons: readonly string[];
-  /** What the Z-buffer holds, where there is one. */
+  /** The depth in the Z-buffer, if there is one. */
   readonly depth: N | null;
 }
 

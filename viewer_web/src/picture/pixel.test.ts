@@ -15,7 +15,7 @@ describe('a pixel of the picture', () => {
     expect(frame.place(2)).toEqual({ x: 140, y: 200, scale: 20, ratio: 2 });
   });
 
-  it('is left by the arrows, but never the picture', () => {
+  it('is left by the arrow keys, which never leave the picture', () => {
     expect(moved([5, 5], 'ArrowLeft', false, area)).toEqual([4, 5]);
     expect(moved([5, 5], 'ArrowDown', true, area)).toEqual([5, 15]);
     expect(moved([5, 5], 'ArrowUp', true, area)).toEqual([5, -1]);

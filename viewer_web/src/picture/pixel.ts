@@ -19,7 +19,7 @@ export function nearestIn([x, y]: Pixel, area: Area): Pixel {
   return [within(x, area.x, area.width), within(y, area.y, area.height)];
 }
 
-/** The ways of the arrow keys. */
+/** The directions of the arrow keys. */
 export const moves: Readonly<Record<string, Pixel>> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -27,7 +27,7 @@ export const moves: Readonly<Record<string, Pixel>> = {
   ArrowDown: [0, 1],
 };
 
-/** Where a key leads from a pixel, if it means a move: never out of the picture. */
+/** The pixel that a key moves to, if it is a move; never outside the picture. */
 export function moved([x, y]: Pixel, key: string, far: boolean, area: Area): Pixel | null {
   const move = moves[key];
   if (move === undefined) return null;

@@ -17,22 +17,22 @@ import { isIn, isOther, moved, nearestIn } from './pixel.js';
 import type { Pixel } from './pixel.js';
 import './zoom-bar.js';
 
-/** CSS pixels of a box in which the margins are small. */
+/** The size of a box, in CSS pixels, below which the margins are small. */
 const small = 420;
-/** How much larger a key or a button makes the picture. */
+/** The factor by which a key or a button magnifies the picture. */
 const zoomStep = 1.5;
 
 /**
- * The plane of the scene in a box of the page. A place of it may be chosen, by mouse or keyboard, and what is shown of it may
- * be enlarged and moved. What is drawn there is the affair of whoever extends this.
+ * The plane of the scene in a box of the page. The reader can choose a place in it by mouse or keyboard, zoom it and move
+ * it. Subclasses draw its content.
  */
 export abstract class PlaneElement extends LitElement {
   @property({ attribute: false }) view!: View;
-  /** Where the keyboard is about to choose, while it does. */
+  /** The keyboard cursor of the choice, while the picture has the focus. */
   @state() protected cursor: Pixel | null = null;
-  /** The pixel under the pointer, which an event `pointed` tells. */
+  /** The pixel under the pointer; an event `pointed` reports it. */
   @state() private pointed: Pixel | null = null;
-  /** The part of the picture that is shown. */
+  /** The visible part of the picture. */
   @state() private zoom: Zoom | null = null;
   @query('svg') private stage!: SVGSVGElement;
 
@@ -53,7 +53,7 @@ export abstract class PlaneElement extends LitElement {
     this.addEventListener('wheel', this.gestures.onWheel, { passive: false });
   }
 
-  /** The same one as long as nothing about it changes. */
+  /** The frame, the same object as long as nothing about it changes. */
   protected get frame(): Frame {
     const { size, zoom, known } = this;
     const { scene } = this.view.header;
@@ -70,14 +70,14 @@ export abstract class PlaneElement extends LitElement {
     return (this.known = new Frame(area, size.value, zoom, extent, margin));
   }
 
-  /** Gives the keyboard to the choice of a place. */
+  /** Moves the focus to the picture, to choose a place. */
   startChoosing(): void {
     this.stage.focus();
   }
 
   /**
-   * What lies over the plane has its size as it was told last: on the way to a layout the browser tries other sizes, and would lay
-   * out all that is drawn for each of them.
+   * The layers over the plane have the last reported size. The browser tries other sizes during a layout, and would lay out
+   * the whole drawing for each of them.
    */
   override updated(changed: PropertyValues<this>): void {
     super.updated(changed);
@@ -93,18 +93,18 @@ export abstract class PlaneElement extends LitElement {
     if (before && isOtherArea(before, this.view.header.scene.area)) this.zoom = null;
   }
 
-  /** What is drawn in the plane. */
+  /** The drawing in the plane. */
   protected abstract drawing(frame: Frame): unknown;
-  /** The mark of the place where the keyboard is. */
+  /** The mark of the keyboard cursor. */
   protected abstract cursorMark(at: Pixel, frame: Frame): unknown;
-  /** What is said of places. */
+  /** The texts about places. */
   protected abstract readonly words: Pick<HistoryTexts, 'at' | 'how'>;
-  /** What is said of the place where the keyboard is. */
+  /** The text about the place of the keyboard cursor. */
   protected spoken(at: Pixel): string {
     return this.words.at(...at);
   }
 
-  /** What lies under the drawing, and above it. */
+  /** The layers under the drawing and above it. */
   protected below?(): unknown;
   protected above?(frame: Frame): unknown;
 
@@ -129,12 +129,12 @@ export abstract class PlaneElement extends LitElement {
     };
   }
 
-  /** What the keyboard is at must be seen: a pixel, or a point. */
+  /** Moves the plane to show the place in focus: a pixel or a point. */
   protected follow(at: Point, side: number): void {
     this.zoom = this.frame.showing(at, side).zoom;
   }
 
-  /** A press of the mouse must not take the focus: arrow keys would no longer be steps. */
+  /** A mouse press must not take the focus, because arrow keys would no longer be steps. */
   private readonly keepFocus = (event: Event): void => event.preventDefault();
 
   private readonly onPoint = (event: PointerEvent): void => {

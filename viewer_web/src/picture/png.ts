@@ -1,4 +1,4 @@
-/** An SVG document as an image of so many pixels across. */
+/** An SVG document as an image of a width in pixels. */
 export async function pngOf(figure: string, width: number): Promise<Blob> {
   const address = URL.createObjectURL(new Blob([figure], { type: 'image/svg+xml' }));
   try {

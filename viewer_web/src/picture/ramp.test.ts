@@ -11,7 +11,7 @@ function lightness(color: string): number {
 }
 
 describe('the ramp', () => {
-  it('rises in lightness, by steps that are even', () => {
+  it('rises in lightness, in even steps', () => {
     const levels = stops.map(lightness);
     const [first = 0, last = 0] = [levels[0], levels.at(-1)];
     const even = (last - first) / (stops.length - 1);
@@ -25,7 +25,7 @@ describe('the ramp', () => {
   it('passes through its colours, and ends with them', () => {
     expect([0, 0.5, 1].map(colorAt)).toEqual(['#440154', '#21918c', '#fde725']);
     expect([-3, 7].map(colorAt)).toEqual(['#440154', '#fde725']);
-    // Half way from 44 01 54 to 47 2d 7b.
+    // Halfway from 44 01 54 to 47 2d 7b.
     expect(colorAt(1 / 16)).toBe('#461768');
   });
 });

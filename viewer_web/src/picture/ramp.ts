@@ -1,6 +1,8 @@
 import { toPixel } from '../replay/grid.js';
 
-/** Nine colours of viridis (Smith and van der Walt, CC0): as even in lightness as to the eye, whatever hues it tells. */
+/**
+ * Nine colours of viridis (Smith and van der Walt, CC0), evenly spaced in lightness, whatever hues the eye distinguishes.
+ */
 export const stops = [
   '#440154',
   '#472d7b',
@@ -18,7 +20,7 @@ const steps = 256;
 const channels = (color: string): readonly number[] =>
   [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
 
-/** The colour at a part of the way from the darkest to the lightest. */
+/** The colour at a fraction of the ramp from the darkest to the lightest. */
 export function colorAt(part: number): string {
   const place = Math.min(Math.max(part, 0), 1) * (stops.length - 1);
   const first = Math.min(Math.floor(place), stops.length - 2);

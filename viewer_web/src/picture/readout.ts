@@ -13,7 +13,7 @@ import type { PixelFacts } from './pixel-facts.js';
 import { isIn } from './pixel.js';
 import type { Pixel } from './pixel.js';
 
-/** What is known of the pixel under the pointer: where it is, which polygon it shows, how deep that is there, its colour. */
+/** The facts about the pixel under the pointer: its position, its polygon, its depth and its colour. */
 @customElement('vidno-readout')
 export class ReadoutElement extends LitElement {
   static override styles = [
@@ -39,7 +39,7 @@ export class ReadoutElement extends LitElement {
   ];
 
   @property({ attribute: false }) view!: View;
-  /** Without one it says how large the picture is. */
+  /** The pixel under the pointer; without one the readout gives the size of the picture. */
   @property({ attribute: false }) at: Pixel | null = null;
 
   override render(): TemplateResult {
@@ -53,7 +53,7 @@ export class ReadoutElement extends LitElement {
     ${facts.color === null ? nothing : html`<span>${facts.color}</span>`}`;
   }
 
-  /** By its colour alone: where several have it, it may be any of them. */
+  /** The polygon, identified by its colour alone: if several have it, it may be any of them. */
   private owner({ color, isBackground, polygons }: PixelFacts): TemplateResult {
     const { readout } = texts[this.view.language].picture;
     if (color === null) return html`<span>${readout.unpainted}</span>`;
@@ -61,7 +61,7 @@ export class ReadoutElement extends LitElement {
     return html`<span>${swatch(color)}${all.join(readout.or)}</span>`;
   }
 
-  /** Of the Z-buffer, or of the polygon's plane at the centre, in ordinary numbers. */
+  /** The depth in the Z-buffer, or that of the polygon's plane at the centre, in ordinary numbers. */
   private depth(
     { depth, polygons, isBackground }: PixelFacts,
     [x, y]: Pixel,
@@ -76,7 +76,7 @@ export class ReadoutElement extends LitElement {
   }
 }
 
-/** Of a number that is marked where it is cut. */
+/** An equals sign, unless the number has the mark of a shortened number. */
 const equals = (z: string): string =>
   z.startsWith('≈') ? `z ≈ ${z.replace(/^≈+/u, '')}` : `z = ${z}`;
 

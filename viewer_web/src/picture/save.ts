@@ -8,7 +8,7 @@ import { withKey } from '../base/key-map.js';
 import { base } from '../elements/theme.js';
 import { pngOf } from './png.js';
 
-/** Pixels: enough for a slide or a column of print. */
+/** The width in pixels: enough for a slide or a column of print. */
 const width = 2000;
 
 const kinds = [
@@ -18,7 +18,7 @@ const kinds = [
 
 export type Kind = (typeof kinds)[number][0];
 
-/** Saves the picture at the step that is shown. */
+/** Saves the picture of the current step. */
 @customElement('vidno-save')
 export class SaveElement extends LitElement {
   static override styles = [

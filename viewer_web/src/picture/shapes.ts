@@ -5,19 +5,19 @@ import type { Pixel } from './pixel.js';
 const dot = 5;
 const reach = 9;
 
-/** A piece of a drawing in the plane: the classes that give it its look, and where it runs, as the `d` of a path. */
+/** A shape in the plane: the classes for its look, and its path data, as in the `d` of a path. */
 export interface Shape {
   readonly look: string;
   readonly d: string;
-  /** Of the line, instead of the look's own. */
+  /** The colour of the line, in place of the look's own. */
   readonly color?: string;
-  /** Likewise of what it encloses. */
+  /** The colour of the inside, likewise. */
   readonly fill?: string;
-  /** What one points at with it; see `pointed.ts`. */
+  /** The thing to point at with it; see `pointed.ts`. */
   readonly thing?: string;
 }
 
-/** What a mark is drawn with, where the plane is shown at so many CSS pixels a unit. */
+/** The shapes of a mark, at a scale of CSS pixels per unit. */
 export function shapesOf(mark: Mark, scale: number): readonly Shape[] {
   if (mark.kind === 'note') return [];
   if (mark.kind === 'point') {
@@ -40,21 +40,21 @@ function dataOf(mark: Exclude<Mark, { kind: 'point' | 'note' }>, scale: number):
 
 const known = new WeakMap<readonly Box[], string>();
 
-/** There may be thousands, which most steps leave as they are. */
+/** The path data of boxes, cached: there may be thousands, and most steps do not change them. */
 function boxesData(boxes: readonly Box[]): string {
   const d = known.get(boxes) ?? boxes.map(boxData).join('');
   known.set(boxes, d);
   return d;
 }
 
-/** The outline of a pixel, and lines that lead to it. */
+/** The outline of a pixel, and lines towards it. */
 function aim([x, y]: Pixel, far: number): string {
   const across = `M${x - far} ${y + 0.5}h${far}M${x + 1} ${y + 0.5}h${far}`;
   const down = `M${x + 0.5} ${y - far}v${far}M${x + 0.5} ${y + 1}v${far}`;
   return `${boxData([x, y, 1, 1])}${across}${down}`;
 }
 
-/** The `d` of a rectangle. */
+/** The path data of a rectangle. */
 export function boxData([x, y, width, height]: Box): string {
   return `M${x} ${y}h${width}v${height}h${-width}Z`;
 }
@@ -67,11 +67,11 @@ export function diamondData([x, y]: Spot, r: number): string {
   return `M${x - r} ${y}l${r} ${-r}l${r} ${r}l${-r} ${r}Z`;
 }
 
-/** A path takes no numbers beyond those of a float. */
+/** A path supports only numbers in the range of a float. */
 const farthest = 1e30;
 const held = (coordinate: number): number => Math.min(Math.max(coordinate, -farthest), farthest);
 
-/** The `d` of a path through the points. */
+/** The path data through the points. */
 export function pathData(points: readonly (readonly number[])[], closed: boolean): string {
   if (points.length === 0) return '';
   return `M${points.map(([x = 0, y = 0]) => `${held(x)} ${held(y)}`).join('L')}${closed ? 'Z' : ''}`;

@@ -16,11 +16,11 @@ const sceneOf = (id: string): Scene => ({
 });
 
 describe('the name of a polygon', () => {
-  it('stands on the picture as it is', () => {
+  it('is in the picture unchanged', () => {
     expect(labelsOf(sceneOf('roof'), frame)[0]).toMatchObject({ text: 'roof', of: 'roof' });
   });
 
-  it('is shortened where it would be painted across the picture, and is still its own', () => {
+  it('is shortened where it would cross the picture, and still belongs to its polygon', () => {
     const long = 'я'.repeat(5000);
     const [label] = labelsOf(sceneOf(long), frame);
     expect(label?.text).toBe(`${'я'.repeat(31)}…`);

@@ -10,14 +10,14 @@ import type { Shape } from './shapes.js';
 const mostLabels = 26;
 const mostLetters = 32;
 const mostOutlines = 3000;
-/** More polygons than this are a crowd: their outlines are faint. */
+/** The number of polygons above which their outlines are faint. */
 export const many = 40;
 const gridFrom = 7;
 
 /** CSS pixels. */
 export const labelSize = 13;
 
-/** The lines between pixels that are in sight, if they are far enough apart. */
+/** The visible lines between pixels, if they are far enough apart. */
 export function gridShapes({ area, shown, scale }: Frame): readonly Shape[] {
   if (scale < gridFrom) return [];
   const [left, top] = nearestIn([Math.floor(shown[0]), Math.floor(shown[1])], area);
@@ -38,7 +38,7 @@ export function outlineShapes({ area, polygons }: Scene): readonly Shape[] {
   ];
 }
 
-/** Outlines without a look, wide enough to be pointed at. */
+/** Invisible outlines, wide enough to point at. */
 export function shapesToPoint({ polygons }: Scene): readonly Shape[] {
   if (polygons.length > many) return [];
   return polygons.map(({ id, vertices }) => ({
@@ -56,15 +56,15 @@ function outline({ vertices, color }: Polygon): readonly Shape[] {
   ];
 }
 
-/** Many outlines would hide the picture. */
+/** The outline of a polygon among many, faint because many outlines would hide the picture. */
 function faintOutline({ vertices, color }: Polygon): Shape {
   return { look: 'outline many', d: pathData(vertices, true), color };
 }
 
-/** A polygon's name, as much of it as there is room for, and where in the plane its middle stands. */
+/** A polygon's name, shortened to the available room, and its centre in the plane. */
 export interface Label {
   readonly text: string;
-  /** Whose name it is. */
+  /** The polygon of the name. */
   readonly of?: string;
   readonly at: readonly [x: number, y: number];
 }
@@ -83,7 +83,7 @@ function clipped(name: string): string {
   return letters.length > mostLetters ? `${letters.slice(0, mostLetters - 1).join('')}…` : name;
 }
 
-/** What marks say in letters, above and beside their places; none where that is out of sight. */
+/** The labels of marks, above and beside their places; a label out of sight is left out. */
 export function notesOf(marks: readonly Mark[], { whole, scale }: Frame): readonly Label[] {
   const [left, top, width, height] = whole;
   const off = labelSize / scale;
@@ -95,7 +95,7 @@ export function notesOf(marks: readonly Mark[], { whole, scale }: Frame): readon
   });
 }
 
-/** A little inward from the first vertex: the middles of polygons often coincide. */
+/** A place a little inward from the first vertex, because the centres of polygons often coincide. */
 function labelSpot(
   vertices: Polygon['vertices'],
   [x, y, width, height]: Frame['whole'],

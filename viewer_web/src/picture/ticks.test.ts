@@ -13,7 +13,7 @@ describe('the numbers of an axis', () => {
     expect(stepOf(least)).toBe(step);
   });
 
-  it('are multiples of that, wherever the axis begins', () => {
+  it('are multiples of their distance, wherever the axis begins', () => {
     expect(ticksIn(0, 15, 2)).toEqual([0, 2, 4, 6, 8, 10, 12, 14]);
     expect(ticksIn(-7, 8, 4)).toEqual([-5, 0, 5]);
     expect(ticksIn(3, 4, 5)).toEqual([]);

@@ -1,4 +1,4 @@
-/** The distance of numbers on an axis: 1, 2, 5, 10, 20, 50 and so on, at least so much. */
+/** The distance of numbers on an axis: 1, 2, 5, 10, 20, 50 and so on, at least a given distance. */
 export function stepOf(least: number): number {
   for (let ten = 1; ; ten *= 10) {
     const found = [1, 2, 5].find((n) => n * ten >= least);
@@ -6,7 +6,7 @@ export function stepOf(least: number): number {
   }
 }
 
-/** The numbers from one to another that an axis has, at least so far apart. */
+/** The numbers on an axis in a range, at least a given distance apart. */
 export function ticksIn(first: number, last: number, least: number): number[] {
   const step = stepOf(least);
   const start = Math.ceil(first / step) * step;

@@ -13,7 +13,7 @@ const shapes: Readonly<Record<Zooming, string>> = {
   all: 'M7 7H13V13H7ZM3 6V3H6M14 3H17V6M17 14V17H14M6 17H3V14',
 };
 
-/** Buttons that make what is shown smaller and larger: an event `zoom` tells which. */
+/** Buttons that zoom the picture. An event `zoom` carries the command. */
 @customElement('vidno-zoom-bar')
 export class ZoomBarElement extends LitElement {
   static override styles = [

@@ -1,11 +1,11 @@
 import { css } from 'lit';
 
-/** As a part of another page: of a size of its own, and with few controls or none. */
+/** The player as a part of another page: with a fixed size, and with few controls or none. */
 export const embeddedStyle = css`
   :host([src]) {
     height: 36rem;
   }
-  /* Its size is its page's affair: what does not fit is scrolled to, and never over the text around it. */
+  /* The surrounding page determines the size. The content scrolls if it does not fit, and never covers the text around it. */
   :host([src]:not([presenting])) {
     overflow: auto;
   }

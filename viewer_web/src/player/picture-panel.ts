@@ -14,15 +14,13 @@ import '../picture/readout.js';
 import '../picture/save.js';
 import type { Kind, SaveElement } from '../picture/save.js';
 
-/**
- * The picture, the choice of what it shows, and the legend. An event `pixel` tells that one was chosen.
- */
+/** The picture, its layer controls, and the legend. An event `pixel` carries a chosen pixel. */
 @customElement('vidno-picture-panel')
 export class PicturePanelElement extends LitElement {
   static override styles = [
     base,
     css`
-      /* The picture; below it, in a line, what is under the pointer and what may be done with the picture. */
+      /* The picture; below it, in one line, the readout of the pointer and the controls of the picture. */
       :host {
         display: grid;
         grid-template: minmax(0, 1fr) / minmax(0, 1fr) auto auto;
@@ -78,7 +76,7 @@ export class PicturePanelElement extends LitElement {
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) layer: Layer = 'picture';
   @property({ attribute: false }) exact: Exact = null;
-  /** The parts that are shown, by all that there are. */
+  /** The visible parts, by the set of all possible parts. */
   @state() private parts: ReadonlyMap<ReadonlySet<string>, ReadonlySet<string>> = new Map();
   /** The pixel under the pointer. */
   @state() private pointed: Pixel | null = null;
@@ -91,7 +89,7 @@ export class PicturePanelElement extends LitElement {
     this.addEventListener('pointed', ({ detail }) => (this.pointed = detail));
   }
 
-  /** Gives the keyboard to the choice of a pixel. */
+  /** Moves the focus to the picture, to choose a pixel. */
   startChoosing(): void {
     this.drawing.startChoosing();
   }

@@ -2,7 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Trace } from '../replay/trace.js';
 import { Pilot } from './pilot.js';
 
-/** A run of which each look goes 100 steps of the way. */
+/** A run in which each call of `approach` moves 100 steps closer. */
 function slowRun(): Trace {
   let at = 0;
   const approach = (step: number): number => {
@@ -35,7 +35,7 @@ describe('a pilot', () => {
     expect(pilot.isUnderWay).toBe(false);
   });
 
-  it('shows the step before until a far one is reached, and asks to be drawn then', async () => {
+  it('shows the previous step until a far one is reached, and then requests a render', async () => {
     const pilot = new Pilot(host, vi.fn());
     const run = slowRun();
     pilot.follow(run, 50);
@@ -49,7 +49,7 @@ describe('a pilot', () => {
     expect(pilot.follow(run, 1000)).toBe(1000);
   });
 
-  it('stays where it is when told so', async () => {
+  it('stays where it is when it is cancelled', async () => {
     const stay = vi.fn();
     const pilot = new Pilot(host, stay);
     const run = slowRun();
@@ -62,7 +62,7 @@ describe('a pilot', () => {
     expect(pilot.isUnderWay).toBe(false);
   });
 
-  it('goes to the step that was asked for last, and begins anew in another run', async () => {
+  it('goes to the last requested step, and starts over in another run', async () => {
     const pilot = new Pilot(host, vi.fn());
     const run = slowRun();
     pilot.follow(run, 9000);

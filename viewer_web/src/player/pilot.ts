@@ -4,23 +4,23 @@ import { texts } from '../i18n/index.js';
 import type { Language } from '../language/language.js';
 import type { Trace } from '../replay/trace.js';
 
-/** Milliseconds of a frame that a way takes. */
+/** Milliseconds of a frame for a long seek. */
 const mostPerFrame = 30;
-/** Milliseconds after which there is a word about it, and between two such words. */
+/** Milliseconds until the first message about it, and between two messages. */
 const patience = 300;
 
-/** Where it is going, how many steps lay before it at first, and how many lie before it now. */
+/** The goal of a seek, the number of steps to it at first, and the number left now. */
 interface Way {
   readonly to: number;
   readonly whole: number;
   left: number;
 }
 
-/** Goes to steps that are far: meanwhile the last one that was reached is shown, and the page does what is asked of it. */
+/** Carries out seeks to distant steps. Meanwhile the last reached step is shown, and the page remains responsive. */
 export class Pilot implements ReactiveController {
   /** The step that is shown. */
   reached = 0;
-  /** When the host is on its way no longer. */
+  /** Resolved when the host has reached its step. */
   arrival: Promise<void> = Promise.resolve();
   private trace: Trace | null = null;
   private way: Way | null = null;
@@ -30,7 +30,7 @@ export class Pilot implements ReactiveController {
 
   constructor(
     private readonly host: ReactiveControllerHost,
-    /** Somebody would rather stay. */
+    /** Called with the current step when the reader cancels. */
     private readonly stay: (step: number) => void,
   ) {
     host.addController(this);
@@ -44,7 +44,7 @@ export class Pilot implements ReactiveController {
     return this.way !== null;
   }
 
-  /** Sets out to a step of a run; gives the one to be shown now. */
+  /** Starts a seek to a step of a run; returns the step to show now. */
   follow(trace: Trace, step: number): number {
     if (trace !== this.trace) {
       this.trace = trace;
@@ -65,7 +65,7 @@ export class Pilot implements ReactiveController {
     this.stay(this.reached);
   }
 
-  /** A word about the way, if it takes a while. */
+  /** A message about the seek, if it takes a while. */
   render(language: Language): TemplateResult | typeof nothing {
     const { way } = this;
     if (way === null || this.told === 0) return nothing;

@@ -8,7 +8,7 @@ import type { TravelElement } from '../time/travel.js';
 import type { PicturePanelElement } from './picture-panel.js';
 import type { Presenter } from './presenter.js';
 
-/** What goes through time. */
+/** What can be moved through time. */
 export interface Timed {
   readonly step: number;
   readonly first: number;
@@ -19,7 +19,7 @@ export interface Timed {
   togglePlay(): void;
 }
 
-/** What of the player keys reach. */
+/** The parts of the player that keys control. */
 export interface Steered extends Timed {
   readonly trace: unknown;
   readonly controls: string;
@@ -38,7 +38,7 @@ export interface Steered extends Timed {
   openBookmarks(way: 'mark' | 'enter'): Promise<void>;
 }
 
-/** What keys do to the player now. */
+/** The actions of keys on the player. */
 export function actionsOf(player: Steered, { shiftKey }: KeyboardEvent): Actions {
   const { trace, controls, keys, presenting, presenter } = player;
   if (trace === null || (controls === 'none' && !presenting)) return {};
@@ -67,7 +67,7 @@ function usualActions(player: Steered, shift: boolean): Actions {
   };
 }
 
-/** The ways through time, short and long. */
+/** The moves through time, short and long. */
 export function timeActions(player: Timed, shift: boolean): Actions {
   const { clock, travel } = player;
   const by = shift ? 10 : 1;

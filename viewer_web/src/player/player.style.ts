@@ -2,8 +2,8 @@ import { css } from 'lit';
 import { leastPanel, leastPicture } from '../elements/least-picture.js';
 
 /**
- * The picture, beside it the panels of the view, below both what happened and the ways through time. Where there is no room
- * beside the picture the panels come last, and the page scrolls to them.
+ * The picture, the panels of the view beside it, and below both the sentence and the time controls. Where there is no room
+ * beside the picture, the panels come last, and the page scrolls to them.
  */
 export const playerStyle = css`
   :host {
@@ -14,7 +14,7 @@ export const playerStyle = css`
     --least-picture: ${leastPicture};
     --gap: 0.625rem;
   }
-  /* What is only there to be pressed. */
+  /* Hides everything that is only there to be pressed. */
   :host([presenting]),
   :host([controls='none']) {
     --tools: none;
@@ -57,7 +57,7 @@ export const playerStyle = css`
     flex: 1;
     min-width: 0;
   }
-  /* What changes within a panel, or in the sentence, moves nothing outside of it: a step lays out no more than that. */
+  /* A change within a panel or the sentence moves nothing outside of it, so a step lays out no more than that. */
   .beside > section,
   .sentence {
     contain: strict;
@@ -65,7 +65,7 @@ export const playerStyle = css`
   .picture {
     grid-area: picture;
   }
-  /* The picture alone says how high its row is. */
+  /* The picture alone determines the height of its row. */
   .beside {
     display: grid;
     grid-area: beside;
@@ -102,7 +102,7 @@ export const playerStyle = css`
   .beside:has(> .side:is(.exact, .predict)) {
     --side-share: 2fr;
   }
-  /* Listing, scene and state below each other; where that is too much for the room, they are scrolled to. */
+  /* Listing, scene and state below each other. They scroll if there is too little room. */
   .beside:has(> .scene) {
     grid-template:
       'listing' minmax(8.5rem, 1fr) 'scene' minmax(15rem, 1.6fr) 'side' minmax(
@@ -173,7 +173,7 @@ export const playerStyle = css`
     font: 600 0.9375rem / 1.5 var(--mono);
     text-align: center;
   }
-  /* In a lesson what can be done with a panel, or seen of a step, is there as soon as one turns to it. */
+  /* In a lesson the controls of a panel, and the panels about a step, appear when the reader turns to them. */
   :host([layout='lesson']) :is(vidno-picture-panel, vidno-listing, .dock) {
     --quiet: hidden;
   }
@@ -200,7 +200,7 @@ export const playerStyle = css`
         'listing between side' minmax(0, 1fr) / minmax(0, var(--listing, 1fr)) var(--gap)
         minmax(0, var(--listing-rest, 1fr));
     }
-    /* The scene takes a part of the listing's column: picture and state stay as they are. */
+    /* The scene takes a part of the listing's column; picture and state stay as they are. */
     :host([layout='workbench']:not([beside])) .beside:has(> .scene) {
       grid-template:
         'listing between side' minmax(0, var(--scene, 1fr))
@@ -220,7 +220,7 @@ export const playerStyle = css`
       font-size: 1.3125rem;
     }
   }
-  /* One column: the picture and the dock fill the screen, or the room that there is, and the panels follow. */
+  /* One column: the picture and the dock fill the screen or the available room, and the panels follow. */
   @container (max-width: 703px) {
     .stage {
       flex: none;
@@ -248,7 +248,7 @@ export const playerStyle = css`
     .beside > section {
       contain: content;
     }
-    /* What was asked for comes first; what grows from step to step scrolls within its panel. */
+    /* The requested panel comes first. Panels that grow from step to step scroll their content. */
     .beside:has(> .side:not(.state)) {
       grid-template-areas: 'side' 'listing';
       grid-template-rows: minmax(20rem, auto) 19rem;
@@ -295,7 +295,7 @@ export const playerStyle = css`
       position: static;
     }
   }
-  /* One sheet, A4: what happened, the picture beside the state, the listing. */
+  /* One sheet of A4: the sentence, the picture beside the state, and the listing. */
   @media print {
     :host {
       container-type: normal;
@@ -303,7 +303,7 @@ export const playerStyle = css`
     .stage {
       flex: 1;
       gap: 4mm;
-      /* The state is to be read to its end. */
+      /* The state must be readable to its end. */
       grid-template:
         'dock dock' auto
         'picture side' minmax(92mm, auto)

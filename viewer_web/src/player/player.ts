@@ -55,9 +55,9 @@ import { StageElement } from './stage-element.js';
 import { verdictOn } from './verdict.js';
 
 /**
- * Replays a trace. Set `src`, or `trace` and `length`; `step`, `pixel`, `bookmarks` and `lang` may be set and change with
- * the controls. Each step that is shown is told by an event `vidno-step`, each pixel that is chosen by `vidno-pixel`, and
- * the bookmarks, when they change, by `vidno-bookmarks`; `linked` says that these are kept in the page's address.
+ * Replays a trace. Set `src`, or `trace` and `length`. The attributes `step`, `pixel`, `bookmarks` and `lang` may be set,
+ * and change with the controls. An event `vidno-step` reports each new step, `vidno-pixel` each chosen pixel, and
+ * `vidno-bookmarks` changed bookmarks; `linked` states that the page's address contains these.
  */
 @customElement('vidno-player')
 export class PlayerElement extends StageElement {
@@ -71,38 +71,38 @@ export class PlayerElement extends StageElement {
     announcerStyle,
   ];
 
-  /** The address of a trace, or `#id` of a block of JSON Lines in the page; else `trace` and `length` are set. */
+  /** The address of a trace, or `#id` of a block of JSON Lines in the page. Without it, `trace` and `length` are set. */
   @property() src = '';
-  /** What there is to steer by, see `Controls`; anything else is `full`. */
+  /** The visible controls, see `Controls`; any other value means `full`. */
   @property({ reflect: true }) controls: string = plain.controls;
   @property({ attribute: false, hasChanged: isOther }) pixel: Pixel | null = null;
-  /** What the pixels show, if the trace has it; another layer is asked for by `vidno-layer`. */
+  /** The layer that the pixels show, if the trace has it. An event `vidno-layer` asks for another one. */
   @property({ attribute: false }) layer: Layer = 'picture';
-  /** Who draws sign maps; null where there is no library. */
+  /** The source of sign maps; null without the library. */
   @property({ attribute: false }) maps: SignMaps | null = null;
-  /** Where the vertex that is chosen may be moved to so that no sign of the step changes, if that is known. */
+  /** The region to which the chosen vertex can move without changing a sign of the step, if it is known. */
   @property({ attribute: false }) margin: Margin | null = null;
   /** The exact picture of the scene. */
   @property({ attribute: false }) exact: Exact = null;
   @property({ type: Boolean }) linked = false;
-  /** The scene, if it may be changed; what is to be done with it is told by `vidno-act`, `vidno-save`, `vidno-link`. */
+  /** The scene, if it can be edited. Events `vidno-act`, `vidno-save` and `vidno-link` carry requests for it. */
   @property({ attribute: false }) editing: Editing | null = null;
   @property({ attribute: false }) link: LinkMade | null = null;
-  /** Whether lines of the listing can be broken: `vidno-break` asks for that. */
+  /** Whether lines of the listing can be broken; an event `vidno-break` asks for that. */
   @property({ type: Boolean }) breakable = false;
-  /** How questions are asked, see `Way`; when the reader changes it that is told by `vidno-ask`. */
+  /** How questions are asked, see `Way`. An event `vidno-ask` reports that the reader has changed it. */
   @property() ask = '';
-  /** Whether a text stands beside it, which leaves room for two columns. */
+  /** Whether a text is beside the player, which leaves room for two columns. */
   @property({ type: Boolean, reflect: true }) beside = false;
-  /** How it is arranged, and which parts of the state a lesson asks for. */
+  /** The arrangement, and the parts of the state that a lesson asks for. */
   @property({ reflect: true }) layout: PageView = 'workbench';
   @property({ attribute: false }) parts: readonly StatePart[] = [];
-  /** What is looked for in the outline of the run, and the steps at which it was found. */
+  /** The query of the outline's search, and the steps found. */
   @state() private sought = '';
   @state() private hits: readonly number[] = [];
   /** The panel beside the listing. */
   @property({ attribute: false }) side: Side = 'state';
-  /** Whether the scene is edited, beside listing and state. */
+  /** Whether the scene is being edited, beside listing and state. */
   @property({ attribute: false }) isEdited = false;
   @query('vidno-listing') readonly listing!: ListingElement;
   @query('vidno-picture-panel') readonly picture!: PicturePanelElement;
@@ -114,7 +114,7 @@ export class PlayerElement extends StageElement {
   readonly predictor = new Predictor(this);
   private readonly chosen = new PixelHistory(this);
 
-  /** While a vertex is chosen: where it may be moved to so that no sign of the step changes. */
+  /** The marks of the region to which the chosen vertex can move without changing a sign of the step. */
   private marginMarks(): readonly Mark[] | undefined {
     const { trace, margin, isEdited } = this;
     if (trace === null || margin === null || !isEdited) return undefined;
@@ -157,12 +157,12 @@ export class PlayerElement extends StageElement {
     return Math.min(this.last, this.predictor.limit);
   }
 
-  /** Whether there are all controls and all panels. */
+  /** Whether all controls and all panels are available. */
   get isFull(): boolean {
     return this.controls !== 'small' && this.controls !== 'none';
   }
 
-  /** Opens a panel, or the state where it is open. */
+  /** Opens a panel. If it is open, opens the state instead. */
   toggleSide(side: Side): void {
     const { view } = this;
     if (!this.isFull || view === null) return;
@@ -175,7 +175,7 @@ export class PlayerElement extends StageElement {
     }
   }
 
-  /** Edits the scene, or no longer. */
+  /** Opens or closes the editor. */
   turnEditor(): void {
     const { view, language } = this;
     if (!this.isFull || view === null || this.editing === null) return;
@@ -184,7 +184,7 @@ export class PlayerElement extends StageElement {
     this.announcer.say(view.texts.news.panel(this.isEdited ? scene : sideName(this.side, view)));
   }
 
-  /** Stays where one is on a long way; else leaves the questions, unless the run waits for an answer. */
+  /** Cancels a long seek. Otherwise it closes the questions, unless the run waits for an answer. */
   escape(): void {
     if (this.pilot.isUnderWay) {
       this.pilot.cancel();
@@ -222,7 +222,7 @@ export class PlayerElement extends StageElement {
     const { view, trace } = this;
     if (view === null || trace === null) return this.source.remark(this.language);
     const { texts } = view;
-    // An open question is not to be answered by what shows the future.
+    // An open question hides everything that shows the future and would answer it.
     const { isOpen, isForced } = this.predictor;
     const veiled = isOpen || isForced;
     const history = isOpen ? null : this.chosen.history;
@@ -292,7 +292,7 @@ export class PlayerElement extends StageElement {
     `;
   }
 
-  /** In a lesson, which has no choice between panels: those that one may want to see of a step. */
+  /** The panels about a step in a lesson, which has no choice between panels. */
   private asides(view: View): TemplateResult | typeof nothing {
     if (!this.isFull || this.presenting || this.layout !== 'lesson') return nothing;
     const sides: readonly Side[] = [
@@ -316,7 +316,7 @@ export class PlayerElement extends StageElement {
     </button>`;
   }
 
-  /** At the end, what came of it all. */
+  /** The result, at the end of the run. */
   private verdict(trace: Trace, view: View): TemplateResult | typeof nothing {
     const said = verdictOn(trace, view, this.exact);
     return said === null ? nothing : html`<strong class="verdict">${said}</strong>`;
@@ -384,7 +384,7 @@ export class PlayerElement extends StageElement {
       </section>`;
   }
 
-  /** Points at the next thing of the step, or the one before. */
+  /** Points at the next or previous thing of the step. */
   point(by: 1 | -1): void {
     if (this.view) this.pointing.move(by, this.view);
   }

@@ -2,7 +2,7 @@ import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import { nextThing, thingAt } from '../algorithm/pointed.js';
 import type { View } from '../algorithm/view.js';
 
-/** What is pointed at on the page, by mouse, finger or keyboard; see `pointed.ts`. */
+/** The thing that is pointed at on the page, by mouse, finger or keyboard; see `pointed.ts`. */
 export class Pointing implements ReactiveController {
   private thing: string | null = null;
 
@@ -18,14 +18,14 @@ export class Pointing implements ReactiveController {
     return this.thing;
   }
 
-  /** To the next thing of the step, or the one before. */
+  /** Moves to the next or previous thing of the step. */
   move(by: 1 | -1, view: View): void {
     this.point(nextThing(this.thing, by, view));
   }
 
   readonly onOver = (event: Event): void => this.point(thingAt(event));
 
-  /** A finger that was lifted points on. */
+  /** A lifted finger keeps pointing. */
   readonly onLeave = ({ pointerType }: PointerEvent): void => {
     if (pointerType !== 'touch') this.point(null);
   };

@@ -1,7 +1,7 @@
 import { css } from 'lit';
 import { leastPanel } from '../elements/least-picture.js';
 
-/** For a projector: as much as 850 pixels hold, as large as the screen allows. */
+/** For a projector: the content of 850 pixels, as large as the screen allows. */
 export const presenterStyle = css`
   :host([presenting]) {
     position: fixed;

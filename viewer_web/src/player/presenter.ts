@@ -3,7 +3,7 @@ import type { ReactiveController, ReactiveControllerHost, TemplateResult } from 
 import type { View } from '../algorithm/view.js';
 import type { Actions } from '../elements/keyboard.js';
 
-/** What of the player is shown to a hall. */
+/** The parts of the player that a presentation uses. */
 export interface Presented extends ReactiveControllerHost, HTMLElement {
   readonly step: number;
   readonly last: number;
@@ -13,9 +13,9 @@ export interface Presented extends ReactiveControllerHost, HTMLElement {
   handleKey(event: KeyboardEvent): void;
 }
 
-/** Shows the player to a hall: on the full screen where there is one, with the keys of remote controls. */
+/** Presents the player to an audience: in full screen where possible, with the keys of presenter remotes. */
 export class Presenter implements ReactiveController {
-  /** The screen is dark: the hall looks at the speaker. */
+  /** Whether the screen is blanked, so that the audience looks at the speaker. */
   blank = false;
   private isOn = false;
 
@@ -42,13 +42,13 @@ export class Presenter implements ReactiveController {
     else if (document.fullscreenElement !== null) void document.exitFullscreen();
   }
 
-  /** Where nobody has pressed anything, as after a link, or a frame may not, the window has to do. */
+  /** Enters full screen. Without a user action, as after a link, or in a frame without permission, the window remains. */
   private fill(): void {
     if (!document.fullscreenEnabled || !navigator.userActivation.isActive) return;
     void this.host.requestFullscreen().catch(() => undefined);
   }
 
-  /** All that keys do: at a dark screen any of them makes it light again. */
+  /** The actions of all keys. On a blank screen any key shows the picture again. */
   actions(usual: Actions): Actions {
     const { host } = this;
     const light = (): void => this.darken(false);
@@ -66,7 +66,7 @@ export class Presenter implements ReactiveController {
     return Object.fromEntries(Object.keys(all).map((key) => [key, light]));
   }
 
-  /** Instead of the controls: where one is, and the way out. */
+  /** Shown in place of the controls: the current step and the exit. */
   corner({ step, texts }: View): TemplateResult | typeof nothing {
     if (!this.host.presenting) return nothing;
     return html`<div class="corner">
@@ -81,7 +81,7 @@ export class Presenter implements ReactiveController {
     </div>`;
   }
 
-  /** Over all when the screen is dark. */
+  /** Covers everything while the screen is blank. */
   curtain(): TemplateResult | typeof nothing {
     if (!this.blank) return nothing;
     return html`<div class="curtain" @click=${() => this.darken(false)}></div>`;
@@ -92,12 +92,12 @@ export class Presenter implements ReactiveController {
     this.host.requestUpdate();
   }
 
-  /** Escape leaves the full screen without being a key. */
+  /** Escape leaves the full screen without a key event. */
   private readonly onFullscreen = (): void => {
     if (document.fullscreenElement === null && this.isOn) this.host.present(false);
   };
 
-  /** Wherever the focus was when the rest of the page went out of sight. */
+  /** Handles keys wherever the focus was when the rest of the page was hidden. */
   private readonly onKey = (event: KeyboardEvent): void => {
     if (this.isOn) this.host.handleKey(event);
   };

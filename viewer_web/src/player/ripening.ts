@@ -3,10 +3,10 @@ import { rest } from '../base/rest.js';
 import type { Timeline } from '../replay/timeline.js';
 import type { Trace } from '../replay/trace.js';
 
-/** Milliseconds at a time; between two of these the page does what is asked of it. */
+/** Milliseconds per slice; between two slices the page can respond. */
 const atOnce = 6;
 
-/** Makes seeks quick in a run that is shown, while there is nothing else to do. */
+/** Prepares quick seeks in a shown run while the page is idle. */
 export class Ripening implements ReactiveController {
   private trace: Trace | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -20,7 +20,7 @@ export class Ripening implements ReactiveController {
     this.trace = null;
   }
 
-  /** Of a run that is read whole. */
+  /** Prepares a run that is completely read. */
   follow(trace: Trace): void {
     const wanted = trace.complete ? trace : null;
     if (wanted === this.trace) return;

@@ -24,12 +24,12 @@ import type { Bookmarks } from '../time/bookmarks.js';
 import '../time/bookmarks-element.js';
 import type { BookmarksElement } from '../time/bookmarks-element.js';
 
-/** Lines that are indented, as an outline is. */
+/** An icon of indented lines, for the outline. */
 const tree = html`<svg viewBox="0 0 20 16" aria-hidden="true">
   ${svg`<path d="M2 3h11M6 8h11M10 13h7" />`}
 </svg>`;
 
-/** One of the panels: the state of the procedure, the history of a pixel, the truth of a decision, and so on. */
+/** One of the panels: the state of the procedure, the history of a pixel, the right answer to a decision, and so on. */
 @customElement('vidno-side')
 export class SideElement extends LitElement {
   static override styles = [
@@ -82,7 +82,7 @@ export class SideElement extends LitElement {
         display: flex;
         margin-left: auto;
       }
-      /* No smaller than a target should be. */
+      /* At least as large as a target should be. */
       .asides .outline {
         min-width: 1.55rem;
         padding-inline: 0;
@@ -127,28 +127,28 @@ export class SideElement extends LitElement {
   @property({ attribute: false }) history: History | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
-  /** What is looked for in the outline. */
+  /** The query of the outline's search. */
   @property({ attribute: false }) sought = '';
-  /** What comes after the step is hidden. */
+  /** Whether everything after the step is hidden. */
   @property({ type: Boolean }) veiled = false;
   @property({ attribute: false }) side: Side = 'state';
-  /** In a lesson, the parts of the state that it asks for: there is no choice between panels, but a way back. */
+  /** The parts of the state that a lesson asks for. Then there is no choice between panels, but a way back. */
   @property({ attribute: false }) parts: readonly StatePart[] | null = null;
   /** Without the choice between panels. */
   @property({ type: Boolean, reflect: true }) bare = false;
-  /** Whether the scene is edited beside it, which an event `edit` asks for; null where it cannot be. */
+  /** Whether the scene is being edited beside it; null where it cannot be. An event `edit` asks to change that. */
   @property({ attribute: false }) edited: boolean | null = null;
   @property({ attribute: false }) predictor!: Predictor;
   @query('vidno-bookmarks') private list!: BookmarksElement | null;
   @query('vidno-outline') private outline!: OutlineElement | null;
 
-  /** Bookmarks the step that is shown, or goes to the list; the bookmarks must be the side that is chosen. */
+  /** Bookmarks the current step, or moves the focus to the list. The bookmarks must be the open panel. */
   async bookmark(way: 'mark' | 'enter'): Promise<void> {
     await this.updateComplete;
     await this.list?.[way]();
   }
 
-  /** Gives the keyboard to the outline, which must be the side that is chosen. */
+  /** Moves the focus to the outline, which must be the open panel. */
   async enterOutline(): Promise<void> {
     await this.updateComplete;
     await this.outline?.updateComplete;
@@ -176,7 +176,7 @@ export class SideElement extends LitElement {
     `;
   }
 
-  /** What is open in place of the lesson's parts of the state, and the way back to these. */
+  /** The name of the panel in place of the lesson's parts of the state, with a button to return to them. */
   private name(): TemplateResult | typeof nothing {
     const { view, shown } = this;
     if (shown === 'state') return nothing;
@@ -196,7 +196,7 @@ export class SideElement extends LitElement {
       ${this.bookmarks.length}`;
   }
 
-  /** The panel that is open: one that the run does not have gives way to the state. */
+  /** The open panel; the state replaces one that the run does not have. */
   private get shown(): Side {
     return this.side === 'solid' && !hasSolid(this.view) ? 'state' : this.side;
   }

@@ -6,7 +6,7 @@ import type { Trace } from '../replay/trace.js';
 import { noticeOf } from '../run/notice.js';
 import type { Notice } from '../run/notice.js';
 
-/** What shows the trace that `src` names. */
+/** An element that shows the trace named by `src`. */
 export interface Sourced extends ReactiveControllerHost {
   readonly src: string;
   readonly step: number;
@@ -14,7 +14,7 @@ export interface Sourced extends ReactiveControllerHost {
   length: number;
 }
 
-/** The document is read to its end: what stands behind the player is there, too. */
+/** Waits until the whole document is read, including everything behind the player. */
 async function documentRead(): Promise<void> {
   if (document.readyState !== 'loading') return;
   await new Promise((resolve) => {
@@ -35,7 +35,7 @@ async function fileOf(src: string): Promise<Blob> {
   return new Blob([`${block.textContent.trim()}\n`]);
 }
 
-/** Reads the trace that its host's `src` names, again whenever that changes. */
+/** Reads the trace named by its host's `src`, again whenever that changes. */
 export class Source implements ReactiveController {
   private notice: Notice | null = null;
   private opened = '';
@@ -57,13 +57,13 @@ export class Source implements ReactiveController {
     this.host.requestUpdate();
   }
 
-  /** What is put in elsewhere is read anew. */
+  /** An element that moves elsewhere in the document reads its trace again. */
   hostDisconnected(): void {
     this.stopReading();
     this.opened = '';
   }
 
-  /** What there is to say instead of a trace, or of one that is not whole. */
+  /** A message in place of a trace, or about an incomplete one. */
   remark(language: Language): TemplateResult | typeof nothing {
     if (this.notice === null) return nothing;
     return html`<vidno-notice
@@ -73,7 +73,7 @@ export class Source implements ReactiveController {
     ></vidno-notice>`;
   }
 
-  /** Reads no more: what is there stays. */
+  /** Stops reading and keeps the steps read so far. */
   private stop(): void {
     this.stopReading();
     const { host } = this;

@@ -22,25 +22,28 @@ import '../time/travel.js';
 import { Presenter } from './presenter.js';
 import { TimedElement } from './timed.js';
 
-/** What the controls leave out: the ways through the run, or what shows the future. */
+/** What the controls leave out: moves through the run, or what shows the future. */
 interface LeftOut {
   readonly plain: boolean;
-  /** All but the ways that everyone needs. */
+  /** Everything but the most common moves. */
   readonly brief: boolean;
   readonly veiled: boolean;
 }
 
-/** What is found in the outline. */
+/** The search results in the outline. */
 interface Found {
   readonly hits: readonly number[];
 }
 
-/** What shows one run or two: in a language, steered by keys, and to a hall. */
+/** Shows one run or two, in a language, controlled by keys, and can present them to an audience. */
 export abstract class StageElement extends TimedElement {
   @property() override lang = 'en';
-  /** For a projector: told by `vidno-present` when keys change it. */
+  /** Whether the view is adapted to a projector; an event `vidno-present` reports a change by keys. */
   @property({ type: Boolean, reflect: true }) presenting = false;
-  /** How decisions are known to be right or wrong; null where nobody checks runs. A check is asked for by `vidno-check`. */
+  /**
+   * How decisions are known to be right or wrong; null if the page cannot check runs. An event `vidno-check` asks for a
+   * check.
+   */
   @property({ attribute: false }) check: Check | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @query('vidno-keys') readonly keys!: KeysElement;
@@ -49,14 +52,14 @@ export abstract class StageElement extends TimedElement {
   private readonly keyboard = new Keyboard(this, (event) => this.actions(event), true);
   protected readonly announcer = new Announcer(this);
 
-  /** What keys do now. */
+  /** The current actions of keys. */
   protected abstract actions(event: KeyboardEvent): Actions;
 
   protected checkOf(trace: Trace): Check {
     return this.check ?? toldCheck(trace);
   }
 
-  /** What plays the run, and the ways through it. */
+  /** The play button and the moves through the run. */
   protected playControls(
     view: View,
     check: Check,
@@ -108,12 +111,12 @@ export abstract class StageElement extends TimedElement {
     this.keys.toggle();
   }
 
-  /** Gives the keyboard to what plays. */
+  /** Moves the focus to the play button. */
   focusPlay(): void {
     this.transport.focusPlay();
   }
 
-  /** Shows itself to a hall, or no longer. */
+  /** Starts or ends the presentation. */
   present(on: boolean): void {
     this.presenting = on;
     const { news } = texts[this.language].page;
@@ -121,7 +124,7 @@ export abstract class StageElement extends TimedElement {
     this.dispatchEvent(new CustomEvent('vidno-present', { detail: on }));
   }
 
-  /** Does what a key means; the page passes on keys that were pressed outside. */
+  /** Runs the action of a key; the page passes on keys that were pressed outside. */
   handleKey(event: KeyboardEvent): void {
     this.keyboard.handle(event);
   }

@@ -9,26 +9,26 @@ import type { Command } from '../time/command.js';
 import { Pilot } from './pilot.js';
 import { Ripening } from './ripening.js';
 
-/** What stands at a step of a trace, and may play from there. Each step that is shown is told by an event `vidno-step`. */
+/** An element at a step of a trace, which can play from there. An event `vidno-step` reports each new step. */
 export class TimedElement extends LitElement {
   @property({ attribute: false }) trace: Trace | null = null;
-  /** How many steps of the trace are there: more and more while it is read. */
+  /** The number of steps read so far. */
   @property({ attribute: false }) length = 0;
-  /** Whether there will be no more of them; of two runs, in both. */
+  /** Whether all steps are read; for two runs, those of both. */
   @property({ type: Boolean }) complete = false;
   @property({ type: Number }) step = 0;
-  /** The first and the last step that can be reached; null: the last one of the trace. */
+  /** The first and the last reachable step; null is the last step of the trace. */
   @property({ type: Number }) from = 0;
   @property({ type: Number }) to: number | null = null;
-  /** Steps a second, from 0.1 to 1000; null: as it is. */
+  /** Steps per second, from 0.1 to 1000; null keeps the current speed. */
   @property({ type: Number }) speed: number | null = null;
-  /** Whether the first trace plays as soon as it is there, unless the reader wants no motion. */
+  /** Whether the first trace plays immediately, unless the reader prefers reduced motion. */
   @property({ type: Boolean }) play = false;
   readonly clock = new Clock(this, (steps) => this.advance(steps));
   protected readonly pilot = new Pilot(this, (step) => this.moveTo(step));
   protected readonly ripening = new Ripening(this);
 
-  /** The state that is shown, in the form in which readers of a trace are compared. */
+  /** The current state in the form in which readers of a trace are compared. */
   canonicalState(): unknown {
     if (this.trace === null) return null;
     const { header, timeline } = this.trace;
@@ -44,7 +44,7 @@ export class TimedElement extends LitElement {
     return Math.max(this.first, Math.min(Number.isNaN(to) ? this.length : to, this.length));
   }
 
-  /** The last step that may be shown now. */
+  /** The last step that the player may show now. */
   protected get limit(): number {
     return this.last;
   }
@@ -62,14 +62,14 @@ export class TimedElement extends LitElement {
     }
   }
 
-  /** Does what the controls ask of time. */
+  /** Carries out a command of the time controls. */
   protected steer(command: Command): void {
     if (command.do === 'play') this.togglePlay();
     else if (command.do === 'speed') this.clock.speed = command.speed;
     else if (command.do === 'seek') this.moveTo(command.step);
   }
 
-  /** What is shown is there only at the end of the way. */
+  /** The update is complete only when a long seek has reached its step. */
   protected override async getUpdateComplete(): Promise<boolean> {
     const isComplete = await super.getUpdateComplete();
     if (!this.pilot.isUnderWay) return isComplete;

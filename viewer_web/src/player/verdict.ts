@@ -8,10 +8,10 @@ import { eventNames } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 
-/** How large a scene may be that is compared with its exact picture unasked. */
+/** The largest scene that is compared with its exact picture without a request. */
 const most = { pixels: 1 << 16, polygons: 200 };
 
-/** What a verdict counts: the first of these that the run tells. */
+/** The events that a verdict counts: the first kind in this list that the run has. */
 const counted = ['windows', 'regions', 'curves', 'comparisons'] as const;
 
 /** Whether the exact picture of a scene is made as soon as its run is over. */
@@ -23,7 +23,7 @@ export function isComparedUnasked({ scene }: Pick<Header, 'scene'>): boolean {
 
 const tallies = new WeakMap<Trace, ReadonlyMap<EventName, number>>();
 
-/** How often a whole run tells each event. */
+/** The number of events of each name in a whole run. */
 function tallyOf(trace: Trace): ReadonlyMap<EventName, number> {
   const known = tallies.get(trace);
   if (known !== undefined) return known;
@@ -37,7 +37,10 @@ function tallyOf(trace: Trace): ReadonlyMap<EventName, number> {
   return tally;
 }
 
-/** What came of a run, at its end: how large its picture is, how that compares with the exact one, what it took. */
+/**
+ * The result of a run at its end: the size of its picture, the comparison with the exact picture, and the number of
+ * operations.
+ */
 export function verdictOn(trace: Trace, view: View, exact: Exact): string | null {
   const { header, step, length } = view;
   if (step !== length || length === 0 || !trace.complete || trace.shortened !== null) return null;
@@ -59,7 +62,7 @@ export function verdictOn(trace: Trace, view: View, exact: Exact): string | null
   return `${[...pixels, ...work, ...untold].join('; ')}.`;
 }
 
-/** Nothing is called exact that was not held against the exact picture. */
+/** Claims exactness only after a comparison with the exact picture. */
 function comparedWith(exact: Exact, view: View): string {
   const { verdict } = texts[view.language];
   const right = known(exact);

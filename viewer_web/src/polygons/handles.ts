@@ -23,20 +23,20 @@ const mostHandles = 400;
 const radius = 6;
 const reach = 13;
 
-/** The scene's corners over the picture, to be dragged, and the outline that is being drawn. */
+/** The scene's corners over the picture, which can be dragged, and the outline that is being drawn. */
 @customElement('vidno-handles')
 export class HandlesElement extends LitElement {
   static override styles = [base, hiddenStyle, handlesStyle];
 
   @property({ attribute: false }) editing!: Editing;
-  /** How the plane lies in the picture. */
+  /** The position of the plane in the picture. */
   @property({ attribute: false }) frame!: Frame;
   @property({ attribute: false }) language: Language = 'en';
-  /** Where the next corner would be set. */
+  /** The place of the next corner. */
   @state() private pen: Place = [0, 0];
 
   private readonly dragging = new Dragging(this);
-  /** The corner that the keyboard has moved since it was shown last. */
+  /** The corner that the keyboard has moved since the last render. */
   private keyed: Spot | null = null;
 
   override updated(changed: PropertyValues<this>): void {
@@ -67,7 +67,7 @@ export class HandlesElement extends LitElement {
     </svg>`;
   }
 
-  /** The polygon that the library does not take. */
+  /** The polygon that the library refuses. */
   private get refused(): string | null {
     const { refused, messages, sketch: drawn } = this.editing;
     return refused ? refusalOf(messages, drawn).polygon : null;
@@ -166,7 +166,7 @@ export class HandlesElement extends LitElement {
     if (vertex !== undefined) this.follow([vertex[0], vertex[1]]);
   }
 
-  /** What the keyboard is at must be seen. */
+  /** Scrolls the focused corner into the picture. */
   private follow(detail: Place): void {
     this.dispatchEvent(new CustomEvent<Place>('follow', { detail }));
   }

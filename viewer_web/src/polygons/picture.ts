@@ -32,10 +32,10 @@ import './handles.js';
 
 const none: readonly Shape[] = [];
 
-/** Whether it shows how the area is divided; that lies under all marks. */
+/** Whether a shape shows the division of the area; those lie under all marks. */
 const isOfTree = ({ look }: Shape): boolean => look === 'tree' || look === 'casing tree';
 
-/** A drawing, and what it was made of. */
+/** A drawing, and the values that it depends on. */
 interface SceneDrawing extends Drawing {
   readonly scene: Scene;
   readonly frame: Frame;
@@ -43,17 +43,18 @@ interface SceneDrawing extends Drawing {
 }
 
 /**
- * The picture so far, and over it what the step is about. All but names and what is pointed at is drawn on canvases: the browser
- * would lay out outlines and windows anew at each step if they were elements. For paper they are, to be as sharp as its lines.
+ * The picture so far, and the marks of the step over it. Everything except names and pointed things is drawn on canvases:
+ * the browser would lay out outlines and windows at each step if they were elements. For print they are elements, so that
+ * they are as sharp as the print.
  */
 @customElement('vidno-picture')
 export class PictureElement extends PlaneElement {
   static override styles = [base, hiddenStyle, marksStyle, pictureStyle];
 
-  /** What the pixels show. */
+  /** The layer that the pixels show. */
   @property({ attribute: false }) layer: Layer = 'picture';
   @property({ attribute: false }) exact: Exact = null;
-  /** The scene while its corners may be dragged. */
+  /** The scene, while its corners can be dragged. */
   @property({ attribute: false }) editing: Editing | null = null;
   @query('.cells') private bottom!: HTMLCanvasElement;
   @query('.scene') private scene!: HTMLCanvasElement;
@@ -66,7 +67,7 @@ export class PictureElement extends PlaneElement {
   private ofScene: SceneDrawing | null = null;
   private ofStep: Drawing = { shapes: none, labels: [] };
 
-  /** What is drawn over the pixels, from below. */
+  /** The shapes over the pixels, from bottom to top. */
   get shapes(): readonly Shape[] {
     return [...(this.ofScene?.shapes ?? none), ...this.ofStep.shapes];
   }
@@ -78,7 +79,7 @@ export class PictureElement extends PlaneElement {
     this.ofStep = stepDrawing(view, frame, this.over?.(frame));
   }
 
-  /** The same one as long as nothing about it changes. */
+  /** The drawing of the scene, the same object as long as nothing about it changes. */
   private drawingOfScene(frame: Frame): SceneDrawing {
     const { ofScene: known } = this;
     const { scene } = this.view.header;
@@ -95,7 +96,7 @@ export class PictureElement extends PlaneElement {
     this.painter.paint(bottom, this.cells, frame.place(ratio));
     inkers.scene.draw(scene, this.ofScene?.shapes ?? none, frame, ratio);
     const { shapes } = this.ofStep;
-    // There may be thousands of windows, of which few steps make more.
+    // There may be thousands of windows, and few steps add one.
     inkers.tree.draw(tree, shapes.filter(isOfTree), frame, ratio);
     inkers.step.draw(
       step,
@@ -105,17 +106,17 @@ export class PictureElement extends PlaneElement {
     );
   }
 
-  /** What the pixels show; null if nothing. */
+  /** The cells that the pixels show; null for none. */
   protected get cells(): Cells | null {
     return cellsOf(this.layer, this.view.screen, this.exact);
   }
 
-  /** What lies over the pixels and under the polygons' outlines. */
+  /** The shapes over the pixels and under the polygons' outlines. */
   protected under(): readonly Shape[] {
     return none;
   }
 
-  /** What lies over these and under the marks. */
+  /** The shapes over these and under the marks. */
   protected over?(frame: Frame): readonly Shape[];
 
   protected override get words(): HistoryTexts {
@@ -156,7 +157,7 @@ export class PictureElement extends PlaneElement {
     ></vidno-handles>`;
   }
 
-  /** What the canvases show, as sharp as the letters. */
+  /** The content of the canvases, as vectors for print. */
   private onPaper(): readonly SVGTemplateResult[] {
     const { screen, header } = this.view;
     const patches = this.cells === null ? [] : patchesOf(screen.picture, header.scene.area);

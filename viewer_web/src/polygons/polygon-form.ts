@@ -14,7 +14,7 @@ const mostPolygons = 200;
 const axes = ['x', 'y', 'z'] as const;
 type Axis = (typeof axes)[number];
 
-/** The polygons in their order, the chosen one with all of its coordinates. */
+/** The polygons in order, with all coordinates of the chosen one. */
 @customElement('vidno-polygon-form')
 export class PolygonFormElement extends FormElement {
   static override styles = [base, formStyle];

@@ -8,11 +8,11 @@ import type { Pixel } from '../picture/pixel.js';
 import './picture.js';
 import './polygon-form.js';
 
-/** A layer that the trace has not is not shown. */
+/** The layer to show; a layer that the trace lacks is replaced. */
 export const layerOf = ({ view, exact, layer }: Pictured): Layer =>
   layersOf(view.header, exact).includes(layer) ? layer : 'picture';
 
-/** The choice of what the pixels show. */
+/** The choice of the layer that the pixels show. */
 export const pixelLayers = (of: Pictured): TemplateResult =>
   html`<vidno-layers
     class="layers"
@@ -21,7 +21,7 @@ export const pixelLayers = (of: Pictured): TemplateResult =>
     .exact=${of.exact}
   ></vidno-layers>`;
 
-/** What the runs of polygons have in common. */
+/** The common part of all elements for runs of polygons. */
 export const ofPolygons: Omit<Shows, 'state' | 'legend'> = {
   picture: (of) => {
     const { view, editing, exact } = of;

@@ -2,7 +2,7 @@ import { numberOf } from '../trace/events.js';
 import type { Event, EventName } from '../trace/events.js';
 import type { Trace } from '../replay/trace.js';
 
-/** A step whose event is known. */
+/** A step with its event. */
 export interface Step<K extends EventName> {
   readonly step: number;
   readonly event: Event<K>;
@@ -18,7 +18,7 @@ export function eventAt<K extends EventName>(
   return event?.e === name ? (event as Event<K>) : null;
 }
 
-/** The next step of a name after one, unless a step of another name comes first, which ends the current item. */
+/** The next step of a name after one, unless an event that ends the current item comes first. */
 export function nextOf<K extends EventName>(
   trace: Trace,
   after: number,
@@ -37,7 +37,7 @@ export function nextOf<K extends EventName>(
   return event && { step, event };
 }
 
-/** The steps of a name after one, up to another. */
+/** The steps of a name after one step, up to another. */
 export function stepsOf<K extends EventName>(
   trace: Trace,
   after: number,
@@ -51,7 +51,7 @@ export function stepsOf<K extends EventName>(
     .map((step) => ({ step, event: trace.timeline.event(step) as Event<K> }));
 }
 
-/** The numbers of steps, in order. */
+/** The numbers of steps in order. */
 export function inOrder(...lists: readonly (readonly { readonly step: number }[])[]): number[] {
   return lists
     .flat()

@@ -8,13 +8,13 @@ import type { Corner } from '../trace/values.js';
 import type { View } from '../algorithm/view.js';
 import { polygonName } from '../elements/parts.js';
 
-/** What lights up in the picture with an option. */
+/** The thing that lights up in the picture with an option. */
 function thingOf(of: Of, value: string): string | typeof nothing {
   if (of === 'corner') return cornerThing(value as Corner);
   return of === 'edge' ? edgeThing(Number(value)) : nothing;
 }
 
-/** An option as it stands beside its box, or what a part is about. */
+/** The label of an option, or of what a part is about. */
 export function valueName(of: Of, option: Option, view: View): TemplateResult {
   const note = sayNote(option, view.language);
   return html`${nameOf(of, option.value, view)}
@@ -27,7 +27,7 @@ function nameOf(of: Of, value: string, view: View): TemplateResult {
   return html`<span data-thing=${thingOf(of, value)}>${said}</span>`;
 }
 
-/** An option of a part; where it is no polygon at all, what that means there. */
+/** An option of a part; for no polygon, the meaning of that. */
 export function optionName(asks: Asks, option: Option, view: View): TemplateResult {
   if (option.value === none) return html`${sayNone(asks, view.language)}`;
   return valueName(parts[asks][1], option, view);

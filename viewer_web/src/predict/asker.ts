@@ -5,28 +5,28 @@ import type { Header, Polygon } from '../trace/header.js';
 import type { N, Point } from '../trace/values.js';
 import type { Kind, Note, Option, Question } from './question.js';
 
-/** Asks questions of one kind. */
+/** Makes questions of one kind. */
 export interface Asker<K extends Kind = Kind> {
-  /** Which variants' runs answer them, where not all do. */
+  /** Whether runs of a variant can answer them; without it, all can. */
   readonly isOf?: (method: Method) => boolean;
-  /** The least detail that answers them. */
+  /** The lowest level of detail that can answer them. */
   readonly from: Detail;
   /** The events at which they may be asked. */
   readonly at: readonly EventName[];
-  /** The question of a step, if the run goes on to answer it and it is not plain before. */
+  /** The question at a step, if the run goes on to answer it and the answer is not obvious. */
   ask(trace: Trace, step: number): Question<K> | null;
 }
 
-/** The kinds of question that the runs of an algorithm answer. */
+/** The kinds of questions that the runs of an algorithm can answer. */
 export type Askers = { readonly [K in Kind]?: Asker<K> };
 
-/** More options would be hard to survey. */
+/** More options would be confusing. */
 export const mostOptions = 8;
 
 export const optionsOf = (values: readonly string[]): readonly Option[] =>
   values.map((value) => ({ value }));
 
-/** Depths from the farthest to the nearest, in full where they would look alike. */
+/** Depths from the farthest to the nearest, in full where their short forms are equal. */
 export function depthOptions(depths: readonly N[]): readonly Option[] {
   const all = [...new Set(depths)].sort((a, b) => toNumber(a) - toNumber(b));
   const areShort = new Set(all.map(short)).size === all.length;
@@ -41,21 +41,21 @@ const relations: readonly Relation[] = ['>', '=', '<'];
 export const relationBy = { '-1': '<', 0: '=', 1: '>' } as const satisfies Record<string, Relation>;
 export const relationOptions = optionsOf(relations);
 
-/** How a depth compares with the one before it; null where the numbers in the trace do not show it. */
+/** The relation of a depth to the one before it; null if the numbers in the trace do not show it. */
 export function relationOf(z: N, against: N, nearer: boolean, { kernel }: Header): Relation | null {
   const order = orderOf(z, against);
   if (order === null || (order === 1) !== nearer) return null;
-  // Under `filtered` the numbers stand for others, which decide.
+  // Under `filtered` other numbers decide than those in the trace.
   return order === 0 && kernel === 'filtered' ? null : relationBy[order];
 }
 
-/** An edge by its ends. */
+/** The endpoints of an edge, as a note. */
 export function edgeNote({ vertices }: Polygon, edge: number): Note {
   const ends = [vertices[edge], vertices[(edge + 1) % vertices.length]];
   return ({ numbers: { point } }) =>
     ends.map((vertex) => point(vertex?.slice(0, 2) ?? [])).join(' → ');
 }
 
-/** Points as options; each is named in one way in all languages, and shown by its note. */
+/** Points as options. Their value is independent of the language, and their note is what is shown. */
 export const pointOptions = (points: readonly Point[]): readonly Option[] =>
   points.map((at) => ({ value: point(at), note: ({ numbers }) => numbers.point(at) }));

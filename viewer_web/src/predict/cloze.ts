@@ -5,16 +5,16 @@ import { crossing, none, parts as forms } from './question.js';
 import type { Asks, Option, Part, Question } from './question.js';
 import { sayNone, sayNoted, sayValue } from './say.js';
 
-/** Text as HTML of a Cloze question: nothing in it counts as markup, as a choice, or as what Moodle's filters look for. */
+/** Text as HTML of a Cloze question, escaped so that nothing in it is markup, a choice, or input for Moodle's filters. */
 export function inert(text: string): string {
   return writable(text).replace(/[&<>"'{}~#\\=%@$]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 }
 
-/** One choice that is to be made, by what stands before it. */
+/** A choice to make, and the text before it. */
 interface Choice {
   readonly label: string;
   readonly options: readonly string[];
-  /** The place of the right one among them. */
+  /** The index of the right option. */
   readonly right: number;
 }
 
@@ -32,7 +32,10 @@ function sayPlace(asks: Asks, { value }: Option, language: Language): string {
   return value === crossing ? ofEdge : sayValue(forms[asks][1], value, language);
 }
 
-/** A row is chosen place by place; there are as many as it could have, so that they do not tell its length. */
+/**
+ * The choices of a part, one for each place of a row. There are as many as the row could have, so that they do not reveal
+ * its length.
+ */
 function placesOf(part: Part, language: Language): readonly Choice[] {
   const { asks, options, right, given = [] } = part;
   const { ends } = texts[language].predict;
@@ -66,7 +69,7 @@ function choicesOf(part: Part, language: Language): readonly Choice[] {
   }));
 }
 
-/** In the notation of Cloze, which decodes a choice once before it takes it as HTML. */
+/** The notation of Cloze, which decodes a choice once before using it as HTML. */
 function gap({ options, right }: Choice, weight: number, type: string): string {
   const written = options.map((option, i) => `${i === right ? '=' : ''}${inert(inert(option))}`);
   return `{${weight}:${type}:${written.join('~')}}`;
@@ -95,7 +98,7 @@ function partHtml(part: Part, weight: number, language: Language): string {
 const commonDivisor = (a: number, b: number): number => (b === 0 ? a : commonDivisor(b, a % b));
 const commonMultiple = (a: number, b: number): number => (a * b) / commonDivisor(a, b);
 
-/** The parts of a question as HTML with choices in the notation of Moodle's Cloze; each part counts the same. */
+/** The parts of a question as HTML with choices in the notation of Moodle's Cloze; all parts have the same weight. */
 export function clozeOf({ parts }: Question, language: Language): string {
   const counts = parts.map((part) => choicesOf(part, language).length);
   const whole = counts.reduce(commonMultiple, 1);

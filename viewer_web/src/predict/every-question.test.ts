@@ -15,7 +15,7 @@ import { corners as places } from '../trace/events.js';
 import { parts as forms } from './question.js';
 import type { Abouts, Kind, Question } from './question.js';
 
-/** The lessons' traces too, where they were made. */
+/** The lessons' traces are included if they were built. */
 const folder = process.env['VIDNO_TRACES'] ?? '../build/lessons';
 const lessons = existsSync(folder)
   ? readdirSync(folder).filter((name) => name.endsWith('.jsonl.gz'))
@@ -27,11 +27,11 @@ const all = [
   ...lessons.map((name) => [name, () => lesson(name)] as const),
 ];
 
-/** How many rows of values there are, none longer than what they are typed from. */
+/** The number of rows made from `n` values, none longer than the list of values. */
 const rows = (n: number): number =>
   Array.from({ length: n + 1 }, (_, length) => n ** length).reduce((sum, each) => sum + each);
 
-/** How many answers there are. */
+/** The number of possible answers. */
 const possible = ({ parts }: Question): number =>
   parts.reduce((product, { asks, options: { length: n } }) => {
     const [form] = forms[asks];
@@ -40,7 +40,7 @@ const possible = ({ parts }: Question): number =>
 
 type About = Abouts['ray'];
 
-/** On which side of an edge a point lies, worked out from the scene. */
+/** The side of an edge on which a point lies, computed from the scene. */
 function side({ vertices }: Polygon, edge: number, [x = 0, y = 0]: readonly number[]): number {
   const [x1 = 0, y1 = 0] = vertices[edge] ?? [];
   const [x2 = 0, y2 = 0] = vertices[(edge + 1) % vertices.length] ?? [];
@@ -48,8 +48,8 @@ function side({ vertices }: Polygon, edge: number, [x = 0, y = 0]: readonly numb
 }
 
 /**
- * Whether the centre of a window that no edge meets lies in the polygon; null where the run cannot be held to it: a usual mistake, or
- * numbers so large that doubles lose what decides, are what its lesson is about.
+ * Whether the centre of a window that no edge meets lies in the polygon. Null if the run cannot be expected to agree,
+ * because its lesson is about a usual mistake, or about numbers so large that doubles lose the deciding digits.
  */
 function surrounds({ header }: Trace, { polygon: id, window }: About): boolean | null {
   const [x, y, width, height] = window;
@@ -63,7 +63,7 @@ function surrounds({ header }: Trace, { polygon: id, window }: About): boolean |
   return new Set(signs.filter((sign) => sign !== 0)).size === 1;
 }
 
-/** What the state says after the question's steps, whatever their events were read as. */
+/** How the state after the question's steps must agree, independent of the events that the question used. */
 const agrees: Readonly<Record<Kind, Agrees>> = {
   ...regionsAgree,
   window: ({ trace, after, right }) => {
@@ -74,7 +74,7 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
   },
   relation: ({ trace, question, right }) => {
     if (question.kind !== 'relation') return;
-    // What surrounds the window or lies outside joins that list at the next step.
+    // A polygon that surrounds the window or lies outside joins that list at the next step.
     const { joined } = trace.timeline.seek(question.until + 1).values.warnock ?? {};
     const [lies] = right['lies'] ?? [];
     for (const list of ['surrounding', 'outside'] as const) {
@@ -159,7 +159,7 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
     }
   },
   meeting: ({ trace, question, right }) => {
-    // Where the segment, which is straight, is as high as the straight horizon that it was compared with.
+    // The place where the straight segment is as high as the straight horizon that it was compared with.
     const [from, to] = question.parts[1]?.options.map(({ value }) => value).filter(Number) ?? [];
     const event = trace.timeline.event(question.until);
     if (event?.e !== 'intersection' || from === undefined || to === undefined) return;
@@ -174,12 +174,12 @@ const agrees: Readonly<Record<Kind, Agrees>> = {
   },
 };
 
-/** What the state has over the columns: the page’s own reading of the events between, whatever the question read. */
+/** The state over the columns. The page computes it from the events, independent of the question. */
 const over = (trace: Trace, step: number, x: string, which: 'upper' | 'lower'): unknown =>
   trace.timeline.seek(step).columns?.horizons[which].row(0)[Number(x) - trace.header.scene.area.x];
 
 describe.each(all)('every question of %s', { timeout: 60_000 }, (_name, content) => {
-  it('has the answer that the state has after it', async () => {
+  it('has the answer of the later state', async () => {
     const trace = await traceOf(content());
     for (const question of everyQuestion(trace)) {
       const before = trace.timeline.seek(question.step).values;
@@ -188,7 +188,7 @@ describe.each(all)('every question of %s', { timeout: 60_000 }, (_name, content)
     }
   });
 
-  it('is not answered by guessing, nor before it is asked', async () => {
+  it('has at least six possible answers, and is decided only after its step', async () => {
     for (const question of everyQuestion(await traceOf(content()))) {
       expect(possible(question)).toBeGreaterThanOrEqual(6);
       expect(Math.min(...question.because)).toBeGreaterThan(question.step);

@@ -5,10 +5,10 @@ import type { Numbers } from '../language/texts.js';
 import type { Polygon } from '../trace/header.js';
 import type { Question } from './question.js';
 
-/** Something that is known at a step, under its name. */
+/** A named fact at a step. */
 export type Fact = readonly [name: string, said: string];
 
-/** In full, to be worked with. */
+/** The vertices in full, for calculations. */
 const vertices = (polygon: Polygon | undefined, { list, inFull }: Numbers): string =>
   (polygon?.vertices ?? []).map((vertex) => `(${list(vertex, inFull)})`).join(' ');
 
@@ -24,7 +24,7 @@ function polygonFacts(view: View, question: Question): readonly Fact[] {
   ]);
 }
 
-/** What must be known at its step to answer a question, beside its own words and options. */
+/** The facts needed to answer a question at its step, besides its text and options. */
 export function factsOf(view: View, question: Question): readonly Fact[] {
   const { area } = view.header.scene;
   const { predict, numbers } = texts[view.language];

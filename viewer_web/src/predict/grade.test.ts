@@ -23,7 +23,7 @@ describe('an answer', () => {
     expect(grade(question, [['A', 'B'], [''], null])).toEqual([true, true, false]);
   });
 
-  it('that is a row is right only in its order', async () => {
+  it('that is a row is right only in the right order', async () => {
     const trace = await traceOf(textOf('small.zbuffer.signs.jsonl'));
     const question = questionFrom(trace, 65, 'ael');
     expect(
@@ -42,7 +42,7 @@ describe('an answer', () => {
 });
 
 describe('a typed row', () => {
-  it('may have anything between its values, or nothing', () => {
+  it('may have any separators or none', () => {
     const order = row('order', '0123', '31');
     expect(['3 1', ' 3, 1 ', '3;1'].map((text) => typedRow(order, text))).toEqual(
       Array.from({ length: 3 }, () => ['3', '1']),
@@ -51,14 +51,14 @@ describe('a typed row', () => {
     expect(typedRow(row('list', '12x', 'x1'), 'Х 1')).toEqual(['x', '1']);
   });
 
-  it('may be empty, but that is typed', () => {
+  it('may be empty, if that is typed explicitly', () => {
     const order = row('order', '01', '');
     expect([typedRow(order, '−'), typedRow(order, '-')]).toEqual([[], []]);
     expect(typedRow(order, '  ')).toBeNull();
     expect(typedRow(row('signs', '+0-', '-'), '-')).toEqual(['-']);
   });
 
-  it('has none but the values that there are', () => {
+  it('contains only available values', () => {
     expect(typedRow(row('order', '01', '0'), '31')).toBeNull();
     expect(typedRow(row('list', '12x', 'x1'), '1 y')).toBeNull();
   });

@@ -1,19 +1,19 @@
 import { crossing, parts as forms } from './question.js';
 import type { Part, Question } from './question.js';
 
-/** The values that were chosen for each part, or typed; null where there is no answer yet. */
+/** The values that were chosen or typed for each part; null for a part without an answer. */
 export type Answer = readonly (readonly string[] | null)[];
 
 const same = (a: readonly string[], b: readonly string[]): boolean =>
   a.length === b.length && a.every((value, i) => value === b[i]);
 
-/** Whether a part is answered right; only in a row the order matters. */
+/** Whether a part is answered correctly; the order matters only in a row. */
 export function isRight({ asks, right }: Part, given: readonly string[]): boolean {
   if (forms[asks][0] !== 'some') return same(given, right);
   return same([...given].sort(), [...right].sort());
 }
 
-/** Which parts are answered right. */
+/** Which parts are answered correctly. */
 export function grade({ parts }: Question, answer: Answer): readonly boolean[] {
   return parts.map((part, i) => {
     const given = answer[i] ?? null;
@@ -21,10 +21,10 @@ export function grade({ parts }: Question, answer: Answer): readonly boolean[] {
   });
 }
 
-/** How an empty row is typed. */
+/** The text for an empty row. */
 export const emptyRow = '-';
 
-/** The row of options that was typed, with or without anything between them; null if it is none. */
+/** The row of options in a typed text, with any separators; null if the text is not a row. */
 export function typedRow({ asks, options }: Part, text: string): readonly string[] | null {
   const plain = text
     .trim()

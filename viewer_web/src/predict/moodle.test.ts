@@ -25,7 +25,7 @@ const questionsOf = (xml: string): readonly Imported[] => imported(xml).slice(1)
 const rightOf = ({ options }: Choice): number =>
   options.findIndex(({ fraction }) => fraction === 100);
 
-/** The choices that belong to each part: one, one an option, or one a place of a row. */
+/** The choices that belong to each part: one; one for each option; or one for each place of a row. */
 function choicesByPart(
   { parts }: Question,
   choices: readonly Choice[],
@@ -39,7 +39,7 @@ function choicesByPart(
   });
 }
 
-/** The values that a part is answered with by these options of its choices. */
+/** The answer to a part that these options of its choices give. */
 function valuesOf({ asks, options }: Part, chosen: readonly number[]): readonly string[] {
   const [form] = forms[asks];
   const value = (place: number): readonly string[] =>
@@ -48,19 +48,19 @@ function valuesOf({ asks, options }: Part, chosen: readonly number[]): readonly 
   return options.filter((_, i) => chosen[i] === 0).map((option) => option.value);
 }
 
-/** Less detailed ones of these tell nothing to ask about. */
+/** Less detailed traces have nothing to ask about. */
 const byTrace = traceNames.filter(
   (name) => !/zbuffer\.windows|horizon\.(windows|polygons)|atherton\.windows/u.test(name),
 );
 
 describe.each(byTrace)('the questions of %s for Moodle', (name) => {
-  it('are well formed, and have the elements that Moodle wants', async () => {
+  it('are well formed, and have the elements that Moodle requires', async () => {
     const input = await xmlOf(textOf(name), 'ru');
     const stdio = ['pipe', 'pipe', 'pipe'] as const;
     execFileSync('xmllint', ['--noout', '--relaxng', schema, '-'], { input, stdio: [...stdio] });
   });
 
-  it('are answered right by what the engine has for right, and by nothing else', async () => {
+  it('accept exactly the answer of the engine', async () => {
     const trace = await traceOf(textOf(name));
     const read = questionsOf(moodleXml(trace, 'en') ?? '');
     const asked = spread(trace, 20);
@@ -85,7 +85,7 @@ describe.each(byTrace)('the questions of %s for Moodle', (name) => {
     });
   });
 
-  it('have one right option in each choice, and parts that count the same', async () => {
+  it('have one right option in each choice, and parts of equal weight', async () => {
     const trace = await traceOf(textOf(name));
     const read = questionsOf(moodleXml(trace, 'en') ?? '');
     spread(trace, 20).forEach((question, n) => {
@@ -104,7 +104,7 @@ describe.each(byTrace)('the questions of %s for Moodle', (name) => {
   });
 });
 
-/** The question of a kind whose name is this, as what a student reads: a line of text each. */
+/** The question with this name, as the lines of text that a student reads. */
 function linesOf(xml: string, name: RegExp): readonly string[] {
   const html = questionsOf(xml).find((each) => name.test(each.name))?.html ?? '';
   const lines = shown(html.replaceAll('</td><td>', '</td>: <td>').replaceAll('</th><td>', ': '));
@@ -112,7 +112,7 @@ function linesOf(xml: string, name: RegExp): readonly string[] {
 }
 
 describe('a question for Moodle', () => {
-  it('has with it what its answer needs: the window, its list, the polygons', async () => {
+  it('includes the data for its answer: the window, its list, the polygons', async () => {
     const xml = await xmlOf(textOf('small.warnock.signs.jsonl'));
     expect(linesOf(xml, /^Step 4: the case of a window$/)).toEqual([
       'What becomes of the window (2, −1) 8 × 8?',
@@ -129,7 +129,7 @@ describe('a question for Moodle', () => {
     ]);
   });
 
-  it('has with it the outlines along which one walks, and the lists that wait', async () => {
+  it('includes the outlines of the walk, and the waiting lists', async () => {
     const lines = linesOf(await xmlOf(textOf('wall.weiler-atherton.signs.jsonl')), /the walk/);
     expect(lines.slice(0, 11)).toEqual([
       'RegionClip: walk round the part of Q inside W, from point 3, where the outline of Q enters. The points of that outline come first, then the other vertices of W, each in the order of the walk.',
@@ -146,7 +146,7 @@ describe('a question for Moodle', () => {
     ]);
   });
 
-  it('shows the picture of its step, and says why its answer is right', async () => {
+  it('shows the picture of its step, and explains its answer', async () => {
     const [first] = questionsOf(await xmlOf(textOf('small.warnock.signs.jsonl')));
     expect(first?.files.map(({ name }) => name)).toEqual(['step-4.svg']);
     expect(first?.html).toContain('src="@@PLUGINFILE@@/step-4.svg"');
@@ -159,7 +159,7 @@ describe('a question for Moodle', () => {
     ).toBe('Step 50: None of the simple cases: the window is split.');
   });
 
-  it('shows names of polygons as they are, whatever signs are in them', async () => {
+  it('shows names of polygons unchanged, whatever characters are in them', async () => {
     const id =
       ']]>{1:SHORTANSWER:=x}~=%100%#\\</text><script>alert("\'")</script>&amp;@@PLUGINFILE@@$$x$$';
     const hostile = textOf('small.warnock.signs.jsonl').replaceAll('"A"', () => JSON.stringify(id));
@@ -185,12 +185,12 @@ describe('a file of questions for Moodle', () => {
     expect(linesOf(xml, /^Шаг 4: случай окна$/)[0]).toBe('Что станет с окном (2; −1) 8 × 8?');
   });
 
-  it('is the same bytes each time', async () => {
+  it('has the same bytes each time', async () => {
     const text = textOf('small.warnock.signs.jsonl');
     expect(await xmlOf(text)).toBe(await xmlOf(text));
   });
 
-  it('has as many questions as were asked for, of all kinds that the run has, to its end', async () => {
+  it('has the requested number of questions, of all kinds, up to the end of the run', async () => {
     const trace = await traceOf(textOf('small.warnock.signs.jsonl'));
     const questions = spread(trace, 12);
     const steps = questions.map(({ step }) => step);
@@ -206,7 +206,7 @@ describe('a file of questions for Moodle', () => {
     expect(imported(await xmlOf(text))[0]?.name).toContain('vidno · In//Out and a slope');
   });
 
-  it('is not there for a run about which nothing can be asked', async () => {
+  it('does not exist for a run without questions', async () => {
     const coarse = await traceOf(textOf('small.zbuffer.windows.jsonl'));
     expect(moodleXml(coarse, 'en')).toBeNull();
     expect(moodleXml(await traceOf(textWith(headerOf('warnock'), [])), 'en')).toBeNull();

@@ -14,7 +14,7 @@ import { reasonsOf } from './reasons.js';
 import { sayIntro } from './say.js';
 import { spread } from './spread.js';
 
-/** So many questions there are unless another number is asked for. */
+/** The number of questions by default. */
 export const usualCount = 20;
 
 const text = (content: string): string => element('text', [], escaped(content));
@@ -59,7 +59,7 @@ function questionXml(trace: Trace, question: Question, language: Language): stri
   );
 }
 
-/** Where Moodle puts the questions: there a slash would begin a category in another. */
+/** The path of the category in Moodle. A slash in a name would begin a subcategory. */
 function category({ header }: Trace, language: Language): string {
   const { scene, method, kernel, edition } = header;
   const { methods, editions } = texts[language].page;
@@ -70,8 +70,8 @@ function category({ header }: Trace, language: Language): string {
 }
 
 /**
- * At most the given number of questions of a run, each with all that its answer needs, for the question bank of Moodle, in its XML
- * format (https://docs.moodle.org/en/Moodle_XML_format); null if there are none. Leaves the timeline anywhere.
+ * At most the given number of questions of a run, each with all data for its answer, for the question bank of Moodle in its
+ * XML format (https://docs.moodle.org/en/Moodle_XML_format); null if there are none. May leave the timeline at any step.
  */
 export function moodleXml(trace: Trace, language: Language, count = usualCount): string | null {
   const questions = spread(trace, count);

@@ -17,14 +17,14 @@ import './question-element.js';
 import { countOf, isRightAtFirst, scoreOf } from './score.js';
 import type { Answered } from './score.js';
 
-/** Where one says what the run will do next: the current question, what is asked about and how, and the score. */
+/** The panel of predictions: the current question, the settings of questions, and the score. */
 @customElement('vidno-predict')
 export class PredictElement extends LitElement {
   static override styles = [base, predictStyle];
 
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) predictor!: Predictor;
-  /** A run of which questions were wanted and which has none. */
+  /** A run without questions, after the reader has asked for one. */
   @state() private withoutAny: Header | null = null;
   private name = '';
 

@@ -14,14 +14,14 @@ import type { Way } from '../base/setting.js';
 import type { Trace } from '../replay/trace.js';
 import type { Side } from '../history/side-name.js';
 
-/** What is replayed while one predicts. */
+/** The element that replays the run during predictions. */
 export interface Predicted extends ReactiveControllerHost, HTMLElement {
   readonly trace: Trace | null;
   readonly length: number;
   readonly step: number;
   readonly last: number;
   readonly language: Language;
-  /** Whether there is a place for questions. */
+  /** Whether there is room for questions. */
   readonly isFull: boolean;
   ask: string;
   side: Side;
@@ -31,29 +31,29 @@ export interface Predicted extends ReactiveControllerHost, HTMLElement {
 /** The current question. */
 export interface Current {
   readonly question: Question;
-  /** Whether its first answer was given, which counts. */
+  /** Whether the first answer, which counts, was given. */
   readonly isAnswered: boolean;
-  /** What the last answer came to; null while an answer is asked for. */
+  /** The result of the last answer; null while the question waits for an answer. */
   readonly verdict: { readonly given: Answer | null; readonly right: readonly boolean[] } | null;
 }
 
 /**
- * Asks what the run does next. An open question is asked at its step: a reader who is free may pass it, one who is not
- * cannot go on. Answers are kept as long as the page.
+ * Asks what the run will do next. A question is asked at its step: the reader may pass it, unless questions are forced.
+ * Answers are kept as long as the page is open.
  */
 export class Predictor {
   current: Current | null = null;
   record: readonly Answered[] = [];
   wanted: ReadonlySet<Kind> = new Set(kinds);
-  /** Why the current question has its answer. */
+  /** The reasons for the answer to the current question. */
   reasons: readonly Reason[] = [];
-  /** Whether there was no other question when one was asked for. */
+  /** Whether the last search found no further question. */
   isOver = false;
 
   private trace: Trace | null = null;
   /** The questions of this run so far. */
   private asked: readonly Question[] = [];
-  /** From where the next question is looked for when it must be answered, which that is, and how far was looked. */
+  /** For forced questions: the step from which to search for the next one, that question, and the step reached so far. */
   private from = 0;
   private ahead: Question | null = null;
   private searched = -1;
@@ -65,12 +65,12 @@ export class Predictor {
     return this.host.ask === 'forced' && this.host.isFull;
   }
 
-  /** Whether there is a question without an answer: nothing on the page may give it away. */
+  /** Whether a question is unanswered: nothing on the page may give its answer away. */
   get isOpen(): boolean {
     return this.current?.isAnswered === false;
   }
 
-  /** The last step that one may go to. */
+  /** The last step that the reader can go to. */
   get limit(): number {
     if (!this.isForced) return Infinity;
     const next = this.isOpen ? this.current?.question : this.ahead;
@@ -81,13 +81,13 @@ export class Predictor {
     return this.trace === null ? [] : kindsOf(this.trace.header);
   }
 
-  /** What the current question is about. */
+  /** The things that the current question is about. */
   get things(): readonly string[] {
     const { current, host } = this;
     return current?.question.step === host.step ? current.question.things : [];
   }
 
-  /** Before a step is shown: looks through the trace, and leaves its timeline anywhere. */
+  /** Called before a step is shown. Searches the trace, and may leave its timeline at any step. */
   follow(): void {
     const { trace, step, length } = this.host;
     if (trace !== this.trace) this.begin(trace);
@@ -110,7 +110,7 @@ export class Predictor {
     this.lookAgain();
   }
 
-  /** From here on, for something has changed. */
+  /** Searches again from here, because something has changed. */
   private lookAgain(): void {
     this.from = Math.max(this.from, this.host.step);
     this.ahead = null;
@@ -134,7 +134,7 @@ export class Predictor {
     this.reasons = current?.isAnswered === true ? reasonsOf(trace, current.question, language) : [];
   }
 
-  /** To the question that is open, or else to the next one. */
+  /** Goes to the open question, or else to the next one. */
   next(): void {
     const { host } = this;
     if (!host.isFull) return;
@@ -169,7 +169,7 @@ export class Predictor {
     );
   }
 
-  /** The question is not asked any more; says whether that may be. */
+  /** Drops the question. Returns whether that is allowed. */
   leave(): boolean {
     if (this.isOpen && this.isForced) return false;
     this.current = null;
@@ -177,7 +177,7 @@ export class Predictor {
     return true;
   }
 
-  /** The answer is asked for once more, but not counted. */
+  /** Asks the question once more, without counting the answer. */
   again(): void {
     if (this.current !== null) this.current = { ...this.current, verdict: null };
     this.host.requestUpdate();
@@ -202,7 +202,7 @@ export class Predictor {
     this.host.requestUpdate();
   }
 
-  /** Whether the run shall stop at each question. */
+  /** Sets whether the run stops at each question. */
   force(on: boolean): void {
     const { host } = this;
     host.ask = on ? 'forced' : 'free';
@@ -214,7 +214,7 @@ export class Predictor {
   moodle(): string | null {
     const { host, trace } = this;
     const xml = trace === null ? null : moodleXml(trace, host.language);
-    host.requestUpdate(); // the timeline was left anywhere
+    host.requestUpdate(); // the timeline may be at any step
     return xml;
   }
 

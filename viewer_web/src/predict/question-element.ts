@@ -18,7 +18,7 @@ import { questionStyle } from './question.style.js';
 import type { Reason } from './reasons.js';
 import { sayIntro, sayRight } from './say.js';
 
-/** A question as a form, and what the answer came to. */
+/** A question as a form, and the result of the answer. */
 @customElement('vidno-question')
 export class QuestionElement extends LitElement {
   static override styles = [base, hiddenStyle, questionStyle];
@@ -27,7 +27,7 @@ export class QuestionElement extends LitElement {
   @property({ attribute: false }) predictor!: Predictor;
   @property({ attribute: false }) current!: Current;
   @property({ attribute: false }) reasons: readonly Reason[] = [];
-  /** What is chosen for each part; of a row, what is typed. */
+  /** The chosen values of each part; for a row, the typed text. */
   @state() private chosen: readonly (readonly string[])[] = [];
   @state() private isMissing = false;
   @query('h3') private heading!: HTMLElement;
@@ -50,7 +50,7 @@ export class QuestionElement extends LitElement {
     goal?.focus();
   }
 
-  /** What is answered; null for a part without an answer. */
+  /** The answer; null for each part without one. */
   private get answer(): readonly (readonly string[] | null)[] {
     return this.current.question.parts.map((part, i) => {
       const chosen = this.chosen[i] ?? [];
@@ -73,7 +73,7 @@ export class QuestionElement extends LitElement {
     return [...this.renderRoot.querySelectorAll<HTMLInputElement>(`[data-part="${part}"] input`)];
   }
 
-  /** A digit chooses among the options of the part in focus, or of the first. */
+  /** A digit chooses among the options of the part in focus, or of the first one. */
   private onKey(event: KeyboardEvent): void {
     const { target } = event;
     const isTyping = target instanceof HTMLInputElement && target.type === 'text';

@@ -169,7 +169,7 @@ export const questionStyle = css`
     font-size: 0.6875rem;
     line-height: 1.65;
   }
-  /* Above the controls of time, which stay at the bottom there. */
+  /* Above the time controls, which stay at the bottom there. */
   @container (max-width: 960px) {
     input,
     button,

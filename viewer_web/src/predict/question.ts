@@ -1,7 +1,7 @@
 import type { Texts } from '../language/texts.js';
 import type { Box, Corner, Point } from '../trace/values.js';
 
-/** What is asked about, in the order in which the reader chooses among them. */
+/** The kinds of questions, in the order of the reader's choice. */
 export const kinds = [
   'window',
   'relation',
@@ -26,10 +26,10 @@ export const kinds = [
 ] as const;
 export type Kind = (typeof kinds)[number];
 
-/** How a part is answered: by one of its options, by any set of them, or by a row of them that is typed. */
+/** How a part is answered: by one of its options, by any set of them, or by a typed row of them. */
 export type Form = 'one' | 'some' | 'row';
 
-/** What the options of a part are, which says how they are shown. */
+/** The type of a part's options, which determines how they are shown. */
 export type Of =
   | 'case'
   | 'polygon'
@@ -96,7 +96,7 @@ export const parts = {
 } as const satisfies Readonly<Record<string, readonly [Form, Of]>>;
 export type Asks = keyof typeof parts;
 
-/** What is known of an option, to answer by, as a language writes it. */
+/** A fact about an option that helps to answer, as text in a language. */
 export type Note = (texts: Pick<Texts, 'numbers' | 'curves'>) => string;
 
 export interface Option {
@@ -104,29 +104,29 @@ export interface Option {
   readonly note?: Note;
 }
 
-/** Stands in a list of vertices for one that a crossing makes. */
+/** Denotes, in a list of vertices, one that a crossing makes. */
 export const crossing = 'x';
 
-/** The place between two columns, among options that are columns. */
+/** Denotes the place between two columns, among options that are columns. */
 export const between = 'between';
 
-/** How a polygon may lie to a window. */
+/** The possible relations of a polygon to a window. */
 export const relations = ['outside', 'inside', 'intersecting', 'surrounding'] as const;
-/** What may tell, in the order of the listing: either line about the box, the edges, or containment. */
+/** The possible deciding lines, in the order of the listing: either line about the box, the edges, or containment. */
 export const tests = ['RE1', 'RE2', 'RE3', 'RE4'] as const;
-/** What may become of a region that nothing hides. */
+/** The possible results for a region that nothing hides. */
 export const becomes = ['visible', 'again'] as const;
 export type Becomes = (typeof becomes)[number];
 
-/** No polygon at all, among options that are polygons. */
+/** Denotes no polygon, among options that are polygons. */
 export const none = '';
 
-/** What a part is about, where that is not its options. */
+/** The subject of a part, if it differs from the options. */
 export interface Given extends Option {
   readonly of: Of;
 }
 
-/** One thing that is asked. An answer to it is a list of options' values. */
+/** One thing that a question asks. An answer is a list of option values. */
 export interface Part {
   readonly asks: Asks;
   readonly options: readonly Option[];
@@ -134,7 +134,7 @@ export interface Part {
   readonly given?: readonly Given[];
 }
 
-/** What the words of a question name. */
+/** The data that the text of a question names. */
 export interface Abouts {
   readonly window: { readonly window: Box };
   readonly relation: { readonly polygon: string; readonly window: Box };
@@ -166,7 +166,7 @@ export interface Abouts {
 
 interface Asked<K extends Kind> {
   readonly kind: K;
-  /** Where it is asked: all that is needed for the answer has happened. */
+  /** The step at which it is asked: everything needed for the answer has happened. */
   readonly step: number;
   /** The step by which the run has answered it. */
   readonly until: number;
@@ -174,9 +174,9 @@ interface Asked<K extends Kind> {
   readonly parts: readonly Part[];
   /** The steps that decide it. */
   readonly because: readonly number[];
-  /** What it is about, as things that can be pointed at. */
+  /** The things that it is about, which can be pointed at. */
   readonly things: readonly string[];
 }
 
-/** A question whose answer the run itself gives in its next steps. */
+/** A question that the run itself answers in its next steps. */
 export type Question<K extends Kind = Kind> = { readonly [P in K]: Asked<P> }[K];

@@ -9,26 +9,27 @@ import type { Question } from './question.js';
 import { kindsOf, nextQuestion } from './questions.js';
 
 /**
- * A is the square from (1, -2) to (8, 4) with z = 1/10; B is the triangle (2.5, -0.5, 0.3), (6, 0, 0.4), (4, 2.5, 0.2). The
+ * A is the square from (1, -2) to (8, 4) with z = 1/10. B is the triangle (2.5, -0.5, 0.3), (6, 0, 0.4), (4, 2.5, 0.2). The
  * plane of B is z = (0.7 x - y + 3.6) / 19.5: at its vertices 5.85, 7.8 and 3.9 over 19.5.
  */
 const small = (run: string): Promise<Trace> => traceOf(textOf(`small.${run}.jsonl`));
 
 describe('Warnock’s algorithm asks', () => {
-  it('of a window which polygons stay, which hides the others, and which case it is', async () => {
-    // The first window, (2, -1) 8 x 8: both meet it, none surrounds it (it reaches down to y = 7), it is no pixel.
+  it('which polygons of a window stay, which hides the others, and which case it is', async () => {
+    // The first window is (2, -1) 8 x 8. Both polygons meet it, neither surrounds it (it extends down to y = 7), and it is
+    // larger than a pixel.
     const trace = await small('warnock.signs');
     const first = questionFrom(trace, 1, 'window');
     expect(first.step).toBe(4);
     expect(first.about.window).toEqual([2, -1, 8, 8]);
     expect(answers(first)).toEqual({ stay: ['A', 'B'], hides: [''], case: ['split'] });
-    // The pixel (4, 0) lies in B and z is at least (2.8 - 1 + 3.6) / 19.5 = 0.277 there: B hides A.
+    // The pixel (4, 0) lies in B, and z is at least (2.8 - 1 + 3.6) / 19.5 = 0.277 there, so B hides A.
     const hidden = questionFrom(trace, 1140, 'window');
     expect(hidden.about.window).toEqual([4, 0, 1, 1]);
     expect(answers(hidden)).toEqual({ stay: ['A', 'B'], hides: ['B'], case: ['surrounded'] });
   });
 
-  it('of a window where a polygon goes, with the step that says so', async () => {
+  it('which polygons stay in a window, with the step at which one leaves', async () => {
     const events: readonly Event[] = [
       push,
       pop,
@@ -45,20 +46,20 @@ describe('Warnock’s algorithm asks', () => {
     expect(question.because).toEqual([5, 7, 8]);
   });
 
-  it('without the polygons where the trace is too coarse to tell them', async () => {
+  it('nothing about the polygons if the trace is too coarse', async () => {
     const question = questionFrom(await small('warnock.windows'), 1, 'window');
     expect(answers(question)).toEqual({ hides: [''], case: ['split'] });
   });
 
   it('at which corners a polygon is nearer', async () => {
-    // z of B at (2, -1), (2, 7), (10, -1), (10, 7): (6, -2, 11.6, 3.6) / 19.5, against 0.1 of A.
+    // z of B at (2, -1), (2, 7), (10, -1), (10, 7) is (6, -2, 11.6, 3.6) / 19.5, compared with 0.1 of A.
     const question = questionFrom(await small('warnock.signs'), 5, 'corners');
     expect(question.step).toBe(37);
     expect(answers(question)).toEqual({ nearer: ['lb', 'rb', 'rt'], cornerDepths: ['<'] });
     expect(question.things).toEqual(['polygon B', 'corner lt']);
   });
 
-  it('by which signs a corner is inside or not', async () => {
+  it('which signs put a corner inside or outside', async () => {
     // (2, -1) and B: edge 2, (4, 2.5) to (2.5, -0.5): -1.5 * -3.5 - -3 * -2 = -0.75;
     // edge 0, (2.5, -0.5) to (6, 0): 3.5 * -0.5 - 0.5 * -0.5 = -1.5; edge 1, (6, 0) to (4, 2.5): -2 * -1 - 2.5 * -4 = 12.
     const question = questionFrom(await small('warnock.signs'), 40, 'inside');
@@ -66,7 +67,7 @@ describe('Warnock’s algorithm asks', () => {
     expect(answers(question)).toEqual({ inside: ['no'], signs: ['-', '-', '+'] });
   });
 
-  it('what a side leaves of a list of vertices', async () => {
+  it('which vertices remain after clipping by a side', async () => {
     // (1, -2), (5, 2), (0.5, 3) and the side y = 0: the edge from the last vertex to the first crosses it, the first lies
     // above it, the edge to the second crosses it, the second and the third lie below it.
     const question = questionFrom(await traceOf(textOf('clipped.warnock.signs.jsonl')), 1, 'clip');
@@ -74,7 +75,7 @@ describe('Warnock’s algorithm asks', () => {
     expect(answers(question)).toEqual({ list: ['x', 'x', '2', '3'] });
   });
 
-  it('what is seen at a point, and by which depth', async () => {
+  it('what is visible at a point, and at which depth', async () => {
     // (4.5, 1.5) lies in both; z of B is (3.15 - 1.5 + 3.6) / 19.5 = 0.2692….
     const { parts, about } = questionFrom(await small('warnock.signs'), 700, 'point');
     expect(about.point).toEqual([4.5, 1.5]);
@@ -86,7 +87,7 @@ describe('Warnock’s algorithm asks', () => {
 
 describe('the Z-buffer asks', () => {
   it('for the list of active edges on the first scanline', async () => {
-    // Row -1 has its centre at y = -0.5, where B begins: edge 2 goes right by 1.5 / 3 a row, edge 0 by 3.5 / 0.5.
+    // Row -1 has its centre at y = -0.5, where B begins: edge 2 moves right by 1.5 / 3 per row, edge 0 by 3.5 / 0.5.
     const question = questionFrom(await small('zbuffer.signs'), 65, 'ael');
     expect(question.about).toEqual({ polygon: 'B', row: null });
     expect(answers(question)).toEqual({ enter: ['0', '2'], order: ['2', '0'] });
@@ -99,8 +100,8 @@ describe('the Z-buffer asks', () => {
     expect(answers(question)).toEqual({ leave: ['0'], enter: ['1'], order: ['2', '1'] });
   });
 
-  it('at which pixels of a row a polygon is seen', async () => {
-    // Row 0 of B, columns 3 to 5: z is (0.7 x - 0.5 + 3.6) / 19.5 at the centres, above 0.28; A left 0.1.
+  it('at which pixels of a row a polygon is visible', async () => {
+    // Row 0 of B, columns 3 to 5: z is (0.7 x - 0.5 + 3.6) / 19.5 at the centres, above 0.28. A has stored 0.1.
     const question = questionFrom(await small('zbuffer.signs'), 85, 'pixels');
     expect(question.about).toEqual({ polygon: 'B', row: 0 });
     expect(answers(question)).toEqual({ shown: ['3', '4', '5'], pixelDepths: ['>'] });
@@ -117,7 +118,7 @@ const pixel = (x: number, z: number, shown: boolean): Event => ({
   shown,
 });
 
-/** A row where A passes what is stored, with something told after its pixels. */
+/** A row in which A passes the stored depth, with an extra event after its pixels. */
 const row = (...told: readonly Event[]): Promise<Trace> =>
   traceOf(
     textWith(headerOf('zbuffer'), [
@@ -135,7 +136,7 @@ const row = (...told: readonly Event[]): Promise<Trace> =>
   );
 
 describe('a row of pixels', () => {
-  it('is asked for where depths are equal, and the first polygon stays', async () => {
+  it('is the subject of a question if depths are equal, and the first polygon stays', async () => {
     const question = questionFrom(await row(), 1, 'pixels');
     expect(answers(question)).toEqual({ shown: ['4'], pixelDepths: ['='] });
     expect(question.things).toEqual(['pixel 3 1']);
@@ -154,13 +155,13 @@ describe('a row of pixels', () => {
   it.each([
     ['a check says that the run errs', wrong],
     ['the run fails', fault],
-  ])('is not asked for where %s', async (_name, event) => {
+  ])('is not the subject of a question if %s', async (_name, event) => {
     expect(nextQuestion(await row(event), 1, new Set(kinds), [])).toBeNull();
   });
 });
 
 describe('the next question', () => {
-  it('is of what the trace can answer', async () => {
+  it('is one that the trace can answer', async () => {
     expect(kindsOf((await small('warnock.windows')).header)).toEqual(['window']);
     expect(kindsOf((await small('warnock.polygons')).header)).not.toContain('inside');
     expect(kindsOf((await small('zbuffer.signs')).header)).toEqual(['ael', 'pixels']);
@@ -169,7 +170,7 @@ describe('the next question', () => {
     expect(kindsOf((await small('zbuffer.windows')).header)).toEqual([]);
   });
 
-  it('is not of the same kind again and again', async () => {
+  it('is not always of the same kind', async () => {
     const trace = await small('warnock.signs');
     const asked: Question[] = [];
     for (let from = 1; ; from = asked.at(-1)?.until ?? 1) {
@@ -185,7 +186,7 @@ describe('the next question', () => {
     expect(asked.length).toBeLessThan(40);
   });
 
-  it('is only of the kinds that were chosen', async () => {
+  it('has one of the chosen kinds', async () => {
     const trace = await small('warnock.signs');
     expect(nextQuestion(trace, 1, new Set(), [])).toBeNull();
     expect(nextQuestion(trace, 1, new Set(['point']), [])?.kind).toBe('point');

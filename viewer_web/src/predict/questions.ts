@@ -18,24 +18,27 @@ export function kindsOf({ method, detail }: Header): readonly Kind[] {
   });
 }
 
-/** So many steps a kind rests after its first question, and twice as many after each more, up to a limit. */
+/**
+ * A kind is not asked again for this number of steps after its first question, and for twice as many after each further
+ * one, up to a limit.
+ */
 const leastRest = 16;
 const mostRest = 512;
 
-/** Whether a kind is not to be asked at a step, having been asked in these questions, the last of them last. */
+/** Whether a kind is not to be asked at a step, given the previous questions in order. */
 function rests(kind: Kind, step: number, asked: readonly Question[]): boolean {
   const before = asked.filter((question) => question.kind === kind);
   const rest = Math.min(mostRest, leastRest * 2 ** (before.length - 1));
   return before.some((question) => question.step <= step && step < question.until + rest);
 }
 
-/** Nobody can be asked to predict what a check has found wrong, nor at what a run fails. */
+/** Whether the steps contain a fault, or a decision that a check found wrong. Nobody can be expected to predict those. */
 function goesWrong(trace: Trace, { step, until }: Question): boolean {
   const wrong = ['disagree', 'fault'] as const;
   return wrong.some((name) => stepsOf(trace, step, until, name).length > 0);
 }
 
-/** The next question at a step or after it, of some kinds; those that were asked vary what is asked next. */
+/** The next question of some kinds at or after a step. The previous questions vary the next one. */
 export function nextQuestion(
   trace: Trace,
   from: number,

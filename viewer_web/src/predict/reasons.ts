@@ -3,13 +3,13 @@ import type { Language } from '../language/language.js';
 import type { Trace } from '../replay/trace.js';
 import type { Question } from './question.js';
 
-/** What a step says in answer to a question. */
+/** The part of a step that answers a question. */
 export interface Reason {
   readonly step: number;
   readonly said: string;
 }
 
-/** Why a question has its answer. */
+/** The reasons for the answer to a question. */
 export function reasonsOf(
   { header, timeline }: Trace,
   { because }: Question,

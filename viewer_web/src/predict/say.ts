@@ -46,30 +46,30 @@ const words: Readonly<Record<Of, Say>> = {
   next: (value, language) => texts[language].predict.becomes[value as Becomes],
 };
 
-/** What is asked, in the language's words for its kind. */
+/** The text of a question of its kind. */
 export function sayIntro<K extends Kind>({ kind, about }: Question<K>, language: Language): string {
   const word = texts[language].predict.intro[kind] as (of: Abouts[Kind]) => string;
   return word(about);
 }
 
-/** The value of an option, without its note. */
+/** The text of an option, without its note. */
 export const sayValue = (of: Of, value: string, language: Language): string =>
   words[of](value, language);
 
-/** What no polygon at all means for a part. */
+/** The meaning of no polygon for a part. */
 export function sayNone(asks: Asks, language: Language): string {
   const { noPolygon } = texts[language].predict;
   return noPolygon[asks === 'wins' ? 'wins' : 'hides'];
 }
 
-/** What is known of an option; null if nothing. */
+/** The note of an option; null if there is none. */
 export const sayNote = ({ note }: Option, language: Language): string | null =>
   note === undefined ? null : withoutDoubledSigns(note(texts[language]));
 
 /** Whether an option is shown by its note alone. */
 export const isItsNote = (of: Of): boolean => of === 'depth' || of === 'point';
 
-/** A value and its note in one line. */
+/** An option and its note in one line. */
 export function sayNoted(of: Of, option: Option, language: Language): string {
   const said = words[of](option.value, language);
   const note = sayNote(option, language);
@@ -82,7 +82,7 @@ export function sayRight({ asks, options, right }: Part, language: Language): st
   const [form, of] = parts[asks];
   const say = (value: string): string => {
     if (value === none) return sayNone(asks, language);
-    // Between the options the sign stands for the word; here the word is the answer.
+    // In the options the relation is a sign; in the answer it is a word.
     if (of === 'relation') return texts[language].predict.relations[value as Relation];
     const option = options.find((each) => each.value === value);
     return option !== undefined && isItsNote(of)

@@ -26,7 +26,7 @@ async function answered(
 }
 
 describe('a score', () => {
-  it('counts first answers, by kind and by run, and keeps what was asked and answered', async () => {
+  it('counts first answers, by kind and by run, and keeps questions and answers', async () => {
     const right = [['A', 'B'], [''], ['split']];
     const score = scoreOf(
       [

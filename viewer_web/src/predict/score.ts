@@ -4,18 +4,18 @@ import type { Trace } from '../replay/trace.js';
 import type { Answer } from './grade.js';
 import type { Asks, Kind, Question } from './question.js';
 
-/** What tells a run from others. */
+/** The settings that distinguish a run from others. */
 export interface Run extends Pick<Header, 'method' | 'edition' | 'kernel' | 'detail'> {
   readonly scene: string;
   readonly events: number;
 }
 
-/** A question with the first answer to it, which counts. */
+/** A question with its first answer, which counts. */
 export interface Answered {
   readonly run: Run;
   readonly way: Way;
   readonly question: Question;
-  /** Null where it was given up. */
+  /** Null if the reader gave up. */
   readonly given: Answer | null;
   readonly right: readonly boolean[];
   readonly tries: number;

@@ -16,19 +16,19 @@ function paced(trace: Trace, kind: Kind, count: number): readonly Question[] {
   return found;
 }
 
-/** So many of a list, from its whole length. */
+/** The given number of items, spread over a whole list. */
 const thinned = <T>(list: readonly T[], count: number): readonly T[] =>
   list.filter(
     (_, i) => Math.floor((i * count) / list.length) !== Math.floor(((i - 1) * count) / list.length),
   );
 
-/** At most the given number of questions from the whole run, evenly by kind; the same ones each time. */
+/** At most the given number of questions from the whole run, evenly by kind; always the same ones. */
 export function spread(trace: Trace, count: number): readonly Question[] {
   const byKind = kindsOf(trace.header)
     .map((kind) => paced(trace, kind, count))
     .sort((a, b) => a.length - b.length);
   const chosen: Question[] = [];
-  // The rare kinds first: what they leave is for the others.
+  // The rare kinds come first, and the others share the rest.
   byKind.forEach((questions, i) => {
     const share = Math.floor((count - chosen.length) / (byKind.length - i));
     chosen.push(...thinned(questions, Math.min(share, questions.length)));

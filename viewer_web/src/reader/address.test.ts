@@ -14,7 +14,7 @@ const usual = {
 const noLesson = { lesson: null, at: null, entry: null } as const;
 
 describe('the address', () => {
-  it('comes back as it was written', () => {
+  it('is parsed to the same values', () => {
     const address = {
       setup: {
         language: 'ru',
@@ -50,7 +50,7 @@ describe('the address', () => {
     expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
-  it('carries a scene of one’s own', () => {
+  it('stores a scene of the reader’s own', () => {
     const live = { run: 'zbuffer.corrected.bits:8.signs', scene: 'q1YqS8zJBwA-_' };
     const place = { step: 4, pixel: null, bookmarks: [{ step: 3, note: 'x' }] } as const;
     const address = {
@@ -64,7 +64,7 @@ describe('the address', () => {
     expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
-  it('leads to an entry of the atlas beside its remedy, at the step where it is seen unless it says another', () => {
+  it('opens an entry of the atlas beside its remedy, at the step where it shows or at a given step', () => {
     const entry = { ...noLesson, entry: 'near-parallel', trace: null, live: null };
     const place = { step: null, pixel: null, bookmarks: [] };
     const address = { setup: usual, ...entry, rival: 'remedy', ...place };
@@ -73,7 +73,7 @@ describe('the address', () => {
     expect(parseAddress('#lang=en&atlas=near-parallel&step=7').step).toBe(7);
   });
 
-  it('leads to a place in the text of a lesson, whose step is that of the place', () => {
+  it('opens a place in the text of a lesson, with the step of that place', () => {
     const nothingElse = {
       trace: null,
       entry: null,
@@ -91,7 +91,7 @@ describe('the address', () => {
     ['view=lesson', 'lesson', false],
     ['view=workbench', 'workbench', false],
     ['view=workbench.present', 'workbench', true],
-    ['view=present', null, true], // of before there were views
+    ['view=present', null, true], // from before views existed
     ['reader=off', 'workbench', false],
     ['reader=off&view=lesson', 'lesson', false],
   ] as const)('says how the page is arranged: %s', (hash, view, presenting) => {
@@ -99,7 +99,7 @@ describe('the address', () => {
     expect([setup.view, setup.presenting]).toEqual([view, presenting]);
   });
 
-  it('forgets step, pixel and bookmarks where nothing is open that a link can hold', () => {
+  it('drops step, pixel and bookmarks if nothing is open that a link can store', () => {
     const bookmarks = [{ step: 3, note: 'x' }];
     const setup = { ...usual, presenting: true, layer: 'exact' } as const;
     const place = { setup, step: 3, pixel: [1, 2], bookmarks } as const;
@@ -126,8 +126,8 @@ describe('the address', () => {
     '#bookmarks=',
     '#bookmarks=%00*',
     '#bookmarks=bm90ZQ', // "note", without a step
-    '#bookmarks=MTIg_w', // "12 ", then a byte that is no UTF-8
-  ])('takes no nonsense: %s', (hash) => {
+    '#bookmarks=MTIg_w', // "12 ", then a byte that is not UTF-8
+  ])('ignores nonsense: %s', (hash) => {
     expect(parseAddress(hash)).toEqual({
       setup: { ...usual, language: null },
       ...noLesson,

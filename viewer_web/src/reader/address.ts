@@ -11,14 +11,14 @@ import type { Setting } from '../base/setting.js';
 import { formatBookmarks, parseBookmarks } from '../time/bookmarks.js';
 import type { Bookmarks } from '../time/bookmarks.js';
 
-/** How the page is set up, whatever is open. */
+/** The setup of the page, whatever is open. */
 export interface Setup {
   readonly language: Language;
-  /** How it is arranged; null: as suits what is open. */
+  /** The view; null for the one that suits what is open. */
   readonly view: PageView | null;
-  /** Whether it is shown to a hall. */
+  /** Whether the presentation is on. */
   readonly presenting: boolean;
-  /** What the pixels show. */
+  /** The layer that the pixels show. */
   readonly layer: Layer;
   readonly setting: Setting;
   /** Whether the text of the lesson is shown, if it has one, and whether the run follows it. */
@@ -27,23 +27,23 @@ export interface Setup {
 }
 
 /**
- * What the page's address holds behind `#`: how it is set up, lesson and place in its text, embedded trace, entry of the
- * atlas or a scene of one's own, what that is compared with, step, chosen pixel, and bookmarks.
+ * What the page's address stores behind `#`: the setup, the lesson and the place in its text, the embedded trace, atlas
+ * entry or edited scene, the run compared with it, the step, the chosen pixel, and the bookmarks.
  */
 export interface Address {
   readonly setup: Omit<Setup, 'language'> & { readonly language: Language | null };
-  /** The lesson whose text is read, and a place in it, as it is named there. */
+  /** The lesson whose text is open, and the name of a place in it. */
   readonly lesson: string | null;
   readonly at: string | null;
   readonly trace: string | null;
-  /** An entry of the atlas of failures: its scene, run as it fails. */
+  /** An entry of the atlas of failures: its scene, with the failing settings. */
   readonly entry: string | null;
   readonly live: Carried | null;
-  /** What it is compared with: another embedded trace, how else the scene is run, or the remedy of the entry. */
+  /** The run compared with it: another embedded trace, other settings for the scene, or the remedy of the entry. */
   readonly rival: string | null;
-  /** Of the smallest scene that shows how the other run is broken, where that is shown, the step. */
+  /** The step in the smallest scene that shows how the other run is broken, if that scene is open. */
   readonly witness?: number | null;
-  /** Null: that of the place in the text, that at which the failure is seen, or the beginning. */
+  /** Null means the step of the place in the text, the one where the failure shows, or the beginning. */
   readonly step: number | null;
   readonly pixel: Pixel | null;
   readonly bookmarks: Bookmarks;
@@ -64,7 +64,7 @@ export function parseAddress(hash: string): Address {
   return {
     setup: {
       language: isLanguage(language) ? language : null,
-      // A link of before there were views, without the text, showed the whole workbench.
+      // An old link, from before views existed, showed the whole workbench if it hid the text.
       view: view.find(isPageView) ?? (reader ? null : 'workbench'),
       presenting: view.includes('present'),
       layer: isLayer(layer) ? layer : 'picture',
@@ -85,7 +85,7 @@ export function parseAddress(hash: string): Address {
   };
 }
 
-/** Whether it leaves open what is to be shown. */
+/** Whether the address leaves open what to show. */
 export const namesNothing = ({
   lesson,
   trace,

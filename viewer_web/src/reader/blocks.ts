@@ -6,7 +6,7 @@ import { inlines, plainWords } from './inlines.js';
 import type { Align, Block, Blocks, Figure, Heading, Inlines, Question, Table } from './story.js';
 import type { Telling } from './telling.js';
 
-/** What a story consists of, one below the other. */
+/** The blocks of a story, one below the other. */
 export function blocks(all: Blocks, telling: Telling): readonly TemplateResult[] {
   return all.map((block) => told(block, telling));
 }

@@ -4,10 +4,10 @@ import { customElement, property, state } from 'lit/decorators.js';
 import type { ReaderTexts } from '../language/reader-texts.js';
 import { base } from '../elements/theme.js';
 
-/** Milliseconds for which it is said that something was copied. */
+/** Milliseconds for which the message about copying is shown. */
 const noticed = 2000;
 
-/** It may end between words, but not in one, as after the `-` of an option. */
+/** A line of a command, which may break between words but not inside one, such as after the `-` of an option. */
 function line(text: string): TemplateResult {
   const parts = text.split(/(\s+)/);
   return html`<span class="line"
@@ -15,7 +15,7 @@ function line(text: string): TemplateResult {
   >`;
 }
 
-/** A command to be tried in a terminal, with a button that copies it. */
+/** A command to try in a terminal, with a button that copies it. */
 @customElement('vidno-command')
 export class CommandElement extends LitElement {
   static override styles = [

@@ -1,4 +1,4 @@
-/** Drawings of a lesson, which are SVG, as addresses that images can show. */
+/** The SVG drawings of a lesson, as addresses that images can show. */
 export class Drawings {
   private readonly addresses = new Map<string, string>();
 
@@ -9,7 +9,7 @@ export class Drawings {
     return address;
   }
 
-  /** They are not shown any more. */
+  /** Releases the addresses of drawings that are no longer shown. */
   forget(): void {
     for (const address of this.addresses.values()) URL.revokeObjectURL(address);
     this.addresses.clear();

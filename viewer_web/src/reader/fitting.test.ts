@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { fit } from './fitting.js';
 import type { Wide } from './fitting.js';
 
-/** What is so wide at its full size, of which some does not get smaller, in a box of 400. */
+/** An element that is `width` wide at its full size, in a box of 400. Its stiff part does not shrink. */
 function wide(width: number, stiff = 0): { readonly it: Wide; readonly size: () => number } {
   const values = new Map<string, string>();
   const size = (): number => Number(values.get('--fit') ?? 1);
@@ -21,13 +21,13 @@ function wide(width: number, stiff = 0): { readonly it: Wide; readonly size: () 
 }
 
 describe('a formula', () => {
-  it('that has room stays as it is', () => {
+  it('that fits keeps its size', () => {
     const { it: formula, size } = wide(400);
     fit(formula);
     expect(size()).toBe(1);
   });
 
-  it('that is too wide is made smaller until its end is in sight, also if not all of it gets smaller', () => {
+  it('that is too wide shrinks until its end is in sight, even if a part of it does not shrink', () => {
     for (const stiff of [0, 60]) {
       const { it: formula, size } = wide(500, stiff);
       fit(formula);

@@ -1,12 +1,12 @@
-/** No smaller than this part of its size; what is still wider is scrolled. */
+/** The least scale. What is still too wide scrolls. */
 const least = 0.6;
-/** So often the browser is asked how wide a thing has become: not all of it gets smaller in proportion. */
+/** The number of times to measure the width: not every part shrinks in proportion. */
 const tries = 3;
 
-/** What is as wide as its box lets it be, and shows the rest by scrolling. */
+/** An element that is as wide as its box allows, and scrolls the rest. */
 export type Wide = Pick<HTMLElement, 'scrollWidth' | 'clientWidth' | 'style'>;
 
-/** Makes a formula or a table that is wider than its box smaller, as `--fit` says, until its end is in sight. */
+/** Shrinks a formula or a table that is wider than its box by means of `--fit`, until its end is in sight. */
 export function fit(wide: Wide): void {
   wide.style.removeProperty('--fit');
   let size = 1;
@@ -16,7 +16,7 @@ export function fit(wide: Wide): void {
   }
 }
 
-/** Fits what there is in an article, now and whenever its width is another or a part of it is opened. */
+/** Fits the content of an article, now and whenever its width changes or a part of it is opened. */
 export class Fitting {
   private readonly widths = new ResizeObserver(() => this.fit());
 

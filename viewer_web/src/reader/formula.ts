@@ -3,7 +3,7 @@ import type { TemplateResult } from 'lit';
 import { guard } from 'lit/directives/guard.js';
 import temml from 'temml';
 
-/** A formula in TeX as MathML, on a line of its own or among words; what is no TeX stands as it was written. */
+/** A TeX formula as MathML, on a line of its own or in text. Invalid TeX is shown as written. */
 export function formula(tex: string, isOnItsOwn = false): TemplateResult {
   return html`${guard([tex, isOnItsOwn], () => mathOf(tex, isOnItsOwn))}`;
 }

@@ -4,7 +4,7 @@ import { glued, withWholePoints } from './glue.js';
 const z = { is: 'formula', tex: 'z' } as const;
 
 describe('a formula', () => {
-  it('keeps the signs around it on its line', () => {
+  it('keeps adjacent punctuation on its line', () => {
     expect(glued(['at (', z, '), not'])).toEqual([
       'at ',
       { is: 'glued', before: '(', tex: 'z', after: '),' },
@@ -25,7 +25,7 @@ describe('a formula', () => {
     );
   });
 
-  it('takes nothing from words, nor from another formula', () => {
+  it('takes nothing from separate words or another formula', () => {
     const bare = { is: 'glued', before: '', tex: 'z', after: '' };
     expect(glued(['for ', z, z, ' and'])).toEqual(['for ', bare, bare, ' and']);
   });

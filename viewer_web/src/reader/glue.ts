@@ -1,6 +1,6 @@
 import type { Inline, Inlines } from './story.js';
 
-/** A formula and the signs before and after it, which must stand on its line. */
+/** A formula and the characters before and after it, which must be on the same line. */
 export interface Glued {
   readonly is: 'glued';
   readonly before: string;
@@ -11,17 +11,17 @@ export interface Glued {
 const opening = /[([{«„“‘]+$/u;
 const closing = /^(?:[)\]}»”’.,;:!?…]+|[-‑]\p{L}*)/u;
 
-/** The coordinates of a point stay on one line. */
+/** Keeps the coordinates of a point on one line. */
 export function withWholePoints(text: string): string {
   return text.replace(/\([−\d.,;/ ]{3,24}\)/gu, (point) => point.replaceAll(' ', '\u00a0'));
 }
 
-/** To a browser a line may end before and after a formula, whatever stands there. */
+/** Browsers allow a line break before and after a formula, whatever character is there. */
 export function glued(inlines: Inlines): readonly (Inline | Glued)[] {
   const rest = [...inlines];
   const result: (Inline | Glued)[] = [];
   rest.forEach((inline, i) => {
-    // Its beginning may have been taken by the formula before it.
+    // The preceding formula may have taken its beginning.
     const own = rest[i] ?? inline;
     if (typeof own === 'string' || own.is !== 'formula') {
       result.push(own);

@@ -8,7 +8,7 @@ import type { Telling } from './telling.js';
 
 type Told = string | TemplateResult;
 
-/** Words and what stands among them; without a telling nothing leads elsewhere, as in a table of contents. */
+/** The inlines of a text as templates. Without a telling there are no links, as in a table of contents. */
 export function inlines(text: Inlines, telling: Telling | null): readonly Told[] {
   return glued(text).map((inline) =>
     typeof inline === 'string' ? withWholePoints(inline) : told(inline, telling),
@@ -66,7 +66,7 @@ function pinLink(link: PinLink, words: readonly Told[], telling: Telling): Templ
   >`;
 }
 
-/** The words alone, for those who cannot see them. */
+/** The plain words, for screen readers. */
 export function plainWords(text: Inlines): string {
   return text
     .map((inline) => {

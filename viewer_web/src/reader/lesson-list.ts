@@ -13,9 +13,9 @@ import { runName } from '../lessons/run-name.js';
 import { base } from '../elements/theme.js';
 
 /**
- * The lessons that came with the page: those without a text each with its traces, the one whose text is read with its
- * headings as well. Events tell what is asked for: `choose`, a trace; `visit`, a heading; `leave`, anything in the text;
- * `follow`, that the run follows the text, or not.
+ * The lessons in the page: those without a text with their traces, the current one also with its headings. Events carry
+ * requests: `choose` a trace, `visit` a heading, `leave` for anything in the text, and `follow` to set whether the run
+ * follows the text.
  */
 @customElement('vidno-lesson-list')
 export class LessonListElement extends LitElement {
@@ -135,7 +135,7 @@ export class LessonListElement extends LitElement {
   @property({ attribute: false }) lessons: readonly Lesson[] = [];
   @property({ attribute: false }) chosen: string | null = null;
   @property({ attribute: false }) setup!: Setup;
-  /** The lesson whose text is read, that text if it is there, and the heading that one has come to. */
+  /** The current lesson, its text if it is read, and the current heading. */
   @property({ attribute: false }) read: string | null = null;
   @property({ attribute: false }) story: Story | null = null;
   @property({ attribute: false }) heading: string | null = null;
@@ -192,7 +192,7 @@ export class LessonListElement extends LitElement {
     </li>`;
   }
 
-  /** The headings of the lesson that is read. */
+  /** The headings of the current lesson. */
   private contents(): TemplateResult {
     const marks = [...(this.story?.places ?? [])];
     const { reader } = texts[this.language];

@@ -18,7 +18,7 @@ describe('the lessons of the repository', () => {
     expect(fits.errors ?? []).toEqual([]);
   });
 
-  it('is no lesson without a run', () => {
+  it('refuses a lesson without a run', () => {
     expect(fits({ format: 'vidno-lesson/1', runs: [], pins: {} })).toBe(false);
   });
 });

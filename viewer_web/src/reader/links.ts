@@ -6,7 +6,7 @@ import type { Lesson } from '../lessons/lessons.js';
 import { runLabel } from '../lessons/run-name.js';
 import type { LessonStory, Pin } from './story.js';
 
-/** The address of a lesson, or of a place in its text: the step is that of the place. Null where there is no such lesson. */
+/** The address of a lesson, or of a place in its text, with the step of that place. Null if there is no such lesson. */
 export type AddressOf = (lesson: string, place?: string) => string | null;
 
 export function addressIn(lessons: readonly Lesson[], setup: Setup): AddressOf {
@@ -24,7 +24,7 @@ export function addressIn(lessons: readonly Lesson[], setup: Setup): AddressOf {
   };
 }
 
-/** The run of a pin in words. */
+/** A description of the run of a pin. */
 export function runOf(
   pin: Pin,
   story: LessonStory,

@@ -1,11 +1,11 @@
 import type { Blocks, Heading, Inlines, PinLink, Story } from './story.js';
 
-/** What an address can name in a story. */
+/** A place that an address can name in a story. */
 export type Mark = Heading | PinLink;
 
 type Written = Pick<Story, 'title' | 'blocks'>;
 
-/** The headings and pins of a story, in the order in which they are read. */
+/** The headings and pins of a story, in reading order. */
 function* marksIn({ title, blocks }: Written): Generator<Mark> {
   yield* pinsOf(title);
   yield* marksOf(blocks);
@@ -32,8 +32,8 @@ function* pinsOf(inlines: Inlines): Generator<PinLink> {
 }
 
 /**
- * The names of a story's places, the same in both languages: a heading has its number, a pin its name, and where a pin is
- * led to again and again also which time this is, as in `split.2`.
+ * The names of a story's places, the same in both languages. A heading has its number, a pin its name. If several links
+ * lead to a pin, the name also has the number of the link, as in `split.2`.
  */
 export function placesIn(story: Written): ReadonlyMap<Mark, string> {
   const times = new Map<string, number>();

@@ -21,25 +21,25 @@ import { ReadingPlace } from './reading-place.js';
 import type { Goal, Reached } from './reading-place.js';
 import type { LessonStory, Pin } from './story.js';
 
-/** Where one has come to in the text, and whether by scrolling. */
+/** The reader's place in the text, and whether it was reached by scrolling. */
 export type Read = Reached & { readonly isScrolled: boolean };
 
 /**
- * The text of a lesson. Events tell what the reader does: `read`, comes to another place; `pin`, asks for one, by the
- * name of its place. What is in its slot takes the place of the choice of a lesson in the line above the text.
+ * The text of a lesson. An event `read` reports that the reader has come to another place; `pin` asks for a pin by the name
+ * of its place. The slot replaces the choice of a lesson in the line above the text.
  */
 @customElement('vidno-reader')
 export class ReaderElement extends LitElement {
   static override styles = [base, readerStyle];
 
   @property({ attribute: false }) story: LessonStory | null = null;
-  /** Why there is none. */
+  /** Why there is no text. */
   @property({ attribute: false }) error: unknown = null;
   @property({ attribute: false }) lessons: readonly Lesson[] = [];
   @property({ attribute: false }) setup!: Setup;
-  /** The place to be brought into sight. */
+  /** The place to scroll to. */
   @property({ attribute: false }) goal: Goal = { place: null, isRead: false };
-  /** The pin that one has come to, by the name of its place. */
+  /** The name of the place of the current pin. */
   @property({ attribute: false }) current: string | null = null;
   @property({ attribute: false }) previous: Lesson | null = null;
   @property({ attribute: false }) next: Lesson | null = null;
@@ -47,7 +47,7 @@ export class ReaderElement extends LitElement {
   @query('article') readonly article!: HTMLElement;
 
   private readonly drawings = new Drawings();
-  // Before the place that is read is looked for: what is smaller is lower, too.
+  // This comes before the search for the place, because shrinking elements moves places.
   private readonly fitting = new Fitting(() => this.article);
   private readonly place = new ReadingPlace(this);
   protected readonly printed = new PrintedWhole(this);
@@ -80,7 +80,7 @@ export class ReaderElement extends LitElement {
     else if (changed.has('setup')) this.place.restore();
   }
 
-  /** Only when its parts are there it is known where they stand. */
+  /** Scrolls after the parts are rendered, when their positions are known. */
   private async show(): Promise<void> {
     const commands = [...this.article.querySelectorAll('vidno-command')];
     await Promise.all(commands.map(({ updateComplete }) => updateComplete));
@@ -137,7 +137,7 @@ export class ReaderElement extends LitElement {
     </article>`;
   }
 
-  /** The way to any lesson that has a text. */
+  /** The choice of a lesson among those that have a text. */
   private choice(): TemplateResult | typeof nothing {
     const { language, lessons, story } = this;
     const told = lessons.filter((lesson) => lesson.story !== undefined);
@@ -157,11 +157,11 @@ export class ReaderElement extends LitElement {
   private onChoose(event: Event): void {
     const address = this.addressOf((event.target as HTMLSelectElement).value);
     if (address !== null) location.hash = address;
-    // Until that is read, and if one rather stays, it is still this one.
+    // The choice shows the old lesson until the new one is read, and if the reader stays.
     this.requestUpdate();
   }
 
-  /** The ways to the lessons before and after this one. */
+  /** Links to the previous and the next lesson. */
   private neighbours(form: 'short' | 'long'): TemplateResult {
     const { reader } = texts[this.language];
     const way = (lesson: Lesson | null, name: string, sign: string, where: string): unknown => {
@@ -178,7 +178,7 @@ export class ReaderElement extends LitElement {
     </nav>`;
   }
 
-  /** A pin is gone to at once; with a key that asks for another window its address is opened as any other. */
+  /** Goes to a pin at once. With a modifier key for a new window, the browser opens its address as usual. */
   private onClick(event: MouseEvent): void {
     const pin = event
       .composedPath()

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** A paper of its own: A4, lines of 140 mm, what was hidden shown, what is only to be pressed left out. */
+/** The printed text: A4, lines of 140 mm, with hidden parts shown and buttons left out. */
 export const readerPrint = css`
   @media print {
     :host {

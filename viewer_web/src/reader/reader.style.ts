@@ -2,7 +2,7 @@ import { css } from 'lit';
 import { readerPrint } from './reader-print.style.js';
 import { storyStyle } from './story.style.js';
 
-/** The text of a lesson in a box that scrolls, and the line above it. */
+/** The text of a lesson in a scrolling box, and the line above it. */
 export const readerStyle = [
   storyStyle,
   css`

@@ -1,7 +1,7 @@
 /**
- * How far below the top of the visible part of a text its reader is: at a third; at first less and at last more, so that
- * the line passes all of the text, the beginning and the end too. All in pixels: how far one has scrolled and can at
- * most, and the height of what is visible.
+ * The distance of the reading line from the top of the visible part of a text: a third of the height in the middle of the
+ * text, less near its beginning and more near its end, so that the line passes the whole text. All in pixels: the scroll
+ * position, its maximum, and the visible height.
  */
 export function readingLine(scrolled: number, most: number, height: number): number {
   if (most <= 0) return 0;
@@ -13,7 +13,7 @@ export function readingLine(scrolled: number, most: number, height: number): num
   return over > 0 ? third + (2 * third * over) / last : third;
 }
 
-/** How far one scrolls for the line to be at a place, so many pixels below the beginning of the text. */
+/** The scroll position at which the line is at a place, given in pixels below the beginning of the text. */
 export function scrolledTo(place: number, most: number, height: number): number {
   let [low, high] = [0, Math.max(0, most)];
   while (high - low > 0.25) {

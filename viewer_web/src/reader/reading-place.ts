@@ -1,14 +1,14 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import { readingLine, scrolledTo } from './reading-line.js';
 
-/** A place in the text that is to be brought into sight; null: its beginning. A new one each time. */
+/** A place in the text to scroll to; null for its beginning. Each goal is a new object. */
 export interface Goal {
   readonly place: string | null;
-  /** Whether one goes on reading there, so that the run may follow. */
+  /** Whether the reader continues there, so that the run may follow. */
   readonly isRead: boolean;
 }
 
-/** What stands nearest above the reading line: by the names of the places. */
+/** The names of the places nearest above the reading line. */
 export interface Reached {
   /** A pin or a heading. */
   readonly place: string | null;
@@ -16,7 +16,7 @@ export interface Reached {
   readonly heading: string | null;
 }
 
-/** A part of the text, by its number, and how much of it is above the reading line. */
+/** The number of a part of the text, and the share of it above the reading line. */
 interface Kept {
   readonly part: number;
   readonly above: number;
@@ -24,21 +24,21 @@ interface Kept {
 
 const isPin = ({ classList }: Element): boolean => classList.contains('pin');
 
-/** What is read: in a box that scrolls, an article of parts one below the other. */
+/** The text as elements: an article of consecutive parts in a scrolling box. */
 export interface Read extends ReactiveControllerHost {
   readonly box: HTMLElement;
   readonly article: HTMLElement;
-  /** One has come to another place; whether by reading on. */
+  /** The reader has reached another place; `isScrolled` if by scrolling. */
   reached(now: Reached, isScrolled: boolean): void;
 }
 
-/** Where in a text its reader is. It stays there when the text is set anew. */
+/** The reader's place in a text. It is kept when the layout of the text changes. */
 export class ReadingPlace implements ReactiveController {
   private kept: Kept | null = null;
-  /** Where the page itself has scrolled to. */
+  /** The position to which the page itself has scrolled. */
   private own = 0;
   private last = '';
-  /** The keyboard has come to a part of the text, which the browser brings into sight. */
+  /** Whether the keyboard focus has moved to a part of the text, to which the browser then scrolls. */
   private isFocusing = false;
   private readonly sizes = new ResizeObserver(() => this.restore());
 
@@ -46,12 +46,12 @@ export class ReadingPlace implements ReactiveController {
     host.addController(this);
   }
 
-  /** To be called when the box is there. */
+  /** To be called when the box exists. */
   watch(): void {
     const { box } = this.host;
     box.addEventListener('scroll', this.onScroll, { passive: true });
     box.addEventListener('focusin', this.onFocus);
-    // A drawing has its height only when it is read.
+    // A picture has a height only after it has loaded.
     box.addEventListener('load', () => this.restore(), { capture: true });
     this.sizes.observe(box);
   }
@@ -60,7 +60,7 @@ export class ReadingPlace implements ReactiveController {
     this.sizes.disconnect();
   }
 
-  /** Shows a place, the beginning if there is none: a heading near the top, a pin at the reading line. */
+  /** Scrolls to a place, or to the beginning: a heading near the top, a pin at the reading line. */
   show({ place, isRead }: Goal): void {
     const { box } = this.host;
     const mark = this.marks().find(({ dataset }) => dataset['place'] === place);
@@ -74,7 +74,7 @@ export class ReadingPlace implements ReactiveController {
     if (!isPin(mark)) mark.focus({ preventScroll: true });
   }
 
-  /** Scrolls to where one was before the text was set anew. */
+  /** Scrolls back to the place before the layout of the text changed. */
   restore(): void {
     const { kept, host } = this;
     const part = kept && host.article.children[kept.part];
@@ -100,13 +100,13 @@ export class ReadingPlace implements ReactiveController {
     this.tell(!this.isFocusing);
   };
 
-  /** What moves the focus is no reading on: its scrolling is told in the next frame. */
+  /** Moving the focus is not reading; the browser reports its scrolling in the next frame. */
   private readonly onFocus = (): void => {
     this.isFocusing = true;
     requestAnimationFrame(() => requestAnimationFrame(() => (this.isFocusing = false)));
   };
 
-  /** Tells what stands above the reading line; or which place it is that was asked for. */
+  /** Reports the places above the reading line, or the requested place. */
   private tell(isScrolled: boolean, asked: string | null = null): void {
     const line = this.line();
     const above = this.marks().filter((mark) => this.topOf(mark) <= line);
@@ -135,7 +135,7 @@ export class ReadingPlace implements ReactiveController {
     return { part, above: (line - (box.top - this.top())) / Math.max(1, box.height) };
   }
 
-  /** Headings and pins that can be seen, in the order of the text. */
+  /** The visible headings and pins, in the order of the text. */
   private marks(): readonly HTMLElement[] {
     const marks = this.host.article.querySelectorAll<HTMLElement>('[data-place]');
     return [...marks].filter((mark) => mark.checkVisibility());

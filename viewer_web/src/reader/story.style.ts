@@ -1,7 +1,7 @@
 import { css } from 'lit';
 import { formulaStyle } from '../elements/formula.style.js';
 
-/** A textbook's page: lines of 60 to 70 letters where there is room for them. */
+/** A textbook's page: lines of 60 to 70 letters where there is room. */
 export const storyStyle = [
   css`
     article {

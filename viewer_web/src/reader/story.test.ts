@@ -29,14 +29,14 @@ describe('the file of a lesson', () => {
     expect(lesson.story.ru.blocks[1]).toEqual({ is: 'heading', level: 2, text: ['Первые окна'] });
   });
 
-  it('names its places alike in both languages: headings by number, pins by name and time', () => {
+  it('names its places alike in both languages: headings by number, pins by name and occurrence', () => {
     const { en, ru } = lessonStory(sampleLesson()).story;
     const names = ['1', 'first', 'second', '2', 'first.2', '3', 'scanline'];
     expect([...en.places.values()]).toEqual(names);
     expect([...ru.places.values()]).toEqual(names);
   });
 
-  it('may have fields that are not known', () => {
+  it('may have unknown fields', () => {
     expect(lessonStory(sampleLesson({ later: 1 })).id).toBe('first');
   });
 
@@ -57,7 +57,7 @@ describe('the file of a lesson', () => {
     expect(refused(value)).toContain(message);
   });
 
-  it('is refused where it is no JSON or no gzip, or unpacks to too much', async () => {
+  it('is refused if it is not JSON, not gzip, or unpacks to too much', async () => {
     await expect(readStory(packed('{'))).rejects.toThrow('notJson');
     await expect(readStory(new Blob(['x']))).rejects.toThrow();
     await expect(readStory(packed(' '.repeat(16_000_001)))).rejects.toThrow(RangeError);

@@ -20,7 +20,7 @@ import { toUtf8 } from '../base/text-file.js';
 import { placesIn } from './places.js';
 import type { Mark } from './places.js';
 
-/** A piece of a line: words, or what stands among them. */
+/** A piece of a line: text, or an element in it. */
 export type Inline =
   | string
   | { readonly is: 'emphasis' | 'strong'; readonly text: Inlines }
@@ -31,7 +31,7 @@ export type Inline =
   | { readonly is: 'link'; readonly url: string; readonly text: Inlines };
 export type Inlines = readonly Inline[];
 
-/** Words that lead to a step of a run. */
+/** A text with a link to a step of a run. */
 export interface PinLink {
   readonly is: 'pin';
   readonly pin: string;
@@ -56,10 +56,10 @@ export type Block =
   | Table;
 export type Blocks = readonly Block[];
 
-/** Something to think about. */
+/** A question for the reader to think about. */
 export interface Question {
   readonly is: 'question';
-  /** From 1 within the lesson. */
+  /** Its number in the lesson, from 1. */
   readonly number: number;
   readonly blocks: Blocks;
   readonly answer: Blocks;
@@ -68,9 +68,9 @@ export interface Question {
 export interface Figure {
   readonly is: 'figure';
   readonly caption: Inlines;
-  /** What makes it. */
+  /** The command that makes the figure. */
   readonly command: string;
-  /** Among the lesson's figures, if it is there. */
+  /** The name of the lesson's figure, if it exists. */
   readonly file: string;
 }
 
@@ -83,13 +83,13 @@ export interface Table {
 const alignments = ['left', 'right', 'center', ''] as const;
 export type Align = (typeof alignments)[number];
 
-/** What a lesson says in one language. */
+/** The text of a lesson in one language. */
 export interface Story {
   readonly title: Inlines;
   readonly blocks: Blocks;
-  /** Drawings as SVG, by name. */
+  /** Figures as SVG, by name. */
   readonly figures: ReadonlyMap<string, string>;
-  /** Its headings and pins in the order in which they are read, by which an address names them. */
+  /** The names of its headings and pins in reading order, which an address uses. */
   readonly places: ReadonlyMap<Mark, string>;
 }
 
@@ -99,18 +99,18 @@ export interface Pin {
   readonly step: number;
 }
 
-/** A lesson as `vidno lesson build` writes it: its text in both languages, and what the text leads to. */
+/** A lesson as `vidno lesson build` writes it: its text in both languages, and the pins that the text links to. */
 export interface LessonStory {
   readonly id: string;
   /** The file of each run. */
   readonly traces: ReadonlyMap<string, string>;
   readonly pins: ReadonlyMap<string, Pin>;
-  /** The parts of the state that are to be seen beside the text. */
+  /** The parts of the state to show beside the text. */
   readonly shows?: readonly StatePart[];
   readonly story: Bilingual<Story>;
 }
 
-/** `javascript:` and the like are addresses as well. */
+/** Accepts web addresses only: `javascript:` and the like are addresses as well. */
 const webAddress: Check<string> = (value, path) => {
   const address = text(value, path);
   if (/^https?:\/\//.test(address)) return address;
@@ -167,7 +167,7 @@ const lesson = part({
   story: part({ en: story, ru: story }),
 });
 
-/** The lesson that a value is; anything else is refused, a pin that leads nowhere as well. */
+/** Checks a lesson; refuses anything else, including pins that lead nowhere. */
 export function lessonStory(value: unknown): LessonStory {
   const read = lesson(value, '');
   for (const [name, { run }] of read.pins) {
@@ -186,7 +186,7 @@ export function lessonStory(value: unknown): LessonStory {
 /** A few bytes may unpack to very many. */
 const longestStory = 16_000_000;
 
-/** The lesson in a file of JSON, packed by gzip. Throws a Refusal where it is none, else what the browser throws. */
+/** The lesson in a JSON file packed by gzip. Throws a Refusal if it is not a lesson, or else the browser's error. */
 export async function readStory(file: Blob): Promise<LessonStory> {
   const stream = file
     .stream()

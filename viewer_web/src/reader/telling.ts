@@ -2,17 +2,17 @@ import type { ReaderTexts } from '../language/reader-texts.js';
 import type { AddressOf } from './links.js';
 import type { LessonStory, Pin, Story } from './story.js';
 
-/** What a story needs to be told on the page. */
+/** What the rendering of a story needs from the page. */
 export interface Telling {
   readonly lesson: LessonStory;
   readonly texts: ReaderTexts;
   readonly story: Story;
-  /** The pin that one has come to, by the name of its place. */
+  /** The name of the place of the current pin. */
   readonly current: string | null;
-  /** The address of a lesson, or of a place in it; null where the page has no such lesson. */
+  /** The address of a lesson, or of a place in it; null if the page has no such lesson. */
   readonly addressOf: AddressOf;
-  /** The run of a pin, in words. */
+  /** A description of the run of a pin. */
   readonly runOf: (pin: Pin) => string;
-  /** The address of a drawing, which is SVG. */
+  /** The address of a figure in SVG. */
   readonly drawingOf: (svg: string) => string;
 }

@@ -6,8 +6,8 @@ import type { Screen } from './screen.js';
 import type { State } from './state.js';
 
 /**
- * The state in the one form in which readers of a trace are compared, key by key in this order. The lines are those that a
- * run of curves has drawn.
+ * The state in the form in which readers of a trace are compared, with keys in this order. The lines are those that a run
+ * of curves has drawn.
  */
 export function canonical(state: State, header: Header, lines: readonly Line[]): unknown {
   const { values, screen, columns } = state;

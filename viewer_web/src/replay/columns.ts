@@ -7,22 +7,22 @@ import type { Row } from './grid.js';
 
 type Flag = CurveEvents['visibility']['flag'];
 
-/** Over each column of the area a height, or none. */
+/** A height or none over each column of the area. */
 type Heights = Grid<N | null>;
 type Saved<T> = readonly Row<T>[];
 
-/** What a keyframe has of it. */
+/** The part of it in a keyframe. */
 export interface SavedColumns {
   readonly horizons: readonly Saved<N | null>[];
   readonly flags: Saved<Flag | null>;
 }
 
-/** What the floating horizon has over the columns of the area. */
+/** The values of the floating horizon over the columns of the area. */
 export class Columns {
   readonly horizons: { readonly upper: Heights; readonly lower: Heights };
-  /** What the horizons were when the current curve began: those that it is compared with, but in the printed text. */
+  /** The horizons at the start of the current curve, which the curve is compared with, except in the printed text. */
   readonly before: { readonly upper: Heights; readonly lower: Heights };
-  /** What Visibility said of the current curve. */
+  /** The results of Visibility for the current curve. */
   readonly flags: Grid<Flag | null>;
 
   constructor(readonly scene: Scene) {
@@ -39,13 +39,13 @@ export class Columns {
     horizons.lower.fill(0, 0, scene.area.width, 1, lower);
   }
 
-  /** Another curve: nothing of it was looked at. */
+  /** Starts another curve, of which nothing was examined. */
   forget(): void {
     this.flags.fill(0, 0, this.scene.area.width, 1, null);
     this.keep();
   }
 
-  /** From now on the horizons are those before the curve. */
+  /** Makes the current horizons those before the curve. */
   keep(): void {
     const { horizons, before } = this;
     before.upper.load(horizons.upper.save());

@@ -3,7 +3,7 @@ import type { Box } from '../trace/values.js';
 import type { Grid } from './grid.js';
 import type { Sight } from './quadtree.js';
 
-/** At which sides of the smallest window that it is in a pixel lies. */
+/** Flags: the sides of its smallest window that a pixel touches. */
 const left = 1;
 const right = 2;
 const upper = 4;
@@ -11,7 +11,7 @@ const lower = 8;
 
 const isAt = (sides: number | undefined, side: number): boolean => ((sides ?? 0) & side) !== 0;
 
-/** Windows of whole pixels, cut anywhere: the pixels of one forget what they were before. */
+/** Records a window of whole pixels, cut anywhere; it replaces what its pixels had before. */
 export function cut(cuts: Grid<number>, { x, y }: Area, window: Box): void {
   const [i, j] = [window[0] - x, window[1] - y];
   const [end, bottom] = [i + window[2], j + window[3]];
@@ -24,8 +24,8 @@ export function cut(cuts: Grid<number>, { x, y }: Area, window: Box): void {
 }
 
 /**
- * The windows into which the area is cut, those too small to be told apart left out, and so the one that is being cut: its
- * first part is where it began.
+ * The windows into which the area is cut, except those too small to distinguish. This leaves out a window that is being
+ * cut, since its first part begins at the same place.
  */
 export function pieces(cuts: Grid<number>, { x, y }: Area, { least }: Sight): readonly Box[] {
   const found: Box[] = [];

@@ -3,7 +3,7 @@ import { statesOf, traceIn, tracesWithStates } from '../testing/states.js';
 import { traceOf } from '../testing/traces.js';
 import { canonical } from './canonical.js';
 
-/** Milliseconds: the longest has 80 MB of states. */
+/** Milliseconds: the longest trace has 80 MB of states. */
 const timeout = 60_000;
 
 const withStates = describe.runIf(tracesWithStates.length > 0);

@@ -13,7 +13,7 @@ const stateAt = ({ header, timeline }: Trace, step: number): unknown =>
 const warnockAt = ({ timeline }: Trace, step: number): Warnock =>
   timeline.seek(step).values.warnock ?? emptyWarnock;
 
-describe('what was found of a window or a polygon', () => {
+describe('a finding about a window or a polygon', () => {
   const corners: Event = { e: 'corners', at: 'PW1', z: '-inf' };
   const summary: Event = {
     e: 'summary',
@@ -26,7 +26,7 @@ describe('what was found of a window or a polygon', () => {
   const part: Event = { e: 'push', at: 'W13', window: [4, 0, 4, 4] };
   const popPart: Event = { ...pop, window: [4, 0, 4, 4] };
 
-  it('is unknown of the next window, though the variables hold it', async () => {
+  it('does not apply to the next window, although the variables keep it', async () => {
     const call: Event = { e: 'call', at: 'W6', of: 'ProcessWindow' };
     const events = [push, pop, call, corners, summary, part, popPart, corners];
     const trace = await traceOf(textWith(headerOf('warnock'), events));
@@ -42,7 +42,7 @@ describe('what was found of a window or a polygon', () => {
     expect(stateAt(trace, 7)).toMatchObject({ warnock: { count: 2, color: '#112233' } });
   });
 
-  it('is unknown of the next polygon, though the variables hold it', async () => {
+  it('does not apply to the next polygon, although the variables keep it', async () => {
     const next: Event = { e: 'polygon', at: 'Z2', polygon: 'B', color: '#445566' };
     const sorted: Event = { e: 'ael_sort', at: 'Z12', edges: [], next: 4 };
     const left: Event = { e: 'leave', at: 'Z10', edges: [], next: 5 };

@@ -5,7 +5,7 @@ const gridOf = (width: number, height: number): Grid<number> =>
   new Grid<number>(width, height, 0, (n) => new Uint32Array(n));
 
 describe('a grid', () => {
-  it('keeps what was written, a snapshot apart, in rows of one piece and of many', () => {
+  it('keeps written cells, independent of snapshots, in rows of one piece and of many', () => {
     for (const width of [1, 7, 256, 257, 700]) {
       const grid = gridOf(width, 5);
       const right = Array.from({ length: 5 }, () => new Array<number>(width).fill(0));
@@ -30,7 +30,7 @@ describe('a grid', () => {
     }
   });
 
-  it('of a large area is painted in rectangles at once', () => {
+  it('of a large area is quickly painted in rectangles', () => {
     const side = 16384;
     const start = performance.now();
     const grid = gridOf(side, side);
@@ -38,7 +38,7 @@ describe('a grid', () => {
       grid.fill(100 + i, 100, side / 2, side / 2, i);
       grid.save();
     }
-    // Copied whole, a quarter of the area takes a gigabyte a time.
+    // Copying everything, a quarter of the area takes a gigabyte each time.
     expect(performance.now() - start).toBeLessThan(8000);
     expect(grid.at(100 + 39, 100)).toBe(39);
     expect(grid.at(99 + 39, 100)).toBe(38);

@@ -6,23 +6,23 @@ export interface Row<T> {
   slice(): Row<T>;
 }
 
-/** Cells of a piece of a row: a picture this wide, or narrower, has one piece a row. */
+/** The most cells in a piece. A picture up to this width has one piece per row. */
 const most = 256;
 
 /**
- * Cells in rows, and rows in pieces that are copied only when written after a snapshot, so that a keyframe of a picture
- * costs no more than what changes. Pieces that hold one value throughout may be one piece: a large area that is painted in
- * few rectangles takes little memory.
+ * Cells in rows, and rows in pieces. A piece is copied only when it is written after a snapshot, so that a keyframe of a
+ * picture costs no more than the changes. Pieces with a single value may be shared, so that a large area painted in a few
+ * rectangles takes little memory.
  */
 export class Grid<T> {
   private readonly perRow: number;
   private pieces: Row<T>[];
-  /** For each piece the turn in which it was copied: one copied in this turn is in no snapshot. */
+  /** For each piece, the turn in which it was copied. One copied in this turn is in no snapshot. */
   private readonly copied: Uint32Array;
   private turn = 1;
-  /** Another number whenever cells may have changed. */
+  /** A number that changes whenever cells may have changed. */
   version = 0;
-  /** The whole piece that was filled last, in no need to be made again for the same value. */
+  /** The last uniform piece, reused for the same value. */
   private plain: { readonly value: T; readonly piece: Row<T> } | null = null;
 
   constructor(
@@ -43,7 +43,7 @@ export class Grid<T> {
     return cell;
   }
 
-  /** The cells of a row; a wide one is put together anew each time. */
+  /** The cells of a row; a wide row is assembled at each call. */
   row(j: number): Row<T> {
     if (this.perRow === 1) return this.piece(j);
     const row = this.make(this.width);
@@ -54,7 +54,7 @@ export class Grid<T> {
     return row;
   }
 
-  /** Whether two rows are certainly equal: they are the same pieces. */
+  /** Whether two rows are certainly equal because they share their pieces. */
   areSame(j: number, other: number): boolean {
     for (let k = 0; k < this.perRow; k++) {
       if (this.piece(j * this.perRow + k) !== this.piece(other * this.perRow + k)) return false;
@@ -135,13 +135,13 @@ export class Grid<T> {
   }
 }
 
-/** A colour `#rrggbb` as the four bytes that a canvas takes, and back. */
+/** A colour `#rrggbb` as the four bytes of a canvas pixel. */
 export function toPixel(color: string): number {
   const rgb = Number.parseInt(color.slice(1), 16);
   return (0xff000000 | ((rgb & 0xff) << 16) | (rgb & 0xff00) | (rgb >> 16)) >>> 0;
 }
 
-/** The same where nothing was painted yet: the byte that tells how opaque a canvas takes it is 0. */
+/** The same for an unpainted cell: the alpha byte is 0. */
 export const toGround = (color: string): number => toPixel(color) & 0xffffff;
 export const isPainted = (pixel: number): boolean => pixel >>> 24 !== 0;
 

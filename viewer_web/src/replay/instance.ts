@@ -1,7 +1,7 @@
 import { numberOf } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 
-/** What is used of vidno.wasm whatever it is asked for; `trace/wasm/live.cpp` documents it. */
+/** The exports of vidno.wasm that all its uses need; `trace/wasm/live.cpp` documents them. */
 export interface Basics {
   readonly memory: WebAssembly.Memory;
   _initialize(): void;
@@ -12,9 +12,9 @@ export interface Basics {
   name(number: number): number;
 }
 
-/** Where the lines of events are in bytes. */
+/** The positions of the lines of events in bytes. */
 export interface LinesFound {
-  /** Where the line of each event begins, and then the line after them. */
+  /** The start of each event's line, followed by the start of the line after them. */
   readonly starts: Uint32Array<ArrayBuffer>;
   /** The number of each event's name. */
   readonly names: Uint8Array<ArrayBuffer>;
@@ -22,10 +22,10 @@ export interface LinesFound {
 
 const nothing = (): number => 0;
 
-/** The library compiled to WebAssembly, with a memory of its own. */
+/** The compiled library, with its own memory. */
 export class Instance<E extends Basics> {
   readonly exports: E;
-  /** For the library's numbers of events' names those of the page. */
+  /** Maps the library's numbers of event names to those of the page. */
   private readonly numbers: Uint8Array;
 
   /** The library calls the functions of `own`. */
@@ -36,7 +36,7 @@ export class Instance<E extends Basics> {
     this.numbers = Uint8Array.from(this.names(), (name) => numberOf.get(name) ?? 255);
   }
 
-  /** Writes what the library is asked for next. */
+  /** Writes the next request to the library. */
   ask(request: Uint8Array): void {
     this.bytes(this.exports.request(request.length), request.length).set(request);
   }
@@ -54,7 +54,7 @@ export class Instance<E extends Basics> {
     return new TextDecoder().decode(this.bytes(at, size));
   }
 
-  /** Never kept: the memory moves as it grows. */
+  /** A view of the memory. It must not be kept, because the memory moves as it grows. */
   bytes(at: number, size: number): Uint8Array<ArrayBuffer> {
     return new Uint8Array(this.exports.memory.buffer, at, size);
   }
@@ -70,7 +70,7 @@ export class Instance<E extends Basics> {
   }
 }
 
-/** Its standard library would also read and write files: there are none. */
+/** The library's standard library also imports functions for files, of which there are none. */
 function importsOf(
   module: WebAssembly.Module,
   own: WebAssembly.ModuleImports,

@@ -5,7 +5,7 @@ import type { Event, Method } from '../trace/events.js';
 import { Grid, toPixel } from './grid.js';
 import { leaves } from './quadtree.js';
 
-/** Milliseconds in which a page may stand still; a busy machine takes some times as long. */
+/** Milliseconds for which a page may block; a busy machine takes several times as long. */
 const patience = 4000;
 
 function timed<T>(act: () => T): readonly [T, number] {
@@ -42,7 +42,7 @@ describe('a window with thousands of polygons', async () => {
   const { timeline } = await traceOf(text);
   const bare = await bareTimelineOf(text);
 
-  it('has the right list at each step when the whole run is read at once', () => {
+  it('has the right list at each step if the whole run is read at once', () => {
     const listAt = (step: number) => bare.seek(step).values.warnock?.apl?.entries ?? [];
     const [entries, taken] = timed(() => listAt(events.length));
     expect(entries).toEqual([

@@ -24,7 +24,7 @@ const drawn = (from: number, to: number, segment: Drawn['segment'] = [0, 4]): Dr
   };
 };
 
-/** Curve, begin and end of each line after the events. */
+/** The curve, start and end of each line after the events. */
 function linesOf(...events: readonly Event[]): readonly unknown[] {
   const names = Uint8Array.from(events, ({ e }) => numberOf.get(e) ?? 0);
   const lines = new Lines({ names, event: (step) => events[step - 1] ?? null });
@@ -32,18 +32,18 @@ function linesOf(...events: readonly Event[]): readonly unknown[] {
 }
 
 describe('the lines that are drawn', () => {
-  it('go on where one of the same segment ends on the column where the next begins', () => {
+  it('continue if one ends on the column where the next one of the same segment begins', () => {
     expect(linesOf(curve(0), drawn(0, 1), drawn(1, 2.5))).toEqual([[0, 0, 2.5]]);
   });
 
-  it('are others where they meet between columns', () => {
+  it('are separate if they meet between columns', () => {
     expect(linesOf(curve(0), drawn(0, 1.5), drawn(1.5, 3))).toEqual([
       [0, 0, 1.5],
       [0, 1.5, 3],
     ]);
   });
 
-  it('are others in another segment, and of another curve', () => {
+  it('are separate in another segment, and on another curve', () => {
     const next: Drawn['segment'] = [4, 8];
     expect(linesOf(curve(0), drawn(3, 4), drawn(4, 5, next), curve(1), drawn(5, 6))).toEqual([
       [0, 3, 4],
@@ -52,7 +52,7 @@ describe('the lines that are drawn', () => {
     ]);
   });
 
-  it('take the place of a point that they begin at, and take one in that they end with', () => {
+  it('replace a point at their start, and absorb one at their end', () => {
     const point = { ...drawn(2, 2), fromColumns: on(2), toColumns: on(2) };
     expect(linesOf(curve(0), point)).toEqual([[0, 2, 2]]);
     expect(linesOf(curve(0), point, drawn(2, 3))).toEqual([[0, 2, 3]]);

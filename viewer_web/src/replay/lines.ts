@@ -7,11 +7,11 @@ export interface Line {
   readonly curve: number;
   readonly from: Point;
   readonly to: Point;
-  /** The first and the last column that it is over; none between, if the last is less. */
+  /** The first and the last column under it. There are none if the last is less than the first. */
   readonly columns: readonly [first: number, last: number];
 }
 
-/** What a run has told, step by step. */
+/** The steps of a run so far. */
 export interface Told {
   readonly names: Uint8Array;
   event(step: number): Event | null;
@@ -19,7 +19,7 @@ export interface Told {
 
 type Drawn = CurveEvents['draw_line'];
 
-/** What came of a step that drew: the line that was then the last one, its segment, and its place among the lines. */
+/** A step that drew: the last line after it, its segment, and the index of the line. */
 interface Entry {
   readonly step: number;
   readonly index: number;
@@ -43,19 +43,19 @@ const beginning = numberOf.get('curve');
 const isOn = ([left, right]: readonly [number, number]): boolean => left === right;
 
 /**
- * The lines that a run has drawn. Each step that draws changes the last line alone, or adds one: so the lines of a step are
- * known by the last such step before it, and no keyframe has to hold them. They are gone through when they are asked for.
+ * The lines that a run has drawn. Each step that draws changes only the last line, or adds one. The last such step before a
+ * given step thus determines its lines, and no keyframe needs to store them. They are computed on request.
  */
 export class Lines {
   private readonly entries: Entry[] = [];
-  /** What each line came to be. */
+  /** The final form of each line. */
   private readonly final: Line[] = [];
   private seen = 0;
   private curve = -1;
 
   constructor(private readonly told: Told) {}
 
-  /** How many lines there are after a step, and the last of them as it is then. */
+  /** The number of lines after a step, and the form of the last one at that step. */
   upTo(step: number): { readonly count: number; readonly last: Line | null } {
     this.read(step);
     const entry = this.entries[this.indexAt(step)];
@@ -107,7 +107,7 @@ export class Lines {
     this.final[entry.index] = entry.line;
   }
 
-  /** The index of the last entry at a step or before it, or -1. */
+  /** The index of the last entry at or before a step, or -1. */
   private indexAt(step: number): number {
     let from = 0;
     let end = this.entries.length;

@@ -6,28 +6,28 @@ import type { Screen } from './screen.js';
 import type { Uses } from './uses.js';
 
 /**
- * What runs hold at a step, each algorithm under a name of its own. Values are immutable, so that keyframes share what does
- * not change. The algorithms add their parts by `declare module`; those of the others are missing.
+ * The values of a run at a step, each algorithm's under a name of its own. Values are immutable, so that keyframes share
+ * what does not change. The algorithms add their parts by `declare module`; the parts of other algorithms are undefined.
  */
 // eslint-disable-next-line @typescript-eslint/no-empty-object-type
 export interface Held {}
 
-/** What events write on: pixels, and in a run of curves the columns of the area. */
+/** What events write to: pixels, and in a run of curves the columns of the area. */
 export interface Paper {
   readonly screen: Screen;
   readonly columns: Columns | null;
 }
 
-/** What one run holds while it goes from event to event. */
+/** The changing values of one run as it goes from event to event. */
 export interface Hand {
   readonly held: Held;
-  /** Goes past an event; one that cannot happen here is refused. */
+  /** Applies an event; throws if it cannot happen here. */
   take(event: Event, paper: Paper): void;
-  /** Holds what a keyframe has. */
+  /** Restores the values of a keyframe. */
   load(held: Held): void;
 }
 
-/** What a state is in the one form in which readers of a trace are compared. */
+/** A state in the form in which readers of a trace are compared. */
 export interface Compared extends Paper {
   readonly held: Held;
   readonly method: Method;
@@ -35,14 +35,14 @@ export interface Compared extends Paper {
   readonly lines: readonly Line[];
 }
 
-/** How the runs of an algorithm change what they hold. */
+/** How the runs of an algorithm change their values. */
 export interface Model {
   begin(header: Header): Hand;
   readonly uses: Uses;
   compared(state: Compared): object;
 }
 
-/** A hand that holds one value, and gets the next one from an event. */
+/** A hand with a single value, which each event replaces. */
 export class ValueInHand<K extends keyof Held> implements Hand {
   constructor(
     private readonly name: K,
@@ -69,7 +69,7 @@ export class ValueInHand<K extends keyof Held> implements Hand {
 
 const models = new Map<Method, Model>();
 
-/** Makes runs of these methods known; each algorithm does so once, as the page is loaded. */
+/** Registers the model of these methods; each algorithm does so once, when the page loads. */
 export function defineModel(methods: readonly Method[], model: Model): void {
   for (const method of methods) models.set(method, model);
 }

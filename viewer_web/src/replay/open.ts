@@ -7,23 +7,23 @@ import type { Trace } from './trace.js';
 
 const startWorker = starterOf(code);
 
-/** Milliseconds: to show growth more often would only keep the page busy. */
+/** Milliseconds between reports of progress: more frequent ones would only keep the page busy. */
 const pause = 200;
 
-/** What the page does as a file is read. */
+/** The callbacks while a file is read. */
 export interface Readers {
-  /** There is more of the trace: at first its beginning, at last all of it. */
+  /** The trace has grown: first to its beginning, at last to the whole. */
   grown(trace: Trace): void;
-  /** The file is no trace, from its first event on, or could not be read. */
+  /** The file is not a trace, from its first event on, or could not be read. */
   failed(error: unknown): void;
 }
 
-/** A smaller file is read before the library would be there. */
+/** A smaller file is read before the library is loaded. */
 const small = 2 ** 16;
 
 /**
- * Reads a file in a worker, or here where the policy of another page allows none; by the library, where there is one and it pays.
- * Gives the way to stop that.
+ * Reads a file in a worker, or in the page if the policy of the surrounding page allows no worker. Uses the library if
+ * there is one and the file is large enough. Returns a function that stops the reading.
  */
 export function openTrace(
   file: Blob,
@@ -40,7 +40,8 @@ export function openTrace(
   let trace: Trace | null = null;
   let told = -Infinity;
   const take = (news: News): void => {
-    // Told before the newest part is added: so the end of a trace always brings new steps, by which those who show it know.
+    // The report comes before the newest part is added. The end of a trace therefore always brings new steps, by which the
+    // components notice it.
     if (trace !== null && trace.timeline.length > 0 && performance.now() >= told + pause) {
       if (news.is === 'part') grown(trace);
       told = performance.now();
@@ -74,7 +75,7 @@ export function openTrace(
   });
   worker.addEventListener('messageerror', fail);
   const start = async (): Promise<void> => {
-    // Without it everything is read as well, only slower.
+    // Without the library everything is read as well, but more slowly.
     const module = file.size < small ? null : await library()?.catch(() => null);
     if (!isOver) worker.postMessage({ file, library: module ?? null } satisfies Order);
   };

@@ -19,7 +19,7 @@ function isPlain(line: string, { plain }: LineKind): boolean {
   return plain.test(`${line}\n`);
 }
 
-describe('lines as a run writes them are plain', () => {
+describe('lines in the form that a run writes are plain', () => {
   it.each(traceNames)('%s', (name) => {
     const events = textOf(name).trim().split('\n').slice(1, -1);
     expect(events.filter((line) => !isPlain(line, kindOf(line)))).toEqual([]);
@@ -33,7 +33,7 @@ describe('lines as a run writes them are plain', () => {
   );
 });
 
-/** What may go wrong in a line: each of its characters lost, or another one there. */
+/** Possible errors in a line: each of its characters removed or replaced. */
 function* mutants(line: string): Generator<string> {
   for (let i = 0; i < line.length; i++) {
     for (const other of ['', '0', '9', '-', '.', 'e', '"', '\\', ',', '[', '}', 'true', '\u0001']) {
@@ -43,7 +43,7 @@ function* mutants(line: string): Generator<string> {
   }
 }
 
-describe('a line that is plain would be taken when parsed', () => {
+describe('a plain line would be accepted when parsed', () => {
   it.each(allSamples.map((event) => [event.e, JSON.stringify(event)] as const))(
     '%s',
     (name, line) => {

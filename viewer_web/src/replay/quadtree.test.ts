@@ -13,7 +13,7 @@ const words = (boxes: readonly Box[]): readonly string[] =>
 const everywhere = ({ x, y, width, height }: Area, least = 0) =>
   ({ shown: [x, y, width, height], least }) as const;
 
-/** The leaves at a step, as the state has them. */
+/** The leaves at a step by the state. */
 function leavesAt({ header, timeline }: Trace, step: number, least = 0): readonly string[] {
   const { area } = header.scene;
   const { values, screen } = timeline.seek(step);
@@ -25,8 +25,8 @@ const holds = ([x, y, width, height]: Box, i: number, j: number): boolean =>
   x <= i + 0.5 && i + 0.5 < x + width && y <= j + 0.5 && j + 0.5 < y + height;
 
 /**
- * The same by going through all windows so far: for each pixel the last one that it is in. Of a window that is being cut, and
- * not halved, what is left is none.
+ * The same by brute force: for each pixel the last window that contained it. A window that was partly cut, and not halved,
+ * has no remainder.
  */
 function replayed(pushed: readonly Box[], { scene, method }: Trace['header']): readonly string[] {
   const { x, y, width, height } = scene.area;
@@ -77,7 +77,7 @@ describe('the windows into which the area is divided', () => {
       [x + side, y + side],
     ].map(([left = 0, top = 0]) => ({ e: 'push', at: 'W13', window: [left, top, side, side] }));
 
-  it('are the smallest that can be told apart where they are too small', async () => {
+  it('are the smallest distinguishable ones where they are too small', async () => {
     const events = [root, pop([0, 0, 8, 8]), ...quarters([0, 0, 4]), pop([4, 4, 4, 4])];
     const trace = await traceOf(textWith(headerOf('warnock'), [...events, ...quarters([4, 4, 2])]));
     const { length } = trace.timeline;
@@ -88,12 +88,12 @@ describe('the windows into which the area is divided', () => {
     expect(leavesAt(trace, length, 3)).toEqual([...large, '4 4 4 4']);
   });
 
-  it('may be halves of an odd area, as the printed text divides it', async () => {
+  it('may be halves of an odd area, as in the printed text', async () => {
     const first: Event = { ...root, window: [0, 0, 7, 7] };
     const right: Event = { e: 'push', at: 'W13', window: [3.5, 0, 3.5, 3.5] };
     const trace = await traceOf(textWith(headerOf('warnock'), [first, pop([0, 0, 7, 7]), right]));
     const { division } = trace.timeline.seek(3).screen;
-    // The centre of pixel 3 is at 3.5, where the right half begins; pixel 7 is in no window at all.
+    // The centre of pixel 3 is at 3.5, where the right half begins. Pixel 7 is in no window.
     expect(Array.from(division.row(0) as ArrayLike<number>)).toEqual([0, 0, 0, 1, 1, 1, 1, 0]);
   });
 });
@@ -102,7 +102,7 @@ describe('the way to a window', () => {
   const window = (at: 'W13' | 'W5', box: Box): Event =>
     at === 'W5' ? pop(box) : { e: 'push', at, window: box };
 
-  it('is the windows around it, from the first on', async () => {
+  it('is the windows that contain it, from the first one on', async () => {
     const trace = await traceOf(
       textWith(headerOf('warnock'), [
         root,
@@ -125,7 +125,7 @@ describe('the way to a window', () => {
   });
 
   it('halves a side of an oblong no further than to a pixel', () => {
-    // 8 x 2 in quarters, 4 x 1, then in halves, 2 x 1 and 1 x 1.
+    // 8 x 2 is divided into quarters of 4 x 1, then into halves of 2 x 1 and 1 x 1.
     expect(levelOf([3, 1, 1, 1], [0, 0, 8, 2])).toBe(3);
   });
 });

@@ -2,7 +2,7 @@ import type { Area } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
 import type { Grid } from './grid.js';
 
-/** How often the first window was halved to get this one; a side of 1 or less is halved no more. */
+/** The number of halvings from the first window to this one. A side of 1 or less is not halved. */
 export function levelOf([, , width, height]: Box, [, , rootWidth, rootHeight]: Box): number {
   return Math.round(Math.log2(Math.max(rootWidth / width, rootHeight / height)));
 }
@@ -13,13 +13,13 @@ function halved(side: number, level: number): number {
   return part;
 }
 
-/** The window of a level that a point lies in. */
+/** The window of a level that contains a point. */
 function windowAt([left, top, width, height]: Box, level: number, x: number, y: number): Box {
   const [w, h] = [halved(width, level), halved(height, level)];
   return [left + Math.floor((x - left) / w) * w, top + Math.floor((y - top) / h) * h, w, h];
 }
 
-/** The pixels whose centres lie in a window get its level. */
+/** Gives the level of a window to the pixels whose centres it contains. */
 export function halve(levels: Grid<number>, area: Area, window: Box, root: Box): void {
   const [x, y, width, height] = window;
   const cell = (at: number, from: number, cells: number): number =>
@@ -31,15 +31,15 @@ export function halve(levels: Grid<number>, area: Area, window: Box, root: Box):
   levels.fill(i, j, across, down, levelOf(window, root));
 }
 
-/** What of the plane is looked at, and how large a window must be to be told apart. */
+/** The visible part of the plane, and the size that a window must have to be distinguishable. */
 export interface Sight {
   readonly shown: readonly [x: number, y: number, width: number, height: number];
   readonly least: number;
 }
 
 /**
- * The windows into which the area is divided: those that hold a pixel which is in no smaller one. Where they are too
- * small to be told apart the smallest ones that are not stand for them.
+ * The windows into which the area is divided: those that contain a pixel that is in no smaller window. If they are too
+ * small to distinguish, the smallest distinguishable ones that contain them are returned instead.
  */
 export function leaves(levels: Grid<number>, root: Box, area: Area, sight: Sight): readonly Box[] {
   const [x, y, width, height] = sight.shown;
@@ -55,7 +55,7 @@ export function leaves(levels: Grid<number>, root: Box, area: Area, sight: Sight
       found.set(`${level} ${window[0]} ${window[1]}`, window);
       i = Math.max(i + 1, Math.ceil(window[0] + window[2] - area.x - 0.5));
     }
-    // The rows of the smallest windows that count have all the same windows.
+    // All rows of the smallest relevant windows contain the same windows.
     const [, top, , high] = windowAt(root, finest, area.x, area.y + j + 0.5);
     j = Math.max(j + 1, Math.ceil(top + high - area.y - 0.5));
   }

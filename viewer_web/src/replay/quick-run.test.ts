@@ -14,7 +14,7 @@ const file = new URL('../../../build/release/trace/wasm/vidno.wasm', import.meta
 const hasLibrary = existsSync(file);
 const library = hasLibrary ? new WebAssembly.Module(readFileSync(file)) : null;
 
-/** All that is reported of a file, its bytes as text. */
+/** All reports about a file, with bytes as text. */
 async function newsOf(
   text: string | Uint8Array<ArrayBuffer>,
   by: typeof library,
@@ -24,7 +24,7 @@ async function newsOf(
   return told.map((news) => {
     if (news.is !== 'part') return news;
     const { bytes, starts, names } = news.block;
-    // The last start alone is an end.
+    // Only the last start is an end.
     return {
       ...news,
       block: {
@@ -40,7 +40,7 @@ async function expectSame(text: string | Uint8Array<ArrayBuffer>): Promise<void>
   expect(await newsOf(text, library)).toEqual(await newsOf(text, null));
 }
 
-/** How many lines after the first the library takes. */
+/** The number of lines after the first that the library accepts. */
 function taken(text: string): number {
   const bytes = new TextEncoder().encode(text);
   const first = bytes.indexOf(10) + 1;
@@ -49,7 +49,7 @@ function taken(text: string): number {
   return run?.take(bytes.subarray(first)).names.length ?? -1;
 }
 
-/** The text with one of its characters lost, doubled, or exchanged, after the first line. */
+/** The text with a character after the first line removed, doubled or replaced. */
 function mutant(text: string, below: (n: number) => number): string {
   const first = text.indexOf('\n') + 1;
   const at = first + below(text.length - first);
@@ -57,8 +57,8 @@ function mutant(text: string, below: (n: number) => number): string {
   return text.slice(0, at) + (others[below(others.length)] ?? '') + text.slice(at + 1);
 }
 
-describe.skipIf(!hasLibrary)('what the library reads is what the page reads without it', () => {
-  it.each(traceNames)('%s, which the library takes to its end', async (name) => {
+describe.skipIf(!hasLibrary)('the library reads the same as the page without it', () => {
+  it.each(traceNames)('%s, which the library reads to its end', async (name) => {
     const text = textOf(name);
     expect(taken(text)).toBe(text.split('\n').length - 3);
     await expectSame(text);
@@ -73,7 +73,7 @@ describe.skipIf(!hasLibrary)('what the library reads is what the page reads with
     for (let i = 0; i < 6; i++) await expectSame(mutant(text, below));
   });
 
-  it.each(traceNames)('%s, with a line lost, or at another place', async (name) => {
+  it.each(traceNames)('%s, with a line missing or moved', async (name) => {
     const lines = textOf(name).split('\n').slice(0, 200);
     const below = chance(traceNames.indexOf(name) + 1);
     for (let i = 0; i < 6; i++) {
@@ -110,7 +110,7 @@ describe.skipIf(!hasLibrary)('what the library reads is what the page reads with
     await expectSame(linesOf(headerOf(method), event, { end: { events: 1 } }));
   });
 
-  it('but for scenes in which it would be slow', () => {
+  it('except for scenes in which it would be slow', () => {
     const header = headerOf('zbuffer') as { scene: { window: object } };
     const window = { x: 0, y: 0, width: 4097, height: 4096 };
     const wide = { ...header, scene: { ...header.scene, window } };

@@ -3,19 +3,19 @@ import type { Header } from '../trace/header.js';
 import { Instance } from './instance.js';
 import type { Basics, LinesFound } from './instance.js';
 
-/** What of vidno.wasm reads; `trace/wasm/live.cpp` documents it. */
+/** The exports of vidno.wasm for reading; `trace/wasm/live.cpp` documents them. */
 interface Exports extends Basics {
   open(): number;
   read(): number;
 }
 
-/** The library looks through a list of polygons from its beginning, and has a pixel for each of the area. */
+/** Limits: the library searches a list of polygons from its beginning, and stores a pixel for each one of the area. */
 const mostPolygons = 4096;
 const mostPixels = 2 ** 24;
 
 /**
- * A run as the library reads it, in a tenth of the time that `Run` takes, which knows no more: each line is an event that can
- * happen, written as a run writes it. `Run` takes the others, and says what is wrong with them.
+ * A run that the library reads in a tenth of the time of `Run`. It only accepts lines with possible events, written as a
+ * run writes them. `Run` reads the other lines, and describes their errors.
  */
 export class QuickRun {
   private readonly isToldHere: readonly boolean[];
@@ -29,7 +29,7 @@ export class QuickRun {
     this.isToldHere = told;
   }
 
-  /** By the first line; null for a run that the library does not read, or not quickly. */
+  /** A run with this first line; null for a run that the library does not read, or not quickly. */
   static of(module: WebAssembly.Module, first: Uint8Array, header: Header): QuickRun | null {
     const { polygons, area } = header.scene;
     if (polygons.length > mostPolygons || area.width * area.height > mostPixels) return null;
@@ -38,7 +38,7 @@ export class QuickRun {
     return instance.exports.open() === 0 ? null : new QuickRun(instance, header);
   }
 
-  /** The lines of a block up to the first that `Run` has to look at. */
+  /** The lines of a block up to the first that `Run` has to read. */
   take(block: Uint8Array): LinesFound {
     const { instance } = this;
     instance.ask(block);

@@ -34,7 +34,7 @@ describe('a whole trace', () => {
   });
 });
 
-describe('a trace that was cut short is read up to the break', () => {
+describe('a truncated trace is read up to the break', () => {
   const text = textOf('small.warnock.signs.jsonl');
 
   it('between lines', async () => {
@@ -55,7 +55,7 @@ describe('a trace that was cut short is read up to the break', () => {
     expect(trace.timeline.length).toBeGreaterThan(100);
   });
 
-  it('by what a page can hold', async () => {
+  it('at the limit of the page', async () => {
     const { shortened, timeline } = await traceOf(text, 100_000);
     expect(text.length).toBeGreaterThan(100_000);
     expect(timeline.length).toBeGreaterThan(100);
@@ -115,7 +115,7 @@ const broken: readonly (readonly [string, string | Uint8Array<ArrayBuffer>, numb
   ['a bad colour', whole.replace('#112233', 'url(x)'), 1, 'color'],
 ];
 
-describe('a line that is wrong leaves the run before it', () => {
+describe('a wrong line leaves the run before it', () => {
   const lines = textOf('small.warnock.signs.jsonl').trimEnd().split('\n');
   const wrong = 201;
 
@@ -134,7 +134,7 @@ describe('a line that is wrong leaves the run before it', () => {
     expect(timeline.event(wrong - 1)).toBeNull();
   });
 
-  it('in a later block of the file, with the state that it had come to', async () => {
+  it('in a later block of the file, with the state reached', async () => {
     const [first = '', ...others] = lines.slice(0, -1);
     const events = others.slice(0, wrong - 2);
     const plane = events.find((line) => line.startsWith('{"e":"plane"')) ?? '';
@@ -147,13 +147,13 @@ describe('a line that is wrong leaves the run before it', () => {
     expect(timeline.seek(long.length).values.warnock?.stack).toEqual(values.warnock?.stack);
   });
 
-  it('at the last line, all of it', async () => {
+  it('complete if it is the last line', async () => {
     const { shortened, timeline } = await keptOf(whole + linesOf(push));
     expect(shortened).toMatchObject({ why: 'wrong', line: 4, refusal: { reason: 'afterEnd' } });
     expect(timeline.length).toBe(1);
   });
 
-  it('but there is no run before the first event', async () => {
+  it('except before the first event, where there is no run', async () => {
     await expect(keptOf(linesOf(header, { e: 'boom' }))).rejects.toBeInstanceOf(Unreadable);
   });
 });
@@ -161,7 +161,7 @@ describe('a line that is wrong leaves the run before it', () => {
 describe('names beyond ASCII', () => {
   const named = textOf('small.warnock.signs.jsonl').replaceAll('"A"', '"Ёлка"');
 
-  it('are read as others', async () => {
+  it('are read like others', async () => {
     const { timeline } = await traceOf(named);
     expect(timeline.length).toBe(named.split('\n').length - 3);
     expect(timeline.event(1)).toMatchObject({ e: 'plane', polygon: 'Ёлка' });
@@ -180,7 +180,7 @@ describe('names beyond ASCII', () => {
   });
 });
 
-describe('what is no trace is refused with line and reason', () => {
+describe('a file that is not a trace is refused with line and reason', () => {
   it.each(broken)('%s', async (_name, file, line, reason) => {
     const error: unknown = await traceOf(file).then(
       () => null,

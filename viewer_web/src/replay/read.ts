@@ -9,32 +9,32 @@ import type { Block } from '../trace/store.js';
 import { QuickRun } from './quick-run.js';
 import { Run } from './run.js';
 
-/** What a worker is to read, and the library where it shall be quick. */
+/** A file for a worker to read, and the library for quick reading. */
 export interface Order {
   readonly file: Blob;
   readonly library: WebAssembly.Module | null;
 }
 
-/** What is wrong with a file that is no trace, or no longer one: the line, from 1, and the reason. */
+/** The error in a file that is not a trace, or not up to its end: the line, from 1, and the reason. */
 export interface Complaint {
   readonly line: number;
   readonly refusal: Pick<Refusal, 'path' | 'reason' | 'details'>;
 }
 
-/** The file broke off, the run was stopped, it is too long for a page, or the reader wanted no more of it. */
+/** The file is truncated, the run was stopped, it is too long for a page, or the reader stopped reading it. */
 export interface Ended {
   readonly why: 'cut' | 'partial' | 'limit' | 'stopped';
   readonly line: number;
 }
 
-/** The trace is shorter than the run, or than its file, of which a line is wrong. */
+/** Why the trace is shorter than the run, or than its file with a wrong line. */
 export type Shortened = Ended | ({ readonly why: 'wrong' } & Complaint);
 
-/** Further events, each of them checked: it can happen where it stands. */
+/** Further events, each checked to be possible at its place. */
 export interface Part {
   readonly is: 'part';
   readonly block: Block;
-  /** How much of the file was read, from 0 to 1. */
+  /** The share of the file that was read, from 0 to 1. */
   readonly read: number;
 }
 
@@ -44,7 +44,10 @@ export interface Ending {
   readonly shortened: Ended | null;
 }
 
-/** What is found in a file, as plain data: first the header, then parts, then the end; or a complaint, the last. */
+/**
+ * The results of reading a file, as plain data: first the header, then parts, then the end; or a complaint, which is the
+ * last.
+ */
 export type News =
   | { readonly is: 'header'; readonly header: Header }
   | Part
@@ -64,14 +67,14 @@ function lineStarts(bytes: Uint8Array, from: number): Uint32Array<ArrayBuffer> {
   return Uint32Array.from(starts);
 }
 
-/** A line that the library leaves to `Run`, which must have seen all lines before it. */
+/** A line that the library leaves to `Run`, which must have read all lines before it. */
 class NotQuick extends Error {}
 
 class Reader {
   line = 0;
   header: Header | null = null;
   shortened: Ended | null = null;
-  /** Why a line is none of a trace; the lines before it stand. */
+  /** Why a line does not belong to a trace; the lines before it remain valid. */
   refusal: Refusal | null = null;
   private events = 0;
   private run: Run | QuickRun | null = null;
@@ -79,7 +82,9 @@ class Reader {
 
   constructor(private readonly library: WebAssembly.Module | null) {}
 
-  /** The events of a block of lines; only the last may lack its newline, as it may be cut in two. */
+  /**
+   * The events of a block of lines. Only the last line may lack its newline, because a line may be split between blocks.
+   */
   take(bytes: Uint8Array<ArrayBuffer>): Block {
     const from = this.header === null ? this.takeFirst(bytes) : 0;
     if (!(this.run instanceof QuickRun)) return this.takeLines(bytes, from);
@@ -101,7 +106,7 @@ class Reader {
     return { is: 'end', end: this.end, shortened: this.shortened };
   }
 
-  /** Where the line after the first begins. */
+  /** The start of the second line. */
   private takeFirst(bytes: Uint8Array): number {
     this.line++;
     const end = bytes.indexOf(newline) + 1 || bytes.length;
@@ -141,7 +146,7 @@ class Reader {
     }
   }
 
-  /** The number of the event's name, or null for the last line. */
+  /** The number of the event's name; null for the last line. */
   private takeLine(text: BlockText, i: number): number | null {
     if (this.end !== null) throw new Refusal('', 'afterEnd');
     const found = this.run instanceof Run ? this.run.take(text, i) : this.endOn(text.line(i));
@@ -153,7 +158,7 @@ class Reader {
     return found;
   }
 
-  /** What the last line says; of another line the library knows no more. */
+  /** The end that the last line states. Any other line is left to `Run`. */
   private endOn(text: string): End {
     if (this.header === null || !text.startsWith(ending)) throw new NotQuick();
     const found = parseLine(text, this.header);
@@ -204,7 +209,7 @@ async function* readInto(reader: Reader, file: Blob, most: number): AsyncGenerat
   yield reader.ending();
 }
 
-/** Tells what a reader finds, complaints too. */
+/** Reports the results of a reader, including complaints. */
 async function* readBy(reader: Reader, file: Blob, most: number): AsyncGenerator<News> {
   try {
     yield* readInto(reader, file, most);
@@ -215,13 +220,16 @@ async function* readBy(reader: Reader, file: Blob, most: number): AsyncGenerator
   }
 }
 
-/** How to read: at most the given number of unpacked bytes, and by the library, where there is one. */
+/** How to read: the most unpacked bytes, and the library if there is one. */
 export interface Way {
   readonly most?: number | undefined;
   readonly library?: WebAssembly.Module | null;
 }
 
-/** Reads a trace, plain or gzip. Where the library leaves a line to `Run` the file is read again, and what is new is reported. */
+/**
+ * Reads a trace, plain or gzip. If the library leaves a line to `Run`, the file is read again, and only new results are
+ * reported.
+ */
 export async function* read(
   file: Blob,
   { most = mostBytes, library = null }: Way = {},

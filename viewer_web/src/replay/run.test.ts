@@ -9,7 +9,7 @@ import { isRefusal } from '../trace/refusal.js';
 import type { Refusal } from '../trace/refusal.js';
 import { State } from './state.js';
 
-/** The first of the events that a state refuses to which each of them was applied, and why. */
+/** The index of the first event that a state refuses when the events are applied in order, and why. */
 function refused(method: Method, events: readonly Event[]): readonly [number, Refusal] | null {
   const state = new State(parseHeader(headerOf(method)));
   for (const [i, event] of events.entries()) {
@@ -23,7 +23,7 @@ function refused(method: Method, events: readonly Event[]): readonly [number, Re
   return null;
 }
 
-/** Events that a state takes, and then one that it does not. */
+/** Events that a state accepts, followed by one that it refuses. */
 function untilRefused(method: Method, seed: number): readonly Event[] {
   const below = chance(seed);
   const names = eventsOf[method];
@@ -34,7 +34,7 @@ function untilRefused(method: Method, seed: number): readonly Event[] {
     const event = kind[below(kind.length)];
     if (event === undefined) continue;
     events.push(event);
-    // Most of those that cannot happen are left out: a run that ends at once says little.
+    // Most impossible events are left out: a run that ends at once tests little.
     if (refused(method, events) === null) continue;
     if (i > tries / 2) return events;
     events.pop();
@@ -42,7 +42,7 @@ function untilRefused(method: Method, seed: number): readonly Event[] {
   return events;
 }
 
-describe('what cannot happen is refused where a state would refuse it', () => {
+describe('an impossible event is refused where a state would refuse it', () => {
   const seeds = Array.from({ length: 12 }, (_, i) => i + 1);
 
   it.each(methods)('%s', async (method) => {
@@ -61,7 +61,7 @@ describe('what cannot happen is refused where a state would refuse it', () => {
     expect(found.size).toBeGreaterThan(1);
   });
 
-  it('in a window that is cut beside its pixels, or beside the area', async () => {
+  it('in a window that is not cut along pixels, or extends beyond the area', async () => {
     const header = headerOf('warnock-vertex');
     for (const window of [
       [0, 0, 9, 8],
@@ -73,7 +73,7 @@ describe('what cannot happen is refused where a state would refuse it', () => {
     }
   });
 
-  it('after events on which nothing depends, too', async () => {
+  it('even after events on which nothing depends', async () => {
     const idle = [...samples.cover, ...samples.insider, ...samples.decide, ...samples.uncover];
     const events = [push, pop, ...samples.corners, ...idle, ...samples.nearer.slice(1)];
     const { shortened } = await keptOf(textWith(headerOf('warnock'), events));

@@ -15,8 +15,9 @@ const longestPlain = 2 ** 13;
 const opening = '{"e":"';
 
 /**
- * A run as it is read: checks each line, and that its event can happen there. Lines as a run writes them are known by their
- * plain form; of these, events on which nothing depends that could be refused are not parsed.
+ * A run while it is read. Checks each line, and that its event can happen at its place. Lines in the form of a run are
+ * recognized by a regular expression. Such a line is not parsed if its event can neither be refused nor affect a later
+ * refusal.
  */
 export class Run {
   length = 0;
@@ -36,7 +37,7 @@ export class Run {
     this.decisive = eventNames.map((name, i) => decisive[i] === true || name === 'call');
   }
 
-  /** The number of the name of the event on a line of the block, or the last line. */
+  /** The number of the event's name on a line of the block, or the last line. */
   take(block: BlockText, line: number): number | End {
     const kind = this.plainKind(block, line);
     if (kind === null) return this.takeParsed(block.line(line));
@@ -47,7 +48,7 @@ export class Run {
     return kind.number;
   }
 
-  /** The kind of a line that is certainly one of its kind, and names a polygon of the scene if it names any. */
+  /** The kind of a line that certainly belongs to it, and names a polygon of the scene if it names any. */
   private plainKind(block: BlockText, line: number): LineKind | null {
     const [text, start, end] = block.at(line);
     if (end - start > longestPlain || !text.startsWith(opening, start)) return null;

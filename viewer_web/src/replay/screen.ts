@@ -8,36 +8,36 @@ import type { Row } from './grid.js';
 import { halve, leaves } from './quadtree.js';
 import type { Sight } from './quadtree.js';
 
-/** Pixels of an area whose depths are kept: those of a larger one fill the memory of a browser. */
+/** The most pixels of an area with stored depths: more would fill the memory of a browser. */
 const mostDepths = 2 ** 24;
 
 export const hasRoomForDepths = ({ area: { width, height } }: Scene): boolean =>
   width * height <= mostDepths;
 
-/** Whether the state has the depths that a trace tells. */
+/** Whether the state has depths: the trace must contain them, and the area must not be too large. */
 export const keepsDepths = ({ detail, scene }: Pick<Header, 'detail' | 'scene'>): boolean =>
   detail !== 'windows' && hasRoomForDepths(scene);
 
-/** Windows, and what they were found in. */
+/** Windows, and the values that they were computed from. */
 interface Divided {
   readonly of: readonly unknown[];
   readonly windows: readonly Box[];
 }
 
 /**
- * What the handlers of events write to: the picture, how the area is divided into windows and, where the trace carries
- * it, the buffer of depths.
+ * What the handlers of events write to: the picture, the division of the area into windows, and the depth buffer if the
+ * trace has one.
  */
 export class Screen {
-  /** Pixels; where nothing was painted yet those of the ground. */
+  /** The pixels; unpainted ones have the background colour with alpha 0. */
   readonly picture: Grid<number>;
   /**
-   * For each pixel, of the smallest window that it is in: how often the first one was halved to get it; where windows are
-   * cut anywhere, which of its sides are there.
+   * For each pixel, the number of halvings from the first window to its smallest window. Where windows are cut anywhere,
+   * the sides of that window at the pixel.
    */
   readonly division: Grid<number>;
   z: Grid<N> | null = null;
-  /** The windows that were asked for last. */
+  /** The windows that were requested last. */
   private divided: Divided | null = null;
   private places: ReadonlyMap<string, number> | null = null;
 
@@ -58,13 +58,13 @@ export class Screen {
     return polygon;
   }
 
-  /** A polygon's place in the scene. */
+  /** The index of a polygon in the scene. */
   placeOf(id: string): number {
     this.places ??= new Map(this.scene.polygons.map((polygon, i) => [polygon.id, i]));
     return this.places.get(id) ?? -1;
   }
 
-  /** Pixels of the plane take a colour; they must lie in the area. */
+  /** Paints pixels of the plane, which must be in the area. */
   paint(x: number, y: number, width: number, height: number, color: string): void {
     this.expectInside(x, y, width, height);
     const { area } = this.scene;
@@ -81,7 +81,7 @@ export class Screen {
     }
   }
 
-  /** The pixels whose centres lie in a window, a part of the first one, are in no smaller one. */
+  /** Records a window, a part of the first one, as the smallest that contains its pixels' centres. */
   divide(window: Box, root: Box): void {
     const { area } = this.scene;
     if (!this.isCut) halve(this.division, area, window, root);
@@ -91,13 +91,13 @@ export class Screen {
     }
   }
 
-  /** A window that is cut anywhere has whole pixels. */
+  /** Checks that a window that is cut anywhere has whole pixels. */
   protected expectCut([x, y, width, height]: Box): void {
     if (![x, y, width, height].every(Number.isInteger)) throw new Refusal('window', 'outsideArea');
     this.expectInside(x, y, width, height);
   }
 
-  /** The windows that the area is divided into, as far as they can be told apart: the same list until one is divided. */
+  /** The distinguishable windows into which the area is divided: the same list until one is divided. */
   windows(root: Box, sight: Sight): readonly Box[] {
     const { division, divided, isCut } = this;
     const { area } = this.scene;
@@ -133,7 +133,7 @@ export class Screen {
   }
 }
 
-/** What only says whether something can be painted. */
+/** A screen that only checks whether something can be painted. */
 export class Bounds extends Screen {
   constructor(header: Header) {
     super(header.scene, false, cutsAnywhere(header.method));
@@ -148,7 +148,7 @@ export class Bounds extends Screen {
   }
 
   override clear(): void {
-    // Nothing is painted.
+    // Paints nothing.
   }
 }
 

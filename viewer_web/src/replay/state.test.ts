@@ -12,7 +12,7 @@ import type { Trace } from './trace.js';
 const stateAt = ({ header, timeline }: Trace, step: number): unknown =>
   structuredClone(canonical(timeline.seek(step), header, timeline.lines.at(step)));
 
-/** The states by applying every event in turn, without keyframes. */
+/** The states after each event in order, without keyframes. */
 function statesOf({ header, timeline }: Trace): readonly unknown[] {
   const state = new State(header);
   const canonicalNow = (step: number): unknown =>
@@ -26,7 +26,7 @@ function statesOf({ header, timeline }: Trace): readonly unknown[] {
   return states;
 }
 
-describe('a seek gives the state that the events give in turn', () => {
+describe('a seek gives the same state as all events in order', () => {
   it.each(traceNames)('%s, forward, backward and far', async (name) => {
     const trace = await traceOf(textOf(name));
     const states = statesOf(trace);
@@ -61,7 +61,7 @@ describe('a list of active polygons', () => {
     return stateAt(trace, 4);
   }
 
-  it('is copied for a part', async () => {
+  it('is copied for a part of the window', async () => {
     const state = await stackAfter({ e: 'push', at: 'W13', window: [0, 0, 4, 4] });
     expect(state).toMatchObject({
       warnock: {
@@ -78,7 +78,7 @@ describe('a list of active polygons', () => {
     });
   });
 
-  it('is one for both where it is shared', async () => {
+  it('is the same for both windows if it is shared', async () => {
     const state = await stackAfter({ e: 'push', at: 'W13', window: [0, 0, 4, 4], shared: true });
     expect(state).toMatchObject({
       warnock: { apl: [['B', false]], stack: [{ apl: [['B', false]] }] },

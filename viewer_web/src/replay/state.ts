@@ -11,42 +11,42 @@ import { Screen, keepsDepths } from './screen.js';
 import type { SavedScreen } from './screen.js';
 import type { Stretch } from './stretch.js';
 
-/** A procedure that runs, and the label that it is at. */
+/** A running procedure, and its current label. */
 export interface Frame {
-  /** As its listing is called. */
+  /** The name of its listing. */
   readonly of: string;
   readonly at: string | null;
 }
 
-/** What a step leaves behind, the cells of picture and Z-buffer apart. */
+/** The values after a step, except for the cells of picture and Z-buffer. */
 export interface Values extends Held {
   readonly step: number;
   readonly calls: readonly Frame[];
 }
 
-/** All that a state is, as plain data. */
+/** A whole state as plain data. */
 export interface Keyframe {
   readonly values: Values;
   readonly screen: SavedScreen;
   readonly columns: SavedColumns | null;
 }
 
-/** By how much each event, at the number of its name, changes the depth of the calls. */
+/** The change in call depth of each event, by the number of its name. */
 export function depthChanges(detail: Detail): readonly number[] {
   return eventNames.map((name) => (name === 'call' ? 1 : closedBy(name, detail) === null ? 0 : -1));
 }
 
-/** The procedure that an event ends: below the level of its call a result closes nothing. */
+/** The procedure that an event ends. At a level without calls a result ends nothing. */
 function closedBy(name: EventName, detail: Detail): Procedure | null {
   const { resultOf } = kinds[name];
   if (resultOf === undefined) return null;
   return details.indexOf(detail) >= details.indexOf(callsFrom[resultOf]) ? resultOf : null;
 }
 
-/** Everything at a step. Its values are immutable, so that a keyframe shares what does not change. */
+/** The state at a step. Its values are immutable, so that a keyframe shares what does not change. */
 export class State {
   readonly screen: Screen;
-  /** Null of a run of polygons. */
+  /** Null for a run of polygons. */
   readonly columns: Columns | null;
   private taken = 0;
   private calls: readonly Frame[];
@@ -63,7 +63,7 @@ export class State {
     this.hand = modelOf(header).begin(header);
   }
 
-  /** How many events were taken. */
+  /** The number of events applied. */
   get step(): number {
     return this.taken;
   }
@@ -73,7 +73,9 @@ export class State {
     return { step, calls, ...hand.held };
   }
 
-  /** The event of a step, at least the next that changes anything; one that cannot happen here is refused. */
+  /**
+   * Applies the event of a step. Events between that change nothing may be skipped. Throws if the event cannot happen here.
+   */
   apply(event: Event, step = this.taken + 1): void {
     this.change(event);
     this.pass(event.e);
@@ -81,14 +83,14 @@ export class State {
     this.taken = step;
   }
 
-  /** The same of a state of which only what refuses events is ever looked at. */
+  /** The same, if the state is only used to check events. */
   check(event: Event): void {
     this.change(event);
     if (event.e === 'call') this.calls = movedBy(event, this.calls);
     else this.pass(event.e);
   }
 
-  /** Past an event that only ends a procedure, or changes nothing at all: the next one that is applied sets the line. */
+  /** Passes an event that only ends a procedure, or changes nothing. The next applied event sets the line. */
   pass(name: EventName): void {
     const closed = closedBy(name, this.header.detail);
     if (closed === null) return;
@@ -97,7 +99,7 @@ export class State {
     this.calls = this.calls.slice(0, -1);
   }
 
-  /** Goes on to the end of a stretch by those of its events that matter there. */
+  /** Continues to the end of a stretch by applying the relevant events. */
   leap({ end, changes, closed, opened }: Stretch, eventOf: (step: number) => Event): void {
     for (const step of changes) this.change(eventOf(step));
     this.calls = this.calls.slice(0, this.calls.length - closed);
@@ -124,7 +126,7 @@ export class State {
   }
 }
 
-/** An event sets the line of the current procedure; a call opens the frame of another. */
+/** An event sets the line of the current procedure; a call pushes a frame. */
 function movedBy(event: Event, calls: readonly Frame[]): readonly Frame[] {
   const top = calls.at(-1);
   if (top === undefined || (top.at === event.at && event.e !== 'call')) return calls;

@@ -12,7 +12,7 @@ import type { Timeline } from './timeline.js';
 
 const copyOf = (state: State): Keyframe => structuredClone(state.save());
 
-/** The states that the events give in turn, from step 0. */
+/** The states after each event in order, from step 0. */
 function statesInTurn(header: unknown, events: readonly Event[]): readonly Keyframe[] {
   const state = new State(parseHeader(header));
   return [copyOf(state), ...events.map((event) => (state.apply(event), copyOf(state)))];
@@ -25,7 +25,7 @@ function expectStates(timeline: Timeline, expected: readonly Keyframe[], from: n
   }
 }
 
-describe('without keyframes, what matters of a stretch gives the state of all its events', () => {
+describe('the relevant events of a stretch give the same state as all its events, without keyframes', () => {
   it.each(traceNames)(
     '%s, from the beginning to each step',
     async (name) => {
@@ -40,7 +40,7 @@ describe('without keyframes, what matters of a stretch gives the state of all it
   const seeds = [1, 2, 3, 4, 5, 6, 7, 8];
   const runs = seeds.flatMap((seed) => [['warnock', seed] as const, ['zbuffer', seed] as const]);
 
-  it.each(runs)('events in any order, %s %i, from anywhere', async (method, seed) => {
+  it.each(runs)('events in any order, %s %i, from any step', async (method, seed) => {
     const events = anyEvents(method, 120, seed);
     const header = headerOf(method);
     const timeline = await bareTimelineOf(textWith(header, events));
@@ -48,7 +48,7 @@ describe('without keyframes, what matters of a stretch gives the state of all it
   });
 });
 
-/** So many events that may follow one another, though no run would write them. */
+/** Random events in an order that is possible, although no run would write it. */
 function anyEvents(method: Method, length: number, seed: number): readonly Event[] {
   const below = chance(seed);
   const names = eventsOf[method];
@@ -62,7 +62,7 @@ function anyEvents(method: Method, length: number, seed: number): readonly Event
   return events;
 }
 
-/** What is taken away must be what is there. */
+/** Makes an event possible: what it removes must exist. */
 function possible(event: Event | undefined, { values }: State): Event | undefined {
   const top = values.warnock?.stack.at(-1);
   if (event?.e === 'pop' && top !== undefined) return { ...event, window: top.window };

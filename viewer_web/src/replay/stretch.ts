@@ -1,20 +1,20 @@
 import type { Uses } from './uses.js';
 
-/** What of the events from one step to another matters to the state at the end. */
+/** The events between two steps that determine the state at the end. */
 export interface Stretch {
   readonly end: number;
-  /** The steps that change what the state at the end has, in order. */
+  /** The steps that set values of the state at the end, in order. */
   readonly changes: readonly number[];
-  /** How many of the calls at the beginning were closed. */
+  /** The number of calls at the beginning that were closed. */
   readonly closed: number;
   /** The steps of the calls that are open at the end and were not at the beginning, in order. */
   readonly opened: readonly number[];
 }
 
 /**
- * Goes back from the end through the numbers of the events' names, that of step n at n - 1. An event matters if
- * it writes what is needed after it, for the state at the end or for a later event that matters: most of what
- * happened in a window or on a line is forgotten with the next one, and comparisons leave nothing.
+ * Goes backwards from the end through the numbers of the events' names; that of step n is at n - 1. An event is relevant if
+ * it writes what is needed later, by the state at the end or by a relevant event. The next window or line discards most of
+ * the events of the previous one, and comparisons leave nothing.
  */
 export function stretch(
   names: Uint8Array,

@@ -8,18 +8,18 @@ import type { Timeline } from './timeline.js';
 
 const length = 100_000;
 
-/** Each step paints one pixel, so that every step has its own picture. */
+/** Each step paints one pixel, so every step has a different picture. */
 const fills = Array.from({ length }, (_, i): Event => {
   const rect = [i % 8, Math.floor(i / 8) % 8, 1, 1] as const;
   return { e: 'fill', at: 'W8', rect, color: `#${i.toString(16).padStart(6, '0')}` };
 });
 
-/** The pixel that the last step painted, as it is after that step. */
+/** Whether the pixel of the last step is painted. */
 const isPainted = (timeline: Timeline, step: number): boolean =>
   timeline.seek(step).screen.picture.at((step - 1) % 8, ((step - 1) >> 3) % 8) ===
   toPixel(`#${(step - 1).toString(16).padStart(6, '0')}`);
 
-/** How many events are looked at for a seek. */
+/** The number of events read for a seek. */
 function looksOf(timeline: Timeline, step: number): number {
   const look = vi.spyOn(Store.prototype, 'event');
   timeline.seek(step);
@@ -28,11 +28,11 @@ function looksOf(timeline: Timeline, step: number): number {
   return length;
 }
 
-describe('a long way', { timeout: 20_000 }, () => {
+describe('a long seek', { timeout: 20_000 }, () => {
   const text = textWith(headerOf('warnock', 'windows'), fills);
   const fresh = (): Promise<Timeline> => bareTimelineOf(text);
 
-  it('is gone in parts, while the state stays where it is', async () => {
+  it('is done in parts, while the state stays where it is', async () => {
     const timeline = await fresh();
     const { values, screen } = timeline.seek(5);
     const before = screen.picture.row(0).slice();
@@ -44,25 +44,25 @@ describe('a long way', { timeout: 20_000 }, () => {
     expect(values.step).toBe(5);
     expect(looksOf(timeline, length)).toBeLessThan(4000);
     expect(isPainted(timeline, length)).toBe(true);
-    // A little back is near, too.
+    // A few steps back are near, too.
     expect(looksOf(timeline, length - 1)).toBeLessThan(4000);
   });
 
-  it('may lead elsewhere before its end', async () => {
+  it('may change its goal before its end', async () => {
     const timeline = await fresh();
     expect(timeline.approach(length, 0)).toBeGreaterThan(0);
     expect(timeline.approach(100, 0)).toBe(0);
     for (const step of [100, 70_000, 60_001, length]) expect(isPainted(timeline, step)).toBe(true);
   });
 
-  it('is not needed once the run was gone through', async () => {
+  it('is not needed once the run was replayed', async () => {
     const timeline = await fresh();
     expect(timeline.ripen(0)).toBe(false);
     expect(timeline.ripen()).toBe(true);
     for (let i = 1; i <= 50; i++) {
       const step = 1 + ((i * 48_611) % length);
       expect(timeline.approach(step, 0)).toBe(0);
-      // 100 000 steps have keyframes that are 256 apart.
+      // 100 000 steps have keyframes at a distance of 256.
       expect(looksOf(timeline, step)).toBeLessThanOrEqual(256 + 1);
       expect(isPainted(timeline, step)).toBe(true);
     }
@@ -72,7 +72,7 @@ describe('a long way', { timeout: 20_000 }, () => {
 describe('a long run', async () => {
   const { header, timeline } = await traceOf(textWith(headerOf('warnock', 'windows'), fills));
 
-  it('is at any step what its last pixel says', () => {
+  it('has at any step the right last pixel', () => {
     for (let i = 0; i < 200; i++) {
       const step = 1 + ((i * 48_611) % length);
       const { picture } = canonical(timeline.seek(step), header, []) as {

@@ -13,18 +13,20 @@ import type { Uses } from './uses.js';
 const mostKeyframes = 512;
 const mostCells = 2 ** 25;
 const least = 64;
-/** Entries of a list that a keyframe may have for each step that it saves. */
+/** The list entries that a keyframe may have for each step that it saves. */
 const mostListed = 16;
-/** Steps that are gone through without a look at the clock. */
+/** The number of steps between two looks at the clock. */
 const stride = 2048;
-/** Bytes of lines on a way that takes so long that it is gone in strides. */
+/** The bytes of lines in a seek above which it is done in strides. */
 const far = 2 ** 22;
-/** The state this many bytes before a goal is kept if the way was twice as long: readers often go back a little. */
+/**
+ * The state this many bytes before a goal is kept if the seek was twice as long, because readers often go back a little.
+ */
 const near = 2 ** 17;
 
 /**
- * How many steps lie between the keyframes of a run: every other one goes when there are too many, or, since each may have its
- * own copy of the picture and of a list of all polygons, too large ones.
+ * The number of steps between the keyframes of a run. Every other keyframe is dropped when there are too many, or when they
+ * are too large: each may have its own copy of the picture and of a list of all polygons.
  */
 function spacing(length: number, { area: { width, height }, polygons }: Scene): number {
   const most = Math.max(1, Math.min(mostKeyframes, Math.floor(mostCells / (width * height))));
@@ -34,8 +36,8 @@ function spacing(length: number, { area: { width, height }, polygons }: Scene): 
 }
 
 /**
- * The states of a trace, which may grow at its end. A seek, either way, starts at where it is or at the keyframe
- * before its goal, and applies of the events from there those that matter at the goal.
+ * The states of a trace, which may grow at its end. A seek in either direction starts at the current state or at the
+ * keyframe before its goal, and applies the relevant events from there.
  */
 export class Timeline {
   private readonly state: State;
@@ -44,12 +46,12 @@ export class Timeline {
   readonly lines = new Lines(this.store);
   private readonly depthChanges: readonly number[];
   private readonly uses: Uses;
-  /** Those of the steps that the spacing divides, from 0 on, as far as anything has come yet. */
+  /** The keyframes at the multiples of the spacing, from 0 on, as far as the run was replayed. */
   private keyframes: Keyframe[];
   private every = least;
-  /** Before the goal of the last long way. */
+  /** A state before the goal of the last long seek. */
   private mark: Keyframe | null = null;
-  /** Goes long ways, while the state stays where it is. */
+  /** Carries out long seeks, while the current state stays. */
   private scout: State | null = null;
 
   constructor(private readonly header: Header) {
@@ -63,7 +65,7 @@ export class Timeline {
     return this.store.length;
   }
 
-  /** The numbers of the events' names, that of step n at n - 1: to go through a long run without its events. */
+  /** The numbers of the events' names, for passes over a long run without its events. That of step n is at n - 1. */
   get names(): Uint8Array {
     return this.store.names;
   }
@@ -72,17 +74,17 @@ export class Timeline {
     return this.store.event(step);
   }
 
-  /** The same, quick wherever in a long run the step is. */
+  /** The same, but quick for any step of a long run. */
   eventAlone(step: number): Event | null {
     return this.store.eventAlone(step);
   }
 
-  /** The text that the event of a step came as. */
+  /** The text of a step's event as it was read. */
   line(step: number): string {
     return this.store.line(step);
   }
 
-  /** The next lines of the trace. */
+  /** Adds the next lines of the trace. */
   append(block: Block): void {
     this.store.append(block);
     const every = spacing(this.length, this.header.scene);
@@ -102,8 +104,8 @@ export class Timeline {
   }
 
   /**
-   * Goes a part of the way to a step, for about so long, and says how many steps are left: after none a seek is quick. On the
-   * way keyframes are kept.
+   * Goes a part of the way to a step, for about this time, and returns the number of steps left. At 0 a seek is quick.
+   * Keeps keyframes on the way.
    */
   approach(step: number, milliseconds = Infinity): number {
     const start = this.startOf(step);
@@ -114,7 +116,7 @@ export class Timeline {
     const goal = store.stepAt(store.bytesBefore(step) - near);
     const scout = this.scoutAt(begin, goal, () => start ?? this.state.save());
     const end = performance.now() + milliseconds;
-    // In one leap most of what happened on a way is forgotten.
+    // A single leap skips most of the events on the way.
     if (bytes <= far) this.leap(scout, goal);
     while (scout.step < goal) {
       if (performance.now() >= end) return goal - scout.step;
@@ -124,7 +126,7 @@ export class Timeline {
     return 0;
   }
 
-  /** Keeps further keyframes, for about so long, and says whether there are all: then a seek is quick to any step. */
+  /** Keeps further keyframes, for about this time, and returns whether it has all. Then a seek to any step is quick. */
   ripen(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     while (this.next <= this.length) {
@@ -139,12 +141,12 @@ export class Timeline {
     return true;
   }
 
-  /** The step of the next keyframe to be kept. */
+  /** The step of the next keyframe to keep. */
   private get next(): number {
     return this.keyframes.length * this.every;
   }
 
-  /** What goes ahead, anywhere between two steps, else at a keyframe. */
+  /** The scout, where it is if that is between two steps, or else at a keyframe. */
   private scoutAt(begin: number, end: number, start: () => Keyframe): State {
     this.scout ??= new State(this.header);
     const { step } = this.scout;
@@ -160,7 +162,7 @@ export class Timeline {
     if (scout.step === next) this.keyframes.push(scout.save());
   }
 
-  /** What is kept of the steps up to a goal, as near to it as there is; null if the state itself is nearer. */
+  /** The nearest stored state before a goal; null if the current state is nearer. */
   private startOf(step: number): Keyframe | null {
     const { keyframes, mark, state } = this;
     const keyframe = keyframes[Math.min(Math.floor(step / this.every), keyframes.length - 1)];

@@ -2,7 +2,7 @@ import type { Header } from '../trace/header.js';
 import type { Complaint, Ending, News, Part, Shortened } from './read.js';
 import { Timeline } from './timeline.js';
 
-/** A file that is no trace. */
+/** A file that is not a trace. */
 export class Unreadable extends Error implements Complaint {
   readonly line: number;
   readonly refusal: Complaint['refusal'];
@@ -14,12 +14,12 @@ export class Unreadable extends Error implements Complaint {
   }
 }
 
-/** A trace that was read, or is being read: then it grows. */
+/** A trace that was read, or is being read and grows. */
 export class Trace {
   readonly timeline: Timeline;
   shortened: Shortened | null = null;
   complete = false;
-  /** How much of the file was read, from 0 to 1. */
+  /** The share of the file that was read, from 0 to 1. */
   read = 0;
 
   constructor(readonly header: Header) {
@@ -36,20 +36,20 @@ export class Trace {
     }
   }
 
-  /** Nobody waits for the rest. */
+  /** Stops waiting for the rest. */
   stop(): void {
     this.shortened = { why: 'stopped', line: this.timeline.length + 1 };
     this.complete = true;
   }
 
-  /** A line is wrong: the run ends before it. */
+  /** Ends the run before a wrong line. */
   breakOff({ line, refusal }: Complaint): void {
     this.shortened = { why: 'wrong', line, refusal };
     this.complete = true;
   }
 }
 
-/** Assembles what is reported of a file; what is wrong with it is an `Unreadable`. */
+/** Assembles a trace from the reports about a file; throws `Unreadable` for a complaint. */
 export function follow(trace: Trace | null, news: News): Trace | null {
   if (news.is === 'complaint') throw new Unreadable(news);
   if (news.is === 'header') return new Trace(news.header);
@@ -57,7 +57,7 @@ export function follow(trace: Trace | null, news: News): Trace | null {
   return trace;
 }
 
-/** The same, but a wrong line takes nothing away from the events before it. */
+/** The same, but a wrong line does not affect the events before it. */
 export function keep(trace: Trace | null, news: News): Trace | null {
   if (news.is !== 'complaint' || trace === null || trace.timeline.length === 0) {
     return follow(trace, news);

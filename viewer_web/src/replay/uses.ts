@@ -2,23 +2,23 @@ import { eventNames } from '../trace/events.js';
 import type { CommonEvents, EventName } from '../trace/events.js';
 
 /**
- * What an event does with the state before it, by the names of the state's fields. The stack of calls and the lines that
- * were drawn are followed apart.
+ * How an event uses the state before it, by the names of the state's fields. The call stack and the drawn lines are handled
+ * separately.
  */
 export interface Use {
-  /** Gets a new value, whatever the old one was. */
+  /** Fields with a new value that does not depend on the old one. */
   readonly sets?: readonly string[];
-  /** Gets a value that depends on the old one. */
+  /** Fields with a new value that depends on the old one. */
   readonly changes?: readonly string[];
-  /** Is looked at besides. */
+  /** Other fields that it reads. */
   readonly reads?: readonly string[];
-  /** It cannot always happen, and this decides besides its own values; else it can. */
+  /** Fields, besides its own, that determine whether it can happen. Without `needs` it can always happen. */
   readonly needs?: readonly string[];
 }
 
 export const nothing: Use = {};
 
-/** The events that all algorithms tell change nothing, as a rule. */
+/** Events that all algorithms have usually change nothing. */
 export const noneOfCommon: Readonly<Record<keyof CommonEvents, Use>> = {
   plane: nothing,
   call: nothing,
@@ -31,14 +31,14 @@ export const noneOfCommon: Readonly<Record<keyof CommonEvents, Use>> = {
 type Fields = number;
 const mostFields = 31;
 
-/** What the events of an algorithm do with its fields: for each number of an event's name sets of fields. */
+/** How the events of an algorithm use its fields: sets of fields for each number of an event's name. */
 export class Uses {
   readonly written: readonly Fields[];
   readonly set: readonly Fields[];
-  /** What must be right before the event. */
+  /** The fields that must be right before the event. */
   readonly needed: readonly Fields[];
   readonly everything: Fields;
-  /** Whether the event may be impossible, or decides in any way whether a later one is possible. */
+  /** Whether the event may be impossible, or influences whether a later one is possible. */
   readonly decisive: readonly boolean[];
 
   constructor(private readonly table: Readonly<Partial<Record<EventName, Use>>>) {
@@ -70,7 +70,7 @@ export class Uses {
     });
   }
 
-  /** All that an event has to do with. */
+  /** All fields that an event uses. */
   fieldsOf(name: EventName): readonly string[] {
     const { sets = [], changes = [], reads = [] } = this.table[name] ?? nothing;
     return [...sets, ...changes, ...reads];

@@ -1,7 +1,7 @@
 import { eventNames } from '../trace/events.js';
 import type { EventName } from '../trace/events.js';
 
-/** For each number of an event's name whether such events are wanted: a long run is gone through by these numbers. */
+/** For each number of an event's name, whether such events are wanted. Passes over a long run use these numbers. */
 export type Wanted = readonly boolean[];
 
 export const all: Wanted = eventNames.map(() => true);

@@ -6,7 +6,7 @@ import type { Block } from '../trace/store.js';
 import { writtenOf } from './block.js';
 import type { Written } from './block.js';
 
-/** As the library gives a trace: with the places of its lines but the first. */
+/** A trace in the form of the library: with the starts of all its lines except the first. */
 function written(text: string): Written {
   const starts = [...text.matchAll(/\n/g)].map(({ index }) => index + 1).slice(0, -1);
   const name = (start: number): EventName =>
@@ -18,7 +18,7 @@ function written(text: string): Written {
   });
 }
 
-/** The lines of a block, as they can be cut out of its bytes. */
+/** The lines of a block, cut out of its bytes. */
 function linesIn({ bytes, starts }: Block): readonly string[] {
   const decoder = new TextDecoder();
   const line = (start: number, i: number): string =>
@@ -31,7 +31,7 @@ describe.each(traceNames)('%s', (name) => {
   const lines = text.trimEnd().split('\n');
   const { header, blocks, end } = written(text);
 
-  it('has a first and a last line, and between them those of the events', () => {
+  it('has a first and a last line, with those of the events between them', () => {
     expect(header.trimEnd()).toBe(lines[0]);
     expect(blocks.flatMap(linesIn)).toEqual(lines.slice(1, -1));
     expect(end.trimEnd()).toBe(lines.at(-1));

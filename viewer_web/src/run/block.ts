@@ -1,7 +1,7 @@
 import type { Block } from '../trace/store.js';
 import type { MadeTrace } from './library.js';
 
-/** Bytes of a block: its text is made as a whole when one of its lines is asked for. */
+/** Bytes of a block. All its text is decoded when one of its lines is requested. */
 const size = 2 ** 16;
 
 export interface Written {

@@ -8,12 +8,12 @@ import type { Options } from './options.js';
 import { Tracer } from './tracer.js';
 import type { Traced } from './tracer.js';
 
-/** Milliseconds after which a check is given up for that of a newer run. */
+/** Milliseconds after which a check is cancelled in favour of a newer run. */
 const patience = 1000;
 const checking: Check = { is: 'checking' };
 const unable = (why: Unable, messages = ''): Check => ({ is: 'unable', why, messages });
 
-/** Checks runs that were not checked: makes each once more, by the library that the page brings along. */
+/** Checks runs that were not checked, by repeating each with the page's library. */
 export class Checks {
   private readonly tracer: Tracer;
   private readonly found = new WeakMap<Trace, Check>();
@@ -42,13 +42,13 @@ export class Checks {
     return this.found.get(trace) ?? toldCheck(trace);
   }
 
-  /** With the decisions worth looking at, once they are known. */
+  /** Adds the decisions worth looking at, once they are known. */
   private with(trace: Trace, check: Check): Check {
     const findings = this.findings.get(trace);
     return findings === undefined ? check : { ...check, findings };
   }
 
-  /** Checks a run that was read whole. Of those that wait only the newest is checked. */
+  /** Checks a run that is completely read. Only the newest of the waiting runs is checked. */
   ask(trace: Trace): void {
     if (trace.complete && !this.findings.has(trace)) this.finder.ask(trace);
     if (this.of(trace).is !== 'unchecked' || !trace.complete) return;

@@ -7,7 +7,7 @@ import { sceneText } from './sketch.js';
 import { Tracer } from './tracer.js';
 import type { Traced } from './tracer.js';
 
-/** The run with a short trace that paints what a method should. */
+/** The options of the run with the shortest trace that paints the right picture of a method. */
 const exactly = (method: Method): Options => ({
   method: referenceOf(method),
   edition: 'corrected',
@@ -26,11 +26,11 @@ interface Run {
 const isSame = (one: Run, other: Run | null): boolean =>
   one.scene === other?.scene && one.options.method === other.options.method;
 
-/** The exact picture of the scene that was last asked for, by the library that the page brings along. */
+/** The exact picture of the last requested scene, made by the page's library. */
 export class ExactPicture {
   private readonly tracer: Tracer | null;
   private asked: Asked | null = null;
-  /** The run that paints it: another trace may be of the same scene, too. */
+  /** The run that paints it. Other traces may have the same scene. */
   private wanted: Run | null = null;
   private running: Run | null = null;
   private picture: Exact = null;
@@ -43,7 +43,10 @@ export class ExactPicture {
     this.tracer = library && new Tracer(library, (traced) => this.take(traced), fail);
   }
 
-  /** What is known of the picture that a method should paint; what is not is asked for and told as a change. */
+  /**
+   * The right picture of a method, as far as it is known. An unknown one is requested, and its arrival is reported as a
+   * change.
+   */
   of(asked: Asked): Exact {
     if (this.tracer === null || this.isAsked(asked)) return this.picture;
     this.asked = asked;
@@ -56,7 +59,7 @@ export class ExactPicture {
     return this.picture;
   }
 
-  /** What can be said without asking: a scene has a picture until it was refused. */
+  /** The picture without a request. A scene is assumed to have one until the library refuses it. */
   unasked(asked: Asked): Exact {
     if (this.tracer === null || this.isAsked(asked)) return this.picture;
     return 'computing';

@@ -13,28 +13,28 @@ interface NamedRun {
   readonly edition: Edition;
 }
 
-/** What the library says of a failure; `trace/wasm/live.cpp` documents it. */
+/** The library's description of a failure; `trace/wasm/live.cpp` documents it. */
 interface Told {
   readonly title: Bilingual;
   readonly why: Bilingual;
   readonly remedy: Bilingual;
-  /** What is seen at the step. */
+  /** What is visible at the step. */
   readonly there: Bilingual;
   readonly source: string;
-  /** Null if no one step shows it. */
+  /** Null if no single step shows it. */
   readonly step: number | null;
   readonly pixel: readonly [number, number] | null;
   readonly fails: NamedRun;
   readonly holds: NamedRun;
 }
 
-/** A scene on which a run fails, as it can be shown. */
+/** A scene on which a run fails, ready to be shown. */
 export interface Failure extends Omit<Told, 'fails' | 'holds'> {
   /** The text of its scene. */
   readonly scene: string;
   readonly fails: Options;
   readonly holds: Options;
-  /** The scene of the run that holds, if that is another one. */
+  /** The scene of the correct run, if it is another one. */
   readonly holdsScene: string | null;
 }
 
@@ -55,7 +55,7 @@ function failureOf(text: string, made: string): Failure {
   };
 }
 
-/** Reads files of failures, and finds where each is seen, by the library that the page brings along. */
+/** Reads files of failures and finds the step where each one shows, with the page's library. */
 export class Failures {
   private readonly maker: Maker<'failure'>;
   private tell: ((found: Found) => void) | null = null;
@@ -70,7 +70,7 @@ export class Failures {
     );
   }
 
-  /** Never settles if another one is asked for meanwhile. */
+  /** Never settles if another search is started meanwhile. */
   find(text: string): Promise<Found> {
     this.text = text;
     return new Promise((tell) => {

@@ -10,11 +10,11 @@ it.each([
   ['{"title": {"polygons": 1}, "fails": {}}', 'failure'],
   ['{"format": "vidno-chart/1", "curves": []}', 'chart'],
   ['{"format":"vidno-trace/1","method":"warnock","scene":{"format":"vidno-scene/1"}}\n', 'trace'],
-  // The library says what is wrong with it, and where.
+  // The library reports the error and its place.
   ['{\n  "windw": {"x": 0},\n  "background": "white"\n}', 'scene'],
   ['{\n  "polygons": [\n    {"vertices" [[0', 'scene'],
   ['{"format":"vidno-scene/1","polygons":[', 'scene'],
-  // What never was a scene is told as before: line by line.
+  // A file that is not a scene is reported as a trace, line by line.
   ['{"e":"push","at":"W3"}\n{"e":"pop"}\n', 'trace'],
   ['hello', 'trace'],
   ['', 'trace'],

@@ -1,9 +1,9 @@
 import { textStream } from '../base/text-file.js';
 
-/** What a file is. A scene, of polygons or of curves, is what the library reads, and says what is wrong with it. */
+/** The kind of a file. The library reads scenes, of polygons or of curves, and reports their errors. */
 export type FileKind = 'scene' | 'failure' | 'chart' | 'trace';
 
-/** Enough of a text to see what it is. */
+/** The length of text that suffices to recognize a file. */
 const peek = 2 ** 16;
 
 const kinds: ReadonlyMap<string, FileKind> = new Map([
@@ -14,7 +14,7 @@ const kinds: ReadonlyMap<string, FileKind> = new Map([
   ['vidno-trace/1', 'trace'],
 ]);
 
-/** Keys that tell the kind of a file which does not say its format; `document_format` of the program has the same. */
+/** Keys that identify the kind of a file without a format; `document_format` of the program has the same. */
 const telling: ReadonlyMap<string, FileKind> = new Map([
   ['polygons', 'scene'],
   ['curves', 'scene'],
@@ -24,7 +24,7 @@ const telling: ReadonlyMap<string, FileKind> = new Map([
 
 const tokens = /"(?:[^"\\]|\\.)*"|[{}[\]:]/gsu;
 
-/** What the members of the outermost object say, up to where the text ends or is no JSON. */
+/** The kind by the members of the outermost object, up to where the text ends or is not JSON. */
 function saidIn(start: string): FileKind | null {
   let depth = 0;
   let key = '';
@@ -57,8 +57,8 @@ function isObject(text: string): boolean {
 }
 
 /**
- * What a text is, by its beginning. One that says nothing of itself is a trace if its first line could be a trace's, or if it
- * is no object at all.
+ * The kind of a text by its beginning. A text without identification is a trace if its first line could belong to one, or
+ * if it is not an object at all.
  */
 export function kindOf(start: string): FileKind {
   const said = saidIn(start);
@@ -84,7 +84,7 @@ async function startOf(file: Blob): Promise<string> {
       start += decoder.decode(value, { stream: true });
     }
   } catch {
-    // Broken gzip: whoever reads the whole file says so.
+    // Broken gzip is reported when the whole file is read.
   }
   reader.cancel().catch(() => undefined);
   return start.slice(0, peek);

@@ -5,10 +5,10 @@ import { Maker } from './maker.js';
 import { runs } from './options.js';
 import { sceneText } from './sketch.js';
 
-/** A run with more events is listed up to there. */
+/** Only this many events of a longer run are searched. */
 const mostEvents = 1_000_000;
 
-/** Lists the decisions of runs that are worth looking at, by the library that the page brings along: one run at a time. */
+/** Lists the decisions of runs that are worth looking at, with the page's library, one run at a time. */
 export class Finder {
   private readonly maker: Maker<'findings'>;
   private wanted: Trace | null = null;
@@ -26,7 +26,7 @@ export class Finder {
     );
   }
 
-  /** Of those that wait only the newest is listed. */
+  /** Lists the decisions of a run. Only the newest of the waiting runs is listed. */
   ask(trace: Trace): void {
     const { method, edition, kernel, detail, scene } = trace.header;
     const options = { method, edition, kernel, detail, check: true };

@@ -19,11 +19,11 @@ describe('a formula', () => {
     ['abs(-x) + sqrt(16) + atan2(0, 1) + sign(z)', 7],
     ['ln(exp(1)) + log(_e) + log10(100) + log2(8)', 7],
     ['cos(pi) + cos(_pi)', -2],
-  ])('%s has the value that muParser gives it', (text, value) => {
+  ])('%s has the same value as in muParser', (text, value) => {
     expect(at(text)).toBeCloseTo(value, 14);
   });
 
-  it('tells numbers apart by their last bit, as the program does', () => {
+  it('distinguishes numbers by their last bit, as the program does', () => {
     expect(at('x == 1 ? 1 : 0', 1 + Number.EPSILON)).toBe(0);
   });
 

@@ -16,10 +16,10 @@ import {
   unequalDependencies,
 } from 'mathjs/number';
 
-/** y of x and z. */
+/** y as a function of x and z. */
 export type HeightFunction = (x: number, z: number) => number;
 
-/** Why a formula is not taken: a reason, or what it is about, a colon, and a reason. */
+/** Why a formula is refused: a reason, possibly after its subject and a colon. */
 export class FormulaRefused extends Error {}
 
 const reader = create(
@@ -38,13 +38,13 @@ const reader = create(
     ...unaryMinusDependencies,
     ...unequalDependencies,
   },
-  // Numbers are equal if they are the same.
+  // Numbers are equal only if they are identical.
   { relTol: Number.MIN_VALUE, absTol: 0 },
 );
 
 type Values = (...values: number[]) => number;
 
-/** What muParser knows by the same name, each with how many numbers it takes. */
+/** The functions that muParser has under the same names, each with its number of arguments. */
 const known: Readonly<Record<string, readonly [count: number, of: Values]>> = {
   ...Object.fromEntries(
     (
@@ -58,7 +58,7 @@ const known: Readonly<Record<string, readonly [count: number, of: Values]>> = {
   atan2: [2, Math.atan2],
 };
 
-/** These take any number of them, one at least. */
+/** The functions of one or more arguments. */
 const ofMany: Readonly<Record<string, Values>> = {
   min: Math.min,
   max: Math.max,
@@ -74,7 +74,7 @@ interface Operator extends MathNode {
 
 const operators = ['+', '-', '*', '/', '^', '<', '>', '<=', '>=', '==', '!='];
 
-/** Each kind of node that a formula may be made of; what is wrong with it is thrown. */
+/** The checks of each kind of node in a formula; they throw errors. */
 const takes: Readonly<Record<string, (node: MathNode) => void>> = {
   ParenthesisNode: () => undefined,
   ConditionalNode: () => undefined,
@@ -117,7 +117,7 @@ function expectTaken(node: MathNode): void {
   else node.forEach(expectTaken);
 }
 
-/** Beyond these there is nothing that both readers of formulas know. */
+/** The characters that both parsers of formulas support. */
 const letters = /^[\w\s.+\-*/^()<>=!?:,]+$/;
 
 function parsed(text: string): MathNode {
@@ -132,8 +132,8 @@ function parsed(text: string): MathNode {
 }
 
 /**
- * The function that a text is. What it takes is what the program's muParser takes, too, and means the same: of muParser's
- * language without assignments, `&&`, `||`, `rint`, and its further constants. The last bits of sines and powers may differ.
+ * Parses a function. The program's muParser accepts the same texts, with the same meaning. muParser's assignments, `&&`,
+ * `||`, `rint` and further constants are not supported here. The last bits of sines and powers may differ.
  */
 export function heightFunction(text: string): HeightFunction {
   const node = parsed(text);

@@ -4,7 +4,7 @@ import type { Basics, LinesFound } from '../replay/instance.js';
 import { FormulaRefused, heightFunction } from './height-function.js';
 import type { HeightFunction } from './height-function.js';
 
-/** What vidno.wasm gives; `trace/wasm/live.cpp` documents it. */
+/** The exports of vidno.wasm; `trace/wasm/live.cpp` documents them. */
 interface Exports extends Basics {
   run(): number;
   map(): number;
@@ -17,7 +17,7 @@ interface Exports extends Basics {
   messages_size(): number;
 }
 
-/** A whole trace in bytes, and where its lines are. */
+/** A whole trace in bytes, and the positions of its lines. */
 export interface MadeTrace extends LinesFound {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
@@ -25,11 +25,11 @@ export interface MadeTrace extends LinesFound {
 export interface Outcome<T> {
   /** Null if the request was refused. */
   readonly made: T | null;
-  /** Why it was refused, or what there is to know about the scene: a line each. */
+  /** Why it was refused, or notes about the scene, one per line. */
   readonly messages: string;
 }
 
-/** Makes traces, with the same bytes as the program, and sign maps. */
+/** Makes traces, byte for byte those of the program, and sign maps. */
 export class Library {
   private readonly instance: Instance<Exports>;
   private height: HeightFunction = () => NaN;
@@ -53,7 +53,7 @@ export class Library {
     }));
   }
 
-  /** A character a place; see `live.cpp`. */
+  /** One character per place; see `live.cpp`. */
   map(request: string): Outcome<string> {
     const { map, made, made_size } = this.instance.exports;
     return this.outcome(request, map, () => this.instance.text(made(), made_size()));
@@ -65,13 +65,13 @@ export class Library {
     return this.outcome(request, findings, () => this.instance.text(made(), made_size()));
   }
 
-  /** Where a vertex may be moved to, `vidno-margin/1`. */
+  /** The region to which a vertex may be moved, `vidno-margin/1`. */
   margin(request: string): Outcome<string> {
     const { margin, made, made_size } = this.instance.exports;
     return this.outcome(request, margin, () => this.instance.text(made(), made_size()));
   }
 
-  /** What there is to say of a failure, as JSON; see `live.cpp`. */
+  /** The description of a failure as JSON; see `live.cpp`. */
   failure(request: string): Outcome<string> {
     const { failure, made, made_size } = this.instance.exports;
     return this.outcome(request, failure, () => this.instance.text(made(), made_size()));
@@ -85,7 +85,9 @@ export class Library {
     return { made: isMade ? take() : null, messages: instance.text(messages(), messages_size()) };
   }
 
-  /** Takes a function for the next surface, or writes why not; gives how many bytes that are. */
+  /**
+   * Parses a function for the next surface, or writes the reason for refusal. Returns the length of the reason in bytes.
+   */
   private take(text: string, reason: Uint8Array): number {
     try {
       this.height = heightFunction(text);

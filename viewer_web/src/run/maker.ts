@@ -5,10 +5,10 @@ import code from './worker.js?code';
 
 const startWorker = starterOf(code);
 
-/** Milliseconds after which what is made is given up for something newer. */
+/** Milliseconds after which work is cancelled in favour of a newer request. */
 const patience = 1000;
 
-/** The library that the page brings along, packed, as a block of data; null if it was built without. */
+/** The page's library, a packed block of data; null if the page was built without it. */
 export function embeddedLibrary(page: Document): Blob | null {
   const block = page.getElementById('vidno-library');
   return block && fileIn(block);
@@ -21,14 +21,14 @@ async function compiled(packed: Blob): Promise<WebAssembly.Module> {
 
 const modules = new WeakMap<Blob, Promise<WebAssembly.Module>>();
 
-/** The same for all who use the library: to compile it takes a while. */
+/** The compiled library, shared by all its users because compiling takes a while. */
 export function moduleOf(library: Blob): Promise<WebAssembly.Module> {
   const module = modules.get(library) ?? compiled(library);
   modules.set(library, module);
   return module;
 }
 
-/** Has the library make something in a worker, one at a time. Of the requests that wait only the newest is met. */
+/** Makes results in a worker with the library, one at a time. Only the newest of the waiting requests is served. */
 export class Maker<W extends What> {
   private worker: Worker | null = null;
   private turn = 0;
@@ -53,7 +53,7 @@ export class Maker<W extends What> {
     if (this.running === null) this.next();
   }
 
-  /** What is made and what waits is forgotten. */
+  /** Cancels the current and the waiting request. */
   forget(): void {
     this.waiting = null;
     if (this.running !== null) this.stop();

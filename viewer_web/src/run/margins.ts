@@ -5,7 +5,7 @@ import { Maker } from './maker.js';
 import { sceneText } from './sketch.js';
 import type { Spot } from './sketch.js';
 
-/** Finds where a vertex may be moved to so that no sign of a step changes, by the library that the page brings along. */
+/** Finds the region to which a vertex may be moved without changing a sign of a step, with the page's library. */
 export class Margins {
   private readonly maker: Maker<'margin'>;
   private wanted = '';
@@ -23,7 +23,7 @@ export class Margins {
     );
   }
 
-  /** Null while it is not known, and where the step has no such sign. Steps are those of level `signs`. */
+  /** Null while it is not known, and if the step has no such sign. Steps are those of level `signs`. */
   of({ header }: Trace, step: number, { polygon, vertex }: Spot): Margin | null {
     const { method, edition, kernel, detail, scene } = header;
     const id = scene.polygons[polygon]?.id;

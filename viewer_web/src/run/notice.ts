@@ -11,7 +11,7 @@ import type { Trace } from '../replay/trace.js';
 import { faultsOf, inWordsOf, whyRefused } from './refusal.js';
 import { emptySketch } from './sketch.js';
 
-/** What the page has to say about a file. */
+/** A notice about a file. */
 export type Notice =
   | { readonly kind: 'reading'; readonly name: string }
   | { readonly kind: 'growing'; readonly steps: number; readonly read: number }
@@ -21,13 +21,13 @@ export type Notice =
   | { readonly kind: 'failed'; readonly name: string; readonly error: unknown }
   | ({ readonly kind: 'shortened' } & Shortened);
 
-/** What is to be said of a trace that is shown, or being read. */
+/** The notice about a trace that is shown or being read. */
 export function noticeOf({ complete, shortened, timeline, read }: Trace): Notice | null {
   if (!complete) return { kind: 'growing', steps: timeline.length, read };
   return shortened && { kind: 'shortened', ...shortened };
 }
 
-/** What grows is not told each time. */
+/** Progress is not announced at each change. */
 const roles = {
   reading: 'status',
   growing: nothing,
@@ -38,7 +38,7 @@ const roles = {
   shortened: 'status',
 } as const;
 
-/** One line about the file that is being read, was refused, or is not whole. An event `stop` asks to read no more of it. */
+/** One line about a file that is being read, was refused, or is incomplete. An event `stop` asks to stop reading it. */
 @customElement('vidno-notice')
 export class NoticeElement extends LitElement {
   static override styles = [base, noticeStyle];
@@ -53,7 +53,7 @@ export class NoticeElement extends LitElement {
       ${notice.kind === 'refused' ? this.faults(notice.messages) : nothing} ${this.stopOf(notice)}`;
   }
 
-  /** More than one thing that is wrong with a file. */
+  /** A list of several errors in a file. */
   private faults(messages: string): TemplateResult | typeof nothing {
     const all = faultsOf(messages);
     if (all.length < 2) return nothing;

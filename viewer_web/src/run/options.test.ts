@@ -8,7 +8,7 @@ import { optionsOf, wordOf } from './packed.js';
 const missing = (given: Partial<Options>): readonly string[] =>
   kernels.filter((kernel) => !runs({ ...usual, ...given, kernel }));
 
-it('leaves out the kernels that have no Z-buffer, and those that never err, of the printed text', () => {
+it('leaves out, for the printed text, kernels without a Z-buffer and those that are always right', () => {
   expect(kernels).toEqual(
     expect.arrayContaining(['float', 'bits:12', 'depth:8', 'grid:4', 'exact']),
   );
@@ -40,7 +40,7 @@ it('runs a usual mistake in the methods that can make it, in double and exact nu
   expect(methodsOf('octants-not-split')).toEqual(['warnock-angles']);
 });
 
-it('offers the editions that a method has', () => {
+it('offers the editions of a method', () => {
   const names = Object.fromEntries(editions.map((edition) => [edition, edition]));
   const offered = (method: Options['method']): readonly string[] =>
     Object.keys(
@@ -75,7 +75,7 @@ it('keeps a usual mistake, in double numbers, while the method can make it', () 
   });
 });
 
-it('offers single defects of the printed text where they are chosen', () => {
+it('offers single defects of the printed text if they are chosen', () => {
   const names = Object.fromEntries(editions.map((edition) => [edition, edition]));
   const edition = 'printed:x-w2+x-w4';
   const offered = offeredNames(
@@ -85,7 +85,7 @@ it('offers single defects of the printed text where they are chosen', () => {
   expect(offered[edition]).toBe('printed: X-W2, X-W4');
 });
 
-it('runs single defects where the text runs as printed, in the methods that have them', () => {
+it('runs single defects under the kernels of the printed text, in the methods that have them', () => {
   expect(missing({ edition: 'printed:x-w2+x-w4' })).toEqual(missing({ edition: 'printed' }));
   expect(missing({ method: 'zbuffer', edition: 'printed:x-w2' })).toEqual(kernels);
   expect(missing({ method: 'zbuffer', edition: 'printed:x-w6+x-z5' })).not.toContain('depth:8');
@@ -93,7 +93,7 @@ it('runs single defects where the text runs as printed, in the methods that have
   expect(runnable({ ...usual, edition: 'printed:x-z5' }).edition).toBe('corrected');
 });
 
-it('brings single defects through an address', () => {
+it('keeps single defects in an address', () => {
   const broken: Options = { ...usual, edition: 'printed:x-w2+x-w4', kernel: 'float' };
   expect(optionsOf(wordOf(broken))).toEqual(broken);
   for (const none of ['printed:', 'printed:x-w2+', 'printed:one-list', 'printed:x-z8']) {
@@ -101,7 +101,7 @@ it('brings single defects through an address', () => {
   }
 });
 
-it('comes through an address', () => {
+it('is kept in an address', () => {
   const mistaken: Options = { ...usual, edition: 'surround-kept', kernel: 'exact', check: true };
   expect(optionsOf(wordOf(mistaken))).toEqual(mistaken);
   expect(optionsOf('zbuffer.surround-kept.exact.signs.check')).toEqual({
@@ -112,7 +112,7 @@ it('comes through an address', () => {
   expect(optionsOf('warnock.of-somebody.exact.signs.check').edition).toBe('corrected');
 });
 
-it('runs no printed text of a variant', () => {
+it('has no printed text of a variant', () => {
   expect(missing({ method: 'warnock-full' })).toEqual(['depth:8', 'depth:16']);
   expect(missing({ method: 'warnock-full', edition: 'printed' })).toEqual(kernels);
   const asked = { ...usual, method: 'warnock-full', edition: 'printed', check: true } as const;
@@ -124,7 +124,7 @@ it('runs no printed text of a variant', () => {
   expect(runnable({ ...asked, kernel: 'depth:8' }).kernel).toBe('double');
 });
 
-it('goes back to double where the kernel does not run', () => {
+it('falls back to double if the kernel does not run', () => {
   expect(runnable({ ...usual, kernel: 'filtered', edition: 'printed' }).kernel).toBe('double');
   expect(runnable({ ...usual, kernel: 'exact', edition: 'printed' }).kernel).toBe('exact');
 });

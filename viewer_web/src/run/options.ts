@@ -4,13 +4,13 @@ import { editionName } from '../language/family-texts.js';
 import type { Edition, NamedEdition } from '../trace/editions.js';
 import type { Detail, Method } from '../trace/events.js';
 
-/** How a scene is run. */
+/** The settings for running a scene. */
 export interface Options {
   readonly method: Method;
   readonly edition: Edition;
   readonly kernel: string;
   readonly detail: Detail;
-  /** Whether every decision is held against exact arithmetic. */
+  /** Whether every decision is compared with exact arithmetic. */
   readonly check: boolean;
 }
 
@@ -22,11 +22,11 @@ export const usual: Options = {
   check: false,
 };
 
-/** The editions of a method's text that have a name of their own. */
+/** The named editions of a method. */
 export const editionsOf = (method: Method): readonly NamedEdition[] =>
   editions.filter((edition) => kernelsOf(method)[edition] !== undefined);
 
-/** Of the editions' names those that a method has, and that of the one that is chosen. */
+/** The names of the editions that a method has, including the current one. */
 export function offeredNames(
   { method, edition: chosen }: Pick<Options, 'method' | 'edition'>,
   names: Readonly<Record<NamedEdition, string>>,
@@ -35,7 +35,7 @@ export function offeredNames(
   return Object.fromEntries([...offered].map((edition) => [edition, editionName(names, edition)]));
 }
 
-/** Of the methods' names those that draw a scene of polygons, or one of curves. */
+/** The names of the methods that draw a scene of polygons, or of those that draw curves. */
 export function methodNames(
   names: Readonly<Record<Method, string>>,
   { method }: Pick<Options, 'method'>,
@@ -49,7 +49,7 @@ export function runs({ method, edition, kernel }: Omit<Options, 'detail' | 'chec
   return runsUnder(method, edition, kernel);
 }
 
-/** The nearest to some options that can be run: the kernel gives way, and an edition that the method does not have. */
+/** The nearest options that can be run. They get another kernel, and another edition if the method does not have it. */
 export function runnable(options: Options): Options {
   if (runs(options)) return options;
   const plainly = { ...options, kernel: usual.kernel };

@@ -6,7 +6,7 @@ import type { Detail, Method } from '../trace/events.js';
 import { runnable, usual } from './options.js';
 import type { Options } from './options.js';
 
-/** Longer addresses are cut by some programs that pass them on. */
+/** The longest text in an address: some programs truncate longer addresses. */
 const longestPacked = 16_000;
 /** A few bytes may unpack to very many. */
 const longestText = 1_000_000;
@@ -15,7 +15,7 @@ function through(bytes: Blob, stream: GenericTransformStream): ReadableStream<Ui
   return bytes.stream().pipeThrough<Uint8Array>(stream);
 }
 
-/** A text in the letters of an address; null if it would be too long for one. */
+/** A text packed into characters of an address; null if it is too long for one. */
 export async function packed(text: string): Promise<string | null> {
   const stream = through(new Blob([text]), new CompressionStream('deflate-raw'));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
@@ -23,18 +23,18 @@ export async function packed(text: string): Promise<string | null> {
   return toBase64Url(bytes);
 }
 
-/** What was packed; throws if it was not, or if it is too long. */
+/** The unpacked text. Throws if the characters are not a packed text, or it is too long. */
 export async function unpacked(letters: string): Promise<string> {
   const bytes = new Blob([fromBase64(letters)]);
   return boundedText(through(bytes, new DecompressionStream('deflate-raw')), longestText);
 }
 
-/** How a scene is run, as it stands in an address: "warnock.corrected.double.signs", perhaps with ".check". */
+/** The settings of a run as an address has them: "warnock.corrected.double.signs", possibly with ".check". */
 export function wordOf({ method, edition, kernel, detail, check }: Options): string {
   return [method, edition, kernel, detail, ...(check ? ['check'] : [])].join('.');
 }
 
-/** What is missing or unknown is as usual. */
+/** Missing or unknown parts get the usual values. */
 export function optionsOf(word: string): Options {
   const [method = '', edition = '', kernel = usual.kernel, detail = '', check] = word.split('.');
   return runnable({

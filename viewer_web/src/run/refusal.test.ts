@@ -32,7 +32,7 @@ it.each([
   expect(refusalOf(message, drawn)).toEqual({ polygon, reason });
 });
 
-it('is said in the language of the page, with what it is about', () => {
+it('is given in the language of the page, with its subject', () => {
   const said = whyRefused('scene: /function: rint: no such function', drawn, texts.ru.scene);
   expect(said).toBe('Формула: rint: такой функции нет');
   const message = 'scene: /function: not finite at x = 0, z = 0.5';
@@ -42,7 +42,7 @@ it('is said in the language of the page, with what it is about', () => {
   ]);
 });
 
-it('tells each fault of a file with its place', () => {
+it('gives each error of a file with its place', () => {
   const faults = faultsOf(
     'scene: line 3, column 14: /polygons/0/color: not a string\n' +
       'scene: line 7, column 5: /polygons/1: "vertices" is missing\n' +

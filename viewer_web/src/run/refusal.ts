@@ -2,12 +2,12 @@ import type { SceneTexts } from '../language/scene-texts.js';
 import type { Sketch } from './sketch.js';
 
 export interface SceneRefusal {
-  /** The polygon that is at fault, if it is one. */
+  /** The polygon at fault, if it is one. */
   readonly polygon: string | null;
   readonly reason: string;
 }
 
-/** A fault of a file: where it is in the text, if that is known, and in the document. */
+/** An error in a file: its position in the text, if known, and its place in the document. */
 export interface Fault {
   readonly line: number | null;
   readonly column: number | null;
@@ -15,7 +15,7 @@ export interface Fault {
   readonly reason: string;
 }
 
-/** What the library says of a file that it does not take, a line each. */
+/** The library's messages about a file that it refuses, one per line. */
 export function faultsOf(messages: string): readonly Fault[] {
   return messages
     .split('\n')
@@ -30,19 +30,19 @@ export function faultsOf(messages: string): readonly Fault[] {
     });
 }
 
-/** The same in words: where, and what. */
+/** The same in words: place and reason. */
 export function inWordsOf({ line, column, place, reason }: Fault, say: SceneTexts): string {
   const where = line === null || column === null ? [] : [say.at(line, column)];
   return [...where, ...(place === '' ? [] : [place]), inWords(reason, say)].join(': ');
 }
 
-/** Without the name of another polygon. */
+/** The reason without the name of another polygon. */
 const impersonal = (reason: string): string =>
   reason.replace(/ of polygon .* before it/su, ' of another one before it');
 
 /**
- * What the library says first of a sketch that it does not take, "scene: line 1, column 60: /polygons/0/vertices: not convex", or
- * that the method does not, "scene: polygon A has no area". A sketch has no lines.
+ * The library's first reason for refusing a sketch, "scene: line 1, column 60: /polygons/0/vertices: not convex", or the
+ * method's, "scene: polygon A has no area". A sketch has no lines.
  */
 export function refusalOf(messages: string, { polygons }: Sketch): SceneRefusal {
   const [fault] = faultsOf(messages);
@@ -62,7 +62,7 @@ export function whyRefused(message: string, sketch: Sketch, say: SceneTexts): st
   return say.refused(polygon, inWords(reason, say));
 }
 
-/** What is wrong with the function of a surface, perhaps with the place where it is. */
+/** The error in the function of a surface, possibly with its position. */
 function ofFormula(reason: string, say: SceneTexts): string {
   const [, x, z] = /^not finite at x = (\S+), z = (\S+)$/u.exec(reason) ?? [];
   return x === undefined || z === undefined
@@ -70,7 +70,7 @@ function ofFormula(reason: string, say: SceneTexts): string {
     : say.notFiniteAt(Number(x), Number(z));
 }
 
-/** A reason may say first what it is about: "rint: no such function". */
+/** A reason may begin with its subject: "rint: no such function". */
 function inWords(reason: string, { reasons, missing }: SceneTexts): string {
   const [, lacking] = /^"([^"]+)" is missing$/u.exec(reason) ?? [];
   if (lacking !== undefined) return missing(lacking);

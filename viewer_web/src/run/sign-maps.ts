@@ -4,7 +4,7 @@ import { side } from '../exactness/places.js';
 import { SignMap } from '../exactness/sign-map.js';
 import { Maker } from './maker.js';
 
-/** Asks a kernel and exact arithmetic the same decision at all its places, by the library that the page brings along. */
+/** Computes the same decision at all its places under a kernel and in exact arithmetic, with the page's library. */
 export class SignMaps {
   private readonly maker: Maker<'map'>;
   private tell: (map: SignMap | null) => void = () => undefined;
@@ -18,7 +18,7 @@ export class SignMaps {
     );
   }
 
-  /** Null if there is no map under this kernel, or if another was asked for meanwhile. */
+  /** Null if the kernel has no map, or if another one was requested meanwhile. */
   of(decision: MappedDecision, kernel: string): Promise<SignMap | null> {
     this.tell(null);
     return new Promise((tell) => {

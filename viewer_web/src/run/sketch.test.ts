@@ -36,13 +36,13 @@ describe('a corner that is moved', () => {
     expect(verticesOf(moved)[3]).toEqual([-1, 2, 0.5]); // z = y / 4
   });
 
-  it('takes the others with it if it is one of the first three', () => {
+  it('changes the others if it is one of the first three', () => {
     // The plane through (0, 0, 0), (4, 0, 0), (4, 2, 1) is z = y / 2.
     const moved = sketch.moveVertex(drawing(square), { polygon: 0, vertex: 2 }, 4, 2);
     expect(verticesOf(moved)[3]).toEqual([0, 4, 2]);
   });
 
-  it('leaves the other polygons the same objects', () => {
+  it('keeps the objects of the other polygons', () => {
     const before = drawing(square, triangle);
     const after = sketch.moveVertex(before, { polygon: 0, vertex: 0 }, 1, 1);
     expect(after.polygons[1]).toBe(before.polygons[1]);
@@ -51,8 +51,8 @@ describe('a corner that is moved', () => {
 });
 
 describe('a depth that is set', () => {
-  it('tilts the plane, and the corners that have none of their own follow', () => {
-    // Through (0, 0, 0), (4, 0, 1/2), (4, 4, 1): z = x / 8 + y / 8, at (0, 4) 1/2.
+  it('tilts the plane, and the corners without a depth of their own follow', () => {
+    // Through (0, 0, 0), (4, 0, 1/2), (4, 4, 1): z = x / 8 + y / 8, which is 1/2 at (0, 4).
     const tilted = sketch.setDepth(drawing(square), { polygon: 0, vertex: 1 }, 0.5);
     expect(verticesOf(tilted)[3]).toEqual([0, 4, 0.5]);
   });
@@ -96,7 +96,7 @@ describe('the corners with a depth of their own', () => {
 });
 
 describe('corners', () => {
-  it('are put in the middle of an edge, also of the last', () => {
+  it('are added in the middle of an edge, including the last one', () => {
     const split = sketch.splitEdge(drawing(square), { polygon: 0, vertex: 3 });
     expect(verticesOf(split)[4]).toEqual([0, 2, 0.5]);
   });
@@ -109,13 +109,13 @@ describe('corners', () => {
 });
 
 describe('polygons', () => {
-  it('get the first letter that is free', () => {
+  it('get the first free letter', () => {
     const two = sketch.rename(drawing(triangle, triangle), 0, 'C');
     expect(ids(two)).toBe('CB');
     expect(ids(sketch.addPolygon(sketch.addPolygon(two, square), square))).toBe('CBAD');
   });
 
-  it('have colours of their own as long as the palette has any', () => {
+  it('have different colours as long as the palette has any left', () => {
     const taken = ['#0072b2', '#d55e00'].map((color, i) => ({
       id: String(i),
       color,
@@ -126,7 +126,7 @@ describe('polygons', () => {
     expect(added.polygons.map(({ color }) => color)).toEqual(['#0072b2', '#d55e00', '#56b4e9']);
   });
 
-  it('keep their names apart', () => {
+  it('keep their names distinct', () => {
     const two = drawing(triangle, triangle);
     expect(sketch.rename(two, 0, 'B')).toBe(two);
     expect(sketch.rename(two, 0, '')).toBe(two);

@@ -4,8 +4,8 @@ import { surfaceText } from './surface.js';
 import type { Formula } from './surface.js';
 
 /**
- * A scene that is being drawn. Each change gives another; what did not change is shared. Curves may be given by a function:
- * then what stands for them here is from before it was changed.
+ * A scene that is being drawn. Each change makes a new one, which shares the unchanged parts. If a function gives the
+ * curves, `curves` are from before the last change.
  */
 export interface Sketch extends Omit<Scene, 'byId'> {
   readonly formula?: Formula;
@@ -13,7 +13,7 @@ export interface Sketch extends Omit<Scene, 'byId'> {
 
 export type Vertex = Polygon['vertices'][number];
 
-/** A vertex of a sketch, by places in its lists. */
+/** A vertex of a sketch, by the indices of its polygon and of the vertex. */
 export interface Spot {
   readonly polygon: number;
   readonly vertex: number;
@@ -34,7 +34,7 @@ export function sceneText(sketch: Sketch): string {
   return JSON.stringify({ format: 'vidno-scene/1', name, window: area, background, polygons });
 }
 
-/** The same for people: a polygon a line, or a curve. */
+/** The same for people: one polygon or curve per line. */
 export function sceneFile(sketch: Sketch): string {
   if (sketch.curves !== null) return `${surfaceText(sketch).replaceAll(']],[[', ']],\n [[')}\n`;
   const { polygons, ...rest } = JSON.parse(sceneText(sketch)) as { polygons: unknown[] };
@@ -88,7 +88,7 @@ export function setDepth(sketch: Sketch, { polygon, vertex }: Spot, z: number): 
   });
 }
 
-/** Puts a vertex in the middle of the edge that begins at one. */
+/** Adds a vertex in the middle of the edge that begins at a vertex. */
 export function splitEdge(sketch: Sketch, { polygon, vertex }: Spot): Sketch {
   return withPolygon(sketch, polygon, (old) => {
     const from = old.vertices[vertex];
@@ -99,7 +99,7 @@ export function splitEdge(sketch: Sketch, { polygon, vertex }: Spot): Sketch {
   });
 }
 
-/** A polygon keeps three vertices. */
+/** Removes a vertex; a polygon keeps at least three. */
 export function removeVertex(sketch: Sketch, { polygon, vertex }: Spot): Sketch {
   return withPolygon(sketch, polygon, (old) =>
     old.vertices.length > 3 ? withVertices(old, replaced(old.vertices, vertex)) : old,
@@ -114,7 +114,7 @@ export function addPolygon(sketch: Sketch, vertices: readonly Vertex[]): Sketch 
   };
 }
 
-/** The palette's next colour that nothing in the scene has yet; its next one if all are taken. */
+/** The next colour of the palette that nothing in the scene has yet; the palette's next one if all are taken. */
 function freeColor({ polygons, background }: Sketch): string {
   const taken = new Set([background, ...polygons.map(({ color }) => color)]);
   const next = polygons.length % palette.length;
@@ -126,7 +126,7 @@ export function removePolygon(sketch: Sketch, polygon: number): Sketch {
   return { ...sketch, polygons: replaced(sketch.polygons, polygon) };
 }
 
-/** Exchanges a polygon with the one before it, or after it: among equal depths the first wins. */
+/** Exchanges a polygon with the previous or next one; at equal depths the first one wins. */
 export function reorder(sketch: Sketch, polygon: number, by: -1 | 1): Sketch {
   const [one, other] = [sketch.polygons[polygon], sketch.polygons[polygon + by]];
   if (one === undefined || other === undefined) return sketch;
@@ -155,8 +155,8 @@ function freeId({ polygons }: Sketch): string {
 }
 
 /**
- * A polygon must be plane. The first three vertices that are not in line on the screen have depths of their own;
- * those of the others follow.
+ * A polygon must be plane. The first three vertices that are not collinear on the screen have depths of their own; those of
+ * the others follow.
  */
 export function flattened(vertices: readonly Vertex[]): readonly Vertex[] {
   const own = anchors(vertices);
@@ -172,7 +172,7 @@ export function flattened(vertices: readonly Vertex[]): readonly Vertex[] {
   });
 }
 
-/** The places of the vertices whose depths are their own; null if all vertices are in line. */
+/** The indices of the vertices with depths of their own; null if all vertices are collinear. */
 export function anchors(vertices: readonly Vertex[]): readonly number[] | null {
   const [a, b] = vertices;
   const other = vertices.findIndex((each) => a && (each[0] !== a[0] || each[1] !== a[1]));

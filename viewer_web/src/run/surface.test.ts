@@ -32,13 +32,13 @@ describe('a surface that is made', () => {
     expect(formulaOf(sceneText(sampled))).toBeUndefined();
   });
 
-  it('is told from other files wherever its format stands', () => {
+  it('is distinguished from other files, wherever its format is stated', () => {
     expect(isSurface('{"window":{"x":0},"format":"vidno-surface/1"}')).toBe(true);
     expect(isSurface('{"scene":{"format":"vidno-surface/1"}}')).toBe(false);
     expect(isSurface('vidno-surface/1')).toBe(false);
   });
 
-  it('has no function any more once a sample was moved', () => {
+  it('has no function after a sample was moved', () => {
     const wave = firstSurface('A wave');
     const moved = moveSample(wave, curves, { curve: 0, sample: 1 }, ([, y]) => y + 1);
     expect(moved.formula).toBeUndefined();

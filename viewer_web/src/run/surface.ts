@@ -4,7 +4,7 @@ import type { Sketch } from './sketch.js';
 
 type Pair = readonly [number, number];
 
-/** A surface y = f(x, z), and how curves are cut out of it and seen: what `vidno-surface/1` has of a function. */
+/** A surface y = f(x, z), and how its curves are cut and seen: the members of a function in `vidno-surface/1`. */
 export interface Formula {
   readonly function: string;
   readonly x: Pair;
@@ -20,7 +20,7 @@ export interface Formula {
   };
 }
 
-/** A sample of a sketch, by places in its lists. */
+/** A sample of a sketch, by the indices of its curve and of the sample. */
 export interface SampleSpot {
   readonly curve: number;
   readonly sample: number;
@@ -28,13 +28,13 @@ export interface SampleSpot {
 
 const format = 'vidno-surface/1';
 
-/** The file of a surface, on one line: of the function, if it is given by one, else of the samples. */
+/** The file of a surface on one line: with the function if there is one, or else with the samples. */
 export function surfaceText({ name, area, curves, formula }: Sketch): string {
   const begun = { format, name, window: area };
   return JSON.stringify(formula === undefined ? { ...begun, curves } : { ...begun, ...formula });
 }
 
-/** The members of a file that is an object. */
+/** The members of a file; null if it is not an object. */
 function membersOf(text: string): Readonly<Record<string, unknown>> | null {
   try {
     const file: unknown = JSON.parse(text);
@@ -44,34 +44,34 @@ function membersOf(text: string): Readonly<Record<string, unknown>> | null {
   }
 }
 
-/** Whether a text is the file of a surface, which need not say so. */
+/** Whether a text is the file of a surface, even without a format. */
 export function isSurface(text: string): boolean {
   const file = membersOf(text);
   if (file === null) return false;
   return 'format' in file ? file['format'] === format : 'curves' in file || 'function' in file;
 }
 
-/** The function of a surface's file that a run was made of; none if it has samples. */
+/** The function in a surface's file; undefined if the file has samples. */
 export function formulaOf(text: string): Formula | undefined {
   if (!isSurface(text)) return undefined;
   const file = JSON.parse(text) as Partial<Formula>;
   return 'function' in file ? onlyFormula(file as Formula) : undefined;
 }
 
-/** Without whatever else stands in its file. */
+/** Drops the other members of its file. */
 function onlyFormula(of: Omit<Formula, 'tolerance'> & { tolerance?: number | undefined }): Formula {
   const { function: text, x, z, curves, samples, tolerance, view } = of;
   const formula = { function: text, x, z, curves, samples, view };
   return tolerance === undefined ? formula : { ...formula, tolerance };
 }
 
-/** The curves that a sketch has now: its own, or of a function those of the run that is shown. */
+/** The current curves of a sketch: its own, or for a function those of the current run. */
 const curvesNow = ({ formula, curves }: Sketch, shown: readonly Curve[]): readonly Curve[] =>
   formula === undefined && curves !== null ? curves : shown;
 
 /**
- * Moves a sample up or down, to where `to` says from where it is; its column stays. Of a surface that was given as a
- * function the samples that it came to remain: they are those of the run that is shown.
+ * Moves a sample up or down to the height that `to` computes; its column stays. A surface given as a function is replaced
+ * by its samples, those of the current run.
  */
 export function moveSample(
   sketch: Sketch,
@@ -102,14 +102,14 @@ export function withFormula(sketch: Sketch, change: Partial<Formula>): Sketch {
   return formula === undefined ? sketch : { ...sketch, formula: { ...formula, ...change } };
 }
 
-/** The same without samples where the curve bends, as many as are asked for and no more. */
+/** The same without extra samples where the curve bends, with exactly the requested number. */
 export function withoutTolerance(sketch: Sketch): Sketch {
   const { formula } = sketch;
   if (formula?.tolerance === undefined) return sketch;
   return { ...sketch, formula: onlyFormula({ ...formula, tolerance: undefined }) };
 }
 
-/** A function to begin with, seen in an area of this size: a wave. */
+/** An initial function for an area of this size: a wave. */
 export function firstFormula({ area: { x, y, width, height } }: Sketch): Formula {
   const part = (of: number, by: number): number => Math.round(of * by);
   const curves = 21;
@@ -132,7 +132,7 @@ export function firstFormula({ area: { x, y, width, height } }: Sketch): Formula
   };
 }
 
-/** A surface to begin with. */
+/** An initial surface. */
 export function firstSurface(name: string): Sketch {
   const area = { x: 0, y: 0, width: 160, height: 120 };
   const sketch = { name, area, background: '#ffffff', polygons: [], curves: [] };

@@ -8,14 +8,14 @@ import type { Makes } from './worker.js';
 /** A longer run is partial: the page shows its beginning. */
 const mostEvents = 1_000_000;
 
-/** What came of a run. */
+/** The result of a run. */
 export interface Traced {
-  /** None if the scene or the way to run it was refused. */
+  /** Null if the scene or the options were refused. */
   readonly trace: Trace | null;
   readonly messages: string;
 }
 
-/** Runs scenes, one at a time. Of those that wait only the newest is run. */
+/** Runs scenes, one at a time. Only the newest of the waiting scenes is run. */
 export class Tracer {
   private readonly maker: Maker<'trace'>;
 
@@ -33,7 +33,7 @@ export class Tracer {
     this.maker.ask(`${JSON.stringify({ ...options, most_events: most })}\n${file}`);
   }
 
-  /** What runs and what waits is forgotten. */
+  /** Cancels the current and the waiting run. */
   forget(): void {
     this.maker.forget();
   }

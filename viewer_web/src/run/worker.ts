@@ -7,7 +7,7 @@ import { writtenOf } from './block.js';
 import { Library } from './library.js';
 import type { MadeTrace, Outcome } from './library.js';
 
-/** What the library makes for the page. */
+/** The results that the library makes for the page. */
 export interface Makes {
   readonly trace: {
     readonly header: Header;
@@ -21,15 +21,15 @@ export interface Makes {
 }
 export type What = keyof Makes;
 
-/** What the page asks for: at first the library, then what it makes. */
+/** The page's requests: first the library, then results. */
 export type Order =
   | { readonly library: WebAssembly.Module }
   | { readonly turn: number; readonly what: What; readonly request: string };
 
-/** What was made, whole; or why there is nothing. */
+/** A complete result, or the reason why there is none. */
 export type Answer<W extends What> = Outcome<Makes[W]> & { readonly turn: number };
 
-/** What of the global scope a worker has and a page has not. */
+/** The part of a worker's global scope that a page's scope does not have. */
 interface Scope {
   onmessage: ((message: MessageEvent<Order>) => void) | null;
   postMessage(answer: Answer<What>, transfer: readonly Transferable[]): void;
@@ -58,7 +58,7 @@ scope.onmessage = ({ data }) => {
     return;
   }
   const { made, messages } = library.run(request);
-  // The bytes, which all blocks share, are given away and not copied.
+  // The bytes, which all blocks share, are transferred and not copied.
   const given = made === null ? [] : [made.bytes.buffer];
   scope.postMessage({ turn, messages, made: made && read(made) }, given);
 };

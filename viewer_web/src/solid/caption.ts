@@ -4,7 +4,7 @@ import type { View } from '../algorithm/view.js';
 import type { SolidTexts } from '../language/solid-texts.js';
 import type { Space } from './space.js';
 
-/** What the box shows, in words: first what never changes in a scene, then what the step shows. */
+/** A description of the box: first what never changes in a scene, then what the step shows. */
 export function caption(view: View, space: Space, texts: SolidTexts): readonly string[] {
   const [far, near] = space.depths.map(numbersOf(view).short);
   const depths = texts.depths(far ?? '', near ?? '');

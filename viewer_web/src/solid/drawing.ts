@@ -4,28 +4,28 @@ import type { Box } from '../trace/values.js';
 import { around } from './plane.js';
 import type { Space, Spot } from './space.js';
 
-/** A line through places, with the look that the picture's style sheet gives to these classes. */
+/** A line through places, with the look of these classes in the picture's style sheet. */
 export interface Line {
   readonly look: string;
   readonly points: readonly Spot[];
   readonly closed: boolean;
-  /** Instead of the look's own. */
+  /** Replaces the look's own colour. */
   readonly color?: string;
 }
 
-/** Something flat that one sees through; of a colour of its own, or glass. */
+/** A transparent plane figure, of a colour of its own or of glass. */
 export interface Face {
   readonly points: readonly Spot[];
   readonly color?: string;
 }
 
-/** A text, and to which side of its place it stands: left or right, above or below. */
+/** A text, and the side of its place on which it is: left or right, above or below. */
 export interface Label {
   readonly text: string;
   readonly at: Spot;
   readonly side: readonly [across: -1 | 0 | 1, down: -1 | 0 | 1];
   readonly strong?: boolean;
-  /** What one points at with it; see `pointed.ts`. */
+  /** The thing to point at with it; see `pointed.ts`. */
   readonly thing?: string;
 }
 
@@ -34,7 +34,7 @@ export interface Dot {
   readonly at: Spot;
 }
 
-/** What is drawn in the box beside the polygons. */
+/** The content of the box besides the polygons. */
 export interface Drawing {
   readonly faces: readonly Face[];
   readonly lines: readonly Line[];
@@ -44,7 +44,7 @@ export interface Drawing {
 
 export const noDrawing: Drawing = { faces: [], lines: [], dots: [], labels: [] };
 
-/** All of them in one, those above later. */
+/** Several drawings in one; later ones are on top. */
 export function together(...all: readonly Partial<Drawing>[]): Drawing {
   return {
     faces: all.flatMap(({ faces = [] }) => faces),
@@ -54,13 +54,13 @@ export function together(...all: readonly Partial<Drawing>[]): Drawing {
   };
 }
 
-/** A line and what is around it, so that it shows on any colour. */
+/** A line with a casing, so that it is visible on any colour. */
 export function cased(role: Role, points: readonly Spot[], closed = true, color?: string): Line[] {
   const line: Line = { look: role, points, closed };
   return [{ ...line, look: `casing ${role}` }, color === undefined ? line : { ...line, color }];
 }
 
-/** The polygon in hand. */
+/** The current polygon. */
 export const activeDrawing = (polygon: Polygon | undefined): Partial<Drawing> =>
   polygon ? { lines: cased('active', polygon.vertices, true, polygon.color) } : {};
 
@@ -105,7 +105,7 @@ export const along = (
     false,
   );
 
-/** The same in the box; what has no place there is left out. */
+/** The drawing in coordinates of the box, without parts that have no place there. */
 export function placed({ faces, lines, dots, labels }: Drawing, space: Space): Drawing {
   const path = <T extends { readonly points: readonly Spot[] }>(each: T): readonly T[] => {
     const points = each.points.map((at) => space.place(at));

@@ -2,7 +2,7 @@ import { BufferGeometry, Color, Float32BufferAttribute } from 'three';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { Face, Line } from './drawing.js';
 
-/** Of what has no colour of its own. */
+/** The colour of faces without a colour of their own. */
 const glass = '#7c8798';
 
 /** Convex faces as triangles, each in its colour. */
@@ -24,7 +24,7 @@ export function facesOf(faces: readonly Face[]): BufferGeometry {
     .setAttribute('color', new Float32BufferAttribute(colors, 3));
 }
 
-/** Lines as segments, each in its colour or else in that of their look. */
+/** Lines as segments, each in its colour or else in that of its look. */
 export function segmentsOf(lines: readonly Line[], look: string): LineSegmentsGeometry {
   const positions: number[] = [];
   const colors: number[] = [];

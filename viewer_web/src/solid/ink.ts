@@ -6,11 +6,11 @@ import type { Line } from './drawing.js';
 import { segmentsOf } from './geometry.js';
 import { order } from './order.js';
 
-/** As in technical drawing, what is hidden is dashed; CSS pixels. */
+/** The dashes of hidden lines, as in technical drawing; CSS pixels. */
 const hiddenDash = [3, 4] as const;
 const hiddenOpacity = 0.45;
 
-/** Of these only what is seen is drawn: casings, and lines so many or so faint that the hidden ones would disturb. */
+/** The looks without hidden lines: casings, and lines so numerous or faint that hidden ones would be confusing. */
 const onlySeen = /casing|many|grid/;
 
 interface Look {
@@ -19,13 +19,16 @@ interface Look {
   readonly hidden: LineMaterial | null;
 }
 
-/** Lines on the stage, with the looks of the style sheet. Materials are kept: to make one takes a program of the card. */
+/**
+ * Lines on the stage, with the looks of the style sheet. Materials are cached, because each one compiles a program for the
+ * graphics card.
+ */
 export class Ink {
   private readonly looks = new Map<string, Look>();
 
   constructor(private readonly host: Element) {}
 
-  /** What draws lines, those of one look together. */
+  /** The objects that draw lines, one for each look. */
   lines(lines: readonly Line[]): readonly LineSegments2[] {
     const groups = new Map<string, Line[]>();
     for (const line of lines) {
@@ -36,7 +39,7 @@ export class Ink {
     return [...groups].flatMap(([look, group]) => this.group(look, group));
   }
 
-  /** How many CSS pixels a unit is: dashes keep their length on the page. */
+  /** Sets the CSS pixels per unit, so that dashes keep their length on the page. */
   scale(scale: number): void {
     for (const material of this.materials) material.dashScale = scale;
   }
@@ -70,7 +73,7 @@ export class Ink {
     const dash = values.get('stroke-dasharray')?.split(' ').map(Number) ?? null;
     const look: Look = {
       color: this.resolved(values.get('stroke') ?? '#10131c'),
-      // What is pointed at lights up wherever it is.
+      // A pointed line is visible even behind other things.
       seen: Object.assign(material(width, opacity, dash), { depthTest: !name.includes('pointed') }),
       hidden: onlySeen.test(name) ? null : hidden(Math.min(width, 1.5), opacity * hiddenOpacity),
     };
@@ -78,7 +81,7 @@ export class Ink {
     return look;
   }
 
-  /** A variable of the style sheet by its value. */
+  /** The value of a variable of the style sheet. */
   private resolved(color: string): string {
     const [, name] = /^var\((.*)\)$/.exec(color) ?? [];
     return name === undefined ? color : getComputedStyle(this.host).getPropertyValue(name).trim();
@@ -92,7 +95,7 @@ function material(
 ): LineMaterial {
   const made = new LineMaterial({
     vertexColors: true,
-    // What is mirrored, as y is, would be seen from behind.
+    // y is mirrored, so single-sided faces would be seen from behind.
     side: DoubleSide,
     forceSinglePass: true,
     linewidth,

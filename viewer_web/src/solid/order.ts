@@ -1,4 +1,4 @@
-/** In which order things are drawn over one another: all faces, what is hidden of lines, and lines on their casings. */
+/** The drawing order: all faces, hidden lines, and visible lines on their casings. */
 export const order = {
   wall: 0,
   behind: 1,

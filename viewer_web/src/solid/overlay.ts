@@ -11,12 +11,12 @@ import type { Turn } from './turn.js';
 
 /** CSS pixels. */
 const textSize = 11.5;
-/** Width of a letter of the fixed-width type, as a part of its size. */
+/** The width of a letter of the monospaced font, as a share of its size. */
 const letter = 0.61;
 /** CSS pixels between a point and its label. */
 const apart = 8;
 
-/** A label as it is seen: where its middle stands, and its size. */
+/** A label in the view: its centre and size. */
 export interface Text {
   readonly label: Label;
   readonly x: number;
@@ -24,7 +24,7 @@ export interface Text {
   readonly size: number;
 }
 
-/** Labels beside their points: elsewhere near it where there is no room, or another label. */
+/** Labels beside their points, or elsewhere near them if there is no room. */
 export function textsOf(labels: readonly Label[], turn: Turn, frame: Frame): readonly Text[] {
   const texts: Text[] = [];
   for (const label of labels) {
@@ -37,7 +37,7 @@ export function textsOf(labels: readonly Label[], turn: Turn, frame: Frame): rea
   return texts;
 }
 
-/** Where a label may stand, best first; one in the middle of its point stands there only. */
+/** The possible places of a label, the best one first. A label centred on its point has only that place. */
 function placesOf(label: Label, turn: Turn, frame: Frame): readonly Text[] {
   const size = textSize / frame.scale;
   const [u, v] = seen(turn, label.at);
@@ -60,17 +60,17 @@ function isIn(text: Text, { shown: [left, top, width, height] }: Frame): boolean
   return isAcross && y - size / 2 >= top && y + size / 2 <= top + height;
 }
 
-/** Lines one under the other do not. */
+/** Whether two texts overlap; adjacent lines do not. */
 function doOverlap(a: Text, b: Text): boolean {
   const isBeside = Math.abs(a.x - b.x) >= halfOf(a) + halfOf(b);
   return !isBeside && Math.abs(a.y - b.y) < 0.99 * a.size;
 }
 
-/** Dots are over all else, hidden or not. */
+/** Dots are over everything else, even if hidden. */
 export const dotShapes = (dots: readonly Dot[], turn: Turn, { scale }: Frame): readonly Shape[] =>
   dots.flatMap(({ role, at }) => shapesOf({ kind: 'point', role, at: seen(turn, at) }, scale));
 
-/** All lines, hidden or not: what is drawn where there is no WebGL. */
+/** All lines, hidden or not, for browsers without WebGL. */
 export const wires = (lines: readonly Line[], turn: Turn): readonly Shape[] =>
   lines.map(({ look, points, closed, color }) => ({
     look,
@@ -81,7 +81,7 @@ export const wires = (lines: readonly Line[], turn: Turn): readonly Shape[] =>
     ...(color === undefined ? {} : { color }),
   }));
 
-/** Outlines without a look, wide enough to be pointed at. */
+/** Invisible outlines, wide enough to point at. */
 export function outlinesToPoint({ polygons }: Scene, space: Space, turn: Turn): readonly Shape[] {
   if (polygons.length > many) return [];
   return polygons.map(({ id, vertices }) => ({

@@ -13,7 +13,7 @@ const polygon = (...vertices: Polygon['vertices']): Polygon => ({
 const triangle = polygon([2, 2, -0.375], [6, 2.5, -0.09375], [2.5, 6, -0.09375]);
 
 describe('the plane of a polygon', () => {
-  it('has a depth at each corner of the window, beyond the polygon too', () => {
+  it('has a depth at each corner of the window, even outside the polygon', () => {
     const plane = planeOf(triangle);
     expect([plane(0, 0), plane(0, 16), plane(16, 0), plane(16, 16)]).toEqual([
       -0.625, // -3/8 - 4/16
@@ -23,7 +23,7 @@ describe('the plane of a polygon', () => {
     ]);
   });
 
-  it('is the same whichever way round the polygon goes', () => {
+  it('is the same for both directions of the polygon', () => {
     const [a, b, c] = triangle.vertices;
     if (!a || !b || !c) throw new Error('no triangle');
     expect(planeOf(polygon(c, b, a))(16, 16)).toBe(1.375);
@@ -34,10 +34,10 @@ describe('the plane of a polygon', () => {
   });
 });
 
-describe('what of a plane lies over a window', () => {
+describe('the part of a plane over a window', () => {
   const slope = (x: number): number => x / 2;
 
-  it('is the whole where its depths are in the box', () => {
+  it('is the whole if its depths are in the box', () => {
     expect(patchOf(slope, [0, 0, 4, 2], [0, 2])).toEqual([
       [0, 0, 0],
       [4, 0, 2],
@@ -55,7 +55,7 @@ describe('what of a plane lies over a window', () => {
     expect(patch).toHaveLength(4);
   });
 
-  it('is nothing where the plane is before or behind the box', () => {
+  it('is empty if the plane is before or behind the box', () => {
     expect(patchOf(slope, [0, 0, 4, 2], [3, 4])).toEqual([]);
   });
 });
@@ -66,7 +66,7 @@ describe('an outline', () => {
     [4, 2.25, true], // the middle of the upper edge
     [2, 2, true],
     [5, 5, false],
-  ])('holds (%s, %s): %s', (x, y, inside) => {
+  ])('contains (%s, %s): %s', (x, y, inside) => {
     expect(holds(triangle, x, y)).toBe(inside);
   });
 });

@@ -3,7 +3,7 @@ import type { Plane } from '../trace/plane.js';
 import type { Box } from '../trace/values.js';
 import type { Spot } from './space.js';
 
-/** A rectangle's corners, going round. */
+/** The corners of a rectangle in order around it. */
 export const around = ([x, y, width, height]: Box): readonly (readonly [number, number])[] => [
   [x, y],
   [x + width, y],
@@ -11,7 +11,7 @@ export const around = ([x, y, width, height]: Box): readonly (readonly [number, 
   [x, y + height],
 ];
 
-/** What of a plane lies over a window between two depths. */
+/** The part of a plane over a window and between two depths. */
 export function patchOf(plane: Plane, window: Box, [far, near]: readonly [number, number]): Spot[] {
   const whole = around(window).map(([x, y]): Spot => [x, y, plane(x, y)]);
   return cut(
@@ -20,7 +20,7 @@ export function patchOf(plane: Plane, window: Box, [far, near]: readonly [number
   );
 }
 
-/** The part of an outline whose depths are inside: there a value that changes evenly is not negative. */
+/** The part of an outline in which a linear function of the depth is not negative. */
 function cut(outline: readonly Spot[], inside: (z: number) => number): Spot[] {
   return outline.flatMap((to, i) => {
     const from = outline.at(i - 1) ?? to;
@@ -36,7 +36,7 @@ const between = (from: Spot, to: Spot, part: number): Spot => [
   from[2] + (to[2] - from[2]) * part,
 ];
 
-/** Whether a convex outline holds a point of the plane; its own points belong to it. */
+/** Whether a convex outline contains a point of the plane; boundary points count as inside. */
 export function holds({ vertices }: Polygon, x: number, y: number): boolean {
   const sides = vertices.map(([x0, y0], i) => {
     const [x1, y1] = vertices[(i + 1) % vertices.length] ?? [x0, y0];

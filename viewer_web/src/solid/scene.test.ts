@@ -9,7 +9,10 @@ import { caption } from './caption.js';
 import { stepDrawing } from './scene.js';
 import { Space } from './space.js';
 
-/** The last step of a run of these events on the 8 x 8 scene, whose squares lie at 1/2: the box is from 3/8 to 5/8. */
+/**
+ * The last step of a run of these events on the 8 x 8 scene, whose squares have the depth 1/2: the box extends from 3/8 to
+ * 5/8.
+ */
 async function after(method: Method, ...events: readonly Event[]): Promise<View> {
   const trace = await traceOf(textWith(headerOf(method), events));
   return viewOf(trace, events.length, { language: 'en', pixel: null, pointed: null });
@@ -44,7 +47,7 @@ describe('the current window', () => {
     const view = await after('warnock', push, window);
     const drawing = stepDrawing(view, spaceOf(view));
     const frames = drawing.lines.filter(({ look, closed }) => look === 'window' && closed);
-    // x from 4 to 8 and y from 0 to 4 are 0 to 4 and -4 to 0 from the middle; the box is 4.8 deep.
+    // Relative to the middle, x from 4 to 8 is 0 to 4 and y from 0 to 4 is -4 to 0. The box is 4.8 deep.
     expect(
       frames.map(({ points }) => points.map(([x, y, z]) => [x, y, Number(z.toFixed(9))])),
     ).toEqual(
@@ -61,14 +64,14 @@ describe('the current window', () => {
 });
 
 describe('the corners of the window', () => {
-  it('have the depths stored so far, at first far away', async () => {
+  it('have the depths stored so far, initially at the far end', async () => {
     const view = await after('warnock', push, window, corners);
     const { dots, labels } = stepDrawing(view, spaceOf(view));
     expect(labels.map(({ text }) => text)).toEqual(['lb −∞', 'lt −∞', 'rb −∞', 'rt −∞']);
     for (const { at } of dots) expect(at[2]).toBeCloseTo(-2.4);
   });
 
-  it('have those of the plane of the polygon in hand as they are computed', async () => {
+  it('have those of the current polygon’s plane as they are computed', async () => {
     const view = await after('warnock', push, window, corners, ...four.slice(0, 2));
     const { dots, labels, lines } = stepDrawing(view, spaceOf(view));
     expect(labels.map(({ text }) => text)).toEqual([
@@ -79,16 +82,16 @@ describe('the corners of the window', () => {
       'rb −∞',
       'rt −∞',
     ]);
-    // 0.4 is 0.1 behind the middle, at 19.2 pixels to a unit.
+    // 0.4 is 0.1 behind the middle, at 19.2 pixels per unit.
     expect(dots[3]?.at[2]).toBeCloseTo(-1.92);
-    // The plane over the window, dashed in the colour of A.
+    // The plane over the window is dashed, in the colour of A.
     expect(lines.find(({ look }) => look === 'clip')?.color).toBe('#112233');
     expect(words(view)).toContain('On the plane of A: lb 0.5, lt 0.4.');
     const russian = caption({ ...view, language: 'ru' }, spaceOf(view), texts.ru.solid);
     expect(russian).toContain('На плоскости A: lb 0,5; lt 0,4.');
   });
 
-  it('say which is nearer when that is decided', async () => {
+  it('show which is nearer when that is decided', async () => {
     const view = await after('warnock', push, window, corners, ...four, compare);
     const { dots, labels } = stepDrawing(view, spaceOf(view));
     expect(dots.map(({ role }) => role)).toEqual(
@@ -98,7 +101,7 @@ describe('the corners of the window', () => {
     expect(labels.filter(({ strong }) => strong).map(({ text }) => text)).toEqual(['rb 0.6']);
   });
 
-  it('show what the nearer depths replace at the step that copies them', async () => {
+  it('show the replaced depths at the step that copies the nearer ones', async () => {
     const nearer: Event = { e: 'nearer', at: 'PW6', polygon: 'A', corners: ['rb'], k: 1 };
     const view = await after('warnock', push, window, corners, ...four, nearer);
     expect(words(view)).toContain('Nearest so far at its corners: lb −∞, lt −∞, rb −∞, rt −∞.');
@@ -117,12 +120,12 @@ describe('the corners of the window', () => {
 });
 
 describe('PointColor', () => {
-  it('has a line through the middle of the window, and where it meets polygons', async () => {
+  it('has a line through the middle of the window, and its intersections with polygons', async () => {
     const call: Event = { e: 'call', at: 'W9', of: 'PointColor' };
     const told: Event = { e: 'depth', at: 'PC3', polygon: 'A', point: [6, 2], z: 0.5 };
     const view = await after('warnock', push, window, call, told);
     const { dots, labels } = stepDrawing(view, spaceOf(view));
-    // (6, 2) is 2 right of the middle and 2 above; 1/2 is in the middle of the depths.
+    // (6, 2) is 2 to the right of the middle and 2 above it; 1/2 is the middle depth.
     expect(dots).toEqual([{ role: 'point', at: [2, -2, 0] }]);
     expect(labels.map(({ text }) => text)).toEqual(['A 0.5']);
     expect(words(view)).toContain('On the line through (6, 2): A 0.5.');
@@ -153,11 +156,11 @@ describe('the Z-buffer', () => {
     expect(words(view)).toContain('Row 2: the plane along z. Active edges: 3, 1.');
   });
 
-  it('has the span in space while ShowLine runs', async () => {
+  it('has the span in 3D while ShowLine runs', async () => {
     const view = await after('zbuffer', ...begun, show);
     const [span] = stepDrawing(view, spaceOf(view)).lines.filter(({ look }) => look === 'side');
     const ends = span?.points.map((at) => at.map((each) => Number(each.toFixed(9))));
-    // 0.6 is 0.1 before the middle.
+    // 0.6 is 0.1 in front of the middle.
     expect(ends).toEqual([
       [-4, -1.5, 0],
       [4, -1.5, 1.92],
@@ -165,7 +168,7 @@ describe('the Z-buffer', () => {
     expect(words(view)).toContain('Line (x, z): from (0, 0.5) to (8, 0.6).');
   });
 
-  it('has the pixel in hand as a column, with the stored depth and the new one', async () => {
+  it('has the current pixel as a column, with the stored depth and the new one', async () => {
     const pixel: Event = { e: 'pixel', at: 'L6', x: 0, y: 2, z: 0.5, stored: '-inf', shown: true };
     const view = await after('zbuffer', ...begun, show, pixel);
     const { dots, labels } = stepDrawing(view, spaceOf(view));
@@ -178,7 +181,7 @@ describe('the Z-buffer', () => {
   });
 });
 
-describe('what has no place', () => {
+describe('a part without a place', () => {
   it('is left out', async () => {
     const view = await after('warnock', push, window, corners, depth(4, 0, 'nan'));
     expect(stepDrawing(view, spaceOf(view)).dots).toHaveLength(4);

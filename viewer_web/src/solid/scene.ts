@@ -11,10 +11,13 @@ import { planeOf } from '../trace/plane.js';
 import { around } from './plane.js';
 import type { Space } from './space.js';
 
-/** Pixels along a side up to which the picture's grid is drawn. */
+/** The largest side in pixels for which the picture's grid is drawn. */
 const mostGrid = 64;
 
-/** What does not change from step to step: polygons and their names, the box, the grid of pixels at its far end. */
+/**
+ * The part that does not change from step to step: polygons and their names, the box, and the grid of pixels at its far
+ * end.
+ */
 export function stillDrawing({ header: { scene } }: View, space: Space): Drawing {
   const isCrowded = scene.polygons.length > many;
   return placed(
@@ -30,7 +33,7 @@ export function stillDrawing({ header: { scene } }: View, space: Space): Drawing
   );
 }
 
-/** What a step adds. */
+/** The part that a step adds. */
 export function stepDrawing(view: View, space: Space): Drawing {
   return placed(
     together(
@@ -73,7 +76,7 @@ function boxLines({ x, y, width, height }: Area, { far, near }: Space): readonly
   ];
 }
 
-/** Where the picture has them, on the planes of the polygons. */
+/** The names at the same places as in the picture, on the planes of the polygons. */
 function names(scene: Scene): Drawing['labels'] {
   const spots = labelsOf(scene, new Frame(scene.area, { width: 1, height: 1 }));
   return spots.flatMap(({ text, of = '', at: [x, y] }) => {
@@ -84,7 +87,7 @@ function names(scene: Scene): Drawing['labels'] {
   });
 }
 
-/** What is pointed at anywhere on the page. */
+/** The thing that is pointed at anywhere on the page. */
 function pointedDrawing(view: View, space: Space): Partial<Drawing> {
   const thing = thingOf(view.pointed, view);
   const { header } = view;

@@ -9,7 +9,7 @@ import { hiddenStyle } from '../elements/hidden.style.js';
 import './solid-stage.js';
 import { base } from '../elements/theme.js';
 
-/** The scene in 3D, and in words what of the step it shows. */
+/** The 3D view, with a description of the step. */
 @customElement('vidno-solid')
 export class SolidElement extends LitElement {
   static override styles = [
@@ -50,7 +50,7 @@ export class SolidElement extends LitElement {
   ];
 
   @property({ attribute: false }) view!: View;
-  /** In a hall the words are only to be heard. */
+  /** In a presentation the description is for screen readers only. */
   @property({ type: Boolean }) bare = false;
   private space!: Space;
 

@@ -25,14 +25,14 @@ import { Stage } from './stage.js';
 import { extent, isSame, turned, viewNames, views } from './turn.js';
 import type { Turn, ViewName } from './turn.js';
 
-/** Degrees to a CSS pixel that is dragged, and to a key. */
+/** Degrees per CSS pixel of a drag, and per key press. */
 const degrees = { pixel: 0.5, key: 5 };
-/** CSS pixels to a key. */
+/** CSS pixels per key press. */
 const way = 40;
-/** How much larger a key or a button makes what is shown. */
+/** The zoom factor of a key or a button. */
 const zoomStep = 1.5;
 
-/** The box with the scene in it, drawn only when something about it changes. It can be turned, enlarged and moved. */
+/** The box with the scene in it, drawn only when something about it changes. It can be turned, zoomed and moved. */
 @customElement('vidno-solid-stage')
 export class SolidStageElement extends LitElement {
   static override styles = [base, hiddenStyle, marksStyle, pictureStyle, solidStyle];
@@ -103,7 +103,7 @@ export class SolidStageElement extends LitElement {
     this.zoom = this.frame.moved(dx, dy).zoom;
   }
 
-  /** Arrow keys do what dragging that way does. */
+  /** Arrow keys have the same effect as dragging in their direction. */
   private keys(shift: boolean): Actions {
     const drag = (across: number, down: number) => (): void => {
       if (shift) this.moveBy(across * way, down * way);
@@ -126,7 +126,7 @@ export class SolidStageElement extends LitElement {
     this.zoom = null;
   }
 
-  /** A press of the mouse must not take the focus: arrow keys would no longer be steps. */
+  /** A mouse press must not take the focus, because arrow keys would no longer be steps. */
   private readonly keepFocus = (event: Event): void => event.preventDefault();
 
   override render(): TemplateResult {

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** The scene in 3D: over what the picture has. */
+/** The looks of the 3D view, in addition to those of the picture. */
 export const solidStyle = css`
   :host {
     container-type: inline-size;

@@ -6,22 +6,22 @@ import { around } from './plane.js';
 /** A place in the scene: x and y as in the plane, y downward, and the depth z, toward the viewer. */
 export type Spot = readonly [x: number, y: number, z: number];
 
-/** How deep the box is, as a part of the area's longer side. */
+/** The depth of the box, as a share of the area's longer side. */
 export const depthOfBox = 0.6;
-/** What is left before and behind all depths, as a part of what lies between. */
+/** The margin before and behind all depths, as a share of their range. */
 const margin = 0.08;
-/** Depths that the box spans even if the scene is flat. */
+/** The least range of depths, even if the scene is flat. */
 const least = 0.25;
 
 /**
- * The box that the scene in 3D stands in: the area, and along z the depths of the scene and those of its planes at the
- * corners of the area, but no more than once more the scene's own to either side. What is beyond is put at its end.
+ * The box of the 3D scene: the area, and along z the depths of the scene and of its planes at the corners of the area.
+ * These planes extend the scene's own range at most by itself on either side. Anything beyond is put at the end of the box.
  */
 export class Space {
   readonly area: Area;
   readonly far: number;
   readonly near: number;
-  /** Pixels of the plane to a unit of depth. */
+  /** Pixels of the plane per unit of depth. */
   readonly scale: number;
 
   constructor(scene: Scene) {
@@ -44,7 +44,7 @@ export class Space {
     return [area.width, area.height, (near - far) * scale];
   }
 
-  /** Where something stands, from the middle of the box, in pixels of the plane. */
+  /** A place in the scene, relative to the middle of the box, in pixels of the plane. */
   place([x, y, z]: Spot): Spot {
     const { area, near, far, scale } = this;
     const depth = Math.min(Math.max(z, far), near);

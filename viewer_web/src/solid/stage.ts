@@ -20,12 +20,12 @@ import { toViewer, upward } from './turn.js';
 import type { Turn } from './turn.js';
 import { Wall } from './wall.js';
 
-/** How much lines are before the faces they lie in. */
+/** The distance of lines in front of the faces in which they lie. */
 const offset = { polygonOffset: true, polygonOffsetFactor: 3, polygonOffsetUnits: 3 };
 
 const see = { vertexColors: true, side: DoubleSide, forceSinglePass: true, transparent: true };
 
-/** What the graphics card draws: polygons, faces and lines; the y of all that is drawn is downward. */
+/** The objects that the graphics card draws: polygons, faces and lines. All have y downward. */
 export class Stage {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
@@ -36,11 +36,11 @@ export class Stage {
   private step = new Group();
   private fitted = '';
   private readonly materials = {
-    /** All faces faintly, whatever is before them, */
+    /** First all faces faintly, whatever is in front of them, */
     behind: new MeshBasicMaterial({ ...see, opacity: 0.3, depthWrite: false }),
-    /** then the depths of the nearest, */
+    /** then the depths of the nearest faces, */
     depth: new MeshBasicMaterial({ ...see, ...offset, colorWrite: false }),
-    /** then these alone: so polygons that pierce each other look right. */
+    /** then only these: so polygons that pierce each other are drawn correctly. */
     front: new MeshBasicMaterial({ ...see, ...offset, opacity: 0.72, depthFunc: LessEqualDepth }),
     glass: new MeshBasicMaterial({ ...see, opacity: 0.22, depthWrite: false }),
   };
@@ -56,15 +56,15 @@ export class Stage {
     this.scene.add(this.wall.mesh, this.still, this.step);
   }
 
-  /** None where there is no WebGL. */
+  /** Null without WebGL. */
   static on(host: Element): Stage | null {
     const canvas = document.createElement('canvas');
-    // What is drawn is kept: a printer takes it as it is, and would find nothing of what is drawn just before.
+    // The drawing buffer is preserved, because a printer takes the canvas as it is, and would find it empty.
     const context = canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true });
     return context && new Stage(canvas, context, host);
   }
 
-  /** The polygons, and what else stays as it is from step to step. */
+  /** Sets the polygons, and everything else that does not change from step to step. */
   setStill(drawing: Drawing, space: Space): void {
     const { materials } = this;
     const geometry = facesOf(drawing.faces);
@@ -100,7 +100,7 @@ export class Stage {
     renderer.render(this.scene, camera);
   }
 
-  /** A canvas of another size is a new one to the card. */
+  /** For the graphics card a canvas of another size is a new one. */
   private fit({ width, height }: Size, ratio: number): void {
     const now = `${width} ${height} ${ratio}`;
     if (now === this.fitted) return;

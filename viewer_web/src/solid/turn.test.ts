@@ -11,18 +11,18 @@ describe('a place in the box', () => {
     near(seen(views.front, [3, 2, 1]), [3, 2]);
   });
 
-  it('is seen from the side the further to the right, the nearer it is', () => {
+  it('appears from the side farther to the right, the nearer it is', () => {
     near(seen(views.side, [3, 2, 1]), [1, 2]);
   });
 
-  it('is seen from above the lower, the nearer it is', () => {
+  it('appears from above lower, the nearer it is', () => {
     near(seen({ right: 0, above: 90 }, [3, 2, 1]), [3, 1]);
   });
 
-  it('is seen by the camera where the names of the points stand', () => {
+  it('appears to the camera at the place of its label', () => {
     const turn: Turn = { right: -35, above: 25 };
     const [up, out] = [upward(turn), toViewer(turn)];
-    // What is to the right of it: upward x toward the viewer.
+    // The viewer's right: the cross product of upward and towards the viewer.
     const right = [
       up[1] * out[2] - up[2] * out[1],
       up[2] * out[0] - up[0] * out[2],
@@ -40,7 +40,7 @@ describe('the viewer', () => {
     expect(turned(views.front, { right: 100, above: -100 })).toEqual({ right: 90, above: -90 });
   });
 
-  it('sees of the box what is wide and high from there, and room for labels', () => {
+  it('sees the width and height of the box from there, with room for labels', () => {
     // 10 x 8, 6 deep: from the front 10 x 8, from the side 6 x 8, each with 3 % of half the longer side around.
     const front = extent(views.front, [10, 8, 6]);
     near([front.width, front.height], [10 + 0.3, 8 + 0.3]);

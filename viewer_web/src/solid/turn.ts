@@ -2,13 +2,16 @@ import type { Point } from '../picture/frame.js';
 import type { Area } from '../trace/header.js';
 import type { Spot } from './space.js';
 
-/** From where the box is seen, in degrees: how far to the right and how far above its front the viewer stands. */
+/**
+ * The direction from which the box is seen, in degrees: how far to the right of its front, and how far above it, the viewer
+ * is.
+ */
 export interface Turn {
   readonly right: number;
   readonly above: number;
 }
 
-/** Ways to look at it; from the front it looks like the picture. */
+/** The predefined views; the front view looks like the picture. */
 export const views = {
   front: { right: 0, above: 0 },
   side: { right: -90, above: 0 },
@@ -17,7 +20,7 @@ export const views = {
 export type ViewName = keyof typeof views;
 export const viewNames = Object.keys(views) as readonly ViewName[];
 
-/** The viewer never goes behind: there left would be right. */
+/** The viewer never goes behind the box: from there left would be right. */
 const limited = (degrees: number): number => Math.min(Math.max(degrees, -90), 90);
 
 export const turned = ({ right, above }: Turn, by: Turn): Turn => ({
@@ -32,7 +35,7 @@ const sineAndCosine = (degrees: number): readonly [number, number] => {
   return [Math.sin(angle), Math.cos(angle)];
 };
 
-/** Where a place in the box is seen, y downward, from the middle: without perspective, so that what is parallel stays so. */
+/** The position of a place of the box in the view, y downward, relative to the middle. The projection is parallel. */
 export function seen({ right, above }: Turn, [x, y, z]: Spot): Point {
   const [sr, cr] = sineAndCosine(right);
   const [sa, ca] = sineAndCosine(above);
@@ -46,17 +49,17 @@ export function toViewer({ right, above }: Turn): Spot {
   return [sr * ca, sa, cr * ca];
 }
 
-/** The upward direction of what is seen, y upward. */
+/** The upward direction of the view, y upward. */
 export function upward({ right, above }: Turn): Spot {
   const [sr, cr] = sineAndCosine(right);
   const [sa, ca] = sineAndCosine(above);
   return [-sr * sa, ca, -cr * sa];
 }
 
-/** What is left around for labels, as a part of half the longer side. */
+/** The room for labels, as a share of half the longer side. */
 const room = 0.03;
 
-/** What a box of this size takes up when it is seen, with room for labels. */
+/** The extent of a box of this size in a view, with room for labels. */
 export function extent(turn: Turn, [width, height, depth]: Spot): Area {
   const corners = [-0.5, 0.5].flatMap((i) =>
     [-0.5, 0.5].map((j) => seen(turn, [width * i, height * j, depth / 2])),

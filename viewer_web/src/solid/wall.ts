@@ -10,10 +10,10 @@ import type { Grid } from '../replay/grid.js';
 import { order } from './order.js';
 import type { Space } from './space.js';
 
-/** Texels along a side up to which every pixel has one. */
+/** The largest side in pixels for which every pixel has a texel. */
 const most = 1024;
 
-/** The picture so far, at the far end of the box; where nothing was painted yet one looks through. */
+/** The picture so far, at the far end of the box; unpainted pixels are transparent. */
 export class Wall {
   readonly mesh = new Mesh(
     new PlaneGeometry(),

@@ -10,7 +10,10 @@ import type { Range } from '../time/range.js';
 import { marksHeight } from './lanes.js';
 import { hitMark } from './paint.js';
 
-/** Over a strip, the steps at which what is looked for was found: a line each, on a canvas of its own, for the strip takes longer to paint. */
+/**
+ * The steps that a search has found, as lines over a strip. They have a canvas of their own, because the strip takes longer
+ * to paint.
+ */
 @customElement('vidno-hits')
 export class HitsElement extends LitElement {
   static override styles = [
@@ -30,7 +33,7 @@ export class HitsElement extends LitElement {
     `,
   ];
 
-  /** Rising. */
+  /** In rising order. */
   @property({ attribute: false }) hits: readonly number[] = [];
   @property({ attribute: false }) range: Range = wholeOf(0);
   @query('canvas') private canvas!: HTMLCanvasElement;

@@ -1,7 +1,9 @@
 import { algorithmOf } from '../algorithm/algorithm.js';
 import type { Header } from '../trace/header.js';
 
-/** What a strip shows, from above: what is in hand, how finely the area is split, changes of AEL, calls. */
+/**
+ * The lanes of a strip, from top to bottom: the current item, how finely the area is divided, changes of the AEL, calls.
+ */
 export type LaneName = 'cases' | 'polygons' | 'curves' | 'levels' | 'ael' | 'calls';
 
 /** A lane of the strip, in CSS pixels. */
@@ -11,7 +13,7 @@ export interface Lane {
   readonly height: number;
 }
 
-/** Above the lanes: wrong decisions, faults, bookmarks. */
+/** The height of the marks above the lanes: wrong decisions, faults, bookmarks. */
 export const marksHeight = 10;
 export const stripHeight = 52;
 const gap = 2;
@@ -19,11 +21,11 @@ const gap = 2;
 type First = 'cases' | 'polygons' | 'curves';
 type Below = Exclude<LaneName, First>;
 
-/** What the strip shows of the runs of an algorithm. */
+/** The lanes for the runs of an algorithm. */
 export interface Lanes {
-  /** What is in hand. */
+  /** The lane of the current item. */
   readonly first: First;
-  /** Below it, what the lowest detail has events for, and what takes more. */
+  /** The lanes below it: those of the lowest level of detail, and those that need more. */
   readonly below: readonly [windows: readonly Below[], more: readonly Below[]];
 }
 
@@ -33,7 +35,7 @@ const heights: Readonly<Record<Below, number>> = {
   calls: 10,
 };
 
-/** The lanes for which a trace of this detail has events; the first takes what the others leave. */
+/** The lanes for which a trace of this detail has events; the first one fills the remaining height. */
 export function lanesOf(header: Header): readonly Lane[] {
   const { first, below } = algorithmOf(header).lanes;
   const names = below[header.detail === 'windows' ? 0 : 1];
@@ -47,5 +49,5 @@ export function lanesOf(header: Header): readonly Lane[] {
   return [next(first, stripHeight - taken), ...names.map((name) => next(name, heights[name]))];
 }
 
-/** A flag on a pole so high, as SVG path: what a bookmark looks like. */
+/** A flag on a pole of a given height, as an SVG path: the icon of a bookmark. */
 export const flag = (height: number): string => `M0 0h9l-3 4 3 4h-7V${height}h-2Z`;

@@ -5,9 +5,9 @@ import { textureIn } from './textures.js';
 
 type Fill = CanvasPattern | string;
 
-/** The colours and textures of a strip, in the theme that the page has now. */
+/** The colours and textures of a strip, in the current theme of the page. */
 export interface Look {
-  /** Dots of the device per CSS pixel. */
+  /** Device pixels per CSS pixel. */
   readonly ratio: number;
   readonly ground: string;
   readonly ink: string;
@@ -22,7 +22,7 @@ export interface Look {
   readonly ofCurve: (index: number) => Fill;
 }
 
-/** The look that the style sheet gives an element. */
+/** The look of an element by the style sheet. */
 export function lookOf(element: Element, ratio: number): Look {
   const style = getComputedStyle(element);
   const color = (name: string): string => style.getPropertyValue(name).trim();
@@ -38,7 +38,7 @@ export function lookOf(element: Element, ratio: number): Look {
     hit: color('--accent'),
     font: `600 ${10 * ratio}px ${color('--mono')}`,
     ofCase: (name) => fills.get(name) ?? '',
-    // Polygons next to each other may have the same colour.
+    // Consecutive polygons may have the same colour.
     ofPolygon: ({ color: own }, index) =>
       textureIn(index % 2 === 0 ? 'plain' : 'striped', own, ratio),
     ofCurve: (index) => textureIn(index % 2 === 0 ? 'plain' : 'striped', color('--level'), ratio),

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** The bar itself takes little room; what takes a finger is larger. */
+/** The bar itself takes little room; the area for a finger is larger. */
 export const overviewStyle = css`
   :host {
     position: relative;

@@ -12,34 +12,34 @@ import './strip-element.js';
 import { shareOf } from './strip-gestures.js';
 import type { Zoom } from './zoom.js';
 
-/** CSS pixels from an end of the part that is shown at which a pointer takes hold of it. */
+/** CSS pixels: the distance from an end of the part at which a pointer grabs it. */
 const reach = 8;
-/** CSS pixels that a press may move and still choose nothing. */
+/** CSS pixels that a press may move without a choice. */
 const still = 3;
 
-/** What the pointer does: draws another part, or moves the one that is shown, or an end of it. */
+/** The action of the pointer: draws another part, or moves the current one, or one of its ends. */
 interface Drag {
   readonly what: 'draw' | 'move' | 'from' | 'to';
   readonly pressed: number;
   readonly range: Range;
-  /** Whether it went farther than a press does. */
+  /** Whether it has moved farther than a press. */
   moves: boolean;
 }
 
 /**
- * The whole run in little, and on it the part that the strip shows: it is drawn anew, moved, or taken by an end. That it has
- * changed is told by an event `change`. The keyboard has the strip.
+ * A small picture of the whole run with the part that the strip shows. The part can be drawn, moved, or resized at an end.
+ * An event `change` reports that it has changed. The keyboard controls are on the strip.
  */
 @customElement('vidno-overview')
 export class OverviewElement extends LitElement {
   static override styles = [base, overviewStyle];
 
   @property({ attribute: false }) zoom!: Zoom;
-  /** What of the zoom is shown. */
+  /** The visible range of the zoom. */
   @property({ attribute: false }) range!: Range;
   @property({ attribute: false }) length = 0;
   @property({ attribute: false }) step = 0;
-  /** Of the whole run; null until it was gone through. */
+  /** The course of the whole run; null until it was analysed. */
   @property({ attribute: false }) course: Course | null = null;
   @property({ attribute: false }) texts!: ZoomTexts;
   /** The part that is being drawn. */
@@ -93,7 +93,7 @@ export class OverviewElement extends LitElement {
       this.drawn = between(this.stepOf(event), this.stepOf(event), length);
   };
 
-  /** What a pointer takes hold of. */
+  /** What a pointer grabs. */
   private heldBy(event: PointerEvent): Drag['what'] {
     const { range, length } = this;
     if (isWhole(range, length)) return 'draw';
@@ -101,7 +101,7 @@ export class OverviewElement extends LitElement {
     const at = shareOf(event) * width;
     const [from, to] = [range.from, range.to].map((step) => placeOf(step, wholeOf(length), width));
     if (from === undefined || to === undefined) return 'draw';
-    // Where the ends are near each other there is room for them outside, and what is between them is moved.
+    // If the ends are near each other, each is grabbed from outside, and between them the part is moved.
     if (at >= from - reach && at < Math.min(from + reach, (3 * from + to) / 4)) return 'from';
     if (at <= to + reach && at > Math.max(to - reach, (from + 3 * to) / 4)) return 'to';
     return at > from && at < to ? 'move' : 'draw';
@@ -116,7 +116,7 @@ export class OverviewElement extends LitElement {
     else this.show(this.dragged(drag, event));
   };
 
-  /** The part as it has become. */
+  /** The part during a drag. */
   private dragged({ what, pressed, range }: Drag, event: PointerEvent): Range {
     const { length } = this;
     const { left, width } = (event.currentTarget as Element).getBoundingClientRect();

@@ -8,7 +8,7 @@ import { StripPainter } from './paint.js';
 
 const colorOf = (i: number): string => `#${i.toString(16).padStart(6, '0')}`;
 
-/** The colours of a strip so wide over a run of so many polygons, and how many of them were stripes. */
+/** The colours of a strip of this width over a run of `count` polygons, and the number of stripe patterns. */
 async function painted(count: number, width: number) {
   const polygons = Array.from({ length: count }, (_, i) => ({
     id: `P${i}`,
@@ -62,7 +62,7 @@ describe('the polygons of a strip', () => {
     for (let i = 0; i < 10; i++) expect(fills).toContain(`stripes ${colorOf(i)}`);
   });
 
-  it('are of one colour where thousands have less room than a texture', async () => {
+  it('have plain colours where thousands have less room than a texture', async () => {
     const { fills, stripes } = await painted(5000, 1000);
     expect(stripes).toBe(0);
     expect(fills).toContain(colorOf(0));

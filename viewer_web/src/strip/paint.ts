@@ -17,7 +17,7 @@ interface Band {
 
 type Painter = (band: Band) => void;
 
-/** Paints a part of a run as a strip: once for the part, a size and a theme. */
+/** Paints a part of a run as a strip, once for each part, size and theme. */
 export class StripPainter {
   private readonly columns: readonly Column[];
   private readonly fills = new Map<number, CanvasPattern | string>();
@@ -43,7 +43,7 @@ export class StripPainter {
     this.marks();
   }
 
-  /** Only what is in hand, over the whole height. */
+  /** Paints only the current item, over the whole height. */
   paintBare(): void {
     this.context.clearRect(0, 0, this.context.canvas.width, this.context.canvas.height);
     this.shares(this.bandOf({ top: 0, height: stripHeight }));
@@ -79,7 +79,7 @@ export class StripPainter {
     },
   };
 
-  /** Each part as tall as its share of the steps, but one dot at least. */
+  /** Each part is as tall as its share of the steps, but at least one dot. */
   private shares({ top, height }: Band): void {
     this.columns.forEach(({ first, end, shares }, x) => {
       let y = top;
@@ -105,7 +105,7 @@ export class StripPainter {
     const { look } = this;
     const name = cases[part];
     const polygon = scene.polygons[part];
-    // To make stripes for each of thousands of polygons takes seconds.
+    // Making stripes for each of thousands of polygons takes seconds.
     const isCrowd = scene.polygons.length * stripes * look.ratio > this.columns.length;
     const ofPolygon = (): CanvasPattern | string => {
       if (polygon === undefined) return look.ground;
@@ -121,7 +121,7 @@ export class StripPainter {
     return fill;
   }
 
-  /** The polygons' ids or the curves' numbers, where there is room, and a line before each. */
+  /** The polygons' ids or the curves' numbers, where there is room, each after a line. */
   private names({ top, height }: Band): void {
     const { context, course, look } = this;
     const { polygons, curves } = course.trace.header.scene;
@@ -148,7 +148,7 @@ export class StripPainter {
     });
   }
 
-  /** Up to the deepest of the column's steps pale, up to their mean dark. */
+  /** Pale up to the greatest depth of the column's steps, dark up to their mean depth. */
   private depths(
     { top, height }: Band,
     color: string,
@@ -171,7 +171,7 @@ export class StripPainter {
     context.globalAlpha = 1;
   }
 
-  /** What is rare is wider than its column, so that one sees it. */
+  /** A rare mark is wider than its column, so that it is visible. */
   private marks(): void {
     const { context, look } = this;
     const { top, height } = this.bandOf({ top: 0, height: marksHeight - 2 });

@@ -5,12 +5,12 @@ import type { LaneName } from './lanes.js';
 import type { Look } from './look.js';
 import { faultMark, hitMark, wrongMark } from './paint.js';
 
-/** What the legend of the strip shows a sample of. */
+/** The entries of the strip's legend that have a sample. */
 export type Sample = Case | Exclude<LaneName, 'cases'> | StripMark;
 
 type SamplePainter = (context: CanvasRenderingContext2D, look: Look) => void;
 
-/** Bars of some heights, as depths are shown. */
+/** Bars of several heights, as depths are shown. */
 function bars(context: CanvasRenderingContext2D, ratio: number): void {
   const bar = (left: number, top: number, alpha: number): void => {
     context.globalAlpha = alpha;
@@ -72,7 +72,7 @@ const painters: Readonly<Record<Exclude<Sample, Case>, SamplePainter>> = {
   },
 };
 
-/** Paints a sample of 28 by 14 CSS pixels, as the strip is painted. */
+/** Paints a sample of 28 by 14 CSS pixels in the way of the strip. */
 export function paintSample(context: CanvasRenderingContext2D, of: Sample, look: Look): void {
   if (of in painters) painters[of as keyof typeof painters](context, look);
   else {

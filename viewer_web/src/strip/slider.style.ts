@@ -1,7 +1,7 @@
 import { css } from 'lit';
 import { stripHeight } from './lanes.js';
 
-/** The thumb's middle and a step of the strip stand at the same place: half a thumb from both ends. */
+/** The thumb's centre is at the place of the step on the strip: half a thumb from both ends. */
 export const sliderStyle = css`
   :host {
     --thumb: 1rem;
@@ -159,7 +159,7 @@ export const sliderStyle = css`
     align-items: center;
     white-space: nowrap;
   }
-  /* The system's colours would leave nothing of the track and the thumb. */
+  /* The system's colours would hide the track and the thumb. */
   @media (forced-colors: active) {
     .slider {
       forced-color-adjust: none;
@@ -189,7 +189,7 @@ export const sliderStyle = css`
     .lanes span {
       display: none;
     }
-    /* There is no room beside the legend; there is, beside the strip. */
+    /* There is no room beside the legend, but beside the strip. */
     .whole {
       top: auto;
       bottom: 0.9rem;

@@ -30,8 +30,8 @@ import { zoomByKey } from './zoom-keys.js';
 const mostPerFrame = 8;
 
 /**
- * The slider, and along it the strip, which shows the run or a part of it. Both seek. What part the strip shows is chosen on
- * the overview between them, or on the strip itself.
+ * The slider and the strip along it, which shows the run or a part of it. Both seek. The reader chooses the part on the
+ * overview between them, or on the strip itself.
  */
 @customElement('vidno-slider')
 export class SliderElement extends LitElement {
@@ -39,21 +39,21 @@ export class SliderElement extends LitElement {
 
   @property({ attribute: false }) trace!: Trace;
   @property({ attribute: false }) view!: View;
-  /** Where decisions are known to be wrong, if the trace does not say so. */
+  /** Which decisions are known to be wrong, if the trace does not say so. */
   @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
-  /** The steps at which what is looked for was found, rising. */
+  /** The steps that a search has found, in order. */
   @property({ attribute: false }) hits: readonly number[] = [];
-  /** The steps that can be reached. */
+  /** The reachable steps. */
   @property({ attribute: false }) first = 0;
   @property({ attribute: false }) last = 0;
   /** Without the strip. */
   @property({ type: Boolean }) plain = false;
-  /** What comes after the step is hidden, and what the step is in the midst of. */
+  /** Whether everything after the step is hidden, and the extent of the current item. */
   @property({ type: Boolean }) veiled = false;
-  /** The step that the mouse points at. */
+  /** The step under the mouse. */
   @state() private pointed: number | null = null;
-  /** What is said of the part that the strip shows, since it was changed. */
+  /** The announcement about the part that the strip shows, since its last change. */
   @state() private news = '';
   @query('.strip') private strip!: HTMLElement;
 
@@ -105,7 +105,7 @@ export class SliderElement extends LitElement {
     `;
   }
 
-  /** The strip, with what it means. */
+  /** The strip with its legend. */
   private whole(): TemplateResult {
     const { view, zoom } = this;
     const { step, length, language } = view;
@@ -186,7 +186,7 @@ export class SliderElement extends LitElement {
     `;
   }
 
-  /** From a part to the whole run. */
+  /** The button that returns from a part to the whole run. */
   private wayBack(): TemplateResult | typeof nothing {
     if (this.zoom.isWhole) return nothing;
     const label = texts[this.view.language].strip.zoom.toWhole;
@@ -197,7 +197,7 @@ export class SliderElement extends LitElement {
     </button>`;
   }
 
-  /** The button goes; the keyboard, if it was pressed by that, stays near it. */
+  /** The button disappears. If it was pressed by keyboard, the focus stays near it. */
   private readonly onWhole = ({ detail }: MouseEvent): void => {
     this.zoom.showWhole();
     if (detail === 0) this.strip.focus();
@@ -210,7 +210,7 @@ export class SliderElement extends LitElement {
     this.onZoom();
   };
 
-  /** A strip that has the keyboard says itself what has become of it. */
+  /** A focused strip announces its new range itself. */
   private readonly onZoom = (): void => {
     const { language, length } = this.view;
     const isFocused = this.shadowRoot?.activeElement === this.strip;

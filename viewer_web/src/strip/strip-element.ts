@@ -29,11 +29,11 @@ export class StripElement extends LitElement {
     `,
   ];
 
-  /** Of the whole run; null until it was gone through. */
+  /** The course of the whole run; null until it was analysed. */
   @property({ attribute: false }) course: Course | null = null;
-  /** The part that is shown; null for the whole. */
+  /** The visible part; null for the whole. */
   @property({ attribute: false }) range: Range | null = null;
-  /** Only what is in hand is shown. */
+  /** Whether only the current item is shown. */
   @property({ type: Boolean }) bare = false;
   @query('canvas') private canvas!: HTMLCanvasElement;
 

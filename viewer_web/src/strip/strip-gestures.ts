@@ -1,9 +1,9 @@
-/** How much of a wheel's way doubles the size, in CSS pixels; a touchpad tells two fingers as a wheel with Ctrl. */
+/** The wheel distance in CSS pixels that doubles the size. A touchpad reports two fingers as a wheel with Ctrl. */
 const doubled = { wheel: 300, fingers: 70 };
-/** CSS pixels of a line and of a page, in which a wheel may count. */
+/** CSS pixels per wheel unit: a pixel, a line or a page. */
 const wheelUnits = [1, 16, 400];
 
-/** What gestures do to the part of a run that is shown; places and ways are shares of the strip. */
+/** The effect of gestures on the visible part of a run; places and distances are shares of the strip. */
 interface Zoomed {
   readonly isWhole: boolean;
   zoom(by: number, place: number): void;
@@ -15,7 +15,7 @@ interface Spread {
   readonly size: number;
 }
 
-/** Zooms a strip and moves along it by wheel and by two fingers; one finger is left to seek. */
+/** Zooms and moves a strip by wheel and by two fingers; one finger seeks. */
 export class StripGestures {
   private readonly fingers = new Map<number, number>();
 
@@ -29,7 +29,7 @@ export class StripGestures {
     return this.fingers.size > 1;
   }
 
-  /** A wheel that would show more than the whole moves the page. */
+  /** A wheel that would show more than the whole scrolls the page instead. */
   readonly onWheel = (event: WheelEvent): void => {
     const { deltaX, deltaY, deltaMode, ctrlKey, shiftKey } = event;
     const unit = wheelUnits[deltaMode] ?? 1;
@@ -48,7 +48,7 @@ export class StripGestures {
     if (event.button === 0) this.fingers.set(event.pointerId, shareOf(event));
   };
 
-  /** Of two fingers what is under them stays under them. */
+  /** The places under two fingers stay under them. */
   readonly onMove = (event: PointerEvent): void => {
     if (!this.fingers.has(event.pointerId)) return;
     if (event.buttons === 0) {
@@ -68,7 +68,7 @@ export class StripGestures {
     this.fingers.delete(pointerId);
   };
 
-  /** Where two fingers are together, and how far apart; they are never nearer to each other than a finger is wide. */
+  /** The centre and distance of two fingers; the distance is at least the width of a finger. */
   private spread(): Spread | null {
     const [one, other] = this.fingers.values();
     if (one === undefined || other === undefined) return null;
@@ -76,7 +76,7 @@ export class StripGestures {
   }
 }
 
-/** Where along a strip a pointer is, from 0 to 1. */
+/** The position of a pointer along a strip, from 0 to 1. */
 export function shareOf({ clientX, currentTarget }: MouseEvent): number {
   const { left, width } = (currentTarget as Element).getBoundingClientRect();
   return width === 0 ? 0 : (clientX - left) / width;

@@ -20,14 +20,14 @@ const marks: readonly StripMark[] = ['wrong', 'fault', 'bookmark', 'hit', 'now']
 const width = 28;
 const height = 14;
 
-/** What the strip shows, in words; open on demand. */
+/** The meaning of the strip, in words; opened on demand. */
 @customElement('vidno-strip-legend')
 export class StripLegendElement extends LitElement {
   static override styles = [base, stripColors, legendStyle];
 
   @property({ attribute: false }) header!: Header;
   @property({ attribute: false }) language: Language = 'en';
-  /** Nobody knows which decisions of the run are wrong. */
+  /** Whether it is unknown which decisions of the run are wrong. */
   @property({ type: Boolean }) unchecked = false;
   @state() private open = false;
   @query('button') private button!: HTMLElement;
@@ -83,7 +83,7 @@ export class StripLegendElement extends LitElement {
     this.button.focus();
   }
 
-  /** The samples are painted as the strip is. */
+  /** Paints the samples in the way of the strip. */
   override updated(): void {
     if (!this.open) return;
     const ratio = window.devicePixelRatio;

@@ -1,6 +1,6 @@
 import { css } from 'lit';
 
-/** What the colours of a strip are taken from; they differ in lightness, too. */
+/** The colours of a strip; they also differ in lightness. */
 export const stripColors = css`
   :host {
     --empty: #6b7686;

@@ -1,6 +1,6 @@
 import type { Case } from '../time/course.js';
 
-/** The dots of a square tile that are dark; the cases differ by them where their colours do not. */
+/** The dark dots of a square tile. They distinguish the cases where colours do not. */
 interface Texture {
   readonly size: number;
   readonly dark: (x: number, y: number) => boolean;
@@ -8,7 +8,7 @@ interface Texture {
 
 export type TextureName = Case | 'plain' | 'striped';
 
-/** CSS pixels: stripes in less room than this cannot be seen. */
+/** CSS pixels: the least width at which stripes are visible. */
 export const stripes = 6;
 
 const textures: Readonly<Record<TextureName, Texture>> = {
@@ -21,7 +21,7 @@ const textures: Readonly<Record<TextureName, Texture>> = {
   striped: { size: stripes, dark: (x, y) => (x - y + stripes) % stripes < 4 },
 };
 
-/** The texture in a colour, its dark dots full and the others pale, at so many dots of the device a CSS pixel. */
+/** The texture in a colour, with dark dots in full and the others pale, at `ratio` device pixels per CSS pixel. */
 export function textureIn(name: TextureName, color: string, ratio: number): CanvasPattern | string {
   const { size, dark } = textures[name];
   if (size === 1) return color;

@@ -22,7 +22,7 @@ const shapes = {
   last: 'M15 4v12M3 4l9 6-9 6z',
 } as const;
 
-/** The controls of time; in its slot, those that go farther than a step. */
+/** The controls of time. Its slot has those that go farther than a step. */
 @customElement('vidno-transport')
 export class TransportElement extends LitElement {
   static override styles = [base, transportStyle];
@@ -31,18 +31,18 @@ export class TransportElement extends LitElement {
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
-  /** The steps at which what is looked for was found. */
+  /** The steps that a search has found. */
   @property({ attribute: false }) hits: readonly number[] = [];
-  /** The steps that can be reached. */
+  /** The reachable steps. */
   @property({ attribute: false }) first = 0;
   @property({ attribute: false }) last = 0;
-  /** They are not all: the strip, which shows the whole run, would lead astray. */
+  /** Whether some steps cannot be reached. The strip, which shows the whole run, would then be misleading. */
   @property({ type: Boolean }) bounded = false;
   /** Without the strip and the choice of speed. */
   @property({ type: Boolean }) plain = false;
-  /** With the ways that everyone needs alone, in one row. */
+  /** Only the most common controls, in one row. */
   @property({ type: Boolean, reflect: true }) brief = false;
-  /** What comes after the step is hidden. */
+  /** Whether everything after the step is hidden. */
   @property({ type: Boolean }) veiled = false;
   @property({ type: Boolean }) playing = false;
   @property({ type: Number }) speed = 5;
@@ -94,7 +94,7 @@ export class TransportElement extends LitElement {
     `;
   }
 
-  /** At the end one begins anew. */
+  /** At the end it starts over. */
   private playButton(): TemplateResult {
     const { texts, step } = this.view;
     const again = step === this.last ? texts.playAgain : texts.play;

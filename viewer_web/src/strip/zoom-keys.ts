@@ -1,9 +1,9 @@
 import type { Zoom } from './zoom.js';
 
-/** How much nearer a key brings a run, and by which share of what is shown another key moves it. */
+/** The factor by which a key zooms a run, and the share of the visible part by which another key moves it. */
 const [nearer, page] = [2, 0.9];
 
-/** Does what a key means for the part of a run that is shown; says whether it means anything. */
+/** Runs the action of a key on the visible part of a run; returns whether the key has one. */
 export function zoomByKey(
   { key, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent,
   zoom: Zoom,
@@ -14,7 +14,7 @@ export function zoomByKey(
     '=': () => zoom.zoom(nearer),
     '-': () => zoom.zoom(1 / nearer),
     '0': () => zoom.showWhole(),
-    // Where the whole is shown it means what it does elsewhere; so do the keys of pages, which a remote control has.
+    // If the whole is shown, Escape means what it does elsewhere; so do the page keys, which a presenter remote has.
     ...(zoom.isWhole ? {} : { Escape: () => zoom.showWhole() }),
     ...(shiftKey ? { PageUp: () => zoom.move(page), PageDown: () => zoom.move(-page) } : {}),
   };

@@ -15,7 +15,7 @@ function zoomAt(step: number): Zoom {
 }
 
 describe('the zoom of a strip', () => {
-  it('is none at first, and of a run that grows', () => {
+  it('is none at first, and for a run that grows', () => {
     const zoom = zoomAt(0);
     expect([zoom.range, zoom.isWhole]).toEqual([{ from: 0, to: 1000 }, true]);
     zoom.follow(header, 1500, 0);
@@ -25,14 +25,14 @@ describe('the zoom of a strip', () => {
   it('is around the step, or around the middle where the step is out of sight', () => {
     const zoom = zoomAt(250);
     zoom.zoom(2);
-    expect(zoom.range).toEqual({ from: 125, to: 625 }); // 250 stands at a quarter of both
+    expect(zoom.range).toEqual({ from: 125, to: 625 }); // 250 is at a quarter of both
     zoom.move(1);
     expect(zoom.range).toEqual({ from: 500, to: 1000 });
     zoom.zoom(5);
     expect(zoom.range).toEqual({ from: 700, to: 800 });
   });
 
-  it('follows a step that leaves what is shown, but stays where it was moved to', () => {
+  it('follows a step that leaves the range, but stays where it was moved to', () => {
     const zoom = zoomAt(500);
     zoom.show({ from: 450, to: 550 });
     zoom.follow(header, length, 551);

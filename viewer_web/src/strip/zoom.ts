@@ -2,22 +2,25 @@ import { following, inSteps, isIn, isWhole, moved, wholeOf, zoomed } from '../ti
 import type { Range } from '../time/range.js';
 import type { Header } from '../trace/header.js';
 
-/** The parts of runs that were shown last, by what tells one run from another. */
+/** The ranges last shown for runs, by an identifier of the run. */
 const remembered = new Map<string, Range>();
 
 const nameOf = ({ scene, method, edition, kernel, detail }: Header): string =>
   JSON.stringify([scene.name, method, edition, kernel, detail]);
 
-/** What part of a run the strip shows: the whole until the reader chooses another one, which is remembered. */
+/** The range of a run that the strip shows: the whole until the reader chooses another one, which is remembered. */
 export class Zoom {
   private name = '';
   private length = 0;
   private step = 0;
-  /** In parts of steps, so that small turns of a wheel add up; null for the whole. */
+  /** In fractions of steps, so that small turns of a wheel add up; null for the whole. */
   private chosen: Range | null = null;
   private told: Range = wholeOf(0);
 
-  /** The run, as far as it is there, and the step that is shown: when that changes and leaves the range, this follows. */
+  /**
+   * Follows the run as far as it is read, and the current step. When the step changes and leaves the range, the range
+   * follows.
+   */
   follow(header: Header, length: number, step: number): void {
     const name = nameOf(header);
     if (name !== this.name) {
@@ -54,7 +57,7 @@ export class Zoom {
     this.show(wholeOf(this.length));
   }
 
-  /** So many times as near; the place, a share of the strip, stays where it is. Without one that is the step, or the middle. */
+  /** Magnifies by a factor around a place, given as a share of the strip. Without a place it is the step, or the middle. */
   zoom(by: number, place?: number): void {
     const { exact, length } = this;
     const share = place ?? (isIn(exact, this.step) ? null : 0.5);
@@ -62,7 +65,7 @@ export class Zoom {
     this.show(zoomed(exact, by, at, length));
   }
 
-  /** Later by so large a share of what is shown. */
+  /** Moves the range later by a share of its length. */
   move(share: number): void {
     const { exact, length } = this;
     this.show(moved(exact, share * (exact.to - exact.from), length));

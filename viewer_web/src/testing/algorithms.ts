@@ -1,2 +1,2 @@
-/** What is tested needs the algorithms, as the page does. */
+/** Tests need the algorithms, as the page does. */
 import '../app/algorithms.js';

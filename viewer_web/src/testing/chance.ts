@@ -1,4 +1,4 @@
-/** Numbers below `n` that look like chance, by the generator of Park and Miller. */
+/** Pseudorandom numbers below `n`, by the generator of Park and Miller. */
 export function chance(seed: number): (n: number) => number {
   let now = seed;
   return (n) => {

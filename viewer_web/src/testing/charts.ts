@@ -8,11 +8,11 @@ import type { CurveRun, Surface } from '../chart/surface-format.js';
 const textOf = (name: string): string =>
   readFileSync(fileURLToPath(new URL(`../../test-data/${name}`, import.meta.url)), 'utf8');
 
-/** Two ordinary scenes and a degenerate one, run in every way that there is. */
+/** Two ordinary scenes and a degenerate one, run in every possible way. */
 export const sampleText = textOf('chart.json');
 export const sample = sceneChart(JSON.parse(sampleText), '');
 
-/** The lesson's peak between two samples, and a slope, run in every way that there is. */
+/** The lesson's peak between two samples, and a slope, run in every possible way. */
 export const surfaceText = textOf('surface-chart.json');
 export const surfaceSample = surfaceChart(JSON.parse(surfaceText), '');
 

@@ -1,6 +1,6 @@
 import type { CurveEvents, Event } from '../trace/events.js';
 
-/** Of each event of curves one, and more where its sentence has cases. */
+/** A sample of each event of curves, and several where its sentence has cases. */
 export const curveSamples: { readonly [K in keyof CurveEvents]: readonly Event<K>[] } = {
   horizons: [
     { e: 'horizons', at: 'FH1' },

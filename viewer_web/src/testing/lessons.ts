@@ -13,7 +13,7 @@ const heading = (level: number, ...text: readonly unknown[]): object => ({
   text,
 });
 
-/** Long enough for the text to be scrolled. */
+/** Long enough to make the text scroll. */
 const passage: Said = {
   en: 'A window is looked at, and if what shows in it is simple, it is painted; if not, it is split. '.repeat(
     6,
@@ -99,7 +99,7 @@ function told(language: Language): object {
   };
 }
 
-/** The lesson as it stands in its file; what is given is put in the place of its own. */
+/** The lesson as in its file; `other` replaces some members. */
 export function sampleLesson(other: object = {}): object {
   return {
     format: 'vidno-lesson/1',
@@ -135,7 +135,7 @@ const trace = (method: string): object => ({
   detail: 'signs',
 });
 
-/** What `index.json` says of a lesson; without a story's file it has none. */
+/** The entry of a lesson in `index.json`; without a story's file it has none. */
 export function indexEntry(id: string, methods: readonly string[], story?: string): object {
   const title = { en: `Lesson ${id}`, ru: `Урок ${id}` };
   return { id, title, traces: methods.map(trace), ...(story === undefined ? {} : { story }) };

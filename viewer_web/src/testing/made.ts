@@ -7,13 +7,13 @@ import type { RandomRun } from './random-runs.js';
 
 const start = promisify(execFile);
 
-/** A run that the program made, and the state that it had after each step. */
+/** A run that the program made, and the state after each step. */
 export interface Made {
   readonly trace: string;
   readonly states: readonly string[];
 }
 
-/** Makes a run by the program. */
+/** Makes a run with the program. */
 export async function make(program: string, { scene, options }: RandomRun): Promise<Made> {
   const folder = await mkdtemp(join(tmpdir(), 'vidno-'));
   const [file, trace, states] = ['scene.json', 'run.jsonl', 'states.jsonl'].map((name) =>

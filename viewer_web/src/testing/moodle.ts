@@ -1,4 +1,4 @@
-/** A choice as Moodle reads it. */
+/** A choice in Moodle's reading. */
 export interface Choice {
   readonly weight: number;
   readonly type: string;
@@ -9,7 +9,7 @@ export interface Choice {
 export interface Imported {
   readonly type: string;
   readonly name: string;
-  /** HTML with the choices taken out of it. */
+  /** The HTML without the choices. */
   readonly html: string;
   readonly choices: readonly Choice[];
   readonly feedback: string;
@@ -18,20 +18,20 @@ export interface Imported {
 
 const named: Readonly<Record<string, string>> = { amp: '&', lt: '<', gt: '>', quot: '"' };
 
-/** What the references of XML or HTML stand for. */
+/** Replaces the references of XML or HTML by their characters. */
 export function decoded(text: string): string {
   return text.replace(/&(?:#(\d+)|(\w+));/g, (whole: string, code?: string, name?: string) =>
     code === undefined ? (named[name ?? ''] ?? whole) : String.fromCharCode(Number(code)),
   );
 }
 
-/** The text that a browser shows of HTML. */
+/** The text that a browser shows for some HTML. */
 export const shown = (html: string): string => decoded(html.replace(/<[^>]*>/g, ''));
 
 const textIn = (xml: string, name: string): string =>
   decoded(new RegExp(`<${name}[^>]*>\\s*<text>([^<]*)</text>`).exec(xml)?.[1] ?? '');
 
-/** A sign after a backslash or an ampersand does not end anything. */
+/** A character after a backslash or an ampersand does not end anything. */
 const notQuoted = '(?<!\\\\|&|&amp;)';
 const choicePattern = new RegExp(`\\{(\\d*):(MULTICHOICE(?:_V)?):(.+?)${notQuoted}\\}`, 'gs');
 
@@ -48,7 +48,7 @@ function choiceOf([, weight, type = '', written = '']: RegExpExecArray): Choice 
 }
 
 /**
- * The questions of a file that is well formed, by the rules of https://docs.moodle.org/en/Moodle_XML_format and
+ * The questions of a well-formed file, by the rules of https://docs.moodle.org/en/Moodle_XML_format and
  * https://docs.moodle.org/en/Embedded_Answers_(Cloze)_question_type.
  */
 export function imported(xml: string): readonly Imported[] {

@@ -4,14 +4,14 @@ import { nextQuestion } from '../predict/questions.js';
 import type { Values } from '../replay/state.js';
 import type { Trace } from '../replay/trace.js';
 
-/** The first question of a kind from a step on. */
+/** The first question of a kind at or after a step. */
 export function questionFrom<K extends Kind>(trace: Trace, from: number, kind: K): Question<K> {
   const found = nextQuestion(trace, from, new Set([kind]), []);
   if (found === null) throw new Error(`no ${kind} from step ${from} on`);
   return found as Question<K>;
 }
 
-/** Every question of a run, none of which makes another one rest. */
+/** Every question of a run; none suppresses another one. */
 export function everyQuestion(trace: Trace): readonly Question[] {
   return kinds.flatMap((kind) => {
     const found: Question[] = [];
@@ -24,7 +24,7 @@ export function everyQuestion(trace: Trace): readonly Question[] {
   });
 }
 
-/** A question, and what is known at its step and once the run has answered it. */
+/** A question, and the values at its step and after the run has answered it. */
 export interface Seen {
   readonly trace: Trace;
   readonly question: Question;
@@ -34,12 +34,12 @@ export interface Seen {
   readonly right: Readonly<Record<string, readonly string[]>>;
 }
 
-/** Whether what the state says after a question's steps is what the question has for right. */
+/** Checks that the state after a question's steps agrees with its right answer. */
 export type Agrees = (seen: Seen) => void;
 
 export const sorted = (values: readonly (string | number)[] = []): readonly string[] =>
   values.map(String).sort();
 
-/** What each part asks, and the right answer. */
+/** The right answer to each part, by what the part asks. */
 export const answers = ({ parts }: Question): Readonly<Record<string, readonly string[]>> =>
   Object.fromEntries(parts.map(({ asks, right }: Part) => [asks, right]));

@@ -3,13 +3,13 @@ import type { Options } from '../run/options.js';
 import { details, methods } from '../trace/events.js';
 import type { Method } from '../trace/events.js';
 
-/** A run to be made, by the text of its scene. */
+/** A run to make, with the text of its scene. */
 export interface RandomRun {
   readonly scene: string;
   readonly options: Options;
 }
 
-/** Numbers that look like chance, by the generator of Park and Miller. */
+/** Pseudorandom numbers, by the generator of Park and Miller. */
 class Chance {
   constructor(private state: number) {}
 
@@ -24,7 +24,7 @@ class Chance {
     return found;
   }
 
-  /** In quarters, from one number up to another. */
+  /** A number in quarters, from a lower bound to an upper one. */
   quarter(low: number, high: number): number {
     return low + this.below(4 * (high - low) + 1) / 4;
   }
@@ -36,7 +36,7 @@ type Outline = readonly Vertex[];
 const area = { x: -1, y: 2, width: 4, height: 3 };
 const ids = ['Alfa', 'Beta', 'Gama', 'Delt'];
 const background = '#ffffff';
-/** So few that polygons look alike, and like the background. */
+/** Few colours, so that polygons have the same colour as others or as the background. */
 const colors = [background, '#aa0000', '#00aa00'];
 
 const at = (chance: Chance): Vertex => [
@@ -47,7 +47,7 @@ const at = (chance: Chance): Vertex => [
 
 const triangle = (chance: Chance): Outline => [at(chance), at(chance), at(chance)];
 
-/** Its depths are those of one plane. */
+/** Its depths lie on one plane. */
 function rectangle(chance: Chance): Outline {
   const [left, top, z] = at(chance);
   const [right, bottom] = [left + chance.quarter(1, 5), top + chance.quarter(1, 4)];
@@ -60,7 +60,7 @@ function rectangle(chance: Chance): Outline {
   return [spot(left, top), spot(right, top), spot(right, bottom), spot(left, bottom)];
 }
 
-/** It holds all of the area. */
+/** It contains the whole area. */
 const cover = (chance: Chance): Outline => {
   const z = chance.quarter(-1, 1);
   const [right, bottom] = [area.x + area.width + 2, area.y + area.height + 2];
@@ -83,7 +83,10 @@ function edgeOn(chance: Chance): Outline {
   ];
 }
 
-/** A closed box; its faces go round counter-clockwise as seen from outside, where y grows downward and the nearer has the greater z. */
+/**
+ * A closed box. Its faces are counter-clockwise as seen from outside, where y grows downward and nearer places have the
+ * greater z.
+ */
 function box(chance: Chance): readonly Outline[] {
   const [x, y] = at(chance);
   const z = chance.quarter(-1, 0);
@@ -132,7 +135,10 @@ function surface(chance: Chance): object {
   return { format: 'vidno-surface/1', window: area, curves };
 }
 
-/** Runs of random scenes: all methods in turn, in any edition and under any kernel that they have, the same ones each time. */
+/**
+ * Runs of random scenes: all methods in turn, in any of their editions and under any of their kernels. A seed always gives
+ * the same runs.
+ */
 export function randomRuns(count: number, seed: number): readonly RandomRun[] {
   const chance = new Chance(seed);
   return Array.from({ length: count }, (_, i) => {

@@ -12,7 +12,7 @@ import type { Agrees } from './questions.js';
 const idsOf = (pieces: readonly Piece[] = []): readonly string[] =>
   sorted([...new Set(pieces.map(([id]) => id))]);
 
-/** Whether a region holds the middle of a piece of an outline; null where that is too near to its own outline to be said. */
+/** Whether a region contains the midpoint of an edge piece; null if the midpoint is too close to the region's outline. */
 function holdsMiddle(region: Region, from: Point, to: Point): boolean | null {
   const [x, y] = [0, 1].map((i) => (toNumber(from[i] ?? 'nan') + toNumber(to[i] ?? 'nan')) / 2);
   const around = [-1e-6, 1e-6].flatMap((off) => [
@@ -27,11 +27,11 @@ type RegionKind = Extract<
   'piercing' | 'sort' | 'parted' | 'entering' | 'walk' | 'behind' | 'stack'
 >;
 
-/** What a part says it is about, or what is to be typed for it. */
+/** The subjects of a part, or the labels of its typed answer. */
 const givenOf = ({ parts }: Question, asks: string): readonly Given[] =>
   parts.find((part) => part.asks === asks)?.given ?? [];
 
-/** Of the questions about Weiler and Atherton's algorithm, what their answers agree with. */
+/** The expected answers to the questions about Weiler and Atherton's algorithm. */
 export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
   piercing: ({ after, right }) => {
     const { facets = [] } = after.regions ?? {};
@@ -85,7 +85,7 @@ export const regionsAgree: Readonly<Record<RegionKind, Agrees>> = {
     const left = after.regions?.inHand?.inside.map(([id]) => id) ?? [];
     const gone = inside.map(([id]) => id).filter((id) => !left.includes(id));
     expect(sorted(right['hidden'])).toEqual(sorted(gone));
-    // A clip polygon that nothing inside hides is visible at the next step.
+    // A clip polygon that no inside part hides is visible at the next step.
     const isShown = trace.timeline.event(question.until + 1)?.e === 'show';
     expect(right['next']).toEqual([isShown ? 'visible' : 'again']);
   },

@@ -16,7 +16,7 @@ const hole = [
 ] as const;
 const ring = [...square, hole];
 
-/** Of each event of Weiler and Atherton's algorithm one, and more where its sentence has cases. */
+/** A sample of each event of Weiler and Atherton's algorithm, and several where its sentence has cases. */
 export const regionSamples: {
   readonly [K in Exclude<keyof RegionEvents, 'row'>]: readonly Event<K>[];
 } = {

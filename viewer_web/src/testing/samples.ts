@@ -2,7 +2,7 @@ import type { Event, EventName } from '../trace/events.js';
 import { curveSamples } from './curve-samples.js';
 import { regionSamples } from './region-samples.js';
 
-/** One event of each kind and more where a sentence has cases: a missing kind does not compile. */
+/** One event of each kind, and several where a sentence has cases. A missing kind does not compile. */
 export const samples: { readonly [K in EventName]: readonly Event<K>[] } = {
   plane: [{ e: 'plane', at: 'I1', polygon: 'A', plane: [0, '1/3', -2.5, 'nan'] }],
   call: [{ e: 'call', at: 'PW8', of: 'SurroundTest' }],

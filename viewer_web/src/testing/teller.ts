@@ -1,10 +1,10 @@
 import { methods, tells } from '../trace/events.js';
 import type { Event, Method } from '../trace/events.js';
 
-/** The lines of Weiler and Atherton's algorithm, which tells some events that others tell, too. */
+/** The lines of Weiler and Atherton's algorithm, which shares some events with others. */
 const ofRegions = /^(WA|SP|DS|RC|RB|PR)\d/;
 
-/** A method whose runs tell such an event at its line. */
+/** A method whose runs have such an event at its line. */
 export function tellerOf({ e, at }: Event): Method {
   if (ofRegions.test(at)) return 'weiler-atherton';
   const teller = methods.find((method) => tells(method, e));

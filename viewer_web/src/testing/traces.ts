@@ -17,7 +17,7 @@ export function textOf(name: string): string {
   return readFileSync(directory + name, 'utf8');
 }
 
-/** The trace that a file of this text is, of which so many bytes are read, as a page has it when it was at rest. */
+/** The trace in a file with this text, after idle work, as the page would have it. At most `most` bytes are read. */
 export async function traceOf(
   text: string | Uint8Array<ArrayBuffer>,
   most?: number,
@@ -29,7 +29,7 @@ export async function traceOf(
   return trace;
 }
 
-/** The same as a page shows it: up to the line that is wrong. */
+/** The same as a page shows it: up to the wrong line. */
 export async function keptOf(text: string): Promise<Trace> {
   let trace: Trace | null = null;
   for await (const news of read(new Blob([text]))) trace = keep(trace, news);
@@ -37,7 +37,7 @@ export async function keptOf(text: string): Promise<Trace> {
   return trace;
 }
 
-/** The timeline of a trace that comes as a run gives it: in one part, without keyframes. */
+/** The timeline of a trace in the form that a run delivers: in one part, without keyframes. */
 export async function bareTimelineOf(text: string): Promise<Timeline> {
   const { header, timeline } = await traceOf(text);
   const bare = new Timeline(header);
@@ -51,7 +51,7 @@ export async function bareTimelineOf(text: string): Promise<Timeline> {
   return bare;
 }
 
-/** A method whose runs tell such events. */
+/** A method whose runs have such events. */
 export function methodWith(name: EventName): Method {
   const method = methods.find((each) => tells(each, name));
   if (method === undefined) throw new Error(`no method tells ${name}`);
@@ -108,7 +108,7 @@ export function headerOf(method: Method, detail: Detail = 'signs'): object {
   };
 }
 
-/** Of the same scene: the first window goes on the stack, and comes off. */
+/** On this scene, the first window is pushed on the stack and popped from it. */
 export const push: Event<'push'> = {
   e: 'push',
   at: 'W3',
@@ -124,7 +124,7 @@ export function linesOf(...values: readonly unknown[]): string {
   return values.map((value) => `${JSON.stringify(value)}\n`).join('');
 }
 
-/** A trace of these events as text, its last line included. */
+/** A trace of these events as text, including its last line. */
 export function textWith(header: object, events: readonly Event[]): string {
   const end = { end: { events: events.length, picture: `sha256:${'0'.repeat(64)}` } };
   return linesOf(header, ...events, end);

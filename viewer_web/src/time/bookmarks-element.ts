@@ -20,7 +20,7 @@ import type { Bookmark, Bookmarks } from './bookmarks.js';
 import { bookmarksStyle } from './bookmarks.style.js';
 import type { Command } from './command.js';
 
-/** The bookmarks: each a way to its step, a note that is edited in place, and a button that removes it. */
+/** The bookmarks: each has a button to go to its step, a note that can be edited in place, and a button to remove it. */
 @customElement('vidno-bookmarks')
 export class BookmarksElement extends LitElement {
   static override styles = [base, bookmarksStyle];
@@ -28,7 +28,7 @@ export class BookmarksElement extends LitElement {
   @property({ attribute: false }) view!: View;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
   @property({ type: Boolean }) linked = false;
-  /** What is to be said of a limit that was met. */
+  /** The limit that was just reached; null for none. */
   @state() private limit: keyof Pick<BookmarkTexts, 'full' | 'long'> | null = null;
   @query('.add') private addButton!: HTMLElement;
 
@@ -40,7 +40,7 @@ export class BookmarksElement extends LitElement {
     return this.bookmarks.length >= mostBookmarks;
   }
 
-  /** Bookmarks the step that is shown, if it is not, and goes to its note. */
+  /** Bookmarks the current step, unless it has a bookmark, and moves the focus to its note. */
   async mark(): Promise<void> {
     const { step } = this.view;
     const known = bookmarkAt(this.bookmarks, step);
@@ -54,7 +54,7 @@ export class BookmarksElement extends LitElement {
     else this.addButton.focus();
   }
 
-  /** To the list, at the bookmark of the step or the next one. */
+  /** Moves the focus to the bookmark of the step, or to the next one. */
   async enter(): Promise<void> {
     await this.updateComplete;
     const { bookmarks, view } = this;
@@ -105,7 +105,7 @@ export class BookmarksElement extends LitElement {
     `;
   }
 
-  /** How long they last, and how they are passed on. */
+  /** How long bookmarks are kept, and how to share them. */
   private lasting(): string {
     const { texts: say } = this;
     if (!this.linked) return say.unlinked;
@@ -168,7 +168,7 @@ export class BookmarksElement extends LitElement {
     field.value = bookmarkAt(this.bookmarks, step)?.note ?? '';
   }
 
-  /** Enter keeps what was written, Escape what was there; after both the keys mean steps again. */
+  /** Enter saves the typed note, and Escape restores the old one. After both, keys control the steps again. */
   private onKey(event: KeyboardEvent, note: string): void {
     if (event.key !== 'Escape' && event.key !== 'Enter') return;
     const field = event.target as HTMLTextAreaElement;

@@ -21,7 +21,7 @@ const three: Bookmarks = [
 const full: Bookmarks = Array.from({ length: mostBookmarks }, (_, step) => ({ step, note: '' }));
 
 describe('bookmarks', () => {
-  it('stand by their steps', () => {
+  it('are sorted by step', () => {
     const [a, b, c] = three;
     const list = [c, a, b].reduce<Bookmarks>(
       (all, each) => (each ? withBookmark(all, each.step, each.note) : all),
@@ -30,7 +30,7 @@ describe('bookmarks', () => {
     expect(list).toEqual(three);
   });
 
-  it('are one a step: a new note takes the place of the old', () => {
+  it('are unique per step: a new note replaces the old one', () => {
     expect(withBookmark(three, 17, 'new')).toEqual([three[0], { step: 17, note: 'new' }, three[2]]);
   });
 
@@ -50,7 +50,7 @@ describe('bookmarks', () => {
     expect(withBookmark(full, 3, 'note')[3]).toEqual({ step: 3, note: 'note' });
   });
 
-  it('are those of the run: none behind its end', () => {
+  it('lie within the run, not after its end', () => {
     expect(bookmarksUpTo(three, 119)).toEqual(three.slice(0, 2));
     expect(bookmarksUpTo(three, 120)).toBe(three);
   });
@@ -69,18 +69,18 @@ describe('a note', () => {
 
   it('is cut at its limit, but not within a character', () => {
     expect(cleanNote('x'.repeat(longestNote + 1))).toHaveLength(longestNote);
-    const odd = `x${'𝛼'.repeat(longestNote)}`; // each 𝛼 takes two
+    const odd = `x${'𝛼'.repeat(longestNote)}`; // each 𝛼 takes two code units
     expect(cleanNote(odd)).toBe(`x${'𝛼'.repeat(longestNote / 2 - 1)}`);
   });
 });
 
 describe('in a link', () => {
-  it('they come back as they were', () => {
+  it('they are restored unchanged', () => {
     expect(parseBookmarks(formatBookmarks(three))).toEqual(three);
     expect(parseBookmarks(formatBookmarks([]))).toEqual([]);
   });
 
-  it('they are base64 of lines, made for links', () => {
+  it('they are base64 of lines, in the alphabet for links', () => {
     // printf '4 a\n30 b>?' | base64 is NCBhCjMwIGI+Pw==
     const two = [
       { step: 4, note: 'a' },
@@ -105,11 +105,11 @@ describe('in a link', () => {
     ['a step twice', '5 a\n5 b', [{ step: 5, note: 'b' }]],
     ['a step alone', '5', [{ step: 5, note: '' }]],
     ['a long note', `5 ${'x'.repeat(500)}`, [{ step: 5, note: 'x'.repeat(longestNote) }]],
-  ])('of %s is taken what can be', (_what, text, bookmarks) => {
+  ])('%s gives the valid bookmarks', (_what, text, bookmarks) => {
     expect(parseBookmarks(written(text))).toEqual(bookmarks);
   });
 
-  it('no more are taken than may be', () => {
+  it('only the allowed number is read', () => {
     const lines = Array.from({ length: 40 }, (_, step) => `${step} x`);
     expect(parseBookmarks(written(lines.join('\n')))).toHaveLength(mostBookmarks);
   });

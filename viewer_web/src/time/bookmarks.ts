@@ -1,23 +1,23 @@
 import { fromBase64, toBase64Url } from '../base/base64.js';
 
-/** A step that somebody wants to come back to, with a note of one line. */
+/** A step to return to, with a note of one line. */
 export interface Bookmark {
   readonly step: number;
   readonly note: string;
 }
 
-/** By rising steps, no two at the same. */
+/** Sorted by step, at most one per step. */
 export type Bookmarks = readonly Bookmark[];
 
-/** With these limits they take at most some 4000 characters of a link. */
+/** Within these limits bookmarks take at most some 4000 characters of a link. */
 export const mostBookmarks = 16;
 export const longestNote = 60;
 const longestWritten = 4096;
 
-/** What would break the line, turn the text around it or show nothing at all. */
+/** Characters that would break the line, reverse the surrounding text or be invisible. */
 const unfit = /[\p{Cc}\p{Zl}\p{Zp}\p{Cs}\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/gu;
 
-/** A note as it is kept: a line of bounded length, for a link may come from anybody. */
+/** A note reduced to a line of bounded length, because a link may come from anybody. */
 export function cleanNote(note: string): string {
   return note.replace(unfit, ' ').trim().slice(0, longestNote).replace(unfit, '').trim();
 }
@@ -26,14 +26,14 @@ export function bookmarkAt(bookmarks: Bookmarks, step: number): Bookmark | null 
   return bookmarks.find((bookmark) => bookmark.step === step) ?? null;
 }
 
-/** With the step marked, its note as given; what is over the limit is left out. */
+/** Bookmarks a step with a note. Does nothing beyond the limit. */
 export function withBookmark(bookmarks: Bookmarks, step: number, note: string): Bookmarks {
   const others = withoutBookmark(bookmarks, step);
   if (others.length >= mostBookmarks) return bookmarks;
   return [...others, { step, note: cleanNote(note) }].sort((a, b) => a.step - b.step);
 }
 
-/** With the step marked; a note that it has is kept. */
+/** Bookmarks a step; keeps the note that it has. */
 export function marked(bookmarks: Bookmarks, step: number): Bookmarks {
   return bookmarkAt(bookmarks, step) === null ? withBookmark(bookmarks, step, '') : bookmarks;
 }
@@ -42,20 +42,23 @@ export function withoutBookmark(bookmarks: Bookmarks, step: number): Bookmarks {
   return bookmarks.filter((bookmark) => bookmark.step !== step);
 }
 
-/** Those of a run so long. */
+/** The bookmarks within a run of this length. */
 export function bookmarksUpTo(bookmarks: Bookmarks, length: number): Bookmarks {
   return bookmarks.every(({ step }) => step <= length)
     ? bookmarks
     : bookmarks.filter(({ step }) => step <= length);
 }
 
-/** As part of a link: a line each of step and note, in UTF-8 and base64, in which Russian takes half of what %-signs do. */
+/**
+ * The form in a link: one line per step and note, in UTF-8 and base64. In this form Russian takes half as much as with
+ * percent encoding.
+ */
 export function formatBookmarks(bookmarks: Bookmarks): string {
   const lines = bookmarks.map(({ step, note }) => `${step} ${note}`);
   return toBase64Url(new TextEncoder().encode(lines.join('\n')));
 }
 
-/** Ignores what is no bookmark. */
+/** Ignores invalid bookmarks. */
 export function parseBookmarks(written: string): Bookmarks {
   return linesIn(written).reduce<Bookmarks>((bookmarks, line) => {
     const [, step, note = ''] = /^(\d{1,9})(?: (.*))?$/s.exec(line) ?? [];

@@ -5,9 +5,9 @@ import { Calls } from './calls.js';
 const callsIn = async (name: string): Promise<Calls> =>
   new Calls(await traceOf(textOf(`${name}.jsonl`)));
 
-/** In this trace ProcessWindow is called at step 4 and gives its result at 23, SurroundTest at 18 and 21. */
+/** In this trace ProcessWindow is called at step 4 and returns at 23; SurroundTest is called at 18 and returns at 21. */
 describe('in nested calls', () => {
-  it('one goes over a procedure, and back over it', async () => {
+  it('stepping goes over a procedure, and back over it', async () => {
     const calls = await callsIn('inside.warnock.signs');
     expect(calls.over(2, 1)).toBe(3);
     expect(calls.over(3, 1)).toBe(23);
@@ -20,7 +20,7 @@ describe('in nested calls', () => {
     expect(calls.over(18, -1)).toBe(17);
   });
 
-  it('and out of it, to its result or to before its call', async () => {
+  it('stepping goes out of it, to its result or to the step before its call', async () => {
     const calls = await callsIn('inside.warnock.signs');
     expect(calls.out(19, 1)).toBe(21);
     expect(calls.out(21, 1)).toBe(23);
@@ -30,7 +30,7 @@ describe('in nested calls', () => {
     expect(calls.out(10, -1)).toBe(3);
   });
 
-  it('out of the first is to the end, or to the beginning', async () => {
+  it('stepping out of the first procedure goes to the end or to the beginning', async () => {
     const calls = await callsIn('inside.warnock.signs');
     expect(calls.out(2, 1)).toBe(31);
     expect(calls.out(24, -1)).toBe(0);
@@ -42,7 +42,7 @@ describe('in nested calls', () => {
 describe('less detail has fewer calls', () => {
   it('no SurroundTest among polygons', async () => {
     const calls = await callsIn('small.warnock.polygons');
-    // ProcessWindow from 5 to 25; surround at 14 closes nothing.
+    // ProcessWindow takes steps 5 to 25; surround at 14 does not end a call.
     expect(calls.over(4, 1)).toBe(25);
     expect(calls.over(13, 1)).toBe(14);
     expect(calls.out(14, 1)).toBe(25);
@@ -59,7 +59,7 @@ describe('less detail has fewer calls', () => {
 });
 
 describe.each(traceNames)('%s', (name) => {
-  it('ends on the call stacks that the state has', async () => {
+  it('ends with the call stacks of the state', async () => {
     const trace = await traceOf(textOf(name));
     const { timeline } = trace;
     const calls = new Calls(trace);

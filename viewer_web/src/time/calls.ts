@@ -3,7 +3,7 @@ import type { Trace } from '../replay/trace.js';
 
 export type Direction = -1 | 1;
 
-/** How deep the calls are nested after each step, and the ways over and out of them, forward and back alike. */
+/** The call depth after each step, and the steps over and out of procedures, in both directions. */
 export class Calls {
   private readonly depths: Uint8Array;
 
@@ -20,7 +20,7 @@ export class Calls {
     return this.depths.length - 1;
   }
 
-  /** The next step, but a call with all that it does counts as one. */
+  /** The next step, where a call with everything in it counts as one step. */
   over(step: number, direction: Direction): number {
     return this.find(step, direction, this.depthAt(step));
   }
@@ -34,7 +34,7 @@ export class Calls {
     return this.depths[step] ?? 1;
   }
 
-  /** The nearest other step no deeper than that, or the end of the trace. */
+  /** The nearest other step at most at this depth, or the end of the trace. */
   private find(from: number, direction: Direction, depth: number): number {
     const last = this.length;
     for (let step = from + direction; step >= 0 && step <= last; step += direction) {

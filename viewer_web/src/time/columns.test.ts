@@ -21,7 +21,7 @@ describe('a place on the strip', () => {
     expect(placeOf(0, wholeOf(0), 100)).toBe(0);
   });
 
-  // Steps stand at 0, 25, 50, 75 and 100.
+  // Steps are at 0, 25, 50, 75 and 100.
   it.each([
     [-3, 0],
     [0, 0],
@@ -39,7 +39,7 @@ describe('a place on the strip', () => {
 describe('the columns of a run', () => {
   const windows = textOf('small.warnock.windows.jsonl');
 
-  it('have every step in one of them, when there are more steps', async () => {
+  it('contain every step once, if there are more steps than columns', async () => {
     for (const count of [1, 2, 7, 50, 115]) {
       const columns = await columnsIn(windows, count);
       expect(columns[0]?.first).toBe(0);
@@ -48,14 +48,14 @@ describe('the columns of a run', () => {
     }
   });
 
-  it('have each step in some of them, when there are fewer', async () => {
+  it('contain each step several times, if there are fewer', async () => {
     const columns = await columnsIn(windows, 1000);
     const shown = new Set(columns.map(({ first }) => first));
     expect(shown.size).toBe(116);
     expect(columns.filter(({ first }) => first === 60)).toHaveLength(9); // 1000 / 115, rounded
   });
 
-  it('hold the share of each case', async () => {
+  it('have the share of each case', async () => {
     // 23 columns of five steps each. Windows begin at 2, 8, 14, 20, 23 and 26, see the course.
     const columns = await columnsIn(windows, 23);
     expect(columns[4]).toMatchObject({ first: 20, end: 25 });
@@ -72,19 +72,19 @@ describe('the columns of a run', () => {
     ]);
   });
 
-  it('hold the mean and the greatest level', async () => {
+  it('have the mean and the greatest level', async () => {
     const columns = await columnsIn(windows, 23);
-    // Steps 0 to 4: twice none, three times the area. 5 to 9: three of it, two of a quarter.
+    // Steps 0 to 4: twice no item, three times the area. Steps 5 to 9: three times the area, twice a quarter.
     expect(columns[0]?.levels).toEqual({ mean: 3 / 5, most: 1 });
     expect(columns[1]?.levels).toEqual({ mean: (3 * 1 + 2 * 2) / 5, most: 2 });
     // Steps 25 to 29: a pixel, then four steps of a window 2 x 2.
     expect(columns[5]?.levels).toEqual({ mean: (4 + 4 * 3) / 5, most: 4 });
   });
 
-  it('hold the mean and the greatest depth of calls', async () => {
+  it('have the mean and the greatest call depth', async () => {
     const [first, second] = await columnsIn(textOf('inside.warnock.signs.jsonl'), 2);
-    // Depths as in the course: 16 steps, of which four are 1 and twelve 2; and 16 of which
-    // 2 twice, 3 three times, 2 twice, 1 three times, 2 five times, 1 once.
+    // The depths are those of the course: 16 steps, four of them 1 and twelve 2; then 16 steps: 2 twice, 3 three times, 2
+    // twice, 1 three times, 2 five times, 1 once.
     expect(first?.calls).toEqual({ mean: (4 + 12 * 2) / 16, most: 2 });
     expect(second?.calls).toEqual({ mean: (4 + 9 + 4 + 3 + 10 + 1) / 16, most: 3 });
   });
@@ -106,7 +106,7 @@ describe('the columns of a run', () => {
     };
     events[4321] = { e: 'fault', at: 'L6', reason: 'a write outside the area' };
     const columns = await columnsIn(textWith(headerOf('zbuffer'), events), 10);
-    // The event of index i is step i + 1; a column has 500 steps and a little.
+    // The event with index i is step i + 1; a column has slightly more than 500 steps.
     const those = (mark: 'wrong' | 'fault' | 'ael'): readonly number[] =>
       columns.flatMap((column, i) => (column[mark] ? [i] : []));
     expect([those('wrong'), those('fault'), those('ael')]).toEqual([[2], [8], []]);
@@ -123,7 +123,7 @@ describe('the columns of a run', () => {
 });
 
 describe('pointing', () => {
-  const range = wholeOf(10_000); // ten steps a pixel
+  const range = wholeOf(10_000); // ten steps per pixel
   const width = 1000;
 
   it('means the nearest step', () => {

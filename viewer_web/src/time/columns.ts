@@ -4,28 +4,28 @@ import { indexFrom } from './goals.js';
 import { isIn, wholeOf } from './range.js';
 import type { Range } from './range.js';
 
-/** How many steps of a column belong to one case or polygon. */
+/** The number of steps in a column that belong to one case or polygon. */
 export interface Share {
   readonly part: number;
   readonly steps: number;
 }
 
-/** How deep the steps of a column are nested: on the average, and the deepest of them. */
+/** The nesting depth of the steps of a column: the mean and the maximum. */
 export interface Depth {
   readonly mean: number;
   readonly most: number;
 }
 
 /**
- * One column of the strip, a dot wide. Where a dot stands for many steps, the column holds the shares of all
- * cases, the mean depth with the greatest, and of what is rare whether it happens at all: so a single wrong
- * decision among thousands of steps is seen, and the common is seen in proportion.
+ * One column of the strip, one canvas pixel wide. If it stands for many steps, it has the shares of all cases, the mean and
+ * the greatest depth, and whether any rare event occurs. So a single wrong decision among thousands of steps is visible,
+ * and common events are shown in proportion.
  */
 export interface Column {
   /** Its steps: from `first` up to, not including, `end`. */
   readonly first: number;
   readonly end: number;
-  /** By part, those without steps left out. */
+  /** The shares by part, without parts that have no steps. */
   readonly shares: readonly Share[];
   readonly levels: Depth;
   readonly calls: Depth;
@@ -34,18 +34,18 @@ export interface Column {
   readonly fault: boolean;
 }
 
-/** Where on a strip so wide a step stands: the first one of its range at 0, the last at the end. */
+/** The place of a step on a strip of a width: the first step of the range at 0, the last one at the end. */
 export function placeOf(step: number, { from, to }: Range, width: number): number {
   return to === from ? 0 : ((step - from) / (to - from)) * width;
 }
 
-/** The step that stands nearest to a place. */
+/** The step nearest to a place. */
 export function stepAt(place: number, { from, to }: Range, width: number): number {
   if (width <= 0) return from;
   return from + Math.min(Math.max(0, Math.floor((place / width) * (to - from) + 0.5)), to - from);
 }
 
-/** Every step is in a column; if there are fewer steps than columns, one is in several. */
+/** Every step is in a column. If there are fewer steps than columns, a step is in several. */
 function stepsOf(column: number, count: number, range: Range): readonly [number, number] {
   const first = stepAt(column, range, count);
   const end = column === count - 1 ? range.to + 1 : stepAt(column + 1, range, count);
@@ -55,7 +55,7 @@ function stepsOf(column: number, count: number, range: Range): readonly [number,
 const happens = (steps: readonly number[], first: number, end: number): boolean =>
   (steps[indexFrom(steps, first)] ?? Infinity) < end;
 
-/** The strip of a run, whose course must be complete, or of a part of it, in the given number of columns. */
+/** The given number of columns for the strip of a run, or of a part of it. The course of the run must be complete. */
 export function columnsOf(
   course: Course,
   count: number,
@@ -76,7 +76,7 @@ export function columnsOf(
   });
 }
 
-/** Counts the steps of each part, one column after the other, with the same cells for all. */
+/** Counts the steps of each part, column by column, in the same array. */
 class Counter {
   private readonly steps: Uint32Array;
 
@@ -134,8 +134,8 @@ function callsIn(depths: Uint8Array, first: number, end: number): Depth {
 }
 
 /**
- * The step that is meant by a place: of the steps that are marked the nearest within reach, those of the first
- * list before those of the others, else just the nearest step. A mark is seldom to be hit to the pixel.
+ * The step that a place means: the nearest marked step within reach, where earlier lists take precedence, or else the
+ * nearest step. A mark is hard to hit to the pixel.
  */
 export function aimedAt(
   place: number,

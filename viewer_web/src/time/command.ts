@@ -1,6 +1,6 @@
 import type { Bookmarks } from './bookmarks.js';
 
-/** What the controls ask for; the player does it. */
+/** The commands of the controls, which the player carries out. */
 export type Command =
   | { readonly do: 'seek'; readonly step: number }
   | { readonly do: 'play' }

@@ -15,8 +15,8 @@ const windows = ({ stretches: { first, level, part } }: Course): readonly unknow
   first.map((step, i) => [step, level[i], cases[part[i] ?? -1] ?? null]);
 
 describe('the course of a run', () => {
-  it('has the windows, what each comes to, and how often the area was split to get it', async () => {
-    // Read off the file: the area 8 x 8, then from its right half 4 x 4, 2 x 2 and two pixels.
+  it('has the windows, the case of each, and the number of divisions that led to it', async () => {
+    // By hand from the file: the area 8 x 8, then in its right half 4 x 4, 2 x 2 and two pixels.
     const course = await courseIn('small.warnock.windows');
     expect(windows(course).slice(0, 6)).toEqual([
       [2, 1, 'split'],
@@ -30,7 +30,7 @@ describe('the course of a run', () => {
     expect(course.deepest).toBe(1);
   });
 
-  it('has a window as undecided where the run breaks off', async () => {
+  it('has an undecided window where the run breaks off', async () => {
     const [header = '', ...lines] = textOf('small.warnock.windows.jsonl').split('\n');
     const course = await readCourse([header, ...lines.slice(0, 8), ''].join('\n'));
     expect(windows(course)).toEqual([
@@ -44,13 +44,13 @@ describe('the course of a run', () => {
     expect(course.stretches).toEqual({ first: [2, 11], level: [1, 1], part: [0, 1] });
   });
 
-  it('says which stretch a step belongs to', async () => {
+  it('finds the stretch of a step', async () => {
     const course = await courseIn('small.zbuffer.windows');
     expect([0, 1, 2, 10, 11, 19].map((step) => course.indexAt(step))).toEqual([-1, -1, 0, 0, 1, 1]);
   });
 
   it('has the depth of the calls after each step', async () => {
-    // ProcessWindow from 4 to 23, in it SurroundTest from 18 to 21; FillPolygon from 26 to 31.
+    // ProcessWindow takes steps 4 to 23, and in it SurroundTest 18 to 21; FillPolygon takes 26 to 31.
     const { depths, deepest } = await courseIn('inside.warnock.signs');
     const run = (depth: number, times: number): number[] => Array<number>(times).fill(depth);
     expect([...depths]).toEqual([

@@ -6,25 +6,25 @@ import type { Event, EventName } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { indexFrom } from './goals.js';
 
-/** What is done at a step of an event's name. */
+/** The action at each step of an event name. */
 export type Watched = Readonly<Partial<Record<EventName, (step: number) => void>>>;
 
-/** What an algorithm writes down of the course of a run. */
+/** The records that an algorithm keeps of the course of a run. */
 export interface Book {
   readonly header: Header;
   eventAt(step: number): Event | null;
-  /** The place of a polygon in the scene. */
+  /** The index of a polygon in the scene. */
   indexOf(polygon: string): number;
-  /** Another item becomes current: see `Stretches`. */
+  /** Another item becomes current; see `Stretches`. */
   begin(step: number, part: number, level?: number): void;
-  /** Nothing is current any more: what follows concerns the whole run. */
+  /** No item is current any more: the following steps concern the whole run. */
   end(step: number): void;
-  /** What the current window comes to. */
+  /** The case of the current window. */
   decide(part: number): void;
   changeAel(step: number): void;
 }
 
-/** What may be decided of a window, in the order of the procedure. */
+/** The possible cases of a window, in the order of the procedure. */
 export const cases = [
   'empty',
   'surrounded',
@@ -35,27 +35,30 @@ export const cases = [
 export type Case = (typeof cases)[number];
 
 /**
- * Consecutive steps with the same current window, polygon, curve or clip polygon, from its first step to the next one's. There may be
- * some 100 000 of them, so that each of their properties is a column.
+ * Consecutive steps with the same current window, polygon, curve or clip polygon. There may be some 100 000 stretches, so
+ * each of their properties is a column.
  */
 export interface Stretches {
   readonly first: number[];
-  /** How often the area was split to get this window, from 1 for the area itself; of a list, how often it was put back; else 1. */
+  /** For a window, the number of divisions that led to it plus 1; for a list, how often it was put back; otherwise 1. */
   readonly level: number[];
-  /** What the window comes to, as an index of `cases`; the polygon's index in the scene, or the curve's; -1 if not decided, or nothing is current. */
+  /**
+   * The index in `cases` for a window, the index in the scene for a polygon or a curve; -1 if undecided, or if nothing is
+   * current.
+   */
   readonly part: number[];
 }
 
 const atOnce = 16384;
 
 /**
- * The course of a run: the current item, how deep it is nested, and where something rare happens. It is gathered in one
- * pass over the numbers of the events' names, which a page may spread over frames and which goes on as the trace grows;
- * only events that decide a window, name a polygon or a curve, or change AEL are asked for.
+ * The course of a run: the current item, the call depth, and the steps of rare events. It is built in one pass over the
+ * event names, which a page may spread over frames and which continues as the trace grows. Only events that decide a
+ * window, name a polygon or a curve, or change the AEL are parsed.
  */
 export class Course {
   readonly stretches: Stretches = { first: [], level: [], part: [] };
-  /** How deep the calls are nested after each step. */
+  /** The call depth after each step. */
   depths: Uint8Array;
   readonly ael: number[] = [];
   readonly wrong: number[];
@@ -69,7 +72,7 @@ export class Course {
   private readonly watch: readonly (((step: number) => void) | undefined)[];
   private readonly indices: ReadonlyMap<string, number>;
 
-  /** The steps are those at which decisions are known to be wrong though the trace does not say so. */
+  /** `wrong`: the steps at which decisions are known to be wrong although the trace does not say so. */
   constructor(
     readonly trace: Trace,
     wrong: readonly number[] = [],
@@ -87,7 +90,7 @@ export class Course {
     this.watch = eventNames.map((name) => watched[name]);
   }
 
-  /** The steps of the run. */
+  /** The number of steps of the run. */
   get length(): number {
     return this.trace.timeline.length;
   }
@@ -96,7 +99,7 @@ export class Course {
     return this.seen >= this.length;
   }
 
-  /** Goes on for about so long; says whether all was seen. */
+  /** Continues for about this time. Returns whether all steps were processed. */
   read(milliseconds = Infinity): boolean {
     const end = performance.now() + milliseconds;
     do this.readSome();
@@ -104,7 +107,7 @@ export class Course {
     return this.complete;
   }
 
-  /** The index of the stretch that a step belongs to, or -1. */
+  /** The index of the stretch that contains a step, or -1. */
   indexAt(step: number): number {
     return indexFrom(this.stretches.first, step + 1) - 1;
   }
@@ -123,14 +126,14 @@ export class Course {
     }
   }
 
-  /** The trace has grown. */
+  /** Grows the column of depths with the trace. */
   private makeRoom(): void {
     const larger = new Uint8Array(2 * this.length + 1);
     larger.set(this.depths);
     this.depths = larger;
   }
 
-  /** In which what an algorithm's events tell is written down. */
+  /** The records that an algorithm's events write to. */
   private book(): Book {
     const { stretches, indices, ael, trace } = this;
     return {

@@ -7,7 +7,7 @@ import { eventNames, kinds, numberOf } from '../trace/events.js';
 import type { EventName, Method } from '../trace/events.js';
 import type { Bookmarks } from './bookmarks.js';
 
-/** What one may go to: steps of one kind, those of the chosen pixel, or bookmarks. */
+/** The kinds of goals: steps of some events, those of the chosen pixel, and bookmarks. */
 export const goalNames = [
   'split',
   'ael',
@@ -20,20 +20,20 @@ export const goalNames = [
   'bookmark',
 ] as const;
 export type GoalName = (typeof goalNames)[number];
-/** These are not looked for in the trace. */
+/** Goals that are not searched for in the trace. */
 type Given = 'pixel' | 'bookmark';
 type SearchedName = Exclude<GoalName, Given>;
 export type Goal = GoalName | { readonly polygon: string };
 
-/** Steps that one may go to in the runs of an algorithm. */
+/** A kind of goal in the runs of an algorithm. */
 export interface OwnGoal {
   readonly name: SearchedName;
   readonly at: readonly EventName[];
-  /** Which of these; a long run is gone through without its events, by their names and the next ones, where that will do. */
+  /** Which of these steps are goals. If possible it uses only event names, and no events, because a run may be long. */
   isGoal?(timeline: Timeline, step: number): boolean;
 }
 
-/** Those of all algorithms. */
+/** The goals of all algorithms. */
 const wrong: OwnGoal = { name: 'wrong', at: ['disagree'] };
 
 const searched = (method: Method): readonly OwnGoal[] => [...algorithmOf({ method }).goals, wrong];
@@ -46,10 +46,10 @@ export const goalsOf = (method: Method): readonly GoalName[] => [
 
 const havePolygon: Wanted = eventNames.map((name) => 'polygon' in kinds[name].fields);
 
-/** Whether a step, whose event's name has this number, is a goal. */
+/** Whether a step is a goal; `name` is the number of its event's name. */
 type Test = (step: number, name: number) => boolean;
 
-/** Looks for goals among the steps whose events have certain names, each time as far as the trace has grown. */
+/** Searches for goals among the steps with certain event names, each time up to the current end of the trace. */
 class Search {
   readonly steps: number[] = [];
   private seen = 0;
@@ -63,7 +63,7 @@ class Search {
   goOn(): readonly number[] {
     const { complete, timeline } = this.trace;
     const { names } = timeline;
-    const end = complete ? names.length : names.length - 1; // the last one's next is still to come
+    const end = complete ? names.length : names.length - 1; // the event after the last one is not known yet
     for (; this.seen < end; this.seen++) {
       const step = this.seen + 1;
       const name = names[this.seen] ?? 0;
@@ -73,7 +73,7 @@ class Search {
   }
 }
 
-/** Whether the line of an event names the polygon; as a rule without parsing it. */
+/** Whether the line of an event names the polygon; usually without parsing it. */
 function namesPolygon(line: string, polygon: string): boolean {
   const key = '"polygon":';
   const at = line.indexOf(key);
@@ -88,7 +88,7 @@ export interface Followed {
   readonly entries: readonly { readonly step: number }[];
 }
 
-/** The steps that one may go to, looked for when they are first asked for. */
+/** The goals of a run, searched for on the first request. */
 export class Goals {
   private readonly searches = new Map<string, Search>();
 
@@ -111,7 +111,7 @@ export class Goals {
     return new Search(trace, only(...at), (step) => isGoal?.(trace.timeline, step) ?? true);
   }
 
-  /** In the Z-buffer algorithm all from one `polygon` to the next concerns that one. */
+  /** In the Z-buffer algorithm, all steps from one `polygon` to the next concern that polygon. */
   private isOf(polygon: string): Test {
     const { timeline } = this.trace;
     let inHand = false;
@@ -124,7 +124,7 @@ export class Goals {
   }
 }
 
-/** The index of the first of rising steps that is not before a step. */
+/** The index of the first of the sorted steps that is not before a step. */
 export function indexFrom(steps: readonly number[], step: number): number {
   let from = 0;
   let end = steps.length;
@@ -136,7 +136,7 @@ export function indexFrom(steps: readonly number[], step: number): number {
   return from;
 }
 
-/** The nearest of the rising steps before one and after it. */
+/** The nearest of the sorted steps before and after a step. */
 export function around(
   steps: readonly number[],
   step: number,

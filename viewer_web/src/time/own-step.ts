@@ -4,8 +4,8 @@ import { numberOf } from '../trace/events.js';
 const verdict = numberOf.get('disagree') ?? -1;
 
 /**
- * The step of another run that comes after as many events as a step of this one, or its last step. What only tells that a
- * decision was wrong is not counted: the same scene has such events if it was checked.
+ * The step of another run after the same number of events as a step of this run, or its last step. Events that only report
+ * a wrong decision do not count, because only checked runs of a scene have them.
  */
 export function ownStep(from: Timeline, step: number, to: Timeline): number {
   const own = from.names.subarray(0, step).filter((name) => name !== verdict).length;

@@ -11,8 +11,8 @@ async function readCourse(text: string): Promise<Course> {
   return course;
 }
 
-describe('where one is', () => {
-  it('is a window and what it comes to', async () => {
+describe('the place of a step', () => {
+  it('is a window and its case', async () => {
     const course = await readCourse(textOf('small.warnock.windows.jsonl'));
     const say = (step: number): string => sayPlace(course, step, [], texts.en);
     expect(say(0)).toBe('Step 0 of 115');
@@ -30,7 +30,7 @@ describe('where one is', () => {
     expect(say(15)).toBe('Step 15 of 19: polygon B, row 0');
   });
 
-  it('tells what is marked there', async () => {
+  it('includes the marks there', async () => {
     const events: readonly Event[] = [
       { e: 'polygon', at: 'Z2', polygon: 'A', color: '#112233' },
       { e: 'disagree', at: 'Z2', of: 'rows', taken: [0, 7], exact: [0, 8], cause: 'rounded' },

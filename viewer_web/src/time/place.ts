@@ -8,7 +8,7 @@ import { cases } from './course.js';
 import type { Case, Course } from './course.js';
 import { indexFrom } from './goals.js';
 
-/** Where in a run a step is. */
+/** The place of a step in a run. */
 export interface Place {
   readonly window: Box | null;
   readonly case: Case | null;
@@ -21,7 +21,7 @@ export interface Place {
 
 const scanline = numberOf.get('scanline');
 
-/** The last row that was begun in a stretch before a step, or at it. */
+/** The last row begun in a stretch at or before a step. */
 function rowAt({ trace: { timeline } }: Course, first: number, step: number): number | null {
   for (let at = step; at > first; at--) {
     const event = timeline.names[at - 1] === scanline ? timeline.event(at) : null;

@@ -1,10 +1,10 @@
-/** A part of a run: the steps from one to another, both among them. */
+/** A part of a run: the steps from one to another, both included. */
 export interface Range {
   readonly from: number;
   readonly to: number;
 }
 
-/** Fewer steps than this are never all that a strip shows, unless the run has no more. */
+/** A strip shows at least this number of steps, unless the run has fewer. */
 const least = 8;
 /** The share of a range that stays behind the step that it follows. */
 const behind = 0.1;
@@ -19,7 +19,7 @@ export const isWhole = ({ from, to }: Range, length: number): boolean =>
 const clamp = (value: number, low: number, high: number): number =>
   Math.min(Math.max(low, value), high);
 
-/** A range of the given number of steps within a run, as near as possible to the wanted beginning. */
+/** A range of the given number of steps within a run, beginning as near as possible to the wanted step. */
 function within(from: number, span: number, length: number): Range {
   const size = clamp(span, Math.min(least, length), length);
   const start = clamp(from, 0, length - size);
@@ -32,19 +32,22 @@ export function between(one: number, other: number, length: number): Range {
   return within(from - Math.max(0, least - span) / 2, span, length);
 }
 
-/** So many times as near, with the step that stays where it is. */
+/** Magnifies by a factor, and keeps the place of a step. */
 export function zoomed({ from, to }: Range, by: number, at: number, length: number): Range {
   const span = clamp((to - from) / by, Math.min(least, length), length);
   const share = to === from ? 0 : (at - from) / (to - from);
   return within(at - share * span, span, length);
 }
 
-/** So many steps later. */
+/** Moves the range later by a number of steps. */
 export function moved({ from, to }: Range, by: number, length: number): Range {
   return within(from + by, to - from, length);
 }
 
-/** A range that holds a step: the same, or where the step has left it, one that leaves room to go on in that direction. */
+/**
+ * A range that contains a step: the same one, or, if the step has left it, one that leaves room to continue in that
+ * direction.
+ */
 export function following(range: Range, step: number, length: number): Range {
   if (isIn(range, step)) return range;
   const span = range.to - range.from;

@@ -18,7 +18,10 @@ import { Goals, around, goalsOf } from './goals.js';
 import type { Followed, Goal, GoalName } from './goals.js';
 import { travelStyle } from './travel.style.js';
 
-/** More polygons than this are options only while somebody chooses: browsers look at all options whenever they lay out the page. */
+/**
+ * With more polygons than this, the options exist only while the list is open: browsers examine all options at each layout
+ * of the page.
+ */
 const crowd = 100;
 
 const shapes = {
@@ -27,7 +30,7 @@ const shapes = {
   next: 'M4 10h12M11 5l5 5 -5 5',
 } as const;
 
-/** Ways through a run that are longer than a step: over and out of procedures, and to the next of a kind. */
+/** Moves through a run that are longer than a step: over and out of procedures, and to the next goal. */
 @customElement('vidno-travel')
 export class TravelElement extends LitElement {
   static override styles = [base, travelStyle];
@@ -37,10 +40,10 @@ export class TravelElement extends LitElement {
   @property({ attribute: false }) check!: Check;
   @property({ attribute: false }) history: Followed | null = null;
   @property({ attribute: false }) bookmarks: Bookmarks = [];
-  /** To the next goal, and out of the procedure; keys lead all ways. */
+  /** Only the buttons for the next goal and out of the procedure; the keys do everything. */
   @property({ type: Boolean, reflect: true }) brief = false;
   @state() private chosen: Goal | null = null;
-  /** Whether somebody is about to choose. */
+  /** Whether the list of polygons is about to open. */
   @state() private isOpen = false;
   private calls: Calls | null = null;
   private goals: Goals | null = null;
@@ -68,13 +71,13 @@ export class TravelElement extends LitElement {
     return this.goals.stepsOf(goal, this.history, this.bookmarks);
   }
 
-  /** Over a procedure, or out of the current one. */
+  /** Steps over a procedure, or out of the current one. */
   call(way: 'over' | 'out', direction: Direction): void {
     if (this.calls?.length !== this.view.length) this.calls = new Calls(this.trace);
     this.goTo(this.calls[way](this.view.step, direction));
   }
 
-  /** To the nearest step that is a goal, of the kind that is chosen if no other is given. */
+  /** Goes to the nearest goal, of the chosen kind by default. */
   next(direction: Direction, goal = this.goal): void {
     const { back, forward } = around(this.stepsOf(goal), this.view.step);
     const step = direction === 1 ? forward : back;
@@ -120,7 +123,7 @@ export class TravelElement extends LitElement {
     return this.button('out', 1, [say.out, 'Shift ]'], step === length, () => this.call('out', 1));
   }
 
-  /** Over a procedure, and out of it. */
+  /** The buttons to step over and out of a procedure. */
   private procedures(): TemplateResult {
     const { step, length } = this.view;
     const say = this.texts;
@@ -133,14 +136,14 @@ export class TravelElement extends LitElement {
     </div>`;
   }
 
-  /** Where among the goals the step is. */
+  /** The position of the step among the goals. */
   private counted(steps: readonly number[]): string {
     const at = steps.indexOf(this.view.step);
     if (steps.length === 0) return this.none();
     return at < 0 ? String(steps.length) : `${at + 1} / ${steps.length}`;
   }
 
-  /** Nobody knows which decisions are wrong in a run that was not checked. */
+  /** The text without goals. In an unchecked run the wrong decisions are unknown. */
   private none(): string {
     const { exact } = texts[this.view.language];
     const { is } = this.check;

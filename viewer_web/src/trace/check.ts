@@ -1,11 +1,11 @@
 import { Refusal, describe } from './refusal.js';
 
-/** Takes an unknown value and gives it back with its type, or refuses it. */
+/** Checks an unknown value, and returns it with its type or throws. */
 export interface Check<T> {
   (value: unknown, path: string): T;
   /**
-   * A regular expression of JSON texts that the check certainly takes, among them all that a run writes; values
-   * without one are always looked at themselves.
+   * A regular expression of JSON texts that the check certainly accepts, including all that a run writes. Values of a check
+   * without one are always parsed.
    */
   readonly plain?: string;
   /** A field that may be missing. */
@@ -30,7 +30,7 @@ const nothing = '(?!)';
 
 export const plainOf = ({ plain }: Check<unknown>): string => plain ?? nothing;
 
-/** A check with the plain form of what it takes. */
+/** A check with the plain form of the values that it accepts. */
 export function written<T>(plain: string, take: (value: unknown, path: string) => T): Check<T> {
   return Object.assign(take, { plain });
 }
@@ -40,7 +40,7 @@ export function optional<T>(check: Check<T>): OptionalCheck<T> {
   return Object.assign(take, { plain: plainOf(check), optional: true } as const);
 }
 
-/** Numbers that are finite, and whole ones that are safe, by their fewness of digits. */
+/** The limited number of digits makes numbers finite, and whole numbers safe. */
 const natural = '(?:0|[1-9]\\d{0,14})';
 const integer = `-?${natural}`;
 export const plainNumber = `${integer}(?:\\.\\d{1,20})?(?:e[+-]?\\d{1,2})?`;
@@ -99,7 +99,7 @@ export function oneOf<const T extends string | number | boolean>(
 
 const anyOf = (plain: readonly string[]): string => `(?:${plain.join('|')})`;
 
-/** A text of ASCII that the pattern, from `^` to `$`, describes. */
+/** An ASCII text that matches the pattern from `^` to `$`. */
 export function matching(
   pattern: RegExp,
   otherwise: 'color' | 'label' | 'hash' | 'kernel',
@@ -118,7 +118,7 @@ export function list<T>(item: Check<T>): Check<readonly T[]> {
   });
 }
 
-/** What one of the checks takes: the answer to a decision. */
+/** A value that one of the checks accepts, such as the answer to a decision. */
 export function either<const C extends readonly Check<unknown>[]>(
   ...checks: C
 ): Check<Checked<C[number]>> {
@@ -152,7 +152,7 @@ export function plainObject(value: unknown, path: string): Readonly<Record<strin
   throw new Refusal(path, 'object', describe(value));
 }
 
-/** An object with these fields at least, the optional ones maybe; others are left out. */
+/** An object with at least these fields, except optional ones; other fields are dropped. */
 export function part<F extends Fields>(fields: F): Check<Recorded<F>> {
   return (value, path) => {
     const object = plainObject(value, path);
@@ -165,7 +165,7 @@ export function part<F extends Fields>(fields: F): Check<Recorded<F>> {
   };
 }
 
-/** An object whose fields, of any names, are all alike. */
+/** An object with arbitrary field names, whose values have the same type. */
 export function dictionary<T>(check: Check<T>): Check<ReadonlyMap<string, T>> {
   return (value, path) => {
     const fields = Object.entries(plainObject(value, path));
@@ -174,12 +174,12 @@ export function dictionary<T>(check: Check<T>): Check<ReadonlyMap<string, T>> {
 }
 
 type Kinds = Readonly<Record<string, Fields>>;
-/** An object with the fields of its kind, which `is` names. */
+/** An object with the fields of the kind that `is` names. */
 export type OneKind<K extends Kinds> = {
   readonly [N in keyof K & string]: Recorded<K[N]> & { readonly is: N };
 }[keyof K & string];
 
-/** An object with at least the fields of the kind that its field `is` names; others are left out. */
+/** An object with at least the fields of the kind that its field `is` names; other fields are dropped. */
 export function oneKind<const K extends Kinds>(kinds: K): Check<OneKind<K>> {
   const kind = part({ is: oneOf(...Object.keys(kinds)) });
   const checks = new Map(Object.entries(kinds).map(([is, fields]) => [is, part(fields)]));
@@ -189,7 +189,7 @@ export function oneKind<const K extends Kinds>(kinds: K): Check<OneKind<K>> {
   };
 }
 
-/** An object with exactly these fields: none missing but the optional ones, none unknown. */
+/** An object with exactly these fields, except optional ones. Unknown fields are refused. */
 export function record<F extends Fields>(fields: F): Check<Recorded<F>> {
   const needed = Object.entries(fields).filter(([, { optional: may }]) => may !== true);
   return (value, path) => {

@@ -3,7 +3,7 @@ import type { Check } from './check.js';
 import choices from './choices.json' with { type: 'json' };
 import { Refusal, describe } from './refusal.js';
 
-/** What `vidno methods --json` says: the editions of the procedures, and under which kernels they run. */
+/** The output of `vidno methods --json`: the editions of the procedures, and the kernels under which they run. */
 
 interface Bilingual {
   readonly en: string;
@@ -14,22 +14,22 @@ interface Bilingual {
 export type NamedEdition = keyof typeof choices.editions;
 export const editions = Object.keys(choices.editions) as readonly NamedEdition[];
 
-/** Single defects of the printed text are named one after the other: "printed:x-w2+x-w4". */
+/** An edition with single defects of the printed text lists their ids: "printed:x-w2+x-w4". */
 type SingleDefects = `printed:${string}`;
 export type Edition = NamedEdition | SingleDefects;
 const singles = 'printed:';
 
-/** Where a procedure is run otherwise than corrected: a defect of the printed text, or a usual mistake. */
+/** A deviation from the corrected procedures: a defect of the printed text, or a usual mistake. */
 export interface Deviation {
   readonly edition: Edition;
-  /** Its id in the printed text, if that has it. */
+  /** Its id in the printed text, if it is a defect of that text. */
   readonly defect: string | null;
   readonly title: Bilingual;
-  /** What it does. */
+  /** Its effect. */
   readonly says: Bilingual;
   /** The lines of the listings that it changes. */
   readonly lines: readonly string[];
-  /** How a usual mistake writes these lines, in their order; of a defect, none: the listings have its text. */
+  /** For a usual mistake, the text of these lines in order; empty for a defect, whose text the listings have. */
   readonly reads: readonly Bilingual[];
   readonly methods: readonly string[];
 }
@@ -48,7 +48,7 @@ export const deviations: readonly Deviation[] = Object.entries(choices.deviation
 const isNamed = (edition: string): edition is NamedEdition =>
   Object.hasOwn(choices.editions, edition);
 
-/** The ids of the defects that are named one by one. */
+/** The ids of the defects in the name of an edition. */
 function singlesIn(edition: string): readonly string[] {
   return edition.startsWith(singles) ? edition.slice(singles.length).split('+') : [];
 }
@@ -61,7 +61,7 @@ export function isEdition(name: string): name is Edition {
   return isNamed(name) || (ids.length > 0 && ids.every((id) => withDefect(id) !== undefined));
 }
 
-/** The check of an edition as files name it. */
+/** The check of an edition's name in files. */
 export const edition: Check<Edition> = written(
   `"(?:${editions.join('|')}|${singles}[-a-z0-9+]+)"`,
   (value, path) => {
@@ -70,16 +70,16 @@ export const edition: Check<Edition> = written(
   },
 );
 
-/** The usual mistakes, each in procedures that are else the corrected ones. */
+/** The usual mistakes. Each changes some of the corrected procedures. */
 export type Mistake = Exclude<NamedEdition, 'corrected' | 'printed'>;
 export const isMistake = (name: Edition): name is Mistake =>
   isNamed(name) && choices.editions[name].isMistake;
 
-/** The deviation that an edition consists of, if it is a single one. */
+/** The deviation of an edition, if it has exactly one. */
 export const deviationOf = (name: Edition): Deviation | null =>
   deviations.find((each) => each.edition === name) ?? null;
 
-/** Whether an edition has a defect of the printed text, by its id. */
+/** Whether an edition has the defect of the printed text with this id. */
 export function hasDefect(name: Edition, id: string): boolean {
   const named = deviationOf(name)?.defect ?? null;
   return name === 'printed' || named === id || singlesIn(name).includes(id);
@@ -91,27 +91,30 @@ export const methodNames = Object.keys(choices.methods) as readonly MethodName[]
 /** A variant of Warnock's algorithm: its text is the corrected one. */
 export const isFamily = (method: MethodName): boolean => method.startsWith('warnock-');
 
-/** What the program calls editions and methods, and says of these, by languages. */
+/** The program's names of editions and methods, and descriptions of them, by language. */
 export const editionTitle = (name: NamedEdition): Bilingual => choices.editions[name].title;
 export const methodTitle = (method: MethodName): Bilingual => choices.methods[method].title;
 export const methodSays = (method: MethodName): Bilingual => choices.methods[method].says;
 
-/** The procedure that runs first, as its listing is called. */
+/** The procedure that runs first, by the name of its listing. */
 export const firstProcedure = (method: MethodName): string => choices.methods[method].procedure;
 
-/** Whether a method cuts windows along any boundary of pixels, and does not halve them. */
+/** Whether a method cuts windows along arbitrary pixel boundaries instead of halving them. */
 export const cutsAnywhere = (method: MethodName): boolean => choices.methods[method].cutsAnywhere;
 
-/** The method that paints, under an always right kernel, what this one should. */
+/** The method that paints the right picture of this one, under a kernel that is always right. */
 export const referenceOf = (method: MethodName): MethodName =>
   choices.methods[method].reference as MethodName;
 
-/** By editions of a method's text the kernels under which it runs. */
+/** The kernels under which each edition of a method runs. */
 export const kernelsOf = (
   method: MethodName,
 ): Readonly<Partial<Record<NamedEdition, readonly string[]>>> => choices.methods[method].editions;
 
-/** Whether a method runs in an edition under a kernel: in single defects where it does as printed. */
+/**
+ * Whether a method runs in an edition under a kernel. Single defects need a method with those defects, and run under the
+ * kernels of the printed edition.
+ */
 export function runsUnder(method: MethodName, name: Edition, kernel: string): boolean {
   const ids = singlesIn(name);
   const isOfMethod = ids.every((id) => withDefect(id)?.methods.includes(method) === true);
@@ -119,7 +122,7 @@ export function runsUnder(method: MethodName, name: Edition, kernel: string): bo
   return isOfMethod && kernelsOf(method)[like]?.includes(kindOfKernel(kernel)) === true;
 }
 
-/** Colours that stay apart for colour-blind eyes and in grey; a scene that names none takes them in turn. */
+/** Colours that are distinguishable with colour blindness and in grey. A scene without colours takes them in turn. */
 export const palette: readonly string[] = choices.palette;
 
 interface Kernel {
@@ -134,7 +137,7 @@ interface Kernel {
 }
 const kernels: Readonly<Record<string, Kernel>> = choices.kernels;
 
-/** Those without a number behind a colon. */
+/** The kernels without a number after a colon. */
 export type PlainKernel = {
   [K in keyof typeof choices.kernels]: (typeof choices.kernels)[K] extends { parameter: unknown }
     ? never
@@ -144,25 +147,25 @@ export const plainKernels = Object.keys(kernels).filter(
   (name): name is PlainKernel => kernels[name]?.parameter === undefined,
 );
 
-/** The kernels that the page offers, those with a number behind the colon at some of its values. */
+/** The kernels that the page offers; for those with a number after the colon, at some values. */
 export const offeredKernels: readonly string[] = Object.entries(kernels).flatMap(
   ([name, { parameter }]) => parameter?.offered.map((number) => `${name}:${number}`) ?? [name],
 );
 
-/** The kernel without the number behind its colon. */
+/** The kernel without the number after its colon. */
 export const kindOfKernel = (kernel: string): string => kernel.split(':')[0] ?? kernel;
 
-/** What a kernel computes with. */
+/** The arithmetic of a kernel, in words. */
 export function kernelSays(kernel: string): Bilingual {
   const { says } = kernels[kindOfKernel(kernel)] ?? { says: { en: '', ru: '' } };
   return says;
 }
 
-/** Whether a kernel decides as exact arithmetic does, checked or not. */
+/** Whether a kernel always decides as exact arithmetic does, even unchecked. */
 export const isAlwaysRight = (kernel: string): boolean =>
   kernels[kindOfKernel(kernel)]?.alwaysRight === true;
 
-/** The same of the scene as it is given; others are so of the scene that they snap. */
+/** The same for the scene as given; some kernels are right only for the scene that they snap. */
 export const isRightAsGiven = (kernel: string): boolean =>
   isAlwaysRight(kernel) && kernels[kindOfKernel(kernel)]?.snaps === false;
 

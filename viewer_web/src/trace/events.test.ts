@@ -7,7 +7,7 @@ import { allSamples } from '../testing/samples.js';
 import { parseHeader } from './header.js';
 import { parseLine } from './parse.js';
 
-describe('an event that was written is the event that is read', () => {
+describe('a written event is read unchanged', () => {
   it.each(allSamples.map((event) => [event.e, event] as const))('%s', (name, event) => {
     const header = parseHeader(headerOf(methodWith(name)));
     expect(parseLine(JSON.stringify(event), header)).toEqual({ event });

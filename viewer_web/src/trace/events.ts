@@ -3,8 +3,8 @@ import { callsFrom, eventsOf, kinds as table } from './event-table.js';
 import type { decisions } from './event-table.js';
 
 /**
- * The events of `vidno-trace/1`: their types and the check of a line follow from one table, which the build makes of the
- * program's, trace/format/event.h.
+ * The events of `vidno-trace/1`. Their types and the check of a line are derived from one table, which the build makes from
+ * the program's table in trace/format/event.h.
  */
 
 export { isFamily } from './editions.js';
@@ -16,8 +16,8 @@ export type Procedure = keyof typeof callsFrom;
 export type Decision = (typeof decisions)[number];
 
 /**
- * What there is to say of the events of a name: the lines that tell them, the level from which, their fields, the call that
- * they end, and what they decide.
+ * The properties of an event name: the lines of the listing that have it, the lowest level that includes it, its fields,
+ * the call that it ends, and its decision.
  */
 export interface AnyKind {
   readonly at: Check<string>;
@@ -34,10 +34,10 @@ export type Events = {
     Kinds[K]['fields']
   >;
 };
-/** An event, or with a name the event of that name. */
+/** Any event, or the events with a name. */
 export type Event<K extends EventName = EventName> = { readonly [P in K]: Events[P] }[K];
 
-/** Those that tell a decision. */
+/** The events with a decision. */
 export type Deciding = {
   [K in EventName]: Kinds[K] extends { readonly decides: Decision } ? K : never;
 }[EventName];
@@ -53,27 +53,27 @@ export type WarnockEvents = Pick<Events, Exclude<EventOf<Windows>, Common>>;
 export type ZBufferEvents = Pick<Events, Exclude<EventOf<'zbuffer'>, Common>>;
 export type CurveEvents = Pick<Events, Exclude<EventOf<'floating-horizon'>, Common>>;
 export type RegionEvents = Pick<Events, Exclude<EventOf<'weiler-atherton'>, Common>>;
-/** What `warnock` itself does not tell. */
+/** The events that only the variants of `warnock` have. */
 export type FamilyEvents = Omit<WarnockEvents, EventOf<'warnock'>>;
 
 export const kinds: Readonly<Record<EventName, AnyKind>> &
   Readonly<Record<Deciding, { readonly decides: Decision }>> = table;
 
-/** Whether runs of a method tell such events. */
+/** Whether runs of a method have such events. */
 export const tells = (method: Method, name: EventName): boolean =>
   (eventsOf[method] as readonly EventName[]).includes(name);
 
-/** Whether any line of a run may tell them. */
+/** Whether the event may occur at any line of a run. */
 export const isToldAnywhere = (name: EventName): boolean => kinds[name].at === kinds.call.at;
 
 /** Whether it goes from window to window. */
 export const hasWindows = (method: Method): boolean => tells(method, 'pop');
-/** Whether its scenes are curves, not polygons. */
+/** Whether its scenes have curves and not polygons. */
 export const drawsCurves = (method: Method): boolean => tells(method, 'curve');
-/** Whether the list of polygons is the third of three, of which the others hold what surrounds or is outside. */
+/** Whether it has three lists of polygons: besides the usual one, those of surrounding and of outside polygons. */
 export const hasThreeLists = (method: Method): boolean => tells(method, 'join');
 
-/** The names, each at its number: numbers are looked through faster than events. */
+/** The event names by their numbers: passes over numbers are faster than over events. */
 export const eventNames = Object.keys(kinds) as readonly EventName[];
 
 export const numberOf: ReadonlyMap<EventName, number> = new Map(

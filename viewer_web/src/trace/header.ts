@@ -86,7 +86,7 @@ export interface Scene {
   readonly background: string;
   readonly polygons: readonly Polygon[];
   readonly byId: ReadonlyMap<string, Polygon>;
-  /** From the nearest to the farthest; null of a scene of polygons, while one of curves has none of these. */
+  /** From the nearest to the farthest; null for a scene of polygons. A scene of curves has no polygons. */
   readonly curves: readonly Curve[] | null;
 }
 

@@ -3,7 +3,7 @@ import type { Check } from './check.js';
 import { eventsOf, kinds, methods, numberOf } from './events.js';
 import type { AnyKind, Detail, Event, EventName, Method } from './events.js';
 
-/** What there is to know of the lines of an event. */
+/** The properties of an event's lines. */
 export interface LineKind {
   readonly name: EventName;
   readonly number: number;
@@ -33,7 +33,7 @@ function lineKinds(method: Method): ReadonlyMap<string, LineKind> {
   );
 }
 
-/** The lines of each method. */
+/** The line kinds of each method. */
 export const kindsOf = Object.fromEntries(
   methods.map((method) => [method, lineKinds(method)]),
 ) as Readonly<Record<Method, ReadonlyMap<string, LineKind>>>;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Lines } from './lines.js';
 
-/** The blocks of a file as text, each buffer given away as a worker does. */
+/** The blocks of a file as text. Each buffer is transferred, as a worker does. */
 async function blocksOf(text: string): Promise<readonly string[]> {
   const found: string[] = [];
   for await (const block of new Lines(new Blob([text])).blocks()) {
@@ -11,7 +11,7 @@ async function blocksOf(text: string): Promise<readonly string[]> {
   return found;
 }
 
-describe('a file in blocks that are given away', () => {
+describe('a file in blocks whose buffers are transferred', () => {
   const long = 'x'.repeat(200_000);
 
   it.each([

@@ -1,21 +1,23 @@
 import { isGzip, toUtf8 } from '../base/text-file.js';
 
-/** What ended the stream of bytes before its time. */
+/** Why a stream of bytes ended early. */
 export type Break = 'gzip' | 'long';
 
 const newline = 10;
 const longestLine = 2 ** 27;
-/** The first block is small, so that something is there soon; more and more until they are large. */
+/** The size of the first block, small so that something is shown soon. Blocks grow until they are large. */
 const smallest = 2 ** 16;
 const largest = 2 ** 20;
 
 const pause = (milliseconds: number): Promise<void> =>
   new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-/** The lines of a text, plain or gzip, in blocks of UTF-8: each of whole lines, but the last line may be cut. */
+/**
+ * The lines of a text, plain or gzip, in blocks of UTF-8. Each block has whole lines, except that the last line may be cut.
+ */
 export class Lines {
   broken: Break | null = null;
-  /** The bytes of the file that were read. */
+  /** The number of bytes of the file read so far. */
   read = 0;
   private buffer = new Uint8Array(smallest);
   private used = 0;
@@ -24,7 +26,7 @@ export class Lines {
 
   constructor(private readonly file: Blob) {}
 
-  /** The blocks, none empty, each in a buffer of its own that may be given away. */
+  /** The blocks, none empty, each in a separate buffer that may be transferred. */
   async *blocks(): AsyncGenerator<Uint8Array<ArrayBuffer>> {
     const reader = (await this.bytes()).getReader();
     try {
@@ -57,7 +59,7 @@ export class Lines {
     }
   }
 
-  /** The whole lines so far; what follows them begins another buffer. */
+  /** The whole lines so far; the rest moves to another buffer. */
   private cut(size: number): Uint8Array<ArrayBuffer> {
     const { buffer } = this;
     const end = this.used === 0 ? 0 : buffer.lastIndexOf(newline, this.used - 1) + 1;
@@ -70,7 +72,7 @@ export class Lines {
     return buffer.subarray(0, end);
   }
 
-  /** A line is longer than the buffer. */
+  /** Grows the buffer for a line longer than it. */
   private grow(): void {
     const { buffer } = this;
     if (this.used > longestLine) {
@@ -96,7 +98,7 @@ export class Lines {
     return plain.pipeThrough(toUtf8());
   }
 
-  /** A cut gzip stream fails when closed and throws away what still waits to be read: let it wait. */
+  /** A truncated gzip stream fails when closed and discards unread data. This waits until the data are read. */
   private async drained(): Promise<void> {
     let seen = -1;
     while (!this.reading || seen !== this.reads) {

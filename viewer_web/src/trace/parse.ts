@@ -8,7 +8,7 @@ import { Refusal, describe } from './refusal.js';
 
 const hash = matching(/^sha256:[0-9a-f]{64}$/, 'hash');
 
-/** A whole run has the hash of its picture, or of its lines; one that was stopped says that it is partial. */
+/** A complete run has the hash of its picture or of its lines; a stopped run states that it is partial. */
 const end = record({
   end: record({
     events: count,
@@ -21,7 +21,7 @@ const end = record({
 export type End = Checked<typeof end>['end'];
 export type Line = { readonly event: Event } | { readonly end: End };
 
-/** Throws the reason `empty` where there is nothing to be read. */
+/** Throws the reason `empty` for a text without content. */
 export function parseJson(text: string, empty: 'emptyFile' | 'emptyLine' = 'emptyFile'): unknown {
   try {
     return JSON.parse(text);
@@ -30,7 +30,7 @@ export function parseJson(text: string, empty: 'emptyFile' | 'emptyLine' = 'empt
   }
 }
 
-/** One line after the header: an event of the trace's method and level, or the last line. */
+/** A line after the header: an event of the trace's method and level, or the last line. */
 export function parseLine(line: string, header: Header): Line {
   const object = plainObject(parseJson(line, 'emptyLine'), '');
   if (!Object.hasOwn(object, 'e')) return { end: end(object, '').end };

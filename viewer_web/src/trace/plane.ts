@@ -1,9 +1,9 @@
 import type { Polygon } from './header.js';
 
-/** The depth of a plane at a point; not finite where the plane is seen edge-on. */
+/** The depth of a plane at a point; not finite if the plane is seen edge-on. */
 export type Plane = (x: number, y: number) => number;
 
-/** The plane of a polygon, for drawing alone: Newell's sum about the first vertex. */
+/** The plane of a polygon, for drawing only: Newell's sum relative to the first vertex. */
 export function planeOf({ vertices }: Polygon): Plane {
   const [[x0, y0, z0] = [0, 0, 0]] = vertices;
   let [a, b, c] = [0, 0, 0];

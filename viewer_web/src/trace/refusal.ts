@@ -1,6 +1,6 @@
-/** Why a file or an event is refused, with what the message needs; the wording is in `i18n`. */
+/** The reasons for refusing a file or an event, with the arguments of the message; the wording is in `i18n`. */
 export interface Reasons {
-  // A value is not what the format says.
+  // A value does not fit the format.
   number: [found: string];
   notNegative: [found: string];
   kernelNumber: [found: string];
@@ -24,7 +24,7 @@ export interface Reasons {
   noSuchPin: [name: string];
   noSuchRun: [name: string];
   noWebAddress: [found: string];
-  // A line is not what may stand there.
+  // A line is not allowed at its place.
   emptyFile: [];
   emptyLine: [];
   emptyList: [];
@@ -37,7 +37,7 @@ export interface Reasons {
   longLine: [];
   notGzip: [];
   tooLarge: [];
-  // An event that cannot happen here.
+  // An event cannot happen at its place.
   noSuchPolygon: [id: string];
   outsideArea: [];
   resultOf: [procedure: string, frame: string];
@@ -71,7 +71,7 @@ export interface Reasons {
 }
 export type Reason = keyof Reasons;
 
-/** `path` says where in the line, as in `scene.polygons[2].color`. */
+/** `path` is the place in the line, as in `scene.polygons[2].color`. */
 export class Refusal<K extends Reason = Reason> extends Error {
   readonly details: Reasons[K];
 
@@ -89,7 +89,7 @@ export function isRefusal(error: unknown): error is Refusal {
   return error instanceof Refusal;
 }
 
-/** A short picture of a value for a message: never the whole of a long one. */
+/** A short description of a value for a message; a long value is shortened. */
 export function describe(value: unknown): string {
   const text = value === undefined ? '' : JSON.stringify(value);
   return text.length > 40 ? `${text.slice(0, 39)}…` : text;

@@ -5,7 +5,7 @@ import type { EventName } from './events.js';
 import { Store } from './store.js';
 import type { Block } from './store.js';
 
-/** Lines as a block, the names looked up in parsed lines. */
+/** Lines as a block, with the names from parsed lines. */
 function blockOf(lines: readonly string[]): Block {
   const texts = lines.map((line) => new TextEncoder().encode(`${line}\n`));
   const ends: number[] = [];
@@ -27,7 +27,7 @@ function storeOf(lines: readonly string[], size: number): Store {
 
 const linesOf = (name: string): readonly string[] => textOf(name).trim().split('\n').slice(1, -1);
 
-describe('a store gives back what it was given', () => {
+describe('a store returns what was added', () => {
   it.each(traceNames)('%s, in blocks of any size, forward and backward', (name) => {
     const lines = linesOf(name);
     for (const size of [1, 7, 64, lines.length]) {
@@ -57,7 +57,7 @@ describe('a store gives back what it was given', () => {
     );
   });
 
-  it('and knows where each line begins among the bytes of all', () => {
+  it('with the start of each line among all bytes', () => {
     const lines = linesOf('small.warnock.signs.jsonl').slice(0, 90);
     const sizes = lines.map((line) => Buffer.byteLength(line) + 1);
     for (const size of [1, 7, 90]) {
@@ -74,7 +74,7 @@ describe('a store gives back what it was given', () => {
     }
   });
 
-  it('without depths, wherever these end and whatever the line holds besides', () => {
+  it('without depths, wherever they end and whatever else the line contains', () => {
     const depths = Array.from({ length: 2000 }, (_, i) => (i % 3 === 0 ? `${i}/7` : i / 8));
     const span = { e: 'span', at: 'Z14', row: 5, runs: [[0, 2000]] };
     const discard = { e: 'discard', at: 'PW3', polygon: 'Ёлка ,"depths":[1]' };
@@ -89,7 +89,7 @@ describe('a store gives back what it was given', () => {
     expect(store.eventWithoutDepths(5)).toBeNull();
   });
 
-  it('and nothing before the first and after the last', () => {
+  it('with nothing before the first and after the last', () => {
     const store = storeOf(linesOf('inside.warnock.signs.jsonl'), 10);
     expect([store.event(0), store.event(store.length + 1)]).toEqual([null, null]);
   });

@@ -1,16 +1,16 @@
 import type { Event } from './events.js';
 import { Refusal } from './refusal.js';
 
-/** Lines of a trace in the bytes that they came in, UTF-8, all of them checked. */
+/** Checked lines of a trace, as the original bytes in UTF-8. */
 export interface Block {
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** Where each line begins, and where the last one ends. */
+  /** The start of each line, followed by the end of the last one. */
   readonly starts: Uint32Array<ArrayBuffer>;
   /** The number of each event's name. */
   readonly names: Uint8Array<ArrayBuffer>;
 }
 
-/** The lines of a block as text: decoded together where each byte is a character, one by one elsewhere. */
+/** The lines of a block as text. A block of ASCII is decoded as a whole, any other line by line. */
 export class BlockText {
   private readonly decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
   private readonly whole: string | null;
@@ -23,7 +23,7 @@ export class BlockText {
     this.whole = text?.length === bytes.length ? text : null;
   }
 
-  /** A text, and from where to where in it line `i` is, newline included. */
+  /** A text, and the range in it of line `i`, newline included. */
   at(i: number): readonly [text: string, start: number, end: number] {
     const start = this.starts[i] ?? 0;
     const end = this.starts[i + 1] ?? start;
@@ -47,15 +47,15 @@ export class BlockText {
   }
 }
 
-/** No text within a line has this: its quotes would be escaped. */
+/** No text within a line contains this, because its quotes would be escaped. */
 const depths = ',"depths":[';
 const closing = ']'.charCodeAt(0);
-/** Bytes of a line among which its depths begin. */
+/** The depths of a line begin within this number of bytes. */
 const longestHead = 1024;
 const latin = new TextDecoder('latin1');
 const utf8 = new TextDecoder();
 
-/** Bytes as text; null if one is no character of ASCII. */
+/** Bytes as text; null if one is not ASCII. */
 function asciiOf(bytes: Uint8Array): string | null {
   const text = latin.decode(bytes);
   // eslint-disable-next-line no-control-regex
@@ -63,7 +63,7 @@ function asciiOf(bytes: Uint8Array): string | null {
 }
 
 interface Stored extends Block {
-  /** How many events come before the block, and how many bytes their lines have. */
+  /** The number of events before the block, and the bytes of their lines. */
   readonly before: number;
   readonly bytesBefore: number;
 }
@@ -71,8 +71,8 @@ interface Stored extends Block {
 const sizeOf = ({ starts }: Block): number => (starts.at(-1) ?? 0) - (starts[0] ?? 0);
 
 /**
- * The events of a trace, each kept as the line that it came in and parsed when it is asked for: a million of
- * them are a few large arrays. It grows at its end, block by block, wherever the blocks come from.
+ * The events of a trace. Each is stored as its original line, and parsed on request: a million events are a few large
+ * arrays. The store grows at its end by blocks from any source.
  */
 export class Store {
   private readonly blocks: Stored[] = [];
@@ -87,7 +87,7 @@ export class Store {
     return this.count;
   }
 
-  /** The numbers of the events' names, that of step n at n - 1: a long run is gone through by these first. */
+  /** The numbers of the events' names; that of step n is at n - 1. Passes over a long run use these first. */
   get names(): Uint8Array {
     return this.column.subarray(0, this.count);
   }
@@ -115,7 +115,7 @@ export class Store {
     return this.last.event;
   }
 
-  /** The same of an event far from the others that are asked for: only its own line is decoded. */
+  /** The same for an event far from other requested ones: decodes only its own line. */
   eventAlone(step: number): Event | null {
     if (step < 1 || step > this.count) return null;
     if (this.last?.step === step || (this.open !== null && isIn(this.open.block, step))) {
@@ -126,7 +126,7 @@ export class Store {
     return JSON.parse(utf8.decode(bytes.subarray(start, end))) as Event;
   }
 
-  /** The same without the depths of its pixels, which may be nearly all of a long line: then they are not decoded. */
+  /** The same without the depths of its pixels, which may be most of a long line and are not decoded. */
   eventWithoutDepths(step: number): Event | null {
     if (step < 1 || step > this.count) return null;
     const { bytes, starts, before } = this.find(step);
@@ -138,7 +138,7 @@ export class Store {
     return rest === null ? this.event(step) : (JSON.parse(head.slice(0, at) + rest) as Event);
   }
 
-  /** How many bytes the lines of the first steps have, given their number. */
+  /** The number of bytes in the lines of the first steps. */
   bytesBefore(steps: number): number {
     if (steps >= this.count) return this.size;
     const { starts, before, bytesBefore } = this.find(steps + 1);
@@ -157,7 +157,7 @@ export class Store {
     return from;
   }
 
-  /** The last step of the block that a step is in: to go beyond it another one must be decoded. */
+  /** The last step in the block of a step: steps beyond it need another block to be decoded. */
   endOfBlock(step: number): number {
     const { before, names } = this.find(step);
     return before + names.length;
@@ -169,7 +169,7 @@ export class Store {
     return text.line(step - 1 - block.before);
   }
 
-  /** Keeps the text of the block that was asked for last: neighbours are asked for one after the other. */
+  /** Keeps the text of the block requested last, because neighbouring steps are requested in succession. */
   private blockOf(step: number): { readonly block: Stored; readonly text: BlockText } {
     const { open } = this;
     if (open !== null && isIn(open.block, step)) return open;

@@ -14,7 +14,7 @@ function orientation(trace: Trace, { polygon, edge, point }: Event<'orient'>): A
   return [spotOf(point), { orientation: { q: spotOf(from), r: spotOf(to), pivot: 'q' } }];
 }
 
-/** PL3, PL4: the differences are taken from the side's second corner, F_i. */
+/** PL3, PL4: the differences are relative to the side's second corner, F_i. */
 function sideOf(trace: Trace, { vertex }: Event<'clip_sign'>, step: number): About {
   const side = last(trace, step, 'clip_side');
   if (side === null) return null;
@@ -22,7 +22,7 @@ function sideOf(trace: Trace, { vertex }: Event<'clip_sign'>, step: number): Abo
   return [spotOf(vertex), { orientation: { q: spotOf(from), r: spotOf(to), pivot: 'r' } }];
 }
 
-/** PW6, HP4, PC4: against the polygon that was the nearest so far. */
+/** PW6, HP4, PC4: compared with the nearest polygon so far. */
 function nearer(trace: Trace, { polygon, corner }: Event<'compare'>, step: number): About {
   const pop = last(trace, step, 'pop');
   if (pop === null) return null;
@@ -36,7 +36,7 @@ function nearer(trace: Trace, { polygon, corner }: Event<'compare'>, step: numbe
   return owner && at ? depths(trace, at, polygon, owner) : null;
 }
 
-/** Who has the depth at a corner of the window: the last one that was nearer there. */
+/** The polygon with the stored depth at a corner of the window: the last one that was nearer there. */
 function ownerOf(trace: Trace, step: number, corner: Corner, since: number): string | null {
   let found = last(trace, step, 'nearer', since);
   while (found !== null && !found.event.corners.includes(corner)) {

@@ -26,7 +26,7 @@ import { drawing, pointed } from './solid.js';
 import { caption } from './solid-caption.js';
 import { why } from './why.js';
 
-/** The corners of the current window, and the windows on the stack, the next one first. */
+/** The corners of the current window, and the windows on the stack from the top. */
 function things({ after: { warnock } }: View): readonly string[] {
   if (warnock === undefined) return [];
   return [
@@ -35,7 +35,7 @@ function things({ after: { warnock } }: View): readonly string[] {
   ];
 }
 
-/** A window is taken once, and decided once. */
+/** A window is popped once, and decided once. */
 function landmark(event: Event, inHand: string): string | null {
   if (event.e === 'pop') return `window ${event.window.join()}`;
   return event.e === 'decide' ? `decide ${inHand}` : null;

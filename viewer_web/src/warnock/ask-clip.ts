@@ -5,7 +5,7 @@ import type { Asker } from '../predict/asker.js';
 import { crossing } from '../predict/question.js';
 import type { Given } from '../predict/question.js';
 
-/** What does this side of the window leave of the list of vertices? */
+/** Which vertices remain after clipping by this side of the window? */
 export const clip: Asker<'clip'> = {
   from: 'polygons',
   at: ['clip_side'],
@@ -21,7 +21,7 @@ export const clip: Asker<'clip'> = {
     const dropped = stepsOf(trace, step, until, 'clip_drop');
     if (crossed.length + dropped.length === 0) return null;
 
-    // Each vertex in turn is kept or dropped.
+    // Each vertex in order is kept or dropped.
     const inTurn = inOrder(kept, dropped);
     const right = inOrder(crossed, kept).map((at) =>
       inTurn.includes(at) ? String(inTurn.indexOf(at) + 1) : crossing,

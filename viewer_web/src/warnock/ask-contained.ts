@@ -7,13 +7,13 @@ import type { Trace } from '../replay/trace.js';
 import { hasThreeLists } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 
-/** More crossings than a convex outline has. */
+/** More crossings than a convex outline can have. */
 const counts = ['0', '1', '2', '3', '4'];
 const sums = ['-8', '0', '8'];
 
-/** How a run looks at an outline that may contain the window, edge by edge, and what comes of it. */
+/** The examination of an outline that may contain the window, edge by edge, with its result. */
 interface Look<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'> {
-  /** What a question of it has, whatever it asks. */
+  /** The common fields of all questions about it. */
   readonly asked: Pick<Question<E>, 'step' | 'until' | 'about' | 'because' | 'things'>;
   /** The edges to choose from. */
   readonly options: readonly Option[];
@@ -21,7 +21,7 @@ interface Look<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'> {
   readonly result: Event<R>;
 }
 
-/** The look that a call of a procedure begins; null where there is none, or too many edges to choose from. */
+/** The examination that a call of a procedure begins; null if there is none, or there are too many edges to choose from. */
 function lookAt<E extends 'ray' | 'octants', R extends 'crossings' | 'angle'>(
   trace: Trace,
   step: number,
@@ -74,7 +74,7 @@ export const ray: Asker<'ray'> = {
   },
 };
 
-/** How far does the outline go round the window? */
+/** By what angle does the outline turn around the window? */
 export const octants: Asker<'octants'> = {
   ...where,
   ask(trace, step) {

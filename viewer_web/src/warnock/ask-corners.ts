@@ -25,7 +25,7 @@ export const corners: Asker<'corners'> = {
     const contested = all.filter(
       ({ against, relation }) => against !== '-inf' && relation !== null,
     );
-    // Equal depths are where one errs; else each corner has its turn.
+    // Equal depths are preferred, because mistakes are likely there; otherwise the corners take turns.
     const equal = contested.find(({ relation }) => relation === '=');
     const one = equal ?? contested[step % contested.length];
     if (one?.relation == null) return null;

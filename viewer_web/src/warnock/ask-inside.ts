@@ -5,7 +5,7 @@ import type { Asker } from '../predict/asker.js';
 import { cornerAt } from './naming.js';
 
 const signs = { '-1': '-', 0: '0', 1: '+' } as const;
-/** What fewer edges decide can be seen at a glance. */
+/** With fewer edges the answer is obvious. */
 const fewestEdges = 3;
 
 /** Is this point inside? */
@@ -20,7 +20,7 @@ export const inside: Asker<'inside'> = {
     const polygon = trace.header.scene.byId.get(id);
     const tests = stepsOf(trace, step, result.step, 'orient');
     if (polygon === undefined || tests.length < fewestEdges) return null;
-    if (tests.some(({ event }) => event.at === 'ED3')) return null; // edge-on, on a line with all its edges
+    if (tests.some(({ event }) => event.at === 'ED3')) return null; // edge-on: the point is collinear with all edges
 
     const last = polygon.vertices.length - 1;
     const edges = [last, ...Array.from({ length: last }, (_, i) => i)];

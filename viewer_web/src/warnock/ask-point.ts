@@ -5,7 +5,7 @@ import type { Asker } from '../predict/asker.js';
 import { none } from '../predict/question.js';
 import { shownIn } from './lists.js';
 
-/** Which polygon is seen at this point, and by which depth? */
+/** Which polygon is visible at this point, and at which depth? */
 export const point: Asker<'point'> = {
   from: 'polygons',
   at: ['call'],

@@ -6,7 +6,7 @@ import { relations, tests } from '../predict/question.js';
 import type { Trace } from '../replay/trace.js';
 import { hasThreeLists } from '../trace/events.js';
 
-/** The line that answered; above the level of signs the tests that come first may have no event. */
+/** The line that decided. Above the level of signs the earlier tests may have no event. */
 function testOf(trace: Trace, step: number, until: number): (typeof tests)[number] {
   const contained = [
     ...stepsOf(trace, step, until, 'crossings'),
@@ -17,7 +17,7 @@ function testOf(trace: Trace, step: number, until: number): (typeof tests)[numbe
   return stepsOf(trace, step, until, 'insider').length > 0 ? 'RE2' : 'RE1';
 }
 
-/** How does this polygon lie to the window, and which test tells? */
+/** What is the relation of this polygon to the window, and which test decides it? */
 export const relation: Asker<'relation'> = {
   isOf: hasThreeLists,
   from: 'polygons',

@@ -10,7 +10,7 @@ import { cases } from '../time/course.js';
 import { shownIn } from './lists.js';
 import { ownersOf } from './naming.js';
 
-/** Which polygon hides the others in a window; null where the trace does not tell. */
+/** The polygon that hides the others in a window; null if the trace does not have it. */
 function hidingIn(
   trace: Trace,
   decide: Step<'decide'>,
@@ -33,7 +33,7 @@ export const window: Asker<'window'> = {
   at: ['pop'],
   ask(trace, step) {
     const { detail, scene } = trace.header;
-    const isCoarse = detail === 'windows'; // no list gets shorter than the first one
+    const isCoarse = detail === 'windows'; // lists then never get shorter than the first one
     if (isCoarse && scene.polygons.length > mostOptions) return null;
     const pop = eventAt(trace, step, 'pop');
     const decide = nextOf(trace, step, 'decide', 'pop');

@@ -7,7 +7,7 @@ import type { Polygon, Scene } from '../trace/header.js';
 import type { Box } from '../trace/values.js';
 import type { Warnock } from './state.js';
 
-/** How far from a window the numbers of its octants stand, by its sides. */
+/** The distance of the octants' numbers from a window, in sides of the window. */
 const outward = 0.4;
 
 /** The part of an outline that the containment test has traversed so far. */
@@ -45,7 +45,7 @@ function endsOf(polygon: Polygon | undefined, edge: number): readonly [Spot, Spo
     : null;
 }
 
-/** From the centre of the window to beyond all that there is. */
+/** A line from the centre of the window to beyond the whole scene. */
 function rayMarks(window: Box, { area, polygons }: Scene): readonly Mark[] {
   const [x, y] = centreOf(window);
   const rightmost = polygons.flatMap(({ vertices }) => vertices.map((vertex) => vertex[0]));
@@ -61,7 +61,10 @@ function rayMarks(window: Box, { area, polygons }: Scene): readonly Mark[] {
 
 type Contained = Warnock['contained'][number];
 
-/** Where an edge meets the line of the ray, and how often that counts: told at the side of the area if that is beyond. */
+/**
+ * The intersection of an edge with the line of the ray, and its count. It is shown at the edge of the area if it is
+ * outside.
+ */
 function crossing(
   event: Contained,
   polygon: Polygon | undefined,
@@ -77,7 +80,7 @@ function crossing(
   return [point(event.counts > 0 ? 'yes' : 'no', [x, y]), note([within, y], String(event.counts))];
 }
 
-/** The lines of the window's sides, which part the plane around it into octants, and their numbers. */
+/** The lines of the window's sides, which divide the plane around it into octants, and the numbers of the octants. */
 function octantMarks([x, y, width, height]: Box, { area }: Scene): readonly Mark[] {
   const [left, top] = [area.x, area.y];
   const [right, bottom] = [left + area.width, top + area.height];
@@ -110,7 +113,7 @@ function octantMarks([x, y, width, height]: Box, { area }: Scene): readonly Mark
   return [...lines, ...places.map((at, octant) => note(at, String(octant)))];
 }
 
-/** By how many octants an edge turns, at its middle. */
+/** The number of octants by which an edge turns, at its midpoint. */
 function turn(event: Contained, polygon: Polygon | undefined): readonly Mark[] {
   const ends = endsOf(polygon, event.edge);
   if (event.e !== 'octants' || ends === null) return [];
@@ -118,7 +121,7 @@ function turn(event: Contained, polygon: Polygon | undefined): readonly Mark[] {
   return [note([(x1 + x2) / 2, (y1 + y2) / 2], signed(event.difference))];
 }
 
-/** The vertex, and the pixel boundaries next to it that lie inside the window. */
+/** The vertex, and the nearest pixel boundaries inside the window. */
 export function splitMarks(
   { polygon, vertex, column, row, splits }: Event<'split_vertex'>,
   { header: { scene }, after }: View,

@@ -6,7 +6,7 @@ import type { OwnGoal } from '../time/goals.js';
 /** The current item is a window. */
 export function course({ begin, decide, eventAt }: Book): Watched {
   let level = 0;
-  // The levels of the windows on the stack: a window that is pushed is a part of the current one.
+  // The levels of the windows on the stack: a pushed window is a part of the current one.
   const stack: number[] = [];
   return {
     push: () => stack.push(level + 1),
@@ -21,7 +21,7 @@ export function course({ begin, decide, eventAt }: Book): Watched {
   };
 }
 
-/** What follows the decision to split. */
+/** The events after the decision to split. */
 const splits = only('push', 'skip', 'split_vertex');
 
 export const goals: readonly OwnGoal[] = [

@@ -22,7 +22,7 @@ export function facts({ after, texts: page, language, header: { method } }: View
   ];
 }
 
-/** The level of a window, and the two lists beside the third. */
+/** The level of a window, and the two lists besides the third. */
 function listFacts(level: number, joined: Warnock['joined'], language: Language): readonly Fact[] {
   const { panel } = texts[language].family;
   const said = (list: Joined): string =>

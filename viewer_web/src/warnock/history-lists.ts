@@ -1,7 +1,7 @@
 import type { WarnockEvents } from '../trace/events.js';
 import type { Apl, Warnock } from './state.js';
 
-/** The ids of a list of active polygons; windows that share one hold the same object. */
+/** The ids in a list of active polygons. Windows with the same list share the object. */
 interface List {
   ids: readonly string[];
 }
@@ -11,7 +11,7 @@ export class Lists {
   private readonly stack: List[] = [];
   private joined: Warnock['joined'] = { surrounding: [], outside: [] };
   private current: List = { ids: [] };
-  /** Whether a window on the stack has the same list as the current one: what is changed here shows there. */
+  /** Whether a window on the stack shares the list of the current one, so that changes here affect it. */
   shared = false;
 
   push({ apl, shared }: WarnockEvents['push']): void {
@@ -28,7 +28,7 @@ export class Lists {
     this.current.ids = this.current.ids.filter((id) => id !== polygon);
   }
 
-  /** The list that all windows share is the third of three. */
+  /** The list that all windows share is the third one. */
   join({ polygon, list, level }: WarnockEvents['join']): void {
     this.discard(polygon);
     this.joined = { ...this.joined, [list]: [...this.joined[list], { polygon, level }] };

@@ -3,7 +3,7 @@ import { sayWhy } from '../history/say.js';
 import { historyIn, last, say, steps } from '../testing/histories.js';
 
 describe('in Warnock’s algorithm', () => {
-  it('a pixel has the windows that it lies in, one in another', async () => {
+  it('a pixel has the windows that contain it, nested', async () => {
     const history = await historyIn('small.warnock.windows', [4, 0]);
     expect(history.entries.map(({ step, event }) => [step, event.e])).toEqual([
       [1, 'push'],
@@ -56,7 +56,7 @@ describe('in Warnock’s algorithm', () => {
     );
   });
 
-  it('or covers it and gives it its colour', async () => {
+  it('a polygon that covers the pixel gives it its colour', async () => {
     const history = await historyIn('clipped.warnock.signs', [1, 2]);
     expect(steps(history).slice(-4)).toEqual([
       [25, 'paint'],
@@ -69,7 +69,7 @@ describe('in Warnock’s algorithm', () => {
     );
   });
 
-  it('the window of a single pixel has what was found there of each polygon', async () => {
+  it('the window of a single pixel has the findings about each polygon', async () => {
     const history = await historyIn('small.warnock.polygons', [6, 2]);
     const inLast = steps(history).filter(([step]) => step >= 89);
     expect(inLast).toEqual([

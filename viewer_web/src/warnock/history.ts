@@ -14,7 +14,7 @@ interface Place {
   readonly detail: Detail;
   /** The current row of FillPolygon, if there is one. */
   row: number | null;
-  /** Whether the point that SurroundTest looks at is that of PointColor. */
+  /** Whether the point of SurroundTest is that of PointColor. */
   centre: boolean;
 }
 
@@ -27,13 +27,13 @@ function overlaps([x, y, width, height]: Box, [i, j]: Pixel): boolean {
   return x < i + 1 && x + width > i && y < j + 1 && y + height > j;
 }
 
-/** What an event means for the pixels of the current window. The others are steps on the way to these. */
+/** The outcome of an event for the pixels of the current window. Other events are steps on the way to these. */
 const inWindow: { readonly [K in EventName]?: Judge<K> } = {
   pop: note,
   box: ({ outside }) => test(!outside),
   discard: () => 'fail',
   count: pass,
-  // At the level of signs the comparison that follows says the depth as well.
+  // At the level of signs the following comparison includes the depth.
   depth: (_event, { detail }) => (detail === 'signs' ? null : 'note'),
   compare: ({ nearer }) => test(nearer),
   nearer: ({ k }) => test(k > 0),
@@ -64,7 +64,7 @@ const inWindow: { readonly [K in EventName]?: Judge<K> } = {
   disagree: (_event, { row, pixel }) => (row === null || row === pixel[1] ? 'wrong' : null),
 };
 
-/** What an event means for the pixel, whatever the current window; nothing gives way to the table above. */
+/** The outcome of an event for the pixel in any window. If it is null, the table above decides. */
 const anywhere: { readonly [K in EventName]?: Judge<K> } = {
   push: ({ window }, { pixel }) => (overlaps(window, pixel) ? 'note' : null),
   fill: ({ rect }, { pixel }) => (overlaps(rect, pixel) ? 'paint' : null),
@@ -73,12 +73,12 @@ const anywhere: { readonly [K in EventName]?: Judge<K> } = {
   fault: (event, { pixel: [x, y] }) => (event.x === x && event.y === y ? 'wrong' : null),
 };
 
-/** In a window that the pixel does not lie in. */
+/** The relevant events in a window that does not contain the pixel. */
 const ways = ['push', 'pop', 'fill', 'draw', 'fault', 'join', 'rejoin'] as const;
 const outside = only(...ways);
 const outsideSharing = only(...ways, 'discard');
 
-/** In one that it lies in: what has a meaning or is followed; orientations only at the pixel's centre. */
+/** The relevant events in a window that contains it. Orientations count only at the pixel's centre. */
 function inside(detail: Detail, centre: boolean): Wanted {
   const followed: readonly EventName[] = ['call', 'row', 'disagree', 'join', 'rejoin'];
   const judged = Object.keys({ ...inWindow, ...anywhere }) as EventName[];
@@ -86,7 +86,7 @@ function inside(detail: Detail, centre: boolean): Wanted {
   return only(...[...followed, ...judged].filter((name) => !idle.includes(name)));
 }
 
-/** What concerns a pixel in Warnock's algorithm: the windows that it lies in, and all that was found there. */
+/** The history of a pixel in Warnock's algorithm: the windows that contain it, and the findings about them. */
 export class WarnockWatch implements Watch {
   known: Known = {};
   private readonly lists = new Lists();
@@ -123,7 +123,7 @@ export class WarnockWatch implements Watch {
     return judge?.(event, this.place) ?? null;
   }
 
-  /** Keeps what later events refer to. */
+  /** Updates the data that later events refer to. */
   private follow(event: Event): void {
     if (event.e !== 'disagree') this.place.row = event.e === 'row' ? event.row : null;
     if (event.e === 'push') this.lists.push(event);

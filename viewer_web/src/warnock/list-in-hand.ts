@@ -9,19 +9,19 @@ type Change = Event<'discard' | 'mark'>;
 
 const isChange = (event: Event): event is Change => event.e === 'discard' || event.e === 'mark';
 
-/** The events before which the list must be as it is. */
+/** The events that need the list to be up to date. */
 const lookers: ReadonlySet<EventName> = new Set(
   eventNames.filter((name) => uses.fieldsOf(name).some((it) => it === 'apl' || it === 'stack')),
 );
 
 /**
- * The list of active polygons while polygons leave it or are marked. The list itself is made anew only when somebody looks
- * at it: a copy for each of thousands of polygons would take seconds.
+ * The list of active polygons while polygons are removed or marked. The list itself is rebuilt only when an event needs it:
+ * a copy for each of thousands of polygons would take seconds.
  */
 export class ListInHand {
   private entries: Map<string, boolean> | null = null;
 
-  /** Takes a change of the list, which is not in the state yet; any other event is left alone. */
+  /** Records a change of the list, which is not in the state yet; ignores any other event. */
   take(event: Event, now: Warnock): boolean {
     if (!isChange(event)) return false;
     const { polygon } = event;
@@ -32,12 +32,12 @@ export class ListInHand {
     return true;
   }
 
-  /** The state as an event must find it. */
+  /** The state that an event needs. */
   before({ e }: Event, now: Warnock): Warnock {
     return lookers.has(e) ? this.settled(now) : now;
   }
 
-  /** The state with the list as it has become. */
+  /** The state with the updated list. */
   settled(now: Warnock): Warnock {
     if (this.entries === null) return now;
     const entries = [...this.entries];
@@ -45,7 +45,7 @@ export class ListInHand {
     return { ...now, ...changeApl(now, entries) };
   }
 
-  /** Another state takes the place of this one. */
+  /** Discards the changes, because another state replaces this one. */
   forget(): void {
     this.entries = null;
   }

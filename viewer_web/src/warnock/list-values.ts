@@ -5,7 +5,10 @@ import { texts } from '../i18n/index.js';
 import { containment } from './naming.js';
 import type { Warnock } from './state.js';
 
-/** What is known of a window with three lists: its level, what an outline counts so far, and what hides all others. */
+/**
+ * The values of a window with three lists: its level, the count of an outline so far, and the polygon that hides all
+ * others.
+ */
 export function listValues(view: View, now: Warnock, old: Warnock): readonly TemplateResult[] {
   const { header, language, texts: page } = view;
   const { family, numbers } = texts[language];

@@ -18,7 +18,7 @@ export function currentApl(now: Warnock): Apl {
   return now.apl;
 }
 
-/** The current list becomes another one, in the windows that share it too. */
+/** Replaces the current list, also in the windows that share it. */
 export function changeApl(now: Warnock, entries: readonly Entry[]): Partial<Warnock> {
   const old = currentApl(now);
   const apl = { entries };
@@ -35,7 +35,7 @@ function entryIndex(now: Warnock, polygon: string): number {
   return index;
 }
 
-/** The current list without a polygon. */
+/** Removes a polygon from the current list. */
 function without(polygon: string, now: Warnock): Partial<Warnock> {
   const index = entryIndex(now, polygon);
   return changeApl(
@@ -44,7 +44,7 @@ function without(polygon: string, now: Warnock): Partial<Warnock> {
   );
 }
 
-/** A polygon of the current list joins that of the surrounding or the outside ones. */
+/** Moves a polygon of the current list to the list of surrounding or of outside polygons. */
 export function joinedBy(
   { polygon, list, level }: WarnockEvents['join'],
   now: Warnock,
@@ -53,7 +53,7 @@ export function joinedBy(
   return { ...without(polygon, now), joined };
 }
 
-/** The last of a list of polygons that surround or are outside goes back to its place in the current one. */
+/** Moves the last of the surrounding or outside polygons back to its place in the current list. */
 export function rejoined(
   { polygon, list }: WarnockEvents['rejoin'],
   now: Warnock,
@@ -67,7 +67,7 @@ export function rejoined(
   return { ...changeApl(now, back), joined: { ...now.joined, [list]: joined.slice(0, -1) } };
 }
 
-/** An edge counts for containment. */
+/** Adds an edge to the count for containment. */
 export function counted(
   event: Event<'ray'> | Event<'octants'>,
   { contained }: Warnock,
@@ -90,7 +90,7 @@ export function pushedApl(event: WarnockEvents['push'], now: Warnock): Apl {
   return shared === true ? currentApl(now) : { entries: currentApl(now).entries };
 }
 
-/** The polygons that may show in the window, in the order of the scene. */
+/** The polygons that may be visible in the window, in the order of the scene. */
 export function shownIn({ apl, joined }: Warnock, { polygons }: Scene): readonly string[] {
   const listed = (apl?.entries ?? []).map(([id]) => id);
   const shown = new Set([...listed, ...joined.surrounding.map(({ polygon }) => polygon)]);

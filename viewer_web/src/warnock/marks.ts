@@ -9,7 +9,7 @@ import type { Sight } from '../replay/quadtree.js';
 import type { Corner, Vertex } from '../trace/values.js';
 import { containmentMarks, splitMarks } from './containment-marks.js';
 
-/** How the area is divided into windows, and the way to the current one. */
+/** The division of the area into windows, and the windows that contain the current one. */
 function treeMarks({ screen, after }: View, sight: Sight): readonly Mark[] {
   const { root, way = [] } = after.warnock ?? {};
   if (!root) return [];
@@ -79,7 +79,7 @@ const draws: Draws = {
   ],
 };
 
-/** The windows, the clipped polygon, and what the step decides. */
+/** The windows, the clipped polygon, and the decision of the step. */
 export const marks = (view: View, sight: Sight): readonly Mark[] => [
   ...treeMarks(view, sight),
   ...polygonMark(polygonInHand(view)),

@@ -8,7 +8,7 @@ import { afterWarnock, emptyWarnock } from './state.js';
 import type { Joined, Warnock } from './state.js';
 import { uses } from './uses.js';
 
-/** Warnock's algorithm with the list of the current window apart. */
+/** Warnock's algorithm, with the list of the current window handled separately. */
 class WarnockInHand implements Hand {
   private warnock = emptyWarnock;
   private readonly list = new ListInHand();

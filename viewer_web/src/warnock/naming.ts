@@ -12,7 +12,7 @@ declare module '../language/words.js' {
   }
 }
 
-/** The text's corner at a point of a window, if it is one. */
+/** The corner of a window at a point, named as in the text; null if there is none. */
 export function cornerAt(at: readonly N[], window: Box | null): Corner | null {
   if (window === null) return null;
   const [x, y, width, height] = window;
@@ -25,7 +25,7 @@ export function cornerAt(at: readonly N[], window: Box | null): Corner | null {
 const sideNames = ['top', 'left', 'bottom', 'right'] as const;
 export type WindowSide = (typeof sideNames)[number];
 
-/** The side of a window that a line goes along; null if it goes along none. */
+/** The side of a window on which a line lies; null if there is none. */
 export function sideAlong(
   { from, to }: { readonly from: readonly N[]; readonly to: readonly N[] },
   window: Box | null,
@@ -43,19 +43,19 @@ export function sideAlong(
   return sideNames.find((side) => isAlong[side]) ?? null;
 }
 
-/** The place of a corner of the current window in words, or null for a point that is none. */
+/** A corner of the current window in words; null for any other point. */
 export function placeOf(at: readonly N[], words: Words): string | null {
   const corner = cornerAt(at, words.after.warnock?.window ?? null);
   return corner && words.places([corner]);
 }
 
-/** The one polygon of the current list; null if the trace is too coarse to say which. */
+/** The only polygon of the current list; null if the trace is too coarse to tell. */
 export function onlyOf({ warnock }: Known): string | null {
   const [first, ...others] = warnock?.apl?.entries ?? [];
   return first !== undefined && others.length === 0 ? first[0] : null;
 }
 
-/** The sum so far of what the edges of an outline count: crossings of a ray, or octants. */
+/** The sum so far for the edges of an outline: crossings of a ray, or octants. */
 export function containment(warnock: Known['warnock']): number {
   return (warnock?.contained ?? []).reduce(
     (sum, edge) => sum + (edge.e === 'ray' ? edge.counts : edge.difference),
@@ -63,12 +63,12 @@ export function containment(warnock: Known['warnock']): number {
   );
 }
 
-/** What hides all others in the window: as it was found, or the only one that surrounds it. */
+/** The polygon that hides all others in the window: the one that was found, or the only one that surrounds it. */
 export function hidingOf({ warnock }: Known): string | null {
   return warnock?.covering ?? warnock?.joined?.surrounding.at(-1)?.polygon ?? null;
 }
 
-/** Whose a colour is: one polygon's or the background's; where the trace does not say which, all that have it. */
+/** The owners of a colour: one polygon or the background, or all that have the colour if the trace does not say which. */
 export interface Owners {
   readonly polygons: readonly string[];
   readonly background: boolean;
@@ -76,9 +76,9 @@ export interface Owners {
 
 const background: Owners = { polygons: [], background: true };
 
-/** The lines that fill a window with the background, whatever a polygon's colour is. */
+/** The lines that fill a window with the background, even if a polygon has that colour. */
 const fillsGround: readonly Event<'fill'>['at'][] = ['W7', 'W10', 'WS4', 'WF5', 'WF6'];
-/** Those at which PointColor has found the colour. */
+/** The lines at which PointColor has found the colour. */
 const fillsPoint: readonly Event<'fill' | 'color'>['at'][] = ['W9', 'WS5', 'WF11'];
 
 export function ownersOf(
@@ -100,5 +100,5 @@ export function ownersOf(
   };
 }
 
-/** The lines that ask for the side of an edge, but for those that ask it of a point as such. */
+/** The lines that ask for the side of an edge, except those that ask it for the tested point itself. */
 export type SideLine = Exclude<Event<'orient'>['at'], 'S2' | 'S3' | 'ED3'>;

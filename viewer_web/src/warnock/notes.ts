@@ -9,7 +9,7 @@ const vertexOf = ({ vertex }: { readonly vertex: readonly N[] }, { point }: Numb
 const windowOf = ({ window }: { readonly window: Box }, { windowText }: Numbers): string =>
   windowText(window);
 
-/** What the events of Warnock's algorithm and of its variants say in the notation of the listing. */
+/** The notes of the events of Warnock's algorithm and of its variants, in the notation of the listing. */
 export const notes: Pick<Notes, keyof WarnockEvents> = {
   push: windowOf,
   skip: windowOf,

@@ -5,7 +5,7 @@ import type { Case } from '../time/course.js';
 import { sayWindow } from '../time/place.js';
 import type { EventName } from '../trace/events.js';
 
-/** The events of which the last one in a window names the polygon that is seen there. */
+/** The events whose last one in a window names the visible polygon. */
 const showing: Readonly<Partial<Record<Case, readonly EventName[]>>> = {
   surrounded: ['cover', 'hiding'],
   pixel: ['nearest'],
@@ -19,7 +19,7 @@ function shownIn({ stepsOf, event }: Told, which: Case | undefined): string | nu
   return found !== null && 'polygon' in found ? (found.polygon ?? null) : null;
 }
 
-/** The windows, each in the one that was divided. */
+/** The windows, each nested in the one that was divided. */
 export const outline: Outlined = {
   parts: [],
   say(told, language) {

@@ -24,7 +24,7 @@ export class WarnockPanel extends LitElement {
     base,
     panelsStyle,
     css`
-      /* In a hall nobody scrolls: the lists are beside the window, not below it. */
+      /* In a presentation nobody scrolls, so the lists are beside the window and not below it. */
       :host(.one-list) {
         display: var(--hall, flex);
         grid:
@@ -77,7 +77,7 @@ export class WarnockPanel extends LitElement {
     return html`${this.window()} ${corners} ${lists} ${this.stack()}`;
   }
 
-  /** Below the level of polygons nobody says which of them leave a list. */
+  /** At the level of windows the trace does not say which polygons leave a list. */
   private get areListsTold(): boolean {
     return this.view.header.detail !== 'windows';
   }
@@ -113,7 +113,7 @@ export class WarnockPanel extends LitElement {
     </section>`;
   }
 
-  /** What is known of the window so far. */
+  /** The findings about the window so far. */
   private found(): readonly TemplateResult[] {
     const { now, old } = this;
     const { header, texts: page } = this.view;
@@ -130,7 +130,7 @@ export class WarnockPanel extends LitElement {
     ];
   }
 
-  /** The lists of PolygonClip or what PointColor found: one of them, or neither, is in play. */
+  /** The lists of PolygonClip, or the findings of PointColor; at most one of them is in use. */
   private inHand(): TemplateResult {
     const { now, old } = this;
     const { texts: page } = this.view;
@@ -217,7 +217,7 @@ export class WarnockPanel extends LitElement {
     </tr>`;
   }
 
-  /** A polygon that is so for all parts of a window, and the level of that. */
+  /** A polygon that has the relation to all parts of a window, and the level of that window. */
   private joinedEntry({ polygon, level }: Joined[number], changed: boolean): TemplateResult {
     const { event } = this.view;
     const current = event !== null && 'polygon' in event && event.polygon === polygon;

@@ -50,7 +50,7 @@ const place = (at: readonly (number | string)[], words: Words): string => {
 const currentList = (words: Words): string =>
   words.ids((words.after.warnock?.apl?.entries ?? []).map(([id]) => id));
 
-/** How a point is called whose side of an edge is asked for, with its corner of the window if it is one. */
+/** The name of a point whose side of an edge is determined, with its corner of the window if it is one. */
 const sideOf: Bilingual<
   Readonly<Record<SideLine, (at: readonly N[], corner: string | null, words: Words) => string>>
 > = {

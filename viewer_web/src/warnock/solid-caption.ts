@@ -4,7 +4,7 @@ import type { SolidTexts } from '../language/solid-texts.js';
 import { comparedPolygon, cornerDepths } from './solid-corners.js';
 import { depthsAtPoint, pointInHand } from './solid-point.js';
 
-/** What the box shows of a window, in words. */
+/** A description of a window in the box. */
 export function caption(view: View, texts: SolidTexts): readonly string[] {
   const { window = null, clip = null } = view.after.warnock ?? {};
   if (window === null) return [];

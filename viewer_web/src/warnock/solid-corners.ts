@@ -3,15 +3,15 @@ import { cornerOf } from '../picture/mark.js';
 import { corners } from '../trace/events.js';
 import type { Corner, N } from '../trace/values.js';
 
-/** What is known of a corner of the current window. */
+/** The depths at a corner of the current window. */
 export interface CornerDepth {
   readonly corner: Corner;
   readonly at: readonly [x: number, y: number];
   /** The nearest depth before this polygon. */
   readonly stored: N;
-  /** That of the plane of the current polygon, as soon as it is computed. */
+  /** The depth of the current polygon's plane, once it is computed. */
   readonly own: N | null;
-  /** Whether the current polygon is the nearer one, at the step that says so. */
+  /** Whether the current polygon is the nearer one, at the step that decides it. */
   readonly nearer: boolean | null;
 }
 
@@ -22,11 +22,11 @@ export function comparedPolygon({ event }: View): string | null {
   return event !== null && 'polygon' in event && isCompared.test(event.at) ? event.polygon : null;
 }
 
-/** The four corners with their depths; none where the trace does not tell them. */
+/** The four corners with their depths; empty if the trace does not have them. */
 export function cornerDepths(view: View): readonly CornerDepth[] {
   const { event, before, after } = view;
   const { window = null, depths = [], corners: now } = after.warnock ?? {};
-  // The step that copies the nearer depths shows what they were compared with.
+  // The step that copies the nearer depths shows the depths that they were compared with.
   const stored = event?.e === 'nearer' ? before.warnock?.corners : now;
   if (window === null || !stored) return [];
   const isInHand = comparedPolygon(view) !== null;

@@ -9,12 +9,12 @@ import { shownIn } from './lists.js';
 export interface PointDepth {
   readonly polygon: string;
   readonly z: N;
-  /** Whether the procedure has said it; else it is to come, and only drawn. */
+  /** Whether the procedure has computed it. A later depth is only drawn. */
   readonly told: boolean;
   readonly role: Role;
 }
 
-/** The point whose colour PointColor looks for: the middle of the window. */
+/** The point whose colour PointColor determines: the middle of the window. */
 export function pointInHand({ event, after }: View): readonly [number, number] | null {
   const runs = after.calls.some(({ of }) => of === 'PointColor') || event?.e === 'color';
   const window = after.warnock?.window;
@@ -22,7 +22,7 @@ export function pointInHand({ event, after }: View): readonly [number, number] |
   return [window[0] + window[2] / 2, window[1] + window[3] / 2];
 }
 
-/** The polygons of the list that hold the point, in the order of the list. */
+/** The polygons of the list that contain the point, in the order of the list. */
 export function depthsAtPoint(view: View): readonly PointDepth[] {
   const at = pointInHand(view);
   const { warnock } = view.after;

@@ -25,7 +25,7 @@ import type { CornerDepth } from './solid-corners.js';
 import { depthsAtPoint, pointInHand } from './solid-point.js';
 import type { Clip } from './state.js';
 
-/** Warnock's algorithm in the box: the window as a column, and what decides in it. */
+/** Warnock's algorithm in the box: the window as a column, and the geometry of the decision in it. */
 export function drawing(view: View, space: Space): Drawing {
   const { warnock } = view.after;
   if (warnock === undefined) return noDrawing;
@@ -90,7 +90,10 @@ function cornerDots({ at, stored, own, nearer }: CornerDepth): readonly Dot[] {
   return [before, { role: nearer === false ? 'no' : 'yes', at: spotAt(at, own) }];
 }
 
-/** The new depth stands outside the window, with the corner's name; the stored one beside its point, or outside if alone. */
+/**
+ * The new depth is outside the window, with the corner's name. The stored one is beside its point, or outside if it is
+ * alone.
+ */
 function cornerLabels(
   { corner, at, stored, own, nearer }: CornerDepth,
   { short }: Numbers,
@@ -111,7 +114,7 @@ function cornerLabels(
   return [before, { text, at: spotAt(at, own), side: [across, outward], strong, thing }];
 }
 
-/** The line through the point, and where it meets polygons. */
+/** The line through the point, and its intersections with polygons. */
 function pointDrawing(view: View, space: Space): Partial<Drawing> {
   const at = pointInHand(view);
   if (at === null) return noDrawing;

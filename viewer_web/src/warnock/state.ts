@@ -14,7 +14,7 @@ declare module '../replay/model.js' {
 /** An entry (P, S) of a list of active polygons. */
 export type Entry = readonly [polygon: string, surrounds: boolean];
 
-/** A list of active polygons. Windows that share one hold the same object. */
+/** A list of active polygons. Windows with the same list share the object. */
 export interface Apl {
   readonly entries: readonly Entry[];
 }
@@ -29,10 +29,10 @@ export interface Clip {
   readonly next: readonly Vertex[];
 }
 
-/** Polygons that surround a window or are outside of it, and the level of the one at which each joined the list. */
+/** Polygons that surround a window or are outside it, each with the level of the window at which it joined the list. */
 export type Joined = readonly { readonly polygon: string; readonly level: number }[];
 
-/** What is found out about a window. */
+/** The findings about a window. */
 interface Found {
   readonly corners: Readonly<Record<Corner, N>> | null;
   readonly k: number | null;
@@ -42,27 +42,29 @@ interface Found {
   readonly insider: boolean | null;
 }
 
-/** What is known of the current window; null until the trace tells it. */
+/** The state of the current window; null until the trace has begun one. */
 export interface Warnock extends Found {
-  /** The first window, which all others are parts of. */
+  /** The first window, which contains all others. */
   readonly root: Box | null;
-  /** The windows that were divided on the way to the current one, from the first on: its level is their number. */
+  /** The windows that were divided on the way to the current one, in order; their number is its level. */
   readonly way: readonly Box[];
   readonly stack: readonly StackedWindow[];
   readonly window: Box | null;
-  /** With three lists the third, which all windows share; the others are those of polygons that joined them. */
+  /**
+   * The list of active polygons. With three lists, the third one, which all windows share; the other two are in `joined`.
+   */
   readonly apl: Apl | null;
   readonly joined: Readonly<Record<'surrounding' | 'outside', Joined>>;
-  /** What the edges of the traversed outline count so far, for containment. */
+  /** The edge counts of the traversed outline so far, for containment. */
   readonly contained: readonly (Event<'ray'> | Event<'octants'>)[];
-  /** Which polygon surrounds the window and hides all so far; a coarse trace does not tell it. */
+  /** The polygon that surrounds the window and hides all others so far; a coarse trace does not have it. */
   readonly covering: string | null;
   readonly clip: Clip | null;
   /** The depths of the current polygon at the corners so far, in the order of their names. */
   readonly depths: readonly N[];
-  /** What PointColor has found so far. */
+  /** The finding of PointColor so far. */
   readonly nearest: { readonly polygon: string; readonly z: N } | null;
-  /** What was told last, if of a window before: the program's variables hold it until they are set again. */
+  /** The last findings, possibly about an earlier window: the program's variables keep them until they are set again. */
   readonly last: Found;
 }
 
@@ -106,7 +108,7 @@ function sameWindow(a: Box, b: Box): boolean {
   return a.every((value, i) => value === b[i]);
 }
 
-/** This is found out about the current window. */
+/** Records findings about the current window. */
 const finding = (news: Partial<Found>, { last }: Warnock): Partial<Warnock> => ({
   ...news,
   last: { ...last, ...news },
@@ -164,7 +166,7 @@ const handlers: Handlers = {
     depths: [],
   }),
   box: nothing,
-  // The current list takes what leaves it, and what is marked.
+  // The current list handles removed and marked polygons.
   discard: nothing,
   count: ({ count }, now) => ({ ...finding({ count }, now), depths: [] }),
   compare: nothing,
@@ -236,7 +238,7 @@ const handlers: Handlers = {
   edge_depth: nothing,
 };
 
-/** What is after an event of this method. */
+/** The state after an event of this method. */
 export function afterWarnock(event: Event, now: Warnock, screen: Screen): Warnock {
   const handler = handlers[event.e as Name] as Handler<EventName>;
   const news = handler(event, now, screen);

@@ -3,10 +3,10 @@ import type { Use } from '../replay/uses.js';
 import type { CommonEvents, WarnockEvents } from '../trace/events.js';
 
 const ofWindow = ['corners', 'k', 'count', 'hasSurround', 'color', 'insider'];
-/** The state's copy of some of these, which outlives the window. */
+/** Fields with copies of some values that outlive the window. */
 const kept = ['last'];
 
-/** A list of active polygons may be that of windows on the stack too. */
+/** Windows on the stack may share a list of active polygons. */
 const list: Use = { changes: ['apl', 'stack'], needs: ['apl'] };
 const joining: Use = { changes: ['apl', 'stack', 'joined'], needs: ['apl', 'joined'] };
 const vertex: Use = { changes: ['clip'], needs: ['clip'] };

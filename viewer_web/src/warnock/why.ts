@@ -5,7 +5,7 @@ import type { Event } from '../trace/events.js';
 import type { Header } from '../trace/header.js';
 import { ownersOf } from './naming.js';
 
-/** What a window is that gets one colour, by the line that fills it. */
+/** The reason why a window gets one colour, by the line that fills it. */
 const filled: Readonly<Record<Event<'fill'>['at'], Why>> = {
   ...{ W7: 'empty', WS4: 'empty', WF5: 'empty' },
   ...{ W8: 'hides', WF9: 'hides', WF10: 'hides' },
@@ -15,7 +15,7 @@ const filled: Readonly<Record<Event<'fill'>['at'], Why>> = {
 
 const most = 3;
 
-/** The polygon whose colour it is, or all that look the same where the trace does not say which; null for the background. */
+/** The polygon with the colour, or all with that colour if the trace does not say which; null for the background. */
 function ownerOf(event: Event<'fill'>, known: Known, header: Header): string | null {
   const { polygons } = ownersOf(event, known, header);
   if (polygons.length === 0) return null;
@@ -24,7 +24,7 @@ function ownerOf(event: Event<'fill'>, known: Known, header: Header): string | n
     : polygons.join(' / ');
 }
 
-/** Why the entry that painted the pixel gave it its colour. */
+/** The reason why the entry that painted the pixel gave it its colour. */
 export function why({ event, known }: Entry, header: Header): Reason {
   if (event.e === 'draw') return { why: 'alone', polygon: event.polygon };
   if (event.e !== 'fill') return { why: 'untouched', polygon: null };

@@ -8,13 +8,13 @@ import type { Option, Part } from '../predict/question.js';
 import type { Piece } from './events.js';
 import { boundsOf } from './geometry.js';
 
-/** A part by the box around it. */
+/** A part, described by its bounding box. */
 function optionOf([id, region]: Piece): Option {
   const { from, to } = boundsOf(region);
   return { value: id, note: ({ numbers: { point } }) => `${point(from)} – ${point(to)}` };
 }
 
-/** Which parts inside does the clip polygon hide, and is it visible then? */
+/** Which inside parts does the clip polygon hide, and is it then visible? */
 export const behind: Asker<'behind'> = {
   from: 'polygons',
   at: ['call'],

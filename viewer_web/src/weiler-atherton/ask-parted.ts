@@ -10,7 +10,7 @@ import { ownersOf } from './pieces.js';
 /** More outlines than most parts have. */
 const counts = ['0', '1', '2', '3', '4'];
 
-/** How many outlines are around a part outside: one with several, if there is one, is where one errs. */
+/** Asks for the number of outlines of a part outside, preferably one with several, where mistakes are likely. */
 function outlinesOf(
   others: readonly Piece[],
   clipped: readonly Step<'clipped'>[],
@@ -31,7 +31,7 @@ function outlinesOf(
   };
 }
 
-/** What of a list lies inside the clip polygon, and what outside? */
+/** Which parts of a list are inside the clip polygon, and which are outside? */
 export const parted: Asker<'parted'> = {
   from: 'polygons',
   at: ['pop_list'],

@@ -4,10 +4,10 @@ import { mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { ownersOf } from './pieces.js';
 
-/** So many more pieces than polygons there may be. */
+/** The greatest offered difference between the numbers of pieces and of polygons. */
 const mostMore = 4;
 
-/** Which polygons pierce each other, and how many pieces are there then? */
+/** Which polygons pierce each other, and how many pieces result? */
 export const piercing: Asker<'piercing'> = {
   from: 'polygons',
   at: ['call'],

@@ -5,7 +5,7 @@ import type { Asker } from '../predict/asker.js';
 import type { Piece } from './events.js';
 import { ownersOf } from './pieces.js';
 
-/** Two depths of two polygons could be guessed. */
+/** With only two depths of two polygons the answer could be guessed. */
 const fewestAnswers = 6;
 
 const areSame = (a: Piece | undefined, b: Piece | undefined): boolean =>
@@ -19,7 +19,7 @@ export const sort: Asker<'sort'> = {
     if (eventAt(trace, step, 'call')?.of !== 'DepthSort') return null;
     const sorted = nextOf(trace, step, 'sorted');
     const facets = trace.timeline.seek(step).values.regions?.facets ?? [];
-    // The event names polygons only; which piece it is says the list that is made of them.
+    // The event names only polygons; the list made from them contains the piece.
     const first = sorted && eventAt(trace, sorted.step + 1, 'push_list')?.pieces[0];
     if (sorted === null || first == null) return null;
     const until = sorted.step;

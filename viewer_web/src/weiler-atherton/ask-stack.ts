@@ -4,7 +4,7 @@ import { mostOptions, optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { ownersOf } from './pieces.js';
 
-/** Which list is taken from the stack next, and which polygon clips then? One alone is plain. */
+/** Which list is popped from the stack next, and which polygon clips then? A single list would be obvious. */
 export const stack: Asker<'stack'> = {
   from: 'polygons',
   at: ['nearer_ones'],

@@ -5,10 +5,10 @@ import { optionsOf } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import { clippingAt } from './pieces.js';
 
-/** More points would be hard to survey. */
+/** More points would be confusing. */
 const mostPoints = 12;
 
-/** The other points of a loop, in order, from the one after this; null if it is not once on one loop. */
+/** The other points of a loop in order, starting after this one; null if it does not occur exactly once on one loop. */
 function afterStart(
   loops: readonly (readonly string[])[],
   start: string,
@@ -19,7 +19,7 @@ function afterStart(
   return [...loop.slice(at + 1), ...loop.slice(0, at)];
 }
 
-/** Which way do the outlines lead round what is inside the clip polygon? */
+/** In which order does the walk go around the part inside the clip polygon? */
 export const walk: Asker<'walk'> = {
   from: 'signs',
   at: ['call'],

@@ -1,9 +1,10 @@
 import type { Book, Watched } from '../time/course.js';
 
-/** The current item is a list with its clip polygon, until what is visible is painted. */
+/** The current item is a list with its clip polygon, until the visible regions are painted. */
 export function course({ begin, end, eventAt, indexOf }: Book): Watched {
   let level = 1;
-  // The levels of the lists on the stack: parts inside that are tried again are a level below their list, the parts outside are not.
+  // The levels of the lists on the stack: a list of inside parts that is tried again is one level below its list; a list of
+  // outside parts is not.
   const stack: number[] = [];
   let isPainting = false;
   const paint = (step: number): void => {

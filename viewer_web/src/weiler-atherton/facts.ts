@@ -7,10 +7,10 @@ import { ownersOf } from './pieces.js';
 import { emptyRegions } from './state.js';
 import type { Regions } from './state.js';
 
-/** The current list; before there is one, what will be sorted. */
+/** The current list, or before the first one the pieces to sort. */
 const piecesOf = ({ inHand, facets }: Regions): readonly Piece[] => inHand?.pieces ?? facets;
 
-/** The pieces with their outlines as one walks along them, and the polygons of the other lists, the top one first. */
+/** The pieces with their outlines in walking order, and the polygons of the other lists from the top of the stack. */
 export function facts({ after: { regions }, texts: page, language }: View): readonly Fact[] {
   if (regions === undefined) return [];
   const { regions: say, numbers } = texts[language];

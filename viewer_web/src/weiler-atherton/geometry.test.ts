@@ -8,7 +8,7 @@ const outline = [
   [8, 8],
   [0, 8],
 ] as const;
-/** The other way round. */
+/** In the opposite direction. */
 const hole = [
   [2, 2],
   [2, 6],
@@ -22,30 +22,30 @@ describe('a region with a hole', () => {
     expect(areaOf(ring)).toBe(64 - 16);
   });
 
-  it('does not hold what lies in the hole', () => {
+  it('does not contain points in the hole', () => {
     expect(holds(ring, [1, 4])).toBe(true);
     expect(holds(ring, [4, 4])).toBe(false);
     expect(holds(ring, [9, 4])).toBe(false);
   });
 
-  it('has the box of its outline', () => {
+  it('has the bounding box of its outline', () => {
     expect(boundsOf(ring)).toEqual({ from: [0, 0], to: [8, 8] });
   });
 
-  it('is hatched outside the hole alone', () => {
-    // x + y = 4 meets the outline in (0, 4) and (4, 0), and the hole in its corner (2, 2).
+  it('is hatched only outside the hole', () => {
+    // x + y = 4 meets the outline at (0, 4) and (4, 0), and the hole at its corner (2, 2).
     const lines = hatchData(ring, 1, 4, [0, 0, 8, 8]);
     expect(lines.startsWith('M0 4L')).toBe(true);
     // x + y = 8 is the diagonal: from (0, 8) to (2, 6), and from (6, 2) to (8, 0).
     expect(lines).toContain('M0 8L2 6M6 2L8 0');
   });
 
-  it('is hatched where it is seen', () => {
+  it('is hatched only where it is in sight', () => {
     expect(hatchData(ring, 1, 1, [0, 0, 1, 1]).match(/M/g)).toHaveLength(1);
   });
 });
 
-describe('a loop with a point that is no number', () => {
+describe('a loop with a point that is not a number', () => {
   it('is not drawn', () => {
     const broken: Region = [
       [

@@ -3,14 +3,15 @@ import type { Spot } from '../picture/mark.js';
 import type { Region } from './events.js';
 
 /**
- * What is drawn and said of regions, in doubles: near enough to be seen. What the run decided is in its events.
+ * Geometry of regions for drawing and texts, in doubles, which are accurate enough for display. The decisions of the run
+ * are in its events.
  */
 
 export type Loops = readonly (readonly Spot[])[];
 
 const known = new WeakMap<Region, Loops>();
 
-/** A region's loops as they are drawn; those with a point that is no number are not. */
+/** The loops of a region to draw, without those that have a non-finite point. */
 export function loopsOf(region: Region): Loops {
   const loops = known.get(region);
   if (loops !== undefined) return loops;
@@ -33,14 +34,14 @@ function forEachEdge(loops: Loops, visit: (from: Spot, to: Spot) => void): void 
   }
 }
 
-/** In square pixels; holes count against it, as they go the other way round. */
+/** The area in square pixels. Holes have the opposite direction and count as negative. */
 export function areaOf(region: Region): number {
   let twice = 0;
   forEachEdge(loopsOf(region), ([x1, y1], [x2, y2]) => (twice += x1 * y2 - x2 * y1));
   return Math.abs(twice) / 2;
 }
 
-/** The least box around a region. */
+/** The bounding box of a region. */
 export interface Bounds {
   readonly from: Spot;
   readonly to: Spot;
@@ -53,7 +54,7 @@ export function boundsOf(region: Region): Bounds {
   return { from: [Math.min(...xs), Math.min(...ys)], to: [Math.max(...xs), Math.max(...ys)] };
 }
 
-/** Whether a point lies in a region; what lies on its outline may count as either. */
+/** Whether a region contains a point; a point on the outline may count as either. */
 export function holds(region: Region, [x, y]: Spot): boolean {
   let inside = false;
   forEachEdge(loopsOf(region), ([x1, y1], [x2, y2]) => {
@@ -63,13 +64,16 @@ export function holds(region: Region, [x, y]: Spot): boolean {
   return inside;
 }
 
-/** The `d` of a region's outline. */
+/** The path data of a region's outline. */
 export const regionData = (region: Region): string =>
   loopsOf(region)
     .map((loop) => `M${loop.map(([x, y]) => `${x} ${y}`).join('L')}Z`)
     .join('');
 
-/** Lines so far apart, along which x + slope · y is the same, as far as they lie in a region and in the box around what is seen. */
+/**
+ * Hatching lines at a distance from each other, on which x + slope · y is constant, clipped to a region and to the bounding
+ * box of what is seen.
+ */
 export function hatchData(
   region: Region,
   slope: 1 | -1,
@@ -98,7 +102,7 @@ export function hatchData(
   return d;
 }
 
-/** Where a line meets the loops, from left to right. */
+/** The intersections of a line with the loops, from left to right. */
 function meetings(loops: Loops, across: (at: Spot) => number, at: number): readonly Spot[] {
   const met: Spot[] = [];
   forEachEdge(loops, (from, to) => {

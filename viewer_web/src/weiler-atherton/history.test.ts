@@ -14,26 +14,26 @@ async function historyAt(pixel: Pixel): Promise<History> {
 }
 
 describe('the history of a pixel among regions', () => {
-  it('tells what the pieces over its centre go through, until one of them shows', async () => {
+  it('follows the pieces over its centre, until one of them is visible', async () => {
     // The centre (5.5, 5.5) lies in A and in B, which is nearer, and not in C.
     const { entries } = await historyAt([5, 5]);
     const told = entries.map(({ event: { e }, outcome }) => `${e} ${outcome}`);
     expect(told).toEqual([
       'cut_to_area note', // A
       'cut_to_area note', // B
-      'split note', // A, whose left piece it lies in
-      'pop_list note', // C clips: both are beside it
+      'split note', // A: its left piece contains the centre
+      'pop_list note', // C clips: A and B are beside it
       'beside note',
       'beside note',
       'pop_list note', // B clips
-      'clipped pass', // of A the part inside
+      'clipped pass', // the inside part of A
       'behind fail', // is behind
       'show pass', // B
       'paint paint',
     ]);
   });
 
-  it('says why the pixel has its colour', async () => {
+  it('explains the colour of the pixel', async () => {
     const history = await historyAt([5, 5]);
     const { painter } = history;
     expect(painter && sayWhy(painter, history, 'en')).toBe(
@@ -41,7 +41,7 @@ describe('the history of a pixel among regions', () => {
     );
   });
 
-  it('is empty where no polygon is', async () => {
+  it('is empty where there is no polygon', async () => {
     const { entries, painter } = await historyAt([0, 0]);
     expect(entries).toEqual([]);
     expect(painter).toBeNull();

@@ -13,7 +13,7 @@ import { holds } from './geometry.js';
 import { afterRegions, emptyRegions } from './state.js';
 import type { Regions } from './state.js';
 
-/** The pixel, and what was known before the event. */
+/** The pixel, and the data known before the event. */
 interface Place {
   readonly pixel: Pixel;
   readonly centre: Spot;
@@ -60,7 +60,7 @@ const wanted: Wanted = all.map((is, i) => is && !inSigns.includes(eventNames[i] 
 
 const nothingPainted = { paint: (): void => undefined };
 
-/** What concerns a pixel: the pieces over its centre, what clips them, what is behind, which region shows. */
+/** The history of a pixel: the pieces over its centre, what clips them, what is behind, and the visible region. */
 export class RegionWatch implements Watch {
   readonly wanted = wanted;
   private readonly pixel: Pixel;

@@ -26,7 +26,7 @@ it.each(['windows', 'polygons', 'signs'])(
         .map(({ look }) => look),
     );
     expect(looks).not.toContain('clip-region');
-    // The program's variable keeps the last list, as the states of a trace do.
+    // The program's variable keeps the last list, and so do the states of a trace.
     expect(ofPainting.every(({ after }) => after.regions?.inHand !== null)).toBe(true);
   },
 );

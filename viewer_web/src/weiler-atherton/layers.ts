@@ -1,4 +1,4 @@
-/** What the picture of a run with regions shows, each to be switched on and off. */
+/** The layers in the picture of a run with regions, each with a switch. */
 export const regionLayers = ['pixels', 'visible', 'list', 'parts', 'crossings'] as const;
 export type RegionLayer = (typeof regionLayers)[number];
 

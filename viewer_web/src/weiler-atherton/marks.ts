@@ -14,5 +14,5 @@ const draws: Draws = {
   ],
 };
 
-/** What the step decides; the current pieces are drawn as regions. */
+/** The marks of the step's decision; the current pieces are drawn as regions. */
 export const marks = (view: View): readonly Mark[] => eventMarks(draws, view);

@@ -6,7 +6,10 @@ import { verticesOf } from './geometry.js';
 
 const listed = (ids: readonly string[]): string => ids.join(' ') || '∅';
 const sized = (region: Region): string => (region.length === 0 ? '∅' : `|${verticesOf(region)}|`);
-/** What the events of Weiler and Atherton's algorithm say in the notation of the listing; |n| is a region of n vertices. */
+/**
+ * The notes of the events of Weiler and Atherton's algorithm, in the notation of the listing; |n| is a region of n
+ * vertices.
+ */
 export const notes: Pick<Notes, keyof RegionEvents> = {
   row: ({ first, end }, numbers) => half([first, end], numbers),
   cut_to_area: ({ polygon, region }) => `${polygon}: ${sized(region)}`,

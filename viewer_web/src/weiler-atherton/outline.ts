@@ -4,7 +4,7 @@ import type { Outlined, Told } from '../outline/outlined.js';
 
 const mostNamed = 4;
 
-/** What came of a list: its clip polygon is visible, or these are in front of it and it is put after them. */
+/** The result of a list: its clip polygon is visible, or these polygons are in front of it, and it is put after them. */
 function outcome({ event, stepsOf }: Told, language: Language): string | null {
   const { visible, inFront } = texts[language].outline;
   if (stepsOf('show').length > 0) return visible;
@@ -18,7 +18,7 @@ function outcome({ event, stepsOf }: Told, language: Language): string | null {
   return inFront(named.slice(0, mostNamed).join(', ') + more);
 }
 
-/** The lists, those of parts inside that are tried again below the one that they are from. */
+/** The lists. A list of inside parts that is tried again is nested in the list that the parts come from. */
 export const outline: Outlined = {
   parts: [],
   say(told, language) {

@@ -19,7 +19,10 @@ import { sized } from './sizes.js';
 import { emptyRegions } from './state.js';
 import type { List, ListInHand, Regions } from './state.js';
 
-/** The state of Weiler and Atherton's algorithm: the current list and its parts, what is visible, and the stack of lists. */
+/**
+ * The state of Weiler and Atherton's algorithm: the current list and its parts, the visible regions, and the stack of
+ * lists.
+ */
 @customElement('vidno-regions')
 export class RegionsPanel extends LitElement {
   static override styles = [base, panelsStyle, regionsPanelStyle];
@@ -42,7 +45,7 @@ export class RegionsPanel extends LitElement {
     return listInHand(this.view);
   }
 
-  /** The list before the step, or none as soon as regions are painted. */
+  /** The list before the step; null once regions are painted. */
   private get oldHand(): ListInHand | null {
     return isPainting(this.view) ? null : this.old.inHand;
   }
@@ -74,7 +77,7 @@ export class RegionsPanel extends LitElement {
     </section>`;
   }
 
-  /** The list that was taken from the stack; before there is one, what is to be sorted. */
+  /** The list that was popped from the stack, or before the first one the list to sort. */
   private inHand(): TemplateResult {
     const { say, now, hand, oldHand } = this;
     const title = now.inHand === null ? say.pieces : say.list;
@@ -88,7 +91,7 @@ export class RegionsPanel extends LitElement {
     </section>`;
   }
 
-  /** What became of a piece of the current list. */
+  /** The result for a piece of the current list. */
   private roleOf(index: number): string {
     const { say, hand } = this;
     if (hand === null) return '';
@@ -106,7 +109,7 @@ export class RegionsPanel extends LitElement {
     </div>`;
   }
 
-  /** How a part inside lies to the clip polygon, where that is known. */
+  /** The order of an inside part relative to the clip polygon, if it is known. */
   private orderOf(inside: List, index: number): string {
     const { say, hand } = this;
     if (inside[index]?.[2] === true) return '';
@@ -132,7 +135,7 @@ export class RegionsPanel extends LitElement {
     </section>`;
   }
 
-  /** In a narrow list what is known of a piece stands in place of its size. */
+  /** In a narrow list the result for a piece replaces its size. */
   private row(
     [id, region, ground]: Piece,
     known: string,

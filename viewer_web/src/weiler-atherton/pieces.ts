@@ -4,7 +4,7 @@ import type { Trace } from '../replay/trace.js';
 import type { Event } from '../trace/events.js';
 import type { Piece } from './events.js';
 
-/** Whose pieces these are, each polygon once. */
+/** The polygons of these pieces, each once. */
 export const ownersOf = (pieces: readonly Piece[]): readonly string[] => [
   ...new Set(pieces.map(([id]) => id)),
 ];
@@ -12,12 +12,12 @@ export const ownersOf = (pieces: readonly Piece[]): readonly string[] => [
 /** A piece of the current list that is clipped by the first one. */
 interface Clipping {
   readonly clip: Piece;
-  /** The outline of the piece, cut wherever it meets that of the clip polygon. */
+  /** The outline of the piece, split at its intersections with the clip polygon. */
   readonly outline: readonly Event<'edge_piece'>[];
   readonly result: Step<'clipped'>;
 }
 
-/** What is clipped from a step on; null if that step does not begin it. */
+/** The clipping that begins at a step; null if none does. */
 export function clippingAt(trace: Trace, step: number): Clipping | null {
   const call = eventAt(trace, step, 'call');
   if (call?.of !== 'RegionClip' || call.at !== 'WA5') return null;

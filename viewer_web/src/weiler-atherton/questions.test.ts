@@ -8,14 +8,14 @@ import { nextQuestion } from '../predict/questions.js';
 import { sayRight } from '../predict/say.js';
 
 /**
- * The scene of lesson 14. W is the rectangle from (2, 2) to (14, 12), its depth is x / 16; Q the one from (4, 6) to (8, 14) at
- * 3/4; S the whole area, 16 x 16, at -1/2. Down the screen Q goes past the lower side of W.
+ * The scene of lesson 14. W is the rectangle from (2, 2) to (14, 12) with the depth x / 16. Q is the rectangle from (4, 6)
+ * to (8, 14) at 3/4. S is the whole area, 16 x 16, at -1/2. Downward on the screen, Q extends beyond the lower side of W.
  */
 const wall = (): Promise<Trace> => traceOf(textOf('wall.weiler-atherton.signs.jsonl'));
 
 describe('Weiler and Atherton’s algorithm asks', () => {
   it('which polygon is the first by depth', async () => {
-    // W has 2/16 at its left side and 14/16 at its right one, which is more than 3/4 and -1/2.
+    // W has 2/16 at its left side and 14/16 at its right side, which is more than 3/4 and -1/2.
     const question = questionFrom(await wall(), 1, 'sort');
     expect(question.about).toEqual({ pieces: 3 });
     expect(answers(question)).toEqual({ first: ['W'], depth: ['7/8'] });
@@ -27,8 +27,8 @@ describe('Weiler and Atherton’s algorithm asks', () => {
     ]);
   });
 
-  it('what lies inside the clip polygon and what outside', async () => {
-    // Q lies on both sides of y = 12; S lies around W: what is outside is a ring, with an outline and one of its hole.
+  it('which parts are inside the clip polygon and which are outside', async () => {
+    // Q lies on both sides of y = 12. S surrounds W, so its part outside is a ring with an outer outline and a hole.
     const question = questionFrom(await wall(), 1, 'parted');
     expect(question.about).toEqual({ clip: 'W', pieces: 3 });
     expect(answers(question)).toEqual({ within: ['Q', 'S'], beyond: ['Q', 'S'], outlines: ['2'] });
@@ -36,7 +36,7 @@ describe('Weiler and Atherton’s algorithm asks', () => {
   });
 
   it('where an outline enters the clip polygon and where it leaves it', async () => {
-    // Along Q: the lower side, up the left one past y = 12, the upper one, down the right one past y = 12.
+    // Along Q: the lower side, up the left side across y = 12, the upper side, and down the right side across y = 12.
     const question = questionFrom(await wall(), 42, 'entering');
     expect(question.about).toEqual({ polygon: 'Q', clip: 'W' });
     expect(question.parts[0]?.options.map(({ value }) => value)).toEqual([
@@ -53,25 +53,27 @@ describe('Weiler and Atherton’s algorithm asks', () => {
     expect(languages.map((language) => sayRight(enters, language))).toEqual(['(4, 12)', '(4; 12)']);
   });
 
-  it('and that an outline around it does neither', async () => {
+  it('and expects neither of an outline that surrounds it', async () => {
     const question = questionFrom(await wall(), 53, 'entering');
     expect(question.about).toEqual({ polygon: 'S', clip: 'W' });
     expect(answers(question)).toEqual({ enters: [], leaves: [] });
   });
 
   it('where it enters along a side that both share', async () => {
-    // W, clipped by what of Q is inside, (4, 6) to (8, 12): between x = 8 and x = 4 both are above y = 12.
+    // W is clipped by the inside part of Q, (4, 6) to (8, 12). Between x = 8 and x = 4 both lie above y = 12.
     const question = questionFrom(await wall(), 69, 'entering');
     expect(question.about).toEqual({ polygon: 'W', clip: 'Q' });
     expect(answers(question)).toEqual({ enters: ['(8, 12)'], leaves: ['(4, 12)'] });
   });
 
-  it('how one walks round the part inside', async () => {
-    // From (4, 12), 3, along Q by (4, 6) and (8, 6) to (8, 12), where it leaves; along the lower side of W back to (4, 12).
+  it('for the walk around the part inside', async () => {
+    // From vertex 3 at (4, 12), along Q by (4, 6) and (8, 6) to (8, 12), where it leaves; along the lower side of W back to
+    // (4, 12).
     const first = questionFrom(await wall(), 42, 'walk');
     expect(first.about).toEqual({ polygon: 'Q', clip: 'W', from: '3' });
     expect(answers(first)).toEqual({ walked: ['4', '5', '6'] });
-    // From (8, 12), 2, along W to (4, 12), 3, where it leaves; along Q by (4, 6), 7, and (8, 6), 8, back to (8, 12).
+    // From vertex 2 at (8, 12), along W to vertex 3 at (4, 12), where it leaves; along Q by vertex 7 at (4, 6) and vertex 8
+    // at (8, 6) back to (8, 12).
     const second = questionFrom(await wall(), 69, 'walk');
     expect(second.parts[0]?.given?.map(({ note }) => note?.(texts.en))).toEqual([
       '(14, 12)',
@@ -87,29 +89,29 @@ describe('Weiler and Atherton’s algorithm asks', () => {
     expect(answers(second)).toEqual({ walked: ['3', '7', '8'] });
   });
 
-  it('what is behind, and what comes of the clip polygon', async () => {
+  it('what is behind, and what happens to the clip polygon', async () => {
     // At (6, 9) Q has 3/4 and W 6/16; at (8, 7) S has -1/2 and W 8/16.
     const question = questionFrom(await wall(), 1, 'behind');
     expect(answers(question)).toEqual({ hidden: ['S'], next: ['again'] });
   });
 
-  it('which list comes off the stack', async () => {
-    // Q is nearer than W: both go on the stack, Q first, above what is outside of W.
+  it('which list is popped from the stack', async () => {
+    // Q is nearer than W. Both are pushed on the stack, Q first, above the parts outside W.
     const again = questionFrom(await wall(), 1, 'stack');
     expect(again.about).toEqual({ clip: 'W', nearer: ['Q'] });
     expect(answers(again)).toEqual({ clips: ['Q'], listed: ['Q', 'W'] });
-    // Q is visible there. What of W is outside of Q lies on the parts of Q and S that are outside of W.
+    // Q is visible there. The part of W outside Q covers the parts of Q and S outside W.
     const other = questionFrom(await wall(), again.until, 'stack');
     expect(other.about).toEqual({ clip: 'Q', nearer: [] });
     expect(answers(other)).toEqual({ clips: ['W'], listed: ['W'] });
-    // Then there is one list, and but for that none.
+    // After that there is only one list, so there is nothing to ask.
     expect(nextQuestion(await wall(), other.until, new Set(['stack']), [])).toBeNull();
   });
 
-  it('which polygons pierce each other, if there are planes that meet in some', async () => {
+  it('which polygons pierce each other, if the planes of some intersect', async () => {
     expect(nextQuestion(await wall(), 1, new Set(['piercing']), [])).toBeNull();
-    // A, x from 1 to 13, lies at 1/4, B, from 4 to 8, at 3/4; C, from 7 to 15, has the depth (x - 7) / 8: 1/4 at x = 9, where A is.
-    // 3/4 it has at x = 13, where B is not. A and C are cut in two.
+    // A has x from 1 to 13 and the depth 1/4. B has x from 4 to 8 and the depth 3/4. C has x from 7 to 15 and the depth (x
+    // - 7) / 8. That is 1/4 at x = 9, where A is, and 3/4 at x = 13, where B is not. So A and C are split in two.
     const wedge = await traceOf(textOf('wedge.weiler-atherton.polygons.jsonl'));
     const question = questionFrom(wedge, 1, 'piercing');
     expect(question.about).toEqual({ polygons: ['A', 'B', 'C'] });

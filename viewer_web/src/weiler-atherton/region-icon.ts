@@ -5,7 +5,7 @@ import { crossingData } from './shapes.js';
 
 const box = 'M3 2.5h14v9h-14Z';
 
-/** What each entry looks like in a box of 20 by 14. */
+/** The icon of each entry, in a box of 20 by 14. */
 const icons: Readonly<Record<RegionLegendEntry, readonly [look: string, d: string]>> = {
   clipRegion: ['clip-region', box],
   subject: ['subject', box],

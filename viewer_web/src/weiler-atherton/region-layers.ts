@@ -5,7 +5,7 @@ import { regionLayers } from './layers.js';
 import type { RegionLayer } from './layers.js';
 import { LayerSwitches } from '../elements/layer-switches.js';
 
-/** What the picture of regions shows. */
+/** The layers of the picture of regions. */
 @customElement('vidno-region-layers')
 export class RegionLayersElement extends LayerSwitches<RegionLayer> {
   protected override readonly all = regionLayers;

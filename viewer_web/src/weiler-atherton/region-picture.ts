@@ -8,7 +8,7 @@ import { allLayers } from './layers.js';
 import type { RegionLayer } from './layers.js';
 import { regionShapes, visibleShapes } from './shapes.js';
 
-/** The picture so far, over it the regions, and what the step is about. */
+/** The picture so far, with the regions and the marks of the step over it. */
 @customElement('vidno-region-picture')
 export class RegionPictureElement extends PictureElement {
   static override styles = [...PictureElement.styles, regionsStyle];

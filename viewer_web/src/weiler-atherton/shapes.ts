@@ -14,11 +14,11 @@ import type { RegionLayer } from './layers.js';
 import { emptyRegions } from './state.js';
 import type { Crossings, List, Regions } from './state.js';
 
-/** CSS pixels: of the mark of a crossing, and between the lines of a hatch. */
+/** CSS pixels: the size of the mark of a crossing, and the distance between hatching lines. */
 const crossingSize = 6;
 const hatch = { inside: 6, outside: 8 } as const;
 
-/** What enters is a full diamond, what leaves a ring: told apart without colours. */
+/** Entering crossings are full diamonds and leaving ones are rings, so they are distinguishable without colours. */
 export const crossingData = { enters: diamondData, leaves: circleData } as const;
 
 const outlines = (pieces: List): string => pieces.map(([, region]) => regionData(region)).join('');
@@ -28,10 +28,10 @@ const casing = (look: string, d: string): readonly Shape[] => [
   { look, d },
 ];
 
-/** The polygons that take part as they are until there is a list. */
+/** Whether there is a list. Before that, the polygons themselves are drawn. */
 const isBegun = ({ lists, inHand }: Regions): boolean => lists.length > 0 || inHand !== null;
 
-/** The piece that is looked at, or that the step has put inside and outside. */
+/** The piece that is being processed, or that the step has divided into inside and outside. */
 function subjectOf(view: View): Piece | undefined {
   const { event } = view;
   const inHand = listInHand(view);
@@ -42,7 +42,7 @@ function subjectOf(view: View): Piece | undefined {
 }
 const inClip: readonly EventName[] = ['call', 'edge_piece', 'entering', 'leaving', 'pop_list'];
 
-/** Those of the clip that runs, or that the step ended. */
+/** The crossings of the current clipping, or of the one that the step ended. */
 function crossingsOf({ before, after, event }: View): Crossings {
   const isEnd = event?.e === 'clipped' || event?.e === 'cut_to_area';
   return ((isEnd ? before.regions : after.regions) ?? emptyRegions).crossings;
@@ -55,7 +55,7 @@ function crossingShapes(look: keyof typeof crossingData, at: readonly Point[], r
 
 const colorOf = (scene: Scene, id: string): string => scene.byId.get(id)?.color ?? '#888888';
 
-/** Hatched parts, inside and outside in directions of their own. */
+/** Hatched parts, with different directions for inside and outside. */
 function partShapes(
   part: 'inside' | 'outside',
   regions: readonly Region[],
@@ -104,7 +104,7 @@ const layers: Readonly<Record<Exclude<RegionLayer, 'pixels' | 'visible'>, Draw>>
   },
 };
 
-/** A line as far as it lies in the area. */
+/** A line, clipped to the area. */
 function lineThrough(at: Point, normal: Point, { x, y, width, height }: Area): string {
   const [px, py] = spot(at);
   const [a, b] = spot(normal);
@@ -121,7 +121,7 @@ function lineThrough(at: Point, normal: Point, { x, y, width, height }: Area): s
 
 type OfEvent<K extends EventName> = (event: Event<K>, view: View) => readonly Shape[];
 
-/** What is shown because of the step itself. */
+/** The shapes of the step itself. */
 const ofStep: { readonly [K in EventName]?: OfEvent<K> } = {
   cut_to_area: ({ region }) => casing('newly', regionData(region)),
   split: ({ region, other }) => casing('newly', regionData(region) + regionData(other)),
@@ -137,7 +137,7 @@ function stepShapes(event: Event, view: View): readonly Shape[] {
   return draw?.(event, view) ?? [];
 }
 
-/** What is visible so far, each region in its polygon's colour. */
+/** The visible regions so far, each in its polygon's colour. */
 export function visibleShapes(
   { after, header: { scene } }: View,
   shown: ReadonlySet<RegionLayer>,
@@ -152,7 +152,7 @@ export function visibleShapes(
 
 const order: readonly (keyof typeof layers)[] = ['parts', 'list', 'crossings'];
 
-/** What else is shown of regions at a step, those above later. */
+/** The other shapes of regions at a step; later ones are on top. */
 export function regionShapes(
   view: View,
   frame: Frame,

@@ -14,7 +14,7 @@ export function sized(
   return region.length > 1 ? `${size}, ${counted(region.length, loops)}` : size;
 }
 
-/** The corners of the box around a region, after a comma; nothing where rounding has left a vertex nowhere. */
+/** The corners of a region's bounding box, after a comma; empty if rounding has made a vertex non-finite. */
 export function boxOf(region: Region, { point }: Pick<Words, 'point'>): string {
   const { from, to } = boundsOf(region);
   const isSomewhere = region.flat(2).every((value) => Number.isFinite(toNumber(value)));

@@ -52,7 +52,7 @@ const behind = (is: boolean): Event => ({
 const nearerOnes: Event = { e: 'nearer_ones', at: 'WA7', polygons: [] };
 
 describe('the state of Weiler and Atherton’s algorithm', () => {
-  it('takes a list from the stack and cuts its pieces in two', async () => {
+  it('pops a list from the stack and divides its pieces', async () => {
     const { timeline } = await traceOf(textWith(header, [push, pop, call, clipped]));
     expect(timeline.seek(1).values.regions?.lists).toHaveLength(1);
     const { lists, inHand } = timeline.seek(4).values.regions ?? {};
@@ -73,7 +73,7 @@ describe('the state of Weiler and Atherton’s algorithm', () => {
     expect(timeline.seek(7).values.regions?.inHand?.inside).toEqual(left);
   });
 
-  it('puts a piece outside by its box alone', async () => {
+  it('puts a piece outside by its bounding box alone', async () => {
     const beside: Event = { e: 'beside', at: 'WA5', polygon: 'A' };
     const { timeline } = await traceOf(textWith(header, [push, pop, beside]));
     expect(timeline.seek(3).values.regions?.inHand).toMatchObject({
@@ -82,7 +82,7 @@ describe('the state of Weiler and Atherton’s algorithm', () => {
     });
   });
 
-  it('has the crossings of the clip that runs, and of no other', async () => {
+  it('has the crossings of the current clipping, and of no other', async () => {
     const enter: Event = { e: 'entering', at: 'RC3', point: [2, 2] };
     const leave: Event = { e: 'leaving', at: 'RC3', point: [4, 4] };
     const { timeline } = await traceOf(textWith(header, [push, pop, call, enter, leave, clipped]));
@@ -106,7 +106,7 @@ describe('the state of Weiler and Atherton’s algorithm', () => {
     expect((refused as Unreadable).refusal.reason).toBe(reason);
   });
 
-  it('is at each step the one that the program has', async () => {
+  it('equals that of the program at each step', async () => {
     const file = new URL('../../test-data/wedge.weiler-atherton.states.json', import.meta.url);
     const states = JSON.parse(readFileSync(file, 'utf8')) as readonly unknown[];
     const trace = await traceOf(textOf('wedge.weiler-atherton.windows.jsonl'));

@@ -17,18 +17,18 @@ declare module '../language/words.js' {
 
 export type List = readonly Piece[];
 
-/** The list that was taken from the stack; its first piece is the clip polygon. */
+/** The list that was popped from the stack; its first piece is the clip polygon. */
 export interface ListInHand {
   readonly pieces: List;
-  /** How many of them were looked at, the clip polygon among them. */
+  /** The number of pieces processed so far, including the clip polygon. */
   readonly seen: number;
   readonly inside: List;
   readonly outside: List;
-  /** Whether the clip polygon hides each part inside that is not ground, in their order. */
+  /** Whether the clip polygon hides each inside part that is not background, in their order. */
   readonly behind: readonly boolean[];
 }
 
-/** Where, so far, the outline of the region that is being clipped enters the clip region, and where it leaves it. */
+/** The crossings found so far at which the outline of the clipped region enters or leaves the clip region. */
 export interface Crossings {
   readonly entering: readonly Point[];
   readonly leaving: readonly Point[];
@@ -36,13 +36,13 @@ export interface Crossings {
 
 /** The state of Weiler and Atherton's algorithm. */
 export interface Regions {
-  /** The stack, its bottom first. */
+  /** The stack, from bottom to top. */
   readonly lists: readonly List[];
   readonly inHand: ListInHand | null;
   readonly facets: List;
   readonly visible: List;
   readonly crossings: Crossings;
-  /** The two polygons that are being split, and the line along which they are. */
+  /** The two polygons that are being split, and the line of the split. */
   readonly piercing: RegionEvents['pierce'] | null;
 }
 
@@ -57,7 +57,7 @@ export const emptyRegions: Regions = {
   piercing: null,
 };
 
-/** What is painted on. */
+/** The canvas to paint on. */
 interface Canvas {
   paint(x: number, y: number, width: number, height: number, color: string): void;
 }
@@ -73,7 +73,7 @@ const nothing = (): Partial<Regions> => unchanged;
 
 const isEmpty = (region: Region): boolean => region.length === 0;
 
-/** The current list, of which this polygon's piece must be the next. */
+/** The current list. The next piece in it must be of this polygon. */
 function handWith(polygon: string, { inHand }: Regions): readonly [ListInHand, Piece] {
   if (inHand === null) throw new Refusal('', 'noListInHand');
   const next = inHand.pieces[inHand.seen];
@@ -81,7 +81,7 @@ function handWith(polygon: string, { inHand }: Regions): readonly [ListInHand, P
   return [inHand, next];
 }
 
-/** A piece of the current list went inside, outside, or in part to each. */
+/** Records that a piece of the current list is inside, outside, or divided between both. */
 function parted(
   polygon: string,
   now: Regions,
@@ -122,7 +122,7 @@ const handlers: { readonly [K in keyof RegionEvents]: Handler<K> } = {
     };
   },
   beside: ({ polygon }, now) => parted(polygon, now, [], (whole) => whole),
-  // SplitPiercing only looks at what two polygons have in common.
+  // SplitPiercing only examines the common part of two polygons.
   clipped: ({ at, polygon, inside, outside }, now) => ({
     ...(at === 'WA5' ? parted(polygon, now, inside, () => outside) : unchanged),
     piercing: null,

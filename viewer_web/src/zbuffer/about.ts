@@ -4,10 +4,10 @@ import type { Trace } from '../replay/trace.js';
 import { numberOf } from '../trace/events.js';
 import type { Event } from '../trace/events.js';
 
-/** So far back is looked for the polygon that has the depth with which another is compared. */
+/** The number of steps to search back for the polygon with the stored depth. */
 const farthest = 20_000;
 
-/** L6: against the polygon that the pixel shows. */
+/** L6: compared with the polygon that the pixel shows. */
 function shows(trace: Trace, { x, y }: Event<'pixel'>, step: number): About {
   const pixel = `"x":${x},"y":${y},`;
   for (let at = step - 1; at > Math.max(0, step - farthest); at--) {

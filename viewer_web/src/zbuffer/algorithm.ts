@@ -33,7 +33,7 @@ function why({ event, known }: Entry, { edition }: Header): Reason {
   return { why: hasDefect(edition, 'x-z7') ? 'notFarther' : 'nearest', polygon };
 }
 
-/** A polygon is taken once, and has a row once. */
+/** A polygon is begun once, and has each row once. */
 function landmark(event: Event, inHand: string): string | null {
   if (event.e === 'polygon') return `polygon ${event.polygon}`;
   return event.e === 'scanline' ? `row ${event.row} ${inHand}` : null;

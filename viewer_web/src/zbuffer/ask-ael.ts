@@ -4,7 +4,7 @@ import { edgeNote, mostOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 import type { Option, Part } from '../predict/question.js';
 
-/** What is the list of active edges on the next scanline? */
+/** What is the active edge list on the next scanline? */
 export const ael: Asker<'ael'> = {
   from: 'polygons',
   at: ['extent', 'span'],

@@ -3,7 +3,7 @@ import { inOrder, nextOf, stepsOf } from '../predict/ahead.js';
 import { mostOptions, relationOf, relationOptions } from '../predict/asker.js';
 import type { Asker } from '../predict/asker.js';
 
-/** At which pixels of this row is the polygon nearer than what is there? */
+/** At which pixels of this row is the polygon nearer than the stored depth? */
 export const pixels: Asker<'pixels'> = {
   from: 'signs',
   at: ['columns'],
@@ -15,7 +15,7 @@ export const pixels: Asker<'pixels'> = {
       return { ...at, ...at.event, relation: relationOf(z, stored, shown, trace.header) };
     });
     const contested = told.filter(({ stored, relation }) => stored !== '-inf' && relation !== null);
-    // Those around the pixel where one shows and its neighbour does not.
+    // The pixels around a change from visible to hidden.
     const change = contested.findIndex(
       ({ shown }, i) => shown !== contested[i - 1]?.shown && i > 0,
     );

@@ -2,7 +2,7 @@ import type { Book, Watched } from '../time/course.js';
 import type { OwnGoal } from '../time/goals.js';
 import type { Event } from '../trace/events.js';
 
-/** Whether the active edge list is another one after an event. */
+/** Whether an event changes the active edge list. */
 export function changesAel(event: Event | null): boolean {
   return event?.e === 'ael_add' || (event?.e === 'ael_drop' && event.edges.length > 0);
 }

@@ -14,19 +14,19 @@ import { emptyZBuffer } from './state.js';
 const rowsShown = 7;
 const columnsShown = 9;
 
-/** The part of a range of `size` cells that is shown around a focus: always as many cells. */
+/** A range of cells around a focus, always of the same length, out of `size` cells. */
 function around(focus: number, size: number, shown: number): readonly number[] {
   const count = Math.min(size, shown);
   const first = Math.max(0, Math.min(focus - Math.floor(count / 2), size - count));
   return Array.from({ length: count }, (_, i) => first + i);
 }
 
-/** From 0, far or nothing yet, to 1, near: depths lie in [-1, 1]. */
+/** From 0, far or not written yet, to 1, near: depths lie in [-1, 1]. */
 function nearness(z: N): number {
   return Math.min(1, Math.max(0, (toNumber(z) + 1) / 2)) || 0;
 }
 
-/** Cells of the Z-buffer around the current row and column: the darker, the nearer. */
+/** Cells of the Z-buffer around the current row and column; nearer depths are darker. */
 @customElement('vidno-depths')
 export class DepthsElement extends LitElement {
   static override styles = [
@@ -111,7 +111,7 @@ export class DepthsElement extends LitElement {
     return hasRoomForDepths(header.scene) ? texts.none : texts.depthsTooMany;
   }
 
-  /** The current column: the pixel's, or the middle of what is shown of the row. */
+  /** The current column: that of the pixel, or the middle of the visible part of the row. */
   private get column(): number {
     const { event, after, header } = this.view;
     if (event?.e === 'pixel') return event.x;
@@ -139,7 +139,7 @@ export class DepthsElement extends LitElement {
   }
 }
 
-/** A depth in two decimals, without the zero before them; `≈` where that is not all of it. */
+/** A depth with two decimals, without the leading zero; `≈` if digits are missing. */
 function tiny(z: N, { short }: Numbers): string {
   const value = toNumber(z);
   if (!Number.isFinite(value)) return short(z);

@@ -5,7 +5,7 @@ import { headerOf, textWith } from '../testing/traces.js';
 import type { Event } from '../trace/events.js';
 
 describe('in the Z-buffer', () => {
-  it('a pixel that both polygons take has their lines of its row', async () => {
+  it('a pixel that both polygons cover has their lines in its row', async () => {
     const history = await historyIn('small.zbuffer.signs', [4, 0]);
     expect(steps(history)).toEqual([
       [3, 'paint'],
@@ -50,7 +50,7 @@ describe('in the Z-buffer', () => {
     expect(say(last(history.entries), history)).toBe('On this row B leaves the pixel as it is.');
   });
 
-  it('less detail leaves fewer entries', async () => {
+  it('has fewer entries with less detail', async () => {
     const polygons = await historyIn('small.zbuffer.polygons', [2, 0]);
     expect(polygons.entries.map(({ event }) => event.e)).toEqual([
       'clear',

@@ -38,13 +38,13 @@ const onRow = only(...always, 'miss', 'columns', 'pixel');
 const rowOf = /"row":(-?\d+)[,}]/;
 const xOf = /"x":(-?\d+)[,}]/;
 
-/** Whether a number plainly stands in a line and is another one. */
+/** Whether a line clearly contains a number that differs from a value. */
 function isOther(line: string, field: RegExp, value: number): boolean {
   const found = line.includes('\\') ? null : field.exec(line);
   return found !== null && Number(found[1]) !== value;
 }
 
-/** What concerns a pixel in the Z-buffer algorithm: the lines of its row, and of these what is at its column. */
+/** The history of a pixel in the Z-buffer algorithm: the lines on its row, and on these the events at its column. */
 export class ZBufferWatch implements Watch {
   known: Known = {};
   private readonly place: Place;
@@ -57,7 +57,7 @@ export class ZBufferWatch implements Watch {
     return this.place.onRow ? onRow : offRow;
   }
 
-  /** Most lines are of other rows, and in the row most pixels are other ones. */
+  /** Most lines are on other rows, and most pixels in the row are other ones. */
   isElsewhere(line: string): boolean {
     const { x, y, onRow } = this.place;
     return onRow ? isOther(line, xOf, x) : isOther(line, rowOf, y);

@@ -38,7 +38,7 @@ const draws: Draws = {
   ael_step: edgeInHand,
 };
 
-/** The scanline, the active edges, and what the step paints. */
+/** The scanline, the active edges, and the pixels that the step paints. */
 export const marks = (view: View): readonly Mark[] => [
   ...polygonMark(polygonInHand(view, view.after.zbuffer?.polygon)),
   ...stateMarks(view),

@@ -8,7 +8,7 @@ const edgeOf = ({ edge }: { readonly edge: number }): string => `e = ${edge}`;
 const edgesOf = ({ edges }: { readonly edges: readonly number[] }): string =>
   edges.join(' ') || '∅';
 
-/** The printed text shows what is as near, too, and nothing beyond 1. */
+/** The printed text also shows equal depths, but nothing beyond 1. */
 function shownBy({ z, stored, shown }: Event<'pixel'>, numbers: Numbers): string {
   const order = orderOf(z, stored);
   if (shown) return numbers.shortApart(z, stored).join(order === 0 ? ' ≥ ' : ' > ');
@@ -17,7 +17,7 @@ function shownBy({ z, stored, shown }: Event<'pixel'>, numbers: Numbers): string
     : nearer(z, stored, false, numbers);
 }
 
-/** What the events of the Z-buffer algorithm say in the notation of the listing. */
+/** The notes of the events of the Z-buffer algorithm, in the notation of the listing. */
 export const notes: Pick<Notes, keyof ZBufferEvents> = {
   clear: null,
   polygon: ({ polygon }) => polygon,

@@ -15,7 +15,7 @@ function sayPolygon({ header, part, event, stepsOf }: Told, language: Language):
   return `${strip.polygon(header.scene.polygons[part]?.id ?? '')}: ${rows}`;
 }
 
-/** How many edges are active as a row is shown; null where the trace does not tell what joins the AEL. */
+/** The number of active edges when a row is shown; null if the trace does not record what joins the AEL. */
 function activeIn({ header, first, inHandFrom, stepsOf, event }: Told): number | null {
   if (details.indexOf(header.detail) < details.indexOf(kinds.ael_add.from)) return null;
   const gone = stepsOf('ael_drop', inHandFrom)
@@ -35,7 +35,7 @@ function sayRow(told: Told, language: Language): string | null {
   return `${strip.row(short(row))}: ${[...edges, spans].join(', ')}`;
 }
 
-/** The polygons, and of each the rows. */
+/** The polygons, each with its rows. */
 export const outline: Outlined = {
   parts: ['scanline'],
   numberOf: rowOf,

@@ -62,7 +62,7 @@ function scanline(y: number, { area, far, near }: Space): Partial<Drawing> {
   return { faces: [{ points }], lines: cased('scanline', points) };
 }
 
-/** An edge of a polygon where it is in space. */
+/** An edge of a polygon in 3D. */
 function edgeLine(
   { vertices }: Polygon,
   edge: number,
@@ -73,7 +73,7 @@ function edgeLine(
   return from && to ? cased(role, [from, to], false) : [];
 }
 
-/** The ends of the lines that ShowLine is showing, in space. */
+/** The ends of the lines that ShowLine is showing, in 3D. */
 function spansOf({ event, after }: View): readonly (readonly [Spot, Spot])[] {
   const { row = null, ael = [] } = after.zbuffer ?? {};
   const end = ({ x, z }: { readonly x: N; readonly z: N }): Spot => [
@@ -111,7 +111,7 @@ function pixelDrawing(
   });
 }
 
-/** What the box shows of a scanline, in words. */
+/** A description of a scanline in the box. */
 export function caption(view: View, texts: SolidTexts): readonly string[] {
   const { row = null, ael = [] } = view.after.zbuffer ?? {};
   if (row === null) return [];

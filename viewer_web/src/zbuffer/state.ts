@@ -25,7 +25,7 @@ export interface ActiveEdge {
   readonly dz: N;
 }
 
-/** Where a polygon's scan has come to. */
+/** The progress of a polygon's scan. */
 interface Scanned {
   readonly y: N | null;
   readonly row: number | null;
@@ -33,12 +33,12 @@ interface Scanned {
   readonly nextAel: N | null;
 }
 
-/** What is known of the current polygon; null until the trace tells it. */
+/** The state of the current polygon; null until the trace has begun one. */
 export interface ZBuffer extends Scanned {
   readonly polygon: string | null;
   readonly edges: readonly number[];
   readonly ael: readonly ActiveEdge[];
-  /** What was told last, if of a polygon before: the program's variables hold it until they are set again. */
+  /** The last progress, possibly of an earlier polygon: the program's variables keep it until they are set again. */
   readonly last: Scanned;
 }
 
@@ -63,7 +63,7 @@ type Handlers = { readonly [K in Name]: Handler<K> };
 const unchanged: Partial<ZBuffer> = {};
 const nothing = (): Partial<ZBuffer> => unchanged;
 
-/** The scan of the current polygon has come to this. */
+/** Records progress of the current polygon's scan. */
 const scanning = (news: Partial<Scanned>, { last }: ZBuffer): Partial<ZBuffer> => ({
   ...news,
   last: { ...last, ...news },
@@ -75,7 +75,7 @@ function entry(now: ZBuffer, edge: number): ActiveEdge {
   return found;
 }
 
-/** All that is in `list` without `gone`, each of which must be there. */
+/** The list without some elements, each of which must be in it. */
 function without(list: readonly number[], gone: readonly number[], reason: 'notInS' | 'notInAel') {
   const missing = gone.find((edge) => !list.includes(edge));
   if (missing !== undefined) throw new Refusal('edges', reason, String(missing));
@@ -167,7 +167,7 @@ const handlers: Handlers = {
   },
 };
 
-/** What is after an event of this method. */
+/** The state after an event of this method. */
 export function afterZBuffer(event: Event, now: ZBuffer, screen: Screen): ZBuffer {
   const handler = handlers[event.e as Name] as Handler<EventName>;
   const news = handler(event, now, screen);

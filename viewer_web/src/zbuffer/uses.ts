@@ -2,7 +2,7 @@ import { Uses, noneOfCommon, nothing } from '../replay/uses.js';
 import type { Use } from '../replay/uses.js';
 import type { CommonEvents, ZBufferEvents } from '../trace/events.js';
 
-/** The state's copy of some of its values, which outlives the polygon. */
+/** Fields with copies of some values that outlive the polygon. */
 const kept = ['last'];
 
 const table: Readonly<Record<keyof CommonEvents | keyof ZBufferEvents, Use>> = {

@@ -34,7 +34,7 @@ interface Failure {
   readonly error: unknown;
 }
 
-/** The page: a chart of what each way to a picture costs, and how wrong it is. */
+/** The page: a chart of the cost and error of each way to make a picture. */
 @customElement('vidno-chart')
 export class ChartElement extends LitElement {
   static override styles = [tokens, base, noticeStyle, headerStyle, colors, chartStyle];
@@ -44,7 +44,7 @@ export class ChartElement extends LitElement {
   @state() private choice: Choice = parseChoice('');
   @state() private chosen: Point | null = null;
   @state() private failure: Failure | null = null;
-  /** The one that was chosen last: it stays when the mouse goes on. */
+  /** The point chosen last. It stays when the mouse moves on. */
   @state() private picked: Point | null = null;
   private readonly replay = embeddedReplay(document);
   private shown: Shown | null = null;
@@ -145,7 +145,7 @@ export class ChartElement extends LitElement {
     `;
   }
 
-  /** Where the page of traces is not known, or the chart does not hold what was run, nothing. */
+  /** The links of a point. There are none if the page of traces is unknown, or the chart does not contain the file. */
   private picking(shown: Shown): TemplateResult | typeof nothing {
     if (this.replay === null || !shown.hasFiles) return nothing;
     return html`<vidno-replay

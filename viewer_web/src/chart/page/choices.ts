@@ -8,7 +8,7 @@ import { whole } from '../numbers.js';
 import type { Shown } from '../shown.js';
 import type { View } from '../views.js';
 
-/** What is shown, and the two axes. */
+/** The choice of the subject and of the two axes. */
 @customElement('vidno-choices')
 export class ChoicesElement extends LitElement {
   static override styles = [

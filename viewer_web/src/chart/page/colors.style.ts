@@ -1,8 +1,8 @@
 import { css } from 'lit';
 
 /**
- * Colours of the series after Okabe and Ito, a little darker on white: cool ones for Warnock's algorithm, warm ones for
- * the Z-buffer; of curves one a kernel.
+ * Colours of the series after Okabe and Ito, a little darker on white: cool ones for Warnock's algorithm, warm ones for the
+ * Z-buffer, and one for each kernel of curves.
  */
 export const colors = css`
   :host {

@@ -7,7 +7,7 @@ import type { Shown } from '../shown.js';
 import { costAmount, errorAmount, runDetails, runName } from '../words.js';
 import type { Amount } from '../words.js';
 
-/** The runs on the front: the text of the plot. */
+/** The runs on the front as a table, the text alternative of the plot. */
 @customElement('vidno-front')
 export class FrontElement extends LitElement {
   static override styles = [

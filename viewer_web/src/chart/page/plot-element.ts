@@ -11,7 +11,7 @@ import type { Shown } from '../shown.js';
 import { pointLines } from '../words.js';
 import { colors } from './colors.style.js';
 
-/** The plot, and the way through its points by keyboard. */
+/** The plot, with keyboard navigation through its points. */
 @customElement('vidno-plot')
 export class PlotElement extends LitElement {
   static override styles = [

@@ -9,7 +9,7 @@ import type { Shown } from '../shown.js';
 import { fileOf } from '../subject.js';
 import { runDetails, runName } from '../words.js';
 
-/** The run that was chosen last, and the ways to its replay. */
+/** The run chosen last, with links to its replay. */
 @customElement('vidno-replay')
 export class ReplayElement extends LitElement {
   static override styles = [
@@ -49,7 +49,7 @@ export class ReplayElement extends LitElement {
     if (changed.has('point') || changed.has('shown')) void this.find();
   }
 
-  /** That of the one subject that is shown. */
+  /** The file of the subject, if a single one is shown. */
   private get file(): object | null {
     const { name, subjects } = this.shown.view;
     const [only] = subjects;

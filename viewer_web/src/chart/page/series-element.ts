@@ -7,10 +7,10 @@ import type { Look, Series } from '../series.js';
 import type { Shown } from '../shown.js';
 import { symbol } from './symbol.js';
 
-/** Of runs of the printed text, whatever their series. */
+/** The symbol of runs of the printed edition, in all series. */
 const ofPrinted: Look = { color: 'currentColor', shape: 'times', isFilled: false, scale: 1 };
 
-/** What the symbols mean; each may be hidden. */
+/** The legend of the series, each with a toggle. */
 @customElement('vidno-series')
 export class SeriesElement extends LitElement {
   static override styles = [
@@ -100,7 +100,7 @@ export class SeriesElement extends LitElement {
     </fieldset>`;
   }
 
-  /** Each is a series, by its own name. */
+  /** Each variant is a series of its own. */
   private variants(): TemplateResult | typeof nothing {
     const { series, texts } = this.shown;
     const own = series.filter(({ group }) => isVariant(group));

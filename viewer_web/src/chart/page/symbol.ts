@@ -2,7 +2,7 @@ import { svg } from 'lit';
 import type { SVGTemplateResult } from 'lit';
 import type { Look, Shape } from '../series.js';
 
-/** As Plot draws them, about 0 0. */
+/** The symbols of Plot, around 0 0. */
 const outlines: Readonly<Record<Shape, string>> = {
   circle: 'M-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0z',
   square: 'M-4.4 -4.4h8.8v8.8h-8.8z',
@@ -18,7 +18,7 @@ const outlines: Readonly<Record<Shape, string>> = {
   hexagon: 'M0 -6L5.2 -3V3L0 6L-5.2 3V-3z',
 };
 
-/** A series' symbol, 28 x 18, and the line that it has if a knob is turned, or text printed. */
+/** A series' symbol, 28 x 18, with a line if a knob is varied, or the text is the printed one. */
 export function symbol(
   { color, shape, isFilled, scale }: Look,
   hasLine: boolean,

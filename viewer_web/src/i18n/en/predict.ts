@@ -103,7 +103,7 @@ export const predict: PredictTexts = {
     first: 'A piece of which polygon is the first?',
     within: 'Which of them have a part inside?',
     beyond: 'Which have a part outside?',
-    outlines: 'How many outlines has its part outside? A hole has one, too.',
+    outlines: 'How many outlines does its outside part have? Count holes, too.',
     enters: 'Where does it enter the clip polygon?',
     leaves: 'Where does it leave it?',
     walked: 'Which points follow, until the walk is back where it began?',

@@ -24,7 +24,7 @@ export const strip: StripTexts = {
   },
   legend: 'What the strip shows',
   explain: {
-    cases: 'Windows, by what each comes to:',
+    cases: 'Windows, by their case:',
     polygons: 'The current polygon, in its colour: every second one is striped',
     curves: 'The current curve: every second one is striped',
     levels: 'How often the area was split to get the window',

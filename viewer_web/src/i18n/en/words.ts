@@ -14,9 +14,9 @@ export const words: WordTexts = {
     mistake: 'The corrected procedures with one usual mistake in them.',
   },
   details: {
-    windows: 'The run tells its main steps alone.',
-    polygons: 'The run tells what it does with each polygon.',
-    signs: 'The run tells everything, down to the sign of each decision.',
+    windows: 'The trace has only the main steps.',
+    polygons: 'The trace shows what is done with each polygon.',
+    signs: 'The trace has everything, down to the sign of each decision.',
   },
 };
 
@@ -50,11 +50,11 @@ export const tour: TourTexts = {
     },
     {
       title: 'The procedure',
-      text: 'The line that is carried out is marked, with the values that it had.',
+      text: 'The current line is marked, with its values beside it.',
     },
     {
       title: 'The text',
-      text: 'Dotted words lead to the step that they speak of. For everything that is known of a step, open the workbench.',
+      text: 'Dotted words lead to the step that they describe. The workbench shows everything known about a step.',
     },
   ],
 };

@@ -1,7 +1,7 @@
 import * as words from '../../language/words.js';
 import type { Box, N } from '../../trace/values.js';
 
-/** A number as Russian writes it. */
+/** A number in the Russian format. */
 const comma = (text: string): string => text.replace('.', ',');
 
 export const short = (value: N): string => comma(words.short(value));
@@ -17,7 +17,7 @@ export function shortApart(a: N, b: N): readonly [string, string] {
   return [comma(one), comma(other)];
 }
 
-/** Numbers with commas in them stand apart by semicolons. */
+/** Semicolons separate numbers, because they contain commas. */
 export const joined = (all: readonly string[]): string => all.join('; ');
 
 export const list = (all: readonly N[], write = short): string =>

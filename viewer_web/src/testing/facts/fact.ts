@@ -3,7 +3,7 @@ import type { Edition } from '../../trace/editions.js';
 import type { Event, EventName } from '../../trace/events.js';
 import type { Box, N } from '../../trace/values.js';
 
-/** A state as the program writes it: what the facts below need of it. */
+/** A state as the program writes it: the fields that the facts below need. */
 export interface ProgramState {
   readonly warnock?: {
     readonly window: Box | null;
@@ -17,7 +17,7 @@ export interface ProgramState {
 }
 type Piece = readonly [string, readonly (readonly (readonly N[])[])[], boolean];
 
-/** What the events so far, as they are written, and the program's state say around a step. */
+/** The data around a step, from the events so far, as written, and the program's state. */
 export interface Moment {
   readonly after: ProgramState;
   readonly detail: string;
@@ -26,25 +26,25 @@ export interface Moment {
     readonly background: string;
     readonly polygons?: readonly { readonly id: string; readonly color: string }[];
   };
-  /** How often the area was split to get the current window. */
+  /** The number of divisions of the area to get the current window. */
   readonly level: number;
-  /** Of the current window: what surrounds it and hides all so far, before the step and after it. */
+  /** The polygon that surrounds the current window and hides all others so far, before the step and after it. */
   readonly covered: readonly [before: string | null, after: string | null];
-  /** What PointColor has found in the current window. */
+  /** The polygon that PointColor has found in the current window. */
   readonly nearest: string | null;
-  /** What the edges of the outline count, that of the step too. */
+  /** The count of the outline's edges, including that of the step. */
   readonly counted: number;
-  /** The height that was told last of the current curve. */
+  /** The last height of the current curve. */
   readonly height: Event<'height'> | null;
-  /** How many pieces of the current list were looked at. */
+  /** The number of pieces of the current list examined so far. */
   readonly looked: number;
 }
 
-/** What a sentence states: polygons, numbers, and answers in words. Those that several languages put in another order are the same. */
+/** A statement of a sentence: polygons, numbers, and answers in words. Languages may order them differently. */
 export interface Fact {
   readonly ids?: readonly string[];
   readonly numbers?: readonly N[];
-  /** One pattern for all languages, or one for each; with a minus before it, it must not be found. */
+  /** One pattern for all languages, or one for each. A pattern after a minus must not occur. */
   readonly says?: readonly Says[];
 }
 type Says = Readonly<Record<Language, RegExp>>;

@@ -10,7 +10,7 @@ export const familyFacts: Facts<keyof FamilyEvents> = {
   }),
   rejoin: ({ polygon, level }) => of(polygon, level),
   join: ({ polygon, list, level }, moment) => ({
-    // The window's level is counted twice: by the program, and here by the windows that were pushed.
+    // The window's level is counted twice: by the program, and here from the pushed windows.
     ...of(polygon, level === moment.level ? level : NaN),
     says: answered(
       list === 'outside',

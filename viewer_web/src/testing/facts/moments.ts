@@ -50,7 +50,7 @@ const changes: { readonly [K in EventName]?: Change<K> } = {
   clipped: ({ at }, { looked }) => (at === 'WA5' ? { looked: looked + 1 } : undefined),
 };
 
-/** What the events of a run, as they are written, say around each: nothing is asked of the page's own state. */
+/** The data around each event of a run, from the events as written, independent of the page's own state. */
 export class Moments {
   private kept = begun;
   /** The levels of the windows on the stack. */

@@ -8,13 +8,13 @@ type Loops = readonly (readonly (readonly N[])[])[];
 
 const vertices = (region: Loops): number => region.flat().length;
 
-/** Its vertices, and its loops if there are several. */
+/** The number of its vertices, and of its loops if there are several. */
 const size = (region: Loops): readonly number[] => [
   vertices(region),
   ...(region.length > 1 ? [region.length] : []),
 ];
 
-/** The corners of the box around it, if it is finite. */
+/** The corners of the bounding box, if it is finite. */
 function bounds(region: Loops): readonly number[] {
   const [xs, ys] = [0, 1].map((axis) => region.flat().map((at) => value(at[axis] ?? 'nan')));
   if (![xs, ys].flat().every(Number.isFinite)) return [];
@@ -100,5 +100,5 @@ export const regionFacts: Facts<Exclude<keyof RegionEvents, 'row'>> = {
   painted: () => none,
 };
 
-/** Of a long list, how many there are. */
+/** The length of a list, if it is long. */
 const more = (ids: readonly string[]): readonly number[] => (ids.length > 6 ? [ids.length] : []);

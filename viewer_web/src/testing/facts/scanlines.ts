@@ -5,7 +5,7 @@ import { answered, none, of, only, said, total } from './fact.js';
 import type { Fact, Facts } from './fact.js';
 import { value } from './told.js';
 
-/** Edges, and what comes next if anything does. */
+/** Edges, and the next item if there is one. */
 const edgesAnd = ({
   edges,
   next,

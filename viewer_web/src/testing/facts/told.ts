@@ -2,7 +2,7 @@ import type { Language } from '../../language/language.js';
 import type { N } from '../../trace/values.js';
 import type { Fact } from './fact.js';
 
-/** A number of a trace, by arithmetic of its own. */
+/** A number of a trace, computed independently of the page. */
 export function value(n: N): number {
   if (typeof n === 'number') return n;
   if (n.endsWith('inf')) return n.startsWith('-') ? -Infinity : Infinity;
@@ -14,7 +14,7 @@ export function value(n: N): number {
 const number =
   /(?<![\p{L}\d])(?:≈ ?)?[−+]?(?:∞|nan|\d+(?:[.,]\d+)?(?:e[+−-]?\d+)?(?:\/\d+)?)(?![\p{L}\d])/giu;
 
-/** A number as a sentence shows it, and by how much that may be off. */
+/** A number in a sentence, and its possible error. */
 interface Shown {
   readonly value: number;
   readonly off: number;
@@ -35,17 +35,17 @@ function shown(text: string): Shown {
   };
 }
 
-/** What is no number comes last. */
+/** NaN comes last. */
 const rising = (a: number, b: number): number =>
   a < b || Number.isNaN(b) ? -1 : a > b || Number.isNaN(a) ? 1 : 0;
 
-/** What is not said to be cut is exact; a number that is nearly whole looks as if it were, at four digits. */
+/** A number without the mark of a shortened one is exact. A number that is nearly whole looks whole at four digits. */
 function isOf({ value: told, off }: Shown, right: number): boolean {
   if (Object.is(told, right) || told === right) return true;
   return off > 0 && Math.abs(told - right) <= Math.max(off, 0.0005 * Math.abs(told));
 }
 
-/** What is wrong with a sentence that should state this, in words; null if nothing. */
+/** The error in a sentence that should state this, in words; null if there is none. */
 export function faultOf(
   sentence: string,
   { ids = [], numbers = [], says = [] }: Fact,

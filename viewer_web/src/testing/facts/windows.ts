@@ -15,7 +15,7 @@ const background = said(/background/u, /фон/u);
 const inside = said(/ lies in | is inside/u, / лежит в /u);
 export const outside = said(/lies outside/u, /лежит вне/u);
 
-/** A point by its coordinates, a corner of the window by its name. */
+/** A point by its coordinates; a corner of the window by its name. */
 function place(at: readonly N[], { after }: Moment): Fact {
   const window = after.warnock?.window;
   const corner = window && cornerAt(at.map(value), window);
@@ -39,7 +39,7 @@ const both = (...facts: readonly Fact[]): Fact => ({
 
 const xy = ({ vertex }: { readonly vertex: readonly N[] }): Fact => only(...vertex.slice(0, 2));
 
-/** Whose a colour is: known of the window, or of a coarse trace all that have it. */
+/** The owner of a colour: the one known for the window, or in a coarse trace all polygons with that colour. */
 function owner(color: string, told: string | null, isGround: boolean, moment: Moment): Fact {
   if (isGround) return { says: [background] };
   if (told !== null) return { ids: [told] };
@@ -52,7 +52,7 @@ function owner(color: string, told: string | null, isGround: boolean, moment: Mo
 const ground = ['W7', 'W10', 'WS4', 'WF5', 'WF6'];
 const atPoint = ['W9', 'WS5', 'WF11'];
 
-/** What hides all others: as it was found, or the only one that surrounds the window. */
+/** The polygon that hides all others: the one that was found, or the only one that surrounds the window. */
 const hiding = ({ covered, after }: Moment): string | null =>
   covered[1] ?? after.warnock?.surrounding?.at(-1)?.[0] ?? null;
 
