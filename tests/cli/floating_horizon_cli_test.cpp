@@ -84,7 +84,7 @@ TEST_CASE("surfaces: diff tells where editions part, check what is wrong") {
     CHECK(has(checked.text, "Visibility"));
     CHECK(has(checked.text, "wrong columns of curves: 0 of 10"));
     CHECK(program("check " + surface + " --kernel exact").status == 0);
-    // As printed, what is below at both ends is not drawn (X-H1): the second of two level lines.
+    // As printed, a step that is below at both ends is not drawn (X-H1): the second of two level lines.
     const std::string below =
         work.write("below.json", R"({"format":"vidno-surface/1","window":{"x":0,"y":0,"width":9,"height":16},)"
                                  R"("curves":[[[0,4],[4,4]],[[0,12],[4,12]]]})");

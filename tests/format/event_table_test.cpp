@@ -1,4 +1,4 @@
-// What follows from the table of events and is committed: it must be as the table has it.
+// Committed files that are derived from the table of events must agree with it.
 
 #include "event_table/event_table.h"
 

@@ -204,10 +204,10 @@ void State::take(const event::PopList& e) {
 
 /// Whose next piece is one of this polygon.
 State::ListInHand& State::list_in_hand(PolygonPlace polygon) {
-    if (!list_in_hand_) throw Impossible{"no list in hand"};
+    if (!list_in_hand_) throw Impossible{"no current list"};
     const auto& pieces = list_in_hand_->pieces;
     if (clipped_ >= pieces.size() || pieces[clipped_].polygon != polygon) {
-        throw Impossible{"not the next polygon of the list in hand"};
+        throw Impossible{"not the next polygon of the current list"};
     }
     return *list_in_hand_;
 }
@@ -226,12 +226,12 @@ void State::take(const event::Clipped& e) {
 }
 
 void State::take(const event::Behind& e) {
-    if (!list_in_hand_) throw Impossible{"no list in hand"};
+    if (!list_in_hand_) throw Impossible{"no current list"};
     behind_.push_back(e.behind);
 }
 
 void State::take(const event::NearerOnes&) {
-    if (!list_in_hand_) throw Impossible{"no list in hand"};
+    if (!list_in_hand_) throw Impossible{"no current list"};
     auto& inside = list_in_hand_->inside;
     const auto grounds = std::count_if(inside.begin(), inside.end(), [](const auto& part) { return part.ground; });
     if (inside.size() - std::size_t(grounds) != behind_.size()) throw Impossible{"not a depth for each part inside"};
