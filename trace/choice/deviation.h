@@ -1,5 +1,5 @@
-/// Deviation: one place of a procedure that may be run otherwise than corrected. The defects of the printed text and the usual mistakes
-/// are one table: editions, command line, page and atlas take them from it.
+/// Deviation: a place of a procedure that may run differently from the corrected text. The defects of the printed text and the usual
+/// mistakes are one table, from which editions, command line, page and atlas take them.
 #pragma once
 
 #include <algorithm>
@@ -50,16 +50,16 @@ enum class Deviation : unsigned char {
 };
 
 struct DeviationChoice {
-    std::string_view defect{};    // its id, if the printed text has it
+    std::string_view defect{};    // the id of the defect, if the printed text has it
     std::string_view mistake{};   // its name as an edition, if it is a usual mistake
     Bilingual title;              // of a defect, its id
     Bilingual says;               // what it does
     std::span<const Line> lines;  // of the listings, which it changes
-    // How a usual mistake writes these lines, in their order. What the printed text writes, the listings say.
+    // How a usual mistake writes these lines, in order. The listings have the lines of the printed text.
     std::array<Bilingual, 2> reads{};
     std::span<const Method> methods;  // none: the floating horizon
     std::string_view witness;         // the file of lessons/failures that shows it, without its ending
-    Bilingual advice{};  // to those whose program makes the mistake; none where students write no such method
+    Bilingual advice{};  // for students whose program makes the mistake; none if they do not write such a method
 };
 
 namespace deviation {
@@ -74,7 +74,7 @@ constexpr Bilingual untranslated(std::string_view text) { return {text, text}; }
 
 }  // namespace deviation
 
-/// By the places of Deviation.
+/// Indexed by Deviation.
 inline constexpr auto deviations = [] {
     using namespace deviation;
     using enum Line;

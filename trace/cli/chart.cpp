@@ -19,7 +19,7 @@ struct ChartOptions {
     AxisOptions axes;  // of the figure
 };
 
-/// Refuses a wrong name, and what would be missing in the end, before the work.
+/// Refuses a wrong name, and an output that could not be written, before the work.
 void expect_format(const ChartOptions& options, bool of_surfaces) {
     const std::string& output = options.output;
     if (output == "-" || output.ends_with(".json") || output.ends_with(".csv")) return;

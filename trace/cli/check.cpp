@@ -16,14 +16,14 @@ namespace vidno::cli {
 
 namespace {
 
-/// A scene, or a trace whose scene is run again; what is not given is the trace's own, or the default.
+/// A scene, or a trace whose scene is run again. Options that are not given are those of the trace, or the defaults.
 struct CheckOptions {
     std::string input, list;
     std::optional<std::string> method, kernel, edition;
     std::size_t narrowest = 20;
 };
 
-/// What a trace says of its run, or for a scene the defaults.
+/// The options of a trace's own run, or for a scene the defaults.
 using AnyHeader = std::variant<TraceHeader, FloatingHorizonHeader>;
 
 AnyHeader run_of(const CheckOptions& options) {
@@ -104,7 +104,7 @@ void print_narrowest(const std::vector<Finding>& findings) {
               << ", " << narrowest->gap->ulps << " ulps from zero\n";
 }
 
-/// The report of a run, which `progress` is told of; and its findings.
+/// The report of a run and its findings. `progress` is called at each step.
 auto checked(auto request, FindingList& findings, auto&&... right) {
     Progress progress("steps");
     request.progress = [&, steps = std::uint64_t{0}]() mutable { progress.show(++steps); };

@@ -12,7 +12,7 @@ struct DiffOptions {
     std::string first, second;
 };
 
-/// A trace of which only the events count.
+/// A trace, reduced to its events.
 struct Told {
     AnyTraceReader reader;
     EventText text;

@@ -22,7 +22,7 @@ struct HomeworkOptions {
     std::uint64_t seed = 1;
 };
 
-/// From 01: as many digits as the last one has, so that names sort as numbers.
+/// From 01, with as many digits as the last number, so that names sort as numbers.
 std::string number_of(std::size_t place, std::size_t count) {
     const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
     const std::string number = std::to_string(place + 1);
@@ -57,7 +57,7 @@ int homework(const HomeworkOptions& options) {
 void add_homework(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("homework", "Make scenes as hard as this one, with other numbers");
     const auto options = std::make_shared<HomeworkOptions>();
-    command.alias("variants");  // as it was called before
+    command.alias("variants");  // its former name
     command.add_option("SCENE", options->scene, "A scene file, vidno-scene/1, or a failure; - for standard input")
         ->required();
     command.add_option("--count", options->count, "How many")

@@ -24,7 +24,7 @@ struct LessonOptions {
     std::uint64_t step = 0;
 };
 
-/// Of a course that was built here before.
+/// Removes a course that was built here before.
 void remove_course(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
@@ -91,7 +91,7 @@ int print_pin(const LessonOptions& options) {
 void add_lesson(CLI::App& program, int& status) {
     auto& command =
         *program.add_subcommand("lesson", "Write a lesson: its first files, its pins, a check, the built course");
-    command.require_subcommand(0, 1);  // one; but a wrong one is told before none
+    command.require_subcommand(0, 1);  // one; 0 so that a wrong name is reported before a missing one
     const auto options = std::make_shared<LessonOptions>();
     const auto add_folders = [&options](CLI::App& sub) {
         sub.add_option("FOLDER", options->folders, "Folders of lessons")->required();

@@ -39,7 +39,7 @@ void print(const SignMap& map) {
     std::cout << "differ: " << map.differing() << " of " << map.cells.size() << '\n';
 }
 
-/// That of a file: asked for, or the one at which a failure goes wrong.
+/// The decision of a file: a decision file, or the one at which a failure goes wrong.
 MappedDecision decision_in(const std::string& file) {
     const std::string text = read_file(file);
     if (is_surface(text)) throw Refused(file + ": a surface, and no decision to be mapped, vidno-question/1");

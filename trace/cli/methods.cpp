@@ -16,7 +16,7 @@ void print(std::string_view name, const MethodChoice& choice) {
     std::cout << '\n';
 }
 
-/// Where the deviation is: its lines, and its methods.
+/// The lines and methods of the deviation.
 void print_place(const DeviationChoice& choice) {
     std::string_view before = "; ";
     for (const Line line : choice.lines) {

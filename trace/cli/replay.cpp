@@ -28,14 +28,14 @@ FloatingHorizonState state_of(const FloatingHorizonTraceReader& reader) {
 std::string hash_of(const State& state) { return picture_hash(state.picture()); }
 std::string hash_of(const FloatingHorizonState& state) { return lines_hash(state.lines()); }
 
-/// What was painted or drawn, in the format that the name says.
+/// The painted picture or the drawn lines, in the format given by the file name.
 std::string encoded(const State& state, const std::string& name) { return encode_image(state.picture(), name); }
 std::string encoded(const FloatingHorizonState& state, const std::string& name) {
     const Surface& surface = state.header().scene;
     return figures::encoded(figures::drawn_lines(state.lines(), surface.curves.area), {surface.name}, name);
 }
 
-/// What the file says of itself against what was read.
+/// Compares the file's last line with what was read.
 int verdict(const TraceFile& trace, const auto& state) {
     if (!is_whole(trace)) return 1;
     if (trace.end()->hash != hash_of(state)) {

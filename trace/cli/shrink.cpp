@@ -20,7 +20,7 @@ struct ShrinkOptions : RunOptions {
     std::string at;  // the label of a line, for "decision"
 };
 
-/// A run of each scene that shrinking tries.
+/// Runs each scene that shrinking tries.
 class Trial {
 public:
     explicit Trial(const RunOptions& options)
@@ -50,7 +50,7 @@ private:
     Edition edition_;
 };
 
-/// The procedure that is the first to decide wrongly.
+/// The procedure of the first wrong decision.
 std::optional<Procedure> first_wrong(const CheckReport& report) {
     std::optional<Procedure> procedure;
     std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
@@ -62,7 +62,7 @@ std::optional<Procedure> first_wrong(const CheckReport& report) {
     return procedure;
 }
 
-/// What the options say is to be kept; the scene must have it.
+/// The property that the options ask to keep; the scene must have it.
 Property property_of(const ShrinkOptions& options, const Trial& trial, const Scene& scene) {
     if (options.keep == "picture") {
         return [&trial, right = trial.picture(scene)](const Scene& smaller) { return trial.picture(smaller) == right; };

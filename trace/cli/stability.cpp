@@ -27,7 +27,7 @@ struct StabilityOptions {
     std::vector<std::string> merged;
 };
 
-/// Of so many shards the one of that number, from 1: it takes every so manieth block.
+/// Shard `number` of `of` shards, from 1: it takes every `of`-th block.
 struct Shard {
     std::uint64_t number, of;
 
@@ -56,7 +56,7 @@ void expect_runs(const NamedKernel& kernel, const std::vector<std::string>& meth
     }
 }
 
-/// "all" are all methods, each under the kernels that run it, and all families.
+/// "all" stands for all methods, each under the kernels that run it, and for all families.
 Campaign with_defaults(Campaign campaign) {
     const bool of_all = campaign.methods == std::vector<std::string>{"all"};
     if (campaign.families.empty() || campaign.families == std::vector<std::string>{"all"}) {
@@ -92,7 +92,7 @@ std::string per_cent(std::uint64_t part, std::uint64_t whole) {
     return whole == 0 ? "-" : shortened("%.2g", 100 * double(part) / double(whole));
 }
 
-/// And how many times as many as before.
+/// The number, and its ratio to the previous one.
 std::string windows_of(const Tally& tally, const Tally* before) {
     if (tally.runs == 0) return "-";
     const auto of_a_run = [](const Tally& each) { return double(each.windows) / double(each.runs); };
@@ -101,8 +101,8 @@ std::string windows_of(const Tally& tally, const Tally* before) {
     return text;
 }
 
-/// A column for each experiment of a kind; a row for each family, kernel and method, if it had runs. A cell shows a tally,
-/// given the one to the left of it.
+/// A column for each experiment of a kind; a row for each family, kernel and method that had runs. A cell shows a tally; it is also given
+/// the tally to its left.
 void print(const Results& results, Experiment::Kind kind, const std::string& title, auto&& cell) {
     std::size_t widest = 0;
     for (const auto& method : results.campaign().methods) widest = std::max(widest, method.size());
@@ -160,7 +160,7 @@ int verdict(const Results& results) {
     return 1;
 }
 
-/// A file for each family, method and kernel that was wrong in pictures, and need not be right.
+/// Writes a file for each family, method and kernel that painted wrong pictures and may be wrong.
 void write_witnesses(const Results& results, const std::string& folder) {
     const Campaign& campaign = results.campaign();
     std::filesystem::create_directories(folder);
@@ -203,7 +203,7 @@ int merge(const StabilityOptions& options) {
     return 1;
 }
 
-/// What there is for a campaign.
+/// The families and experiments of campaigns, for the help.
 std::string footer() {
     std::ostringstream text;
     text << "Families, in an area of " << family_side << " x " << family_side << " pixels:\n";

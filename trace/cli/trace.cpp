@@ -25,7 +25,7 @@ struct TraceOptions : RunOptions {
     bool check = false;
 };
 
-/// Of a run of either kind, with its header.
+/// Traces a run of either kind, with its header.
 int write_traced(const auto& header, const auto& request, const TraceOptions& options) {
     OutputFile file(options.output);
     Progress progress("events");

@@ -29,7 +29,7 @@ void expect_pdf(const std::string& name) {
     if (!name.ends_with(".pdf")) throw Refused(name + ": not .pdf or .xml");
 }
 
-/// Scenes one after the other, each on pages of its own.
+/// The scenes in order, each on its own pages.
 class Sheets {
 public:
     Sheets(bool answered, Language language) : answered_(answered), language_(language) {}
@@ -50,7 +50,7 @@ private:
     std::vector<std::string> pages_;
 };
 
-/// What the page's own code asks about a trace, as Moodle XML.
+/// The questions that the page asks about a trace, as Moodle XML.
 std::string asked_about(const std::string& trace, const WorksheetOptions& options) {
     const std::string count = std::to_string(options.count.value_or(20));
     const std::string bytes = read_file(trace);
@@ -61,7 +61,7 @@ std::string asked_about(const std::string& trace, const WorksheetOptions& option
     }
 }
 
-/// What the run of a trace does next, as questions, by Node.
+/// Questions about the next step of a trace's run, made by Node.
 int moodle_questions(const WorksheetOptions& options) {
     if (options.files.size() > 1) throw Refused(options.files[1] + ": .xml has the questions of one trace");
     if (options.method || options.key) throw Refused("--method, --key: of sheets, which are .pdf");

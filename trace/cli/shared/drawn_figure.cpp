@@ -120,7 +120,7 @@ figures::Style style_of(const FigureOptions& options) {
     return {Language(place_in(figures::language_codes, options.language)), options.greyscale};
 }
 
-/// Goes through a trace and draws what is wanted on the way, told of each event. Without steps, the last one.
+/// Reads a trace and draws the requested steps on the way; without steps, the last one. Calls back for each event.
 void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>& steps, const std::string& file,
                 auto&& draw, auto&& hear) {
     std::size_t next = 0;
@@ -139,7 +139,7 @@ void go_through(TraceFile& trace, auto& moment, const std::vector<std::uint64_t>
     if (next < steps.size()) refuse_step(file, steps[next], moment.state().step());
 }
 
-/// The history of the pixel that is asked about, if it is shown.
+/// The history of the chosen pixel, if it is shown.
 std::optional<figures::PixelHistory> history_in(const FigureOptions& options, const figures::Options& drawing,
                                                 const Area& area) {
     if (!drawing.shows(figures::Part::history)) {
@@ -195,7 +195,7 @@ struct ToldSteps {
     std::vector<std::uint64_t> steps;
 };
 
-/// A pin is a step of its lesson's run, which is traced for it.
+/// A pin is a step of its lesson's run, so the run is traced first.
 ToldSteps pinned_step(const FigureOptions& options) {
     Problems problems;
     const Lesson lesson = read_lesson(options.input, problems);
@@ -214,7 +214,7 @@ ToldSteps pinned_step(const FigureOptions& options) {
     return {LineReader::of_text(std::move(text)), {*search.step()}};
 }
 
-/// A failure is traced as it fails, and drawn where it is seen if no other step is asked for.
+/// A failure is traced as it fails, and drawn at the step where it is seen unless another step is given.
 ToldSteps failure_steps(const FigureOptions& options) {
     const Failure failure = read_failure(read_file(options.input), options.input);
     say(failure, options.input);
@@ -266,7 +266,7 @@ std::string drawn_trace(const FigureOptions& options) {
     return std::visit(draw, opened);
 }
 
-/// What has no steps has no parts to be chosen either, and no TikZ.
+/// A drawing without steps has no parts to choose either, and no TikZ.
 void expect_no_steps(const FigureOptions& options) {
     if (options.step || !options.steps.empty()) refuse(options.input, "it has no steps: a map or a chart");
     if (!options.pixel.empty() || options.beamer) refuse(options.input, "--pixel and --beamer are for traces");

@@ -43,7 +43,7 @@ void add_any_run_options(CLI::App& command, RunOptions& options) {
 
 namespace {
 
-/// Why there is no such text: the first deviation that is none of the method's.
+/// Why there is no such text: the first deviation that does not concern the method.
 Refused refused_text(Edition edition, auto&& concerns) {
     for (std::size_t i = 0; i < deviations.size(); ++i) {
         const auto& methods = deviations[i].methods;
@@ -61,7 +61,7 @@ Refused refused_text(Edition edition, auto&& concerns) {
     return Refused("--edition " + name_of(edition) + ": no text of this method");
 }
 
-/// Refuses an edition that the kernel does not run, of whatever method.
+/// Refuses an edition that the kernel does not run, for any method.
 void expect_text(const NamedKernel& kernel, Edition edition) {
     const std::string refused = "--edition " + name_of(edition) + ": not under --kernel " + kernel.name();
     if (is_mistake(edition) && !kernel.choice->runs_mistakes) {
