@@ -124,7 +124,7 @@ TEST_CASE("surfaces: what is refused, and says why") {
     CHECK(refusal("trace " + surface + " --method zbuffer" + output) ==
           "vidno: " + surface + ": a surface, which only --method floating-horizon draws\n");
     CHECK(refusal("trace " + polygons + " --method floating-horizon" + output) ==
-          "vidno: --method floating-horizon: " + polygons + " is no surface, vidno-surface/1\n");
+          "vidno: --method floating-horizon: " + polygons + " is not a surface, vidno-surface/1\n");
     CHECK(refusal("trace " + surface + " --kernel grid:4" + output) == "vidno: --kernel grid:4: for polygons alone\n");
     CHECK(refusal("trace " + surface + " --kernel filtered --edition printed" + output) ==
           "vidno: --edition printed: not under --kernel filtered, whose decisions are always right\n");

@@ -235,7 +235,7 @@ void add_grade(CLI::App& program, int& status) {
     command.add_option("--random", options->random, "How many random scenes to add to that set")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
-    command.add_option("--seed", options->seed, "Of the random scenes")->capture_default_str();
+    command.add_option("--seed", options->seed, "The seed of the random scenes")->capture_default_str();
     command.add_option("--detail", options->detail, "Claims of this level must be told, or the exit status is 1")
         ->check(CLI::IsMember(words(detail_names)))
         ->capture_default_str();
@@ -245,7 +245,7 @@ void add_grade(CLI::App& program, int& status) {
     command.add_flag("--first", options->first, "Stop at the first scene that goes wrong, and look for no smaller one");
     command.add_flag("--no-sandbox", options->no_sandbox,
                      "Run the program with access to your files and to the network");
-    command.add_option("--language", options->language, "Of the report")
+    command.add_option("--language", options->language, "The language of the report")
         ->check(CLI::IsMember(words(figures::language_codes)))
         ->capture_default_str();
     command.add_option("-o", options->output,

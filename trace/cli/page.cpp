@@ -114,7 +114,7 @@ void add_page(CLI::App& program, int& status) {
                        "Scene files, failures, and traces (.jsonl, .jsonl.gz); without any, the page has the lessons");
     command.add_option("-o", options->output, "The page, .html; - for standard output")->required();
     command.footer(
-        "The page has all it shows in itself and opens the first one; a scene it runs itself.\n"
+        "The page contains everything that it shows and opens the first file; it runs scenes itself.\n"
         "Example: vidno page run.jsonl.gz scene.json -o lecture.html\n"
         "Exit status 1: a trace was cut short or is partial; the page has what there is of it.");
     command.callback([options, &status] { status = page(*options); });

@@ -80,12 +80,12 @@ void add_replay(CLI::App& program, int& status) {
     auto& command = *program.add_subcommand("replay", "Rebuild the picture from the events of a trace alone");
     const auto options = std::make_shared<ReplayOptions>();
     command.add_option("TRACE", options->trace, "A trace, .jsonl or .jsonl.gz; - for standard input")->required();
-    command.add_option("--step", options->step, "After so many events; without it, at the end");
+    command.add_option("--step", options->step, "The number of events [all]");
     command
-        .add_option(
-            "-o", options->output,
-            "The picture, .png or .ppm, of curves .svg, .pdf, .png or .tex; or .json: the whole state at that step; or "
-            ".jsonl: at every step")
+        .add_option("-o", options->output,
+                    "The picture, .png or .ppm; for curves .svg, .pdf, .png or .tex; or .json: the whole state at that "
+                    "step; or "
+                    ".jsonl: at every step")
         ->required();
     command.footer("Exit status 1: the trace was cut short, is partial, or paints another picture than it says.");
     command.callback([options, &status] { status = replay(*options); });

@@ -107,7 +107,7 @@ int shrink(ShrinkOptions options) {
 
 void add_shrink(CLI::App& program, int& status) {
     auto& command =
-        *program.add_subcommand("shrink", "Find the smallest scene that still fails, or does as this one does");
+        *program.add_subcommand("shrink", "Find the smallest scene that still fails, or behaves like this one");
     const auto options = std::make_shared<ShrinkOptions>();
     add_run_options(command, *options, "A scene file, vidno-scene/1, or a failure; - for standard input",
                     "Which algorithm [warnock]", words(method_names));
@@ -120,7 +120,7 @@ void add_shrink(CLI::App& program, int& status) {
         ->check(CLI::IsMember(words(line_names)));
     command.add_option("-o", options->output, "The scene, .json; - for standard output")->required();
     command.footer(
-        "What is left has no polygon, vertex or binary place of a coordinate to spare.\n"
+        "The result cannot lose another polygon, vertex or binary place of a coordinate.\n"
         "Example: vidno shrink scene.json --kernel float --keep failure -o smallest.json");
     command.callback([options, &status] { status = shrink(*options); });
 }

@@ -106,18 +106,17 @@ void add_worksheet(CLI::App& program, int& status) {
     const auto options = std::make_shared<WorksheetOptions>();
     command.add_option("SCENE|TRACE", options->files, "For .pdf scene files, vidno-scene/1; for .xml one trace")
         ->required();
-    command.add_option("--language", options->language, "Of the words in it")
+    command.add_option("--language", options->language, "The language of its words")
         ->check(CLI::IsMember(words(figures::language_codes)))
         ->capture_default_str();
-    command.add_option("--method", options->method, "Of .pdf: which algorithm is worked [warnock]")
+    command.add_option("--method", options->method, "For .pdf: which algorithm is worked [warnock]")
         ->check(CLI::IsMember(words(course_method_names)));
-    command.add_option("--key", options->key, "Of .pdf: the same sheets filled in, .pdf");
-    command
-        .add_option("--count", options->count, "Of .xml: at most so many questions, spread over the run's kinds [20]")
+    command.add_option("--key", options->key, "For .pdf: the same sheets filled in, .pdf");
+    command.add_option("--count", options->count, "For .xml: the most questions, spread over the run's kinds [20]")
         ->check(CLI::Range(1, 9999));
     command
         .add_option("-o", options->output,
-                    "The blank sheets, one scene after the other, .pdf; or what the run does next, as questions for "
+                    "The blank sheets of the scenes in order, .pdf; or questions about what the run does next, for "
                     "Moodle, .xml")
         ->required();
     command.footer(

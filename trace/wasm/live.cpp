@@ -222,7 +222,7 @@ void make_map(Live& live) {
     const auto [kernel, side] = read_json(line, "request", [](const JsonNode& root) {
         root.require_keys({"kernel", "side"});
         const NamedKernel named = read_kernel(root.at("kernel"));
-        if (named.snaps()) root.at("kernel").refuse("the places of a map lie on no grid");
+        if (named.snaps()) root.at("kernel").refuse("the places of a map do not lie on a grid");
         return std::pair(named, root.at("side").whole_number(1, MappedDecision::side));
     });
     for (const auto& [computed, exact] :

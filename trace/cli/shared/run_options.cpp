@@ -19,7 +19,9 @@ CLI::Validator a_kernel() {
 
 CLI::Validator an_edition() {
     return CLI::Validator(
-        [](const std::string& name) { return edition_named(name) ? "" : name + " is no edition: see vidno methods"; },
+        [](const std::string& name) {
+            return edition_named(name) ? "" : name + " is not an edition: see vidno methods";
+        },
         "");
 }
 
@@ -34,11 +36,11 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
 }
 
 void add_any_run_options(CLI::App& command, RunOptions& options) {
-    add_run_options(
-        command, options,
-        "A scene file, vidno-scene/1 or vidno-surface/1, or a failure, vidno-failure/1, which is run as it fails where "
-        "the options do not say otherwise; - for standard input",
-        "Which algorithm [warnock, of a surface floating-horizon]", all_methods());
+    add_run_options(command, options,
+                    "A scene file, vidno-scene/1 or vidno-surface/1, or a failure, vidno-failure/1, which is run as it "
+                    "fails unless "
+                    "options say otherwise; - for standard input",
+                    "Which algorithm [warnock; for a surface floating-horizon]", all_methods());
 }
 
 namespace {
@@ -93,7 +95,7 @@ FloatingHorizonRequest request_of(const RunOptions& options, const Surface& surf
 void expect_run(const NamedKernel& kernel, Method method, Edition edition) {
     const std::string named_method = "--method " + std::string(method_names[std::size_t(method)]);
     if (is_warnock(method) && !kernel.choice->runs_warnock) {
-        throw Refused(named_method + ": not under --kernel " + kernel.name() + ", for it has no Z-buffer");
+        throw Refused(named_method + ": not under --kernel " + kernel.name() + ", since it has no Z-buffer");
     }
     if (!is_of_course(method) && !kernel.choice->runs(method, Edition::corrected)) {
         throw Refused(named_method + ": not under --kernel " + kernel.name());

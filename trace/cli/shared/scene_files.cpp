@@ -83,7 +83,7 @@ AnyScene any_scene_for(RunOptions& options, bool says_step) {
         throw Refused(file + ": a surface, which only --method " + curves + " draws");
     }
     if (!is_of_curves && options.method == curves) {
-        throw Refused("--method " + curves + ": " + file + " is no surface, vidno-surface/1");
+        throw Refused("--method " + curves + ": " + file + " is not a surface, vidno-surface/1");
     }
     return std::move(scene);
 }
