@@ -343,7 +343,7 @@ void add_figure_options(CLI::App& command, FigureOptions& options) {
         ->check(a_kernel())
         ->capture_default_str();
     add_axes(command, options.axes, "For a chart: the horizontal axis [time]");
-    command.add_option("--dpi", options.dots_an_inch, "Of .png")->check(CLI::Range(30, 2400))->capture_default_str();
+    command.add_option("--dpi", options.dots_an_inch, "For .png")->check(CLI::Range(30, 2400))->capture_default_str();
     command.add_flag("--greyscale", options.greyscale, "No colours, and darker textures");
     command.add_flag("--beamer", options.beamer, "A slide with one overlay per step, .tex");
     command.add_option("-o", options.output, "The figure, .svg, .pdf, .png or .tex; - writes SVG to standard output")
