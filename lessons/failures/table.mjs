@@ -14,9 +14,9 @@ const words = {
     file: 'README.md',
     title: '# How these methods fail',
     introduction: `An entry is a file: the smallest scene that we know, the run that fails on it, the run that does not (perhaps of
-the same surface with other samples), and what is to be seen.
-\`tests/check/failures_test.cpp\` holds each to it. The step is that of a trace of level \`signs\`: the first wrong decision, or the
-step that is seen to be wrong. These tables are written by \`table.mjs\`.`,
+the same surface with other samples), and what can be seen.
+\`tests/check/failures_test.cpp\` checks each entry. The step is that of a trace of level \`signs\`: the first wrong decision, or the
+step that is visibly wrong. \`table.mjs\` writes these tables.`,
     head: ['failure', 'how', 'seen under', 'at step', 'there', 'remedy'],
     wrong: ({ of, taken, exact }) => `${of}: ${taken}, exactly ${exact}`,
     pixel: ([shown, right]) => `${shown ?? 'the background'} is painted, not ${right ?? 'the background'}`,
@@ -93,7 +93,7 @@ function painting({ polygons }, events, [x, y]) {
   return last;
 }
 
-/** Of the intersections that both runs compute, one after the other, the one that differs most. */
+/** The intersection that differs most between the two runs, compared in their order. */
 function farthestCut(failing, holding) {
   const cuts = (events) => events.flatMap(({ e, vertex }, i) => (e === 'clip_cross' ? [{ step: i + 1, x: vertex[0] }] : []));
   const right = cuts(holding);
