@@ -105,7 +105,7 @@ TEST_CASE("Operations: the Warnock family finds a window surrounded by its own t
           counted({{windows, 341}, {boxes, 341}, {orientations, 4 * 256}, {depths, 256}, {comparisons, 256}}));
 }
 
-TEST_CASE("Wrong pixels of a method with a rule of its own are held against that") {
+TEST_CASE("Wrong pixels of a method with its own rule are those that differ from this rule") {
     const Scene edge_on = SceneBuilder(area_16).polygon({{2.5, 2.5, 0}, {2.5, 9.5, 0}, {2.5, 6, 1}}).build();
     CHECK(examined(edge_on, Method::warnock_edges, "double").wrong_pixels == 0);
     CHECK(examined(edge_on, Method::warnock_full, "double").wrong_pixels == 0);

@@ -103,7 +103,7 @@ TEST_CASE("Chart of a surface: a tolerance takes the samples that the function n
     CHECK(missed.found.height == 6);
 }
 
-TEST_CASE("Chart of a surface: as printed, columns are looked at only where samples stand") {
+TEST_CASE("Chart of a surface: as printed, only columns with samples are examined") {
     const SurfaceChart chart = charted(peak);
     // Each curve has 9 columns, and 8 steps of 4 columns, each covering 5; both side edges of the second and third curve cover one column
     // each.

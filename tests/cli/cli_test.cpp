@@ -459,7 +459,7 @@ TEST_CASE("margin refuses a step without a sign and a vertex that the scene lack
     CHECK(program(orientation + " --vertex 1.0").status == 2);
 }
 
-TEST_CASE("A usual mistake runs by its name: traced, replayed, run again by check, held against the right run") {
+TEST_CASE("A usual mistake runs by its name: traced, replayed, run again by check, compared with the right run") {
     const Workplace work;
     const std::string scene = work.write("scene.json", square_scene);
     // Upside down the square of the only row is the same.

@@ -200,7 +200,7 @@ TEST_CASE("octant angles: the octants around the window, and by how many an edge
     CHECK_MESSAGE(has_line(drawing, {{40, 0}, {40, 80}}), "the line of the window's right side");
 }
 
-TEST_CASE("the list of a window: its polygons, what is known of each, and the one at hand") {
+TEST_CASE("the list of a window: its polygons, what is known of each, and the current one") {
     const TraceHeader header = header_of(near_before_far());
     auto events = a_division();
     events.insert(events.end(), {event::Corners{Line::PW1, Value::minus_infinite()}, event::Count{Line::PW4, {0}, 1}});
@@ -257,7 +257,7 @@ TEST_CASE("what a trace does not tell is refused") {
     CHECK_THROWS_AS(list_part(Moment(header), {}, 80), Refused);
 }
 
-TEST_CASE("the listing: the procedure at hand, and an arrow at its current line") {
+TEST_CASE("the listing: the current procedure, and an arrow at its current line") {
     const TraceHeader header = header_of(near_before_far());
     const Drawing listing = listing_part(after(header, a_division()), {}, 200);
     const auto labels = all<Label>(listing);

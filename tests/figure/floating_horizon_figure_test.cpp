@@ -83,7 +83,7 @@ TEST_CASE("curve figure: horizons only where there are any") {
     CHECK_FALSE(*paths_of(drawing)[0].stroke == *paths_of(drawing)[1].stroke);
 }
 
-TEST_CASE("curve figure: the segment at hand is heavy, the height that is compared a dot on its column") {
+TEST_CASE("curve figure: the current segment is heavy, the compared height is a dot on its column") {
     const FloatingHorizonHeader header = crossing_curves();
     Drawing drawing;
     draw_curve_at_hand(drawing, after(header, some_events()), plane_90, {});

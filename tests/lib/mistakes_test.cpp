@@ -179,7 +179,7 @@ TEST_CASE("Boundary outside: a shared edge along a row is a row of holes by both
     });
 }
 
-TEST_CASE("Integer division: of three columns two are looked at") {
+TEST_CASE("Integer division: only two of three columns are examined") {
     // 3 / 2 = 1: the windows are those of columns 0 and 1. B holds (5/2, 1/2).
     check_witness(Deviation::integer_division, {{2, 0, ""}});
     // The same on its side: of 1 x 3 pixels the last is lost, and the run ends.

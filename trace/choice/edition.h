@@ -70,7 +70,7 @@ inline constexpr auto named_editions = [] {
     std::array<NamedEdition, 2 + mistakes> named{
         NamedEdition{Edition::corrected,
                      "corrected",
-                     "the procedures with the errors of the printed text put right",
+                     "the procedures with the errors of the printed text corrected",
                      {"corrected", "исправленный текст"}},
         NamedEdition{Edition::printed,
                      "printed",

@@ -63,14 +63,14 @@ inline constexpr std::array kernel_choices{
     KernelChoice{
         .kind = KernelKind::binary32,
         .name = "float",
-        .rule = "IEEE binary32; decisions as they fall",
+        .rule = "IEEE binary32; decisions follow from the rounded values",
         .says =
             {"Numbers of 24 significant bits (IEEE binary32). Results are rounded, so decisions can go wrong.",
              "Числа с 24 значащими битами (IEEE binary32). Результаты округляются, поэтому решения бывают неверными."}},
     KernelChoice{
         .kind = KernelKind::binary64,
         .name = "double",
-        .rule = "IEEE binary64; decisions as they fall",
+        .rule = "IEEE binary64; decisions follow from the rounded values",
         .says =
             {"Numbers of 53 significant bits (IEEE binary64). Results are rounded, so decisions can go wrong.",
              "Числа с 53 значащими битами (IEEE binary64). Результаты округляются, поэтому решения бывают неверными."},
@@ -78,7 +78,7 @@ inline constexpr std::array kernel_choices{
     KernelChoice{
         .kind = KernelKind::bits,
         .name = "bits",
-        .rule = "every result rounded to P bits; decisions as they fall",
+        .rule = "every result rounded to P bits; decisions follow from the rounded values",
         .says = {"Each result is rounded to that many significant bits, so that rounding is easy to see.",
                  "Каждый результат округляется до указанного числа значащих битов: погрешность легко увидеть."},
         .parameter = {{'P', fewest_bits, most_bits, {8, 12}}}},

@@ -1,4 +1,4 @@
-/// DepthSignReversed: the smaller z is the nearer.
+/// DepthSignReversed: the smaller z is nearer.
 ///
 /// Believed   that z := (a x + b y + d) / c, with the minus lost when a x + b y + c z + d = 0 was solved for z; or that z
 ///            is the distance from the viewer.
