@@ -14,7 +14,7 @@ Drawing drawn_regions(const std::vector<ShownRegion>& regions, const Scene& scen
 /// The visible regions found so far, filled.
 void draw_visible(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
-/// The lists on the stack, dotted. Of the current list: the clip polygon heavy, the parts inside it solid, those outside dashed.
+/// The lists on the stack, dotted. In the current list: the clip polygon heavy, the parts inside it solid, those outside dashed.
 void draw_lists(Drawing& to, const Moment& moment, const Plane& plane, const Style& style);
 
 /// A region on the plane; nothing if a vertex is not finite.
